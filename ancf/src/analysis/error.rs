@@ -1,0 +1,46 @@
+use thiserror::Error;
+
+/// Why a Newton iteration failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum Failure {
+    /// The iteration matrix has no usable factorisation.
+    #[error("the iteration matrix is singular: a joint repeats another, or a motion is held by nothing")]
+    Singular,
+    /// The factors of the iteration matrix do not fit into memory.
+    #[error("the factors of the iteration matrix do not fit into memory")]
+    Memory,
+    /// Numbers became infinite or not a number.
+    #[error("the iteration diverged: a smaller step may help")]
+    Diverged,
+    /// Increments stopped to decrease above the rounding error.
+    #[error("the iteration stagnated above the rounding error: a smaller step may help")]
+    Stagnated,
+    /// The permitted number of iterations was not enough.
+    #[error("the iteration did not converge: a smaller step or more iterations may help")]
+    NotConverged,
+}
+
+/// A failed solution of the equations of motion, in the units of the solver.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("{failure} (after {iterations} iterations, |r| = {residual:.3e}, |dq| = {increment:.3e})")]
+pub struct SolveError {
+    /// Why.
+    pub failure: Failure,
+    /// Time that was to be reached.
+    pub t: f64,
+    /// Iterations done.
+    pub iterations: u32,
+    /// Euclidean norm of the last residual.
+    pub residual: f64,
+    /// Euclidean norm of the last increment of the coordinates.
+    pub increment: f64,
+    /// The equation whose residual exceeds its rounding error most: a coordinate, or a multiplier after all coordinates.
+    pub worst: usize,
+}
+
+impl SolveError {
+    /// A failure before any iteration.
+    pub(super) const fn at_start(failure: Failure) -> Self {
+        Self { failure, t: 0.0, iterations: 0, residual: 0.0, increment: 0.0, worst: 0 }
+    }
+}

@@ -1,0 +1,11 @@
+//! FLOOR 1a: what is done with equations of motion. Newton's method and time integration; knows no mechanics.
+
+mod dynamics;
+mod error;
+mod newmark;
+mod newton;
+
+pub use dynamics::{Dynamics, StepReport, consistent_start};
+pub use error::{Failure, SolveError};
+pub use newmark::Newmark;
+pub use newton::{Newton, Report, Stop};

@@ -1,0 +1,225 @@
+use std::ops::ControlFlow;
+
+use super::{Failure, SolveError};
+use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
+
+/// When a Newton iteration ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop {
+    /// The energy of the increment, |Δq·r| + |Δλ·Φ|, is at most tolerance² times the largest energy met, or the
+    /// residual is down to its own rounding error.
+    ///
+    /// The products are free of units, of the choice of slope coordinates and of the frame of reference: iterations in
+    /// any of them end alike. Newton's method converges quadratically, so the error left behind is far below the
+    /// tolerance, which is relative to the size of the motion in the energy norm.
+    Energy(f64),
+    /// |r|₂ is at most this number, forces and constraints alike. Depends on units.
+    Residual(f64),
+    /// |Δq|₂ is at most this number. Depends on units.
+    Increment(f64),
+}
+
+/// How an iteration went.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Number of linear solutions.
+    pub iterations: u32,
+    /// Euclidean norm of the last residual that was evaluated.
+    pub residual: f64,
+    /// Euclidean norm of the last increment of the coordinates.
+    pub increment: f64,
+    /// Whether the rounding error of the residual ended it.
+    pub floor: bool,
+}
+
+/// Newton's method with the exact tangent for equations of motion, with its working storage.
+#[derive(Debug)]
+pub struct Newton {
+    stop: Stop,
+    max_iterations: u32,
+    matrix: SparseMatrix,
+    factor: Factor,
+    r: Vec<f64>,
+    z: Vec<f64>,
+    floor: Vec<f64>,
+    /// The largest energy met.
+    energy: f64,
+}
+
+/// A residual within this many times its rounding bound cannot be told from zero.
+const FLOOR: f64 = 8.0;
+/// So many iterations without progress are a stagnation.
+const STUCK: u32 = 3;
+
+impl Newton {
+    /// A solver for equations whose tangents have the pattern of `matrix`.
+    ///
+    /// # Errors
+    /// If memory does not suffice for the factorisation.
+    pub fn new(matrix: SparseMatrix, stop: Stop, max_iterations: u32) -> Result<Self, SolveError> {
+        let zeros = vec![0.0; matrix.pattern().size()];
+        Ok(Self {
+            stop,
+            max_iterations,
+            factor: Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?,
+            matrix,
+            r: zeros.clone(),
+            z: zeros.clone(),
+            floor: zeros,
+            energy: 0.0,
+        })
+    }
+
+    /// Tells the energy rule of an energy that the motion has.
+    pub fn met(&mut self, energy: f64) {
+        self.energy = self.energy.max(energy);
+    }
+
+    /// Iterates a state until r(s) = 0, moving it by `w`.
+    ///
+    /// One iteration solves [w_q ∂r/∂q + .. + w_a M, Φ_qᵀ; Φ_q, 0] (dz, dλ) = −(r, Φ/w_q): the constraints are those of
+    /// Kim et al. (2017), eq. (38), divided by w_q, which makes the matrix symmetric and its condition bounded as h → 0.
+    ///
+    /// # Errors
+    /// If the matrix is singular or the iteration does not end; the state is then of no use.
+    pub fn solve(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+    ) -> Result<Report, SolveError> {
+        let mut progress = Progress::default();
+        loop {
+            eom.residual(s, &mut self.r);
+            progress.report.residual = norm(&self.r);
+            if let ControlFlow::Break(end) = self.judge_residual(eom, s, &progress) {
+                return end.map_err(|failure| self.error(failure, eom, s, progress.report));
+            }
+            let energy = self
+                .increment(eom, s, w, &mut progress.report)
+                .map_err(|failure| self.error(failure, eom, s, progress.report))?;
+            if let ControlFlow::Break(end) = self.judge_increment(energy, &mut progress) {
+                return end.map_err(|failure| self.error(failure, eom, s, progress.report));
+            }
+        }
+    }
+
+    /// One Newton increment of the state; returns its energy |Δq·r| + |Δλ·Φ|.
+    fn increment(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+        report: &mut Report,
+    ) -> Result<f64, Failure> {
+        let n = s.q.len();
+        eom.tangent(s, w, &mut self.matrix);
+        for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
+            *z = if i < n { -r } else { -r / w.q };
+        }
+        self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
+        self.factor.solve(&mut self.z).map_err(|_| Failure::Singular)?;
+        s.add(&self.z, w);
+        let dot = |z: &[f64], r: &[f64]| z.iter().zip(r).map(|(z, r)| z * r).sum::<f64>();
+        report.iterations += 1;
+        report.increment = w.q * norm(&self.z[..n]);
+        Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
+    }
+
+    /// Ends the iteration on a residual that is small enough, at its floor, or not finite.
+    fn judge_residual(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        progress: &Progress,
+    ) -> ControlFlow<Result<Report, Failure>> {
+        let report = progress.report;
+        if !report.residual.is_finite() {
+            return ControlFlow::Break(Err(Failure::Diverged));
+        }
+        if matches!(self.stop, Stop::Residual(tolerance) if report.residual <= tolerance) {
+            return ControlFlow::Break(Ok(report));
+        }
+        if progress.stuck > 0 && self.excess(eom, s).1 <= FLOOR {
+            return ControlFlow::Break(Ok(Report { floor: true, ..report }));
+        }
+        if progress.stuck >= STUCK {
+            return ControlFlow::Break(Err(Failure::Stagnated));
+        }
+        if report.iterations >= self.max_iterations {
+            return ControlFlow::Break(Err(Failure::NotConverged));
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Ends the iteration on an increment that is small enough; takes note of a lack of progress.
+    fn judge_increment(
+        &mut self,
+        energy: f64,
+        progress: &mut Progress,
+    ) -> ControlFlow<Result<Report, Failure>> {
+        match self.stop {
+            Stop::Energy(tolerance) => {
+                self.energy = self.energy.max(if progress.report.iterations == 1 { energy } else { 0.0 });
+                if energy <= tolerance * tolerance * self.energy {
+                    return ControlFlow::Break(Ok(progress.report));
+                }
+                progress.note(energy);
+            }
+            Stop::Increment(tolerance) if progress.report.increment <= tolerance => {
+                return ControlFlow::Break(Ok(progress.report));
+            }
+            // The absolute rules mean what they say: near the rounding error they wander until a residual happens to
+            // be small enough, which is what Kim et al. (2017), fig. 7, show.
+            Stop::Increment(_) | Stop::Residual(_) => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The equation whose residual is the largest multiple of its rounding bound, and that multiple.
+    fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
+        eom.rounding(s, &mut self.floor);
+        let mut worst = (0, 0.0);
+        for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
+            let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };
+            if excess > worst.1 || excess.is_nan() {
+                worst = (i, excess);
+            }
+        }
+        worst
+    }
+
+    fn error(
+        &mut self,
+        failure: Failure,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        last: Report,
+    ) -> SolveError {
+        let worst = self.excess(eom, s).0;
+        let Report { iterations, residual, increment, .. } = last;
+        SolveError { failure, t: s.t, iterations, residual, increment, worst }
+    }
+}
+
+/// The course of one iteration.
+#[derive(Default)]
+struct Progress {
+    report: Report,
+    /// The smallest energy of an increment so far.
+    least: Option<f64>,
+    /// Consecutive iterations that did not halve it.
+    stuck: u32,
+}
+
+impl Progress {
+    fn note(&mut self, energy: f64) {
+        let stuck = self.least.is_some_and(|least| energy > 0.5 * least);
+        self.stuck = if stuck { self.stuck + 1 } else { 0 };
+        self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
+    }
+}
+
+fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,81 @@
+//! Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
+//!
+//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`] rewrites it in the units
+//! of its [`Scales`], assembles the index-3 equations of motion
+//!
+//! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0,
+//!
+//! integrates them by Newmark's scheme with Newton's method and the exact tangent, and passes every instant, in the
+//! user's units again, to a [`Sink`](record::Sink).
+//!
+//! Floors, arrows pointing downwards only:
+//!
+//! ```text
+//!            simulate              model -> scaled model -> equations -> states -> rows -> sinks
+//!          /    |     \
+//!      model    |    record        what the user states; rows of numbers under names
+//!        |   analysis   |          Newton, Newmark: know equations of motion, no mechanics
+//!    mechanics  |       |          elements, markers, constraints: know terms, no analysis
+//!          \    |       |
+//!           system    scales       states, terms, assembly, sparse matrices; units
+//! ```
+//!
+//! The cantilever of Kim et al. (2017), dropped under its own weight:
+//!
+//! ```
+//! use ancf::record::Series;
+//! use ancf::{Model, simulate};
+//!
+//! let model = Model::parse(
+//!     r#"
+//!     gravity = [0, -9.81, 0]
+//!     materials.steel = { density = 8030, young = 193e9 }
+//!     sections.rod = { kind = "circle", diameter = 0.02 }
+//!
+//!     [[bodies]]
+//!     kind = "beam"
+//!     name = "beam"
+//!     from = [0, 0, 0]
+//!     to = [1, 0, 0]
+//!     elements = 2
+//!     section = "rod"
+//!     material = "steel"
+//!
+//!     [[joints]]
+//!     kind = "clamp"
+//!     name = "root"
+//!     a = { body = "beam", at = "start" }
+//!
+//!     [[probes]]
+//!     name = "tip"
+//!     on = { body = "beam", at = "end" }
+//!
+//!     [analysis]
+//!     kind = "dynamics"
+//!     duration = 2.0
+//!     step = 1e-3
+//!     start = "zero"
+//!     "#,
+//! )?;
+//! let mut series = Series::new();
+//! let summary = simulate(&model, &mut series)?;
+//! assert!(summary.outcome.is_finished());
+//! let tip = series.column("tip.y").ok_or("no such column")?;
+//! let mean = tip.iter().sum::<f64>() / tip.len() as f64;
+//! assert!((mean - -1.870e-3).abs() < 2e-6); // Kim et al. (2017), table 5, two elements
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod analysis;
+pub mod mechanics;
+pub mod model;
+pub mod record;
+mod rows;
+pub mod scales;
+mod simulate;
+pub mod system;
+
+pub use model::{Model, ModelError};
+pub use rows::Rows;
+pub use scales::Scales;
+pub use simulate::{Error, Outcome, Summary, simulate};

@@ -1,0 +1,194 @@
+use std::ops::Range;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Marker;
+use crate::system::{Local, LocalMatrix, State, Term, Weights};
+
+/// A force and a moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Force.
+    pub force: Vector3<f64>,
+    /// Moment about the point of the joint.
+    pub moment: Vector3<f64>,
+}
+
+/// The sorted coordinates of two markers, each once.
+fn joined(a: &Marker, b: &Marker) -> Vec<usize> {
+    let mut coordinates: Vec<usize> = a.coordinates().chain(b.coordinates()).collect();
+    coordinates.sort_unstable();
+    coordinates.dedup();
+    coordinates
+}
+
+/// Three linear equations: a − b keeps its reference value. Ties two points, or two directions.
+///
+/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b.
+///
+/// Units: of the markers; λ is a force for points and a moment for directions.
+#[derive(Clone, Debug)]
+pub struct Coincide {
+    global: Marker,
+    a: Marker,
+    b: Marker,
+    coordinates: Vec<usize>,
+    first: usize,
+    direction: bool,
+}
+
+impl Coincide {
+    /// Ties two points; uses the three multipliers from `first` on.
+    pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
+        Self::new(a, b, first, false)
+    }
+
+    /// Ties two directions; uses the three multipliers from `first` on.
+    pub fn directions(a: &Marker, b: &Marker, first: usize) -> Self {
+        Self::new(a, b, first, true)
+    }
+
+    fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
+        let coordinates = joined(a, b);
+        let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
+        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction }
+    }
+
+    /// Its share of what the joint exerts on the body of marker a: force −λ, or moment a × (−λ) for a direction.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
+        if self.direction {
+            Wrench { moment: self.global.value(s).cross(&force), ..Wrench::default() }
+        } else {
+            Wrench { force, ..Wrench::default() }
+        }
+    }
+}
+
+impl Term for Coincide {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.first..self.first + 3
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let (rows, equations) = r.split_at_mut(at.q.len());
+        let lambda = Vector3::from_column_slice(at.lambda);
+        self.a.add(lambda, rows);
+        self.b.add(-lambda, rows);
+        for (row, gap) in equations.iter_mut().zip(&(self.a.sum(at.q) - self.b.sum(at.q))) {
+            *row += gap;
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (rows, equations) = floor.split_at_mut(at.q.len());
+        for marker in [&self.a, &self.b] {
+            for &(first, w) in marker.parts() {
+                for k in 0..3 {
+                    rows[first + k] += f64::EPSILON * (w * at.lambda[k]).abs();
+                    equations[k] += f64::EPSILON * (w * at.q[first + k]).abs();
+                }
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, _: Weights, k: &mut LocalMatrix<'_>) {
+        let n = at.q.len();
+        for (marker, sign) in [(&self.a, 1.0), (&self.b, -1.0)] {
+            for &(first, w) in marker.parts() {
+                for i in 0..3 {
+                    k.add(n + i, first + i, sign * w);
+                }
+            }
+        }
+    }
+}
+
+/// One bilinear equation: the directions a and b keep their angle, a·b = a₀·b₀.
+///
+/// Φ = a·b − a₀·b₀, evaluated without cancellation; Φ_qᵀ λ puts λ b on a and λ a on b.
+///
+/// Units: none for directions; λ is a moment.
+#[derive(Clone, Debug)]
+pub struct Perpendicular {
+    global: [Marker; 2],
+    a: Marker,
+    b: Marker,
+    coordinates: Vec<usize>,
+    multiplier: usize,
+}
+
+impl Perpendicular {
+    /// Keeps the angle of two directions, by the given multiplier.
+    pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
+        let coordinates = joined(a, b);
+        let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
+        Self { global: [a.clone(), b.clone()], a: local_a, b: local_b, coordinates, multiplier }
+    }
+
+    /// Its share of what the joint exerts on the body of marker a: the moment a × (−λ b).
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let [a, b] = self.global.each_ref().map(|marker| marker.value(s));
+        Wrench { moment: a.cross(&(b * -s.lambda[self.multiplier])), ..Wrench::default() }
+    }
+
+    fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {
+        [self.a.reference() + self.a.sum(q), self.b.reference() + self.b.sum(q)]
+    }
+}
+
+impl Term for Perpendicular {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.multiplier..self.multiplier + 1
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let n = at.q.len();
+        let [a, b] = self.values(at.q);
+        self.a.add(b * at.lambda[0], &mut r[..n]);
+        self.b.add(a * at.lambda[0], &mut r[..n]);
+        let (ua, ub) = (self.a.sum(at.q), self.b.sum(at.q));
+        r[n] += self.a.reference().dot(&ub) + ua.dot(&self.b.reference()) + ua.dot(&ub);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let n = at.q.len();
+        let sizes = self.values(at.q).map(|x| x.norm());
+        for (marker, other) in [(&self.a, sizes[1]), (&self.b, sizes[0])] {
+            for &(first, w) in marker.parts() {
+                for k in 0..3 {
+                    floor[first + k] += f64::EPSILON * (w * at.lambda[0]).abs() * other;
+                    floor[n] += f64::EPSILON * (w * at.q[first + k]).abs() * other;
+                }
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let n = at.q.len();
+        let [a, b] = self.values(at.q);
+        for (marker, other) in [(&self.a, b), (&self.b, a)] {
+            for &(first, weight) in marker.parts() {
+                for i in 0..3 {
+                    k.add(n, first + i, weight * other[i]);
+                }
+            }
+        }
+        let curvature = Matrix3::from_diagonal_element(w.q * at.lambda[0]);
+        let mut add = |i: usize, j: usize, value: f64| {
+            if i >= j {
+                k.add(i, j, value);
+            }
+        };
+        self.a.product(&self.b, &curvature, &mut add);
+        self.b.product(&self.a, &curvature, &mut add);
+    }
+}

@@ -1,0 +1,46 @@
+use nalgebra::Vector3;
+
+use super::Marker;
+use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
+
+/// A force on a point, constant in size and direction.
+///
+/// Adds −w F to the residual; its potential −F·(x − x₀) is zero in the reference configuration.
+#[derive(Clone, Debug)]
+pub struct Force {
+    point: Marker,
+    coordinates: Vec<usize>,
+    force: Vector3<f64>,
+}
+
+impl Force {
+    /// The force on a point marker.
+    pub fn new(point: &Marker, force: Vector3<f64>) -> Self {
+        let coordinates: Vec<usize> = point.coordinates().collect();
+        Self { point: point.within(&coordinates), coordinates, force }
+    }
+}
+
+impl Term for Force {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, _: &Local<'_>, r: &mut [f64]) {
+        self.point.add(-self.force, r);
+    }
+
+    fn rounding(&self, _: &Local<'_>, floor: &mut [f64]) {
+        for &(first, w) in self.point.parts() {
+            for k in 0..3 {
+                floor[first + k] += f64::EPSILON * (w * self.force[k]).abs();
+            }
+        }
+    }
+
+    fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        Energy { potential: -self.force.dot(&self.point.sum(at.q)), ..Energy::default() }
+    }
+}

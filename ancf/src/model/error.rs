@@ -1,0 +1,63 @@
+use std::fmt;
+use std::ops::Range;
+
+/// Something wrong in a model, for its user to mend.
+///
+/// All errors of a model are reported together. The path is that of the key in the model file, such as
+/// `bodies[0].material`; the position is known if the model came from a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModelError {
+    /// Path of the key, empty for the file as a whole.
+    pub path: String,
+    /// What was found there.
+    pub found: String,
+    /// What is wanted instead.
+    pub wanted: String,
+    /// A suggestion, such as the key that was probably meant.
+    pub hint: Option<String>,
+    /// Where in the text.
+    pub at: Option<Position>,
+}
+
+/// A place in the text of a model file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Position {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Bytes of the text.
+    pub bytes: Range<usize>,
+}
+
+impl ModelError {
+    /// An error at `path`.
+    pub fn new(path: impl Into<String>, found: impl Into<String>, wanted: impl Into<String>) -> Self {
+        Self { path: path.into(), found: found.into(), wanted: wanted.into(), hint: None, at: None }
+    }
+
+    /// The same error with a suggestion.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(at) = &self.at {
+            write!(f, "{}:{}: ", at.line, at.column)?;
+        }
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path)?;
+        }
+        write!(f, "found {}, wanted {}", self.found, self.wanted)?;
+        if let Some(hint) = &self.hint {
+            write!(f, " ({hint})")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for ModelError {}

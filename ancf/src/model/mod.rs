@@ -1,0 +1,72 @@
+//! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
+
+mod analysis;
+mod assemble;
+mod body;
+mod check;
+mod error;
+mod joint;
+mod load;
+mod material;
+mod output;
+mod read;
+mod redundant;
+mod scale;
+mod section;
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
+pub use assemble::Assembly;
+pub use body::{At, AtEnd, Beam, Body, Place, Slopes};
+pub use error::{ModelError, Position};
+pub use joint::{Clamped, End, Joint};
+pub use load::Load;
+pub use material::Material;
+pub use output::{Output, Probe};
+pub use read::schema;
+pub use scale::{Chosen, ScaleChoice};
+pub use section::Section;
+
+/// A flexible multibody model as its user states it.
+///
+/// Every number is in the user's own coherent units (m-kg-s, mm-t-s, ...). The same type is read from TOML,
+/// built in Rust, printed, and rewritten in other units by [`Model::scaled`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "ancf model")]
+pub struct Model {
+    /// A line that says what this model is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Acceleration of gravity, length/time²; no gravity by default.
+    #[serde(default)]
+    pub gravity: [f64; 3],
+    /// Materials by name.
+    pub materials: BTreeMap<String, Material>,
+    /// Cross-sections by name.
+    pub sections: BTreeMap<String, Section>,
+    /// The flexible bodies.
+    #[schemars(length(min = 1))]
+    pub bodies: Vec<Body>,
+    /// Joints that tie bodies to the ground or to each other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<Joint>,
+    /// Loads besides gravity.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<Load>,
+    /// Units in which the equations are solved; the user's own by default.
+    #[serde(default)]
+    pub scales: ScaleChoice,
+    /// What to compute.
+    pub analysis: Analysis,
+    /// Points whose motion is recorded.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub probes: Vec<Probe>,
+    /// What is written, and how often.
+    #[serde(default)]
+    pub output: Output,
+}

@@ -1,0 +1,73 @@
+use std::collections::BTreeMap;
+
+use super::{Joint, ModelError};
+use crate::system::{LOCAL, Local, LocalMatrix, Term, Weights};
+
+/// A row is redundant if less than this part of it is independent of the others.
+const INDEPENDENT: f64 = 1e-8;
+
+/// Finds joints that repeat what others already tie, by orthogonalising the rows of Φ_q in the reference state.
+///
+/// Without this check a repeated equation leaves multipliers undetermined and reactions arbitrary.
+pub(super) fn redundant(equations: &[Vec<Box<dyn Term>>], joints: &[Joint]) -> Result<(), Vec<ModelError>> {
+    let mut independent: Vec<BTreeMap<usize, f64>> = Vec::new();
+    let mut errors = Vec::new();
+    for (k, terms) in equations.iter().enumerate() {
+        let rows: Vec<_> = terms.iter().flat_map(|term| rows(term.as_ref())).collect();
+        let before = independent.len();
+        let count = rows.len();
+        for row in rows {
+            independent.extend(orthogonal(row, &independent));
+        }
+        let repeated = count - (independent.len() - before);
+        if repeated > 0 {
+            errors.push(ModelError::new(
+                format!("joints[{k}]"),
+                format!(
+                    "joint `{}`, of whose {count} equations {repeated} repeat earlier joints",
+                    joints[k].name()
+                ),
+                "joints that tie each motion once",
+            ));
+        }
+    }
+    if errors.is_empty() { Ok(()) } else { Err(errors) }
+}
+
+/// The rows of Φ_q of one term in the reference state, each of length one.
+fn rows(term: &dyn Term) -> Vec<BTreeMap<usize, f64>> {
+    let (coordinates, multipliers) = (term.coordinates(), term.multipliers().len());
+    let n = coordinates.len();
+    let zero = vec![0.0; LOCAL];
+    let at = Local { q: &zero[..n], v: &zero[..n], a: &zero[..n], lambda: &zero[..multipliers] };
+    let mut storage = vec![0.0; LOCAL * LOCAL];
+    let mut k = LocalMatrix::zero(n + multipliers, &mut storage);
+    term.tangent(&at, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut k);
+    let row = |m: usize| coordinates.iter().enumerate().map(|(i, &c)| (c, k.get(n + m, i))).collect();
+    (0..multipliers).map(|m| unit(row(m)).0).collect()
+}
+
+/// The part of a unit row that is orthogonal to orthonormal ones, if there is any to speak of.
+fn orthogonal(
+    mut row: BTreeMap<usize, f64>,
+    others: &[BTreeMap<usize, f64>],
+) -> Option<BTreeMap<usize, f64>> {
+    // Twice is enough for orthogonality to rounding (Parlett).
+    for other in others.iter().chain(others) {
+        let dot: f64 = row.iter().filter_map(|(c, x)| other.get(c).map(|y| x * y)).sum();
+        if dot != 0.0 {
+            for (&c, y) in other {
+                *row.entry(c).or_default() -= dot * y;
+            }
+        }
+    }
+    let (row, length) = unit(row);
+    (length > INDEPENDENT).then_some(row)
+}
+
+fn unit(mut row: BTreeMap<usize, f64>) -> (BTreeMap<usize, f64>, f64) {
+    row.retain(|_, x| *x != 0.0);
+    let length = row.values().map(|x| x * x).sum::<f64>().sqrt();
+    row.values_mut().for_each(|x| *x /= length);
+    (row, length)
+}

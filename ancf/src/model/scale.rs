@@ -1,0 +1,208 @@
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Place, Probe, Section};
+use crate::scales::{Dimension, Scales};
+
+/// How the units of the equations are chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum ScaleChoice {
+    /// The user's own: the dimensional form.
+    #[default]
+    None,
+    /// Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7). For one beam under gravity.
+    Paper,
+    /// The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq. (7).
+    Auto,
+    /// Given by number.
+    Given {
+        /// Unit of length.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        length: f64,
+        /// Unit of force.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        force: f64,
+        /// Unit of time; by eq. (7) with the ρA of the longest body if left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        time: Option<f64>,
+    },
+}
+
+/// The units chosen for a model, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// The units.
+    pub scales: Scales,
+    /// How they were chosen, in words.
+    pub reason: String,
+}
+
+impl Model {
+    /// The units in which the equations of this model are to be solved.
+    ///
+    /// The model must be a valid one (see [`Model::check`]).
+    pub fn scales(&self) -> Chosen {
+        let longest = self.bodies.iter().max_by(|a, b| a.beam().length().total_cmp(&b.beam().length()));
+        let (Some(body), false) = (longest, self.scales == ScaleChoice::None) else {
+            return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
+        };
+        let beam = body.beam();
+        let (length, name) = (beam.length(), &beam.name);
+        let (line_mass, bending) = self.line(beam);
+        let weight = line_mass * length * Vector3::from(self.gravity).norm();
+        let (scales, reason) = match self.scales {
+            ScaleChoice::Given { length, force, time } => {
+                let by_eq_7 = Scales::from_force(length, force, line_mass);
+                (Scales { time: time.unwrap_or(by_eq_7.time), ..by_eq_7 }, "given".into())
+            }
+            ScaleChoice::Paper => (
+                Scales::from_force(length, weight / f64::from(beam.elements), line_mass),
+                format!("length of `{name}`, weight of one element, time by eq. (7)"),
+            ),
+            ScaleChoice::Auto | ScaleChoice::None if weight > 0.0 => (
+                Scales::from_force(length, weight, line_mass),
+                format!("length and weight of the longest body, `{name}`, time by eq. (7)"),
+            ),
+            ScaleChoice::Auto | ScaleChoice::None => (
+                Scales::from_force(length, bending / length.powi(2), line_mass),
+                format!("length L and E I/L2 of the longest body, `{name}`, time by eq. (7)"),
+            ),
+        };
+        Chosen { scales, reason }
+    }
+
+    /// ρA and the smaller E I of a beam.
+    fn line(&self, beam: &Beam) -> (f64, f64) {
+        let (material, section) = (&self.materials[&beam.material], self.sections[&beam.section].moments());
+        (material.density * section.area, material.young * section.yy.min(section.zz))
+    }
+
+    /// The same model in other units: what comes out is a model like any other, whose own scales are none.
+    ///
+    /// Tolerances of the absolute stopping rules stay as they are: they refer to the numbers of the solver.
+    #[must_use]
+    pub fn scaled(&self, scales: &Scales) -> Self {
+        let Self {
+            title,
+            gravity,
+            materials,
+            sections,
+            bodies,
+            joints,
+            loads,
+            scales: _,
+            analysis,
+            probes,
+            output,
+        } = self.clone();
+        Self {
+            title,
+            gravity: vector(gravity, Dimension::ACCELERATION, scales),
+            materials: materials.into_iter().map(|(name, m)| (name, m.scaled(scales))).collect(),
+            sections: sections.into_iter().map(|(name, s)| (name, s.scaled(scales))).collect(),
+            bodies: bodies.into_iter().map(|body| body.scaled(scales)).collect(),
+            joints: joints.into_iter().map(|joint| joint.scaled(scales)).collect(),
+            loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
+            scales: ScaleChoice::None,
+            analysis: analysis.scaled(scales),
+            probes: probes
+                .into_iter()
+                .map(|Probe { name, on }| Probe { name, on: on.scaled(scales) })
+                .collect(),
+            output,
+        }
+    }
+}
+
+fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
+    x / scales.unit(of)
+}
+
+fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
+    x.map(|x| number(x, of, scales))
+}
+
+// Each part is taken apart field by field, so that a new field cannot be forgotten here.
+
+impl Material {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { density, young, poisson } = self;
+        Self {
+            density: number(density, Dimension::DENSITY, s),
+            young: number(young, Dimension::STRESS, s),
+            poisson,
+        }
+    }
+}
+
+impl Section {
+    fn scaled(self, s: &Scales) -> Self {
+        let length = |x| number(x, Dimension::LENGTH, s);
+        match self {
+            Self::Circle { diameter } => Self::Circle { diameter: length(diameter) },
+            Self::Rectangle { height, width } => {
+                Self::Rectangle { height: length(height), width: length(width) }
+            }
+        }
+    }
+}
+
+impl Body {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self::Beam(Beam { name, from, to, up, elements, section, material, slopes }) = self;
+        let point = |x| vector(x, Dimension::LENGTH, s);
+        Self::Beam(Beam { name, from: point(from), to: point(to), up, elements, section, material, slopes })
+    }
+}
+
+impl Place {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { body, at } = self;
+        let at = match at {
+            At::End(end) => At::End(end),
+            At::Length(x) => At::Length(number(x, Dimension::LENGTH, s)),
+        };
+        Self { body, at }
+    }
+}
+
+impl Joint {
+    fn scaled(self, s: &Scales) -> Self {
+        let end = |b| match b {
+            End::Ground => End::Ground,
+            End::Place(place) => End::Place(place.scaled(s)),
+        };
+        match self {
+            Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: end(b), fix },
+            Self::Revolute { name, a, b, axis } => Self::Revolute { name, a: a.scaled(s), b: end(b), axis },
+            Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: end(b) },
+        }
+    }
+}
+
+impl Load {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self::Force { on, force } = self;
+        Self::Force { on: on.scaled(s), force: vector(force, Dimension::FORCE, s) }
+    }
+}
+
+impl Analysis {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self::Dynamics(Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings }) =
+            self;
+        let time = |x| number(x, Dimension::TIME, s);
+        Self::Dynamics(Dynamics {
+            duration: time(duration),
+            step: time(step),
+            scheme,
+            start,
+            stop,
+            max_iterations,
+            max_halvings,
+        })
+    }
+}

@@ -1,0 +1,38 @@
+use std::fmt;
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+
+use super::Sink;
+
+/// Comma-separated values: a line of names, then a line per row. Numbers are written so that they read back exactly.
+pub struct Csv<W: Write> {
+    writer: csv::Writer<W>,
+}
+
+impl<W: Write> fmt::Debug for Csv<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Csv").finish_non_exhaustive()
+    }
+}
+
+impl<W: Write> Csv<W> {
+    /// Writes to `to`, buffered.
+    pub fn new(to: W) -> Self {
+        Self { writer: csv::Writer::from_writer(to) }
+    }
+}
+
+impl<W: Write> Sink for Csv<W> {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        Ok(self.writer.write_record(columns)?)
+    }
+
+    fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
+        self.writer.serialize(row)?;
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        self.writer.flush()
+    }
+}

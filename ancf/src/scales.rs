@@ -1,0 +1,94 @@
+//! Units of length, time and force: the only place that knows how a number changes with them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The dimension of a quantity as exponents of length, time and force.
+///
+/// A force is (0, 0, 1), a modulus (−2, 0, 1), a density F T² L⁻⁴ is (−4, 2, 1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    /// Exponent of length.
+    pub length: i32,
+    /// Exponent of time.
+    pub time: i32,
+    /// Exponent of force.
+    pub force: i32,
+}
+
+impl Dimension {
+    /// A pure number.
+    pub const NUMBER: Self = Self::new(0, 0, 0);
+    /// L.
+    pub const LENGTH: Self = Self::new(1, 0, 0);
+    /// T.
+    pub const TIME: Self = Self::new(0, 1, 0);
+    /// F.
+    pub const FORCE: Self = Self::new(0, 0, 1);
+    /// L/T.
+    pub const VELOCITY: Self = Self::new(1, -1, 0);
+    /// L/T².
+    pub const ACCELERATION: Self = Self::new(1, -2, 0);
+    /// F L, of moments and of energies.
+    pub const ENERGY: Self = Self::new(1, 0, 1);
+    /// F/L², of moduli and of stresses.
+    pub const STRESS: Self = Self::new(-2, 0, 1);
+    /// Mass per volume, F T²/L⁴.
+    pub const DENSITY: Self = Self::new(-4, 2, 1);
+
+    /// The dimension Lˡ Tᵗ Fᶠ.
+    pub const fn new(length: i32, time: i32, force: i32) -> Self {
+        Self { length, time, force }
+    }
+}
+
+/// Units of length, time and force that turn a model into the same model in other numbers.
+///
+/// A quantity x of dimension Lˡ Tᵗ Fᶠ has the number x* = x / (Lˡ Tᵗ Fᶠ) in these units. Scales form a group:
+/// [`Scales::UNIT`] changes nothing, [`Scales::then`] composes, [`Scales::inverse`] undoes.
+///
+/// Units: the user's own, whatever coherent system that is.
+/// Source: Kim et al. (2017), eqs (7), (8), (26), (33).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scales {
+    /// Unit of length, `L_ND`.
+    pub length: f64,
+    /// Unit of time, `T_ND`.
+    pub time: f64,
+    /// Unit of force, `F_ND`.
+    pub force: f64,
+}
+
+impl Scales {
+    /// The user's own units.
+    pub const UNIT: Self = Self { length: 1.0, time: 1.0, force: 1.0 };
+
+    /// Units whose time follows from T = L √(ρA/F) (Kim et al. 2017, eq. 7).
+    ///
+    /// `line_mass` is ρA, the mass per length of the beam.
+    pub fn from_force(length: f64, force: f64, line_mass: f64) -> Self {
+        Self { length, time: length * (line_mass / force).sqrt(), force }
+    }
+
+    /// The unit of a quantity of dimension `of`, Lˡ Tᵗ Fᶠ.
+    pub fn unit(&self, of: Dimension) -> f64 {
+        self.length.powi(of.length) * self.time.powi(of.time) * self.force.powi(of.force)
+    }
+
+    /// First these units, then `next` ones on top of them.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        Self {
+            length: self.length * next.length,
+            time: self.time * next.time,
+            force: self.force * next.force,
+        }
+    }
+
+    /// The units that undo these.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { length: 1.0 / self.length, time: 1.0 / self.time, force: 1.0 / self.force }
+    }
+}

@@ -1,0 +1,149 @@
+use std::fmt;
+use std::sync::Arc;
+
+use super::{
+    Energy, EquationsOfMotion, LOCAL, Local, LocalMatrix, Pattern, SparseMatrix, State, Term, Weights,
+};
+
+/// Equations of motion as the sum of terms: gather, evaluate, scatter.
+pub struct System {
+    coordinates: usize,
+    multipliers: usize,
+    terms: Vec<Box<dyn Term>>,
+    pattern: Arc<Pattern>,
+    /// Where the lower triangle of each term's matrix goes, term after term.
+    slots: Vec<u32>,
+}
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("System")
+            .field("coordinates", &self.coordinates)
+            .field("multipliers", &self.multipliers)
+            .field("terms", &self.terms.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// The unknowns of one term, gathered from a state.
+struct Gathered {
+    q: [f64; LOCAL],
+    v: [f64; LOCAL],
+    a: [f64; LOCAL],
+    lambda: [f64; LOCAL],
+}
+
+impl Gathered {
+    const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+
+    fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
+        for (i, &c) in coordinates.iter().enumerate() {
+            self.q[i] = s.q[c];
+            self.v[i] = s.v[c];
+            self.a[i] = s.a[c];
+        }
+        let (n, m) = (coordinates.len(), multipliers.len());
+        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
+        Local { q: &self.q[..n], v: &self.v[..n], a: &self.a[..n], lambda: &self.lambda[..m] }
+    }
+}
+
+impl System {
+    /// The sum of `terms` over so many coordinates and multipliers.
+    ///
+    /// # Panics
+    /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
+    pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
+        let unknowns: Vec<Vec<usize>> =
+            terms.iter().map(|term| unknowns(term.as_ref(), coordinates)).collect();
+        assert!(unknowns.iter().all(|u| u.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
+        let pattern = Pattern::new(coordinates, multipliers, &unknowns);
+        let slots = unknowns
+            .iter()
+            .flat_map(|u| (0..u.len()).flat_map(move |j| (j..u.len()).map(move |i| (u[i], u[j]))))
+            .map(|(i, j)| pattern.slot(i, j))
+            .collect();
+        Self { coordinates, multipliers, terms, pattern: Arc::new(pattern), slots }
+    }
+
+    /// The terms.
+    pub fn terms(&self) -> &[Box<dyn Term>] {
+        &self.terms
+    }
+
+    /// A zero matrix of this pattern.
+    pub fn matrix(&self) -> SparseMatrix {
+        SparseMatrix::zero(Arc::clone(&self.pattern))
+    }
+
+    /// Sums a vector over the terms: `share` adds to the local rows.
+    fn sum(&self, s: &State, sum: &mut [f64], share: impl Fn(&dyn Term, &Local<'_>, &mut [f64])) {
+        sum.fill(0.0);
+        let (mut gathered, mut rows) = (Gathered::EMPTY, [0.0; LOCAL]);
+        for term in &self.terms {
+            let term = term.as_ref();
+            let local = gathered.gather(s, term);
+            let n = local.q.len() + local.lambda.len();
+            rows[..n].fill(0.0);
+            share(term, &local, &mut rows[..n]);
+            let (of_coordinates, of_multipliers) = rows[..n].split_at(local.q.len());
+            for (&c, row) in term.coordinates().iter().zip(of_coordinates) {
+                sum[c] += row;
+            }
+            for (m, row) in term.multipliers().zip(of_multipliers) {
+                sum[self.coordinates + m] += row;
+            }
+        }
+    }
+}
+
+/// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
+fn unknowns(term: &dyn Term, coordinates: usize) -> Vec<usize> {
+    term.coordinates().iter().copied().chain(term.multipliers().map(|m| coordinates + m)).collect()
+}
+
+impl EquationsOfMotion for System {
+    fn coordinates(&self) -> usize {
+        self.coordinates
+    }
+
+    fn multipliers(&self) -> usize {
+        self.multipliers
+    }
+
+    fn residual(&self, s: &State, r: &mut [f64]) {
+        self.sum(s, r, |term, at, rows| term.residual(at, rows));
+    }
+
+    fn rounding(&self, s: &State, floor: &mut [f64]) {
+        self.sum(s, floor, |term, at, rows| term.rounding(at, rows));
+    }
+
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
+        let values = k.values_mut();
+        values.fill(0.0);
+        let (mut gathered, mut storage) = (Gathered::EMPTY, [0.0; LOCAL * LOCAL]);
+        let mut slots = self.slots.iter();
+        for term in &self.terms {
+            let local = gathered.gather(s, term.as_ref());
+            let mut block = LocalMatrix::zero(local.q.len() + local.lambda.len(), &mut storage);
+            term.tangent(&local, w, &mut block);
+            for (value, &slot) in block.lower().zip(&mut slots) {
+                values[slot as usize] += value;
+            }
+        }
+    }
+
+    fn energy(&self, s: &State) -> Energy {
+        let (mut gathered, mut energy) = (Gathered::EMPTY, Energy::default());
+        for term in &self.terms {
+            energy += term.energy(&gathered.gather(s, term.as_ref()));
+        }
+        energy
+    }
+}

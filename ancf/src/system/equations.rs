@@ -1,0 +1,62 @@
+use std::ops::AddAssign;
+
+use super::{Pattern, SparseMatrix, State, Weights};
+
+/// Energies of a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// ½ vᵀ M v.
+    pub kinetic: f64,
+    /// Strain energy U(q).
+    pub strain: f64,
+    /// Potential of conservative loads, zero in the reference configuration.
+    pub potential: f64,
+}
+
+impl Energy {
+    /// Sum of the three.
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.strain + self.potential
+    }
+
+    /// The largest of the three in size.
+    pub fn largest(&self) -> f64 {
+        self.kinetic.abs().max(self.strain.abs()).max(self.potential.abs())
+    }
+}
+
+impl AddAssign for Energy {
+    fn add_assign(&mut self, other: Self) {
+        self.kinetic += other.kinetic;
+        self.strain += other.strain;
+        self.potential += other.potential;
+    }
+}
+
+/// Index-3 equations of motion M a + f(q, v, t) + Φ_qᵀ λ = 0, Φ(q, t) = 0 with symmetric derivatives.
+///
+/// The waist of the hourglass: elements and joints above know nothing of schemes, schemes below nothing of elements.
+///
+/// Shapes: with n coordinates and m multipliers, residuals have n + m entries, tangents are (n + m)².
+pub trait EquationsOfMotion {
+    /// Number n of coordinates.
+    fn coordinates(&self) -> usize;
+
+    /// Number m of multipliers.
+    fn multipliers(&self) -> usize;
+
+    /// r = [M a + f + Φ_qᵀ λ; Φ].
+    fn residual(&self, s: &State, r: &mut [f64]);
+
+    /// A bound of the rounding error of each entry of the residual: ε times the sum of the magnitudes it is made of.
+    fn rounding(&self, s: &State, floor: &mut [f64]);
+
+    /// Where tangents have entries.
+    fn pattern(&self) -> &Pattern;
+
+    /// The symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
+    fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
+
+    /// Kinetic, strain and potential energy.
+    fn energy(&self, s: &State) -> Energy;
+}

@@ -1,0 +1,15 @@
+//! FLOOR 0: equations of motion without mechanics. Coordinates, multipliers, sums of local terms, sparse matrices.
+
+mod assembly;
+mod equations;
+mod factor;
+mod pattern;
+mod state;
+mod term;
+
+pub use assembly::System;
+pub use equations::{Energy, EquationsOfMotion};
+pub use factor::{Factor, SingularMatrix};
+pub use pattern::{Pattern, SparseMatrix};
+pub use state::{State, Weights};
+pub use term::{LOCAL, Local, LocalMatrix, Term};

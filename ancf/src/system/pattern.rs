@@ -1,0 +1,236 @@
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::amd;
+
+/// Where a symmetric matrix has entries, in an order fit for LDLᵀ without pivoting.
+///
+/// Coordinates are ordered by minimum degree on the graph of *groups*: coordinates that belong to the same terms, such
+/// as those of a node. Each multiplier follows right after the last coordinate that it touches, so that the Schur
+/// complement in its place is negative definite when it is eliminated.
+#[derive(Debug)]
+pub struct Pattern {
+    /// Position of each unknown.
+    position: Vec<u32>,
+    /// The strict order: unknown at each position.
+    order: Vec<u32>,
+    /// Lower triangle by columns, in positions; rows ascending, the diagonal first.
+    columns: Vec<usize>,
+    rows: Vec<usize>,
+}
+
+impl Pattern {
+    /// The pattern of a sum of dense blocks, each over the given unknowns; multipliers count after coordinates.
+    pub(super) fn new(coordinates: usize, multipliers: usize, blocks: &[Vec<usize>]) -> Self {
+        let size = coordinates + multipliers;
+        let order = order(coordinates, multipliers, blocks);
+        let mut position = vec![0; size];
+        for (at, &unknown) in order.iter().enumerate() {
+            position[unknown as usize] = at as u32;
+        }
+        let mut lower: Vec<Vec<usize>> = (0..size).map(|i| vec![i]).collect();
+        for block in blocks {
+            for &j in block {
+                let column = position[j] as usize;
+                lower[column].extend(block.iter().map(|&i| position[i] as usize).filter(|&row| row > column));
+            }
+        }
+        let (mut columns, mut rows) = (vec![0], Vec::new());
+        for column in &mut lower {
+            column.sort_unstable();
+            column.dedup();
+            rows.append(column);
+            columns.push(rows.len());
+        }
+        Self { position, order, columns, rows }
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Number of entries in the lower triangle.
+    pub fn entries(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Position of an unknown in the order of elimination.
+    pub fn position(&self, unknown: usize) -> usize {
+        self.position[unknown] as usize
+    }
+
+    /// Index of the entry of two unknowns among the values of a matrix.
+    ///
+    /// # Panics
+    /// If the two share no block.
+    pub(super) fn slot(&self, i: usize, j: usize) -> u32 {
+        let (i, j) = (self.position(i), self.position(j));
+        let (row, column) = (i.max(j), i.min(j));
+        let range = self.columns[column]..self.columns[column + 1];
+        let at = self.rows[range.clone()].binary_search(&row).expect("both unknowns belong to one block");
+        (range.start + at) as u32
+    }
+
+    /// Columns and rows of the upper triangle.
+    pub(super) fn upper(&self) -> (Vec<usize>, Vec<usize>) {
+        let mut upper: Vec<Vec<usize>> = vec![Vec::new(); self.size()];
+        for (column, range) in self.columns.windows(2).enumerate() {
+            for &row in &self.rows[range[0]..range[1]] {
+                upper[row].push(column);
+            }
+        }
+        let mut columns = vec![0];
+        for column in &upper {
+            columns.push(columns[columns.len() - 1] + column.len());
+        }
+        (columns, upper.concat())
+    }
+
+    /// The lower triangle in faer's form.
+    pub(super) fn symbolic(&self) -> SymbolicSparseColMatRef<'_, usize> {
+        SymbolicSparseColMatRef::new_checked(self.size(), self.size(), &self.columns, None, &self.rows)
+    }
+}
+
+/// The order of elimination: groups by minimum degree, each multiplier after its last coordinate.
+fn order(coordinates: usize, multipliers: usize, blocks: &[Vec<usize>]) -> Vec<u32> {
+    let (group_of, members) = groups(coordinates, blocks);
+    let mut sequence = Vec::with_capacity(coordinates);
+    for group in minimum_degree(&group_of, members.len(), blocks) {
+        sequence.extend_from_slice(&members[group]);
+    }
+    let mut rank = vec![0; coordinates];
+    for (at, &c) in sequence.iter().enumerate() {
+        rank[c as usize] = at;
+    }
+    let mut after: Vec<Vec<u32>> = vec![Vec::new(); coordinates + 1];
+    for (m, last) in last_coordinates(coordinates, multipliers, blocks, &rank).into_iter().enumerate() {
+        after[last].push((coordinates + m) as u32);
+    }
+    let mut order = Vec::with_capacity(coordinates + multipliers);
+    for (at, c) in sequence.into_iter().enumerate() {
+        order.push(c);
+        order.append(&mut after[at]);
+    }
+    order.append(&mut after[coordinates]);
+    order
+}
+
+/// Coordinates grouped by the set of blocks that they belong to: (group of each coordinate, members of each group).
+fn groups(coordinates: usize, blocks: &[Vec<usize>]) -> (Vec<usize>, Vec<Vec<u32>>) {
+    let mut blocks_of: Vec<Vec<u32>> = vec![Vec::new(); coordinates];
+    for (b, block) in blocks.iter().enumerate() {
+        for &c in block.iter().filter(|&&c| c < coordinates) {
+            blocks_of[c].push(b as u32);
+        }
+    }
+    let mut known: HashMap<Vec<u32>, usize> = HashMap::new();
+    let (mut group_of, mut members) = (Vec::with_capacity(coordinates), Vec::new());
+    for (c, key) in blocks_of.into_iter().enumerate() {
+        let group = *known.entry(key).or_insert_with(|| {
+            members.push(Vec::new());
+            members.len() - 1
+        });
+        group_of.push(group);
+        members[group].push(c as u32);
+    }
+    (group_of, members)
+}
+
+/// Approximate minimum degree order of the groups.
+fn minimum_degree(group_of: &[usize], groups: usize, blocks: &[Vec<usize>]) -> Vec<usize> {
+    let mut neighbours: Vec<Vec<usize>> = (0..groups).map(|g| vec![g]).collect();
+    for block in blocks {
+        let mut present: Vec<usize> =
+            block.iter().filter(|&&c| c < group_of.len()).map(|&c| group_of[c]).collect();
+        present.sort_unstable();
+        present.dedup();
+        for &g in &present {
+            neighbours[g].extend_from_slice(&present);
+        }
+    }
+    let (mut columns, mut rows) = (vec![0], Vec::new());
+    for column in &mut neighbours {
+        column.sort_unstable();
+        column.dedup();
+        rows.append(column);
+        columns.push(rows.len());
+    }
+    let graph = SymbolicSparseColMatRef::new_checked(groups, groups, &columns, None, &rows);
+    let (mut order, mut inverse) = (vec![0; groups], vec![0; groups]);
+    let mut memory = MemBuffer::new(amd::order_scratch::<usize>(groups, rows.len()));
+    let done =
+        amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
+    // AMD fails only when indices overflow; the natural order is then as good as any.
+    if done.is_ok() { order } else { (0..groups).collect() }
+}
+
+/// For each multiplier the rank of the last coordinate that it touches; past the end if it touches none.
+fn last_coordinates(
+    coordinates: usize,
+    multipliers: usize,
+    blocks: &[Vec<usize>],
+    rank: &[usize],
+) -> Vec<usize> {
+    let mut last: Vec<Option<usize>> = vec![None; multipliers];
+    for block in blocks {
+        let latest = block.iter().filter(|&&c| c < coordinates).map(|&c| rank[c]).max();
+        for &unknown in block.iter().filter(|&&c| c >= coordinates) {
+            last[unknown - coordinates] = last[unknown - coordinates].max(latest);
+        }
+    }
+    last.into_iter().map(|rank| rank.unwrap_or(coordinates)).collect()
+}
+
+/// A symmetric sparse matrix: the lower triangle in the order of its pattern.
+#[derive(Clone, Debug)]
+pub struct SparseMatrix {
+    pattern: Arc<Pattern>,
+    values: Vec<f64>,
+}
+
+impl SparseMatrix {
+    pub(super) fn zero(pattern: Arc<Pattern>) -> Self {
+        let values = vec![0.0; pattern.entries()];
+        Self { pattern, values }
+    }
+
+    /// Its pattern.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
+    }
+
+    /// The values of the lower triangle.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values of the lower triangle, to be changed.
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions.
+    pub(super) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
+        for (j, range) in self.pattern.columns.windows(2).enumerate() {
+            for at in range[0]..range[1] {
+                visit(self.pattern.rows[at], j, self.values[at]);
+            }
+        }
+    }
+
+    /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
+    pub fn dense(&self) -> Vec<Vec<f64>> {
+        let order = &self.pattern.order;
+        let mut dense = vec![vec![0.0; order.len()]; order.len()];
+        self.visit(|i, j, value| {
+            let (i, j) = (order[i] as usize, order[j] as usize);
+            dense[i][j] = value;
+            dense[j][i] = value;
+        });
+        dense
+    }
+}

@@ -1,0 +1,68 @@
+/// The state of a system at one instant.
+///
+/// q are coordinates *measured from the reference configuration*, e = e₀ + q: strains then come from displacement
+/// gradients, and neither their accuracy nor anything else depends on how far the model is from the origin.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// Time t.
+    pub t: f64,
+    /// Coordinates q = e − e₀.
+    pub q: Vec<f64>,
+    /// Velocities v = dq/dt.
+    pub v: Vec<f64>,
+    /// Accelerations a = d²q/dt².
+    pub a: Vec<f64>,
+    /// Lagrange multipliers λ.
+    pub lambda: Vec<f64>,
+}
+
+impl State {
+    /// The reference configuration at rest.
+    pub fn rest(coordinates: usize, multipliers: usize) -> Self {
+        let zeros = vec![0.0; coordinates];
+        Self { t: 0.0, q: zeros.clone(), v: zeros.clone(), a: zeros, lambda: vec![0.0; multipliers] }
+    }
+
+    /// Adds an increment z = (dz, dλ): q += w_q dz, v += w_v dz, a += w_a dz, λ += dλ.
+    pub fn add(&mut self, z: &[f64], w: Weights) {
+        let (dz, dlambda) = z.split_at(self.q.len());
+        for (i, dz) in dz.iter().enumerate() {
+            self.q[i] += w.q * dz;
+            self.v[i] += w.v * dz;
+            self.a[i] += w.a * dz;
+        }
+        for (lambda, d) in self.lambda.iter_mut().zip(dlambda) {
+            *lambda += d;
+        }
+    }
+
+    /// Copies another state of the same size without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.t = other.t;
+        self.q.copy_from_slice(&other.q);
+        self.v.copy_from_slice(&other.v);
+        self.a.copy_from_slice(&other.a);
+        self.lambda.copy_from_slice(&other.lambda);
+    }
+}
+
+/// How an unknown z moves the state, dq : dv : da, and so how much stiffness, damping and mass a tangent holds.
+///
+/// Every one-step scheme for second-order equations is such an affine map; (1, 0, 0) gives statics.
+/// Source: the idea is that of the integrators in Drake's `multibody/fem`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    /// dq/dz, weight of the stiffness.
+    pub q: f64,
+    /// dv/dz, weight of the damping.
+    pub v: f64,
+    /// da/dz, weight of the mass.
+    pub a: f64,
+}
+
+impl Weights {
+    /// The unknowns are the coordinates: the tangent is the stiffness matrix.
+    pub const STIFFNESS: Self = Self { q: 1.0, v: 0.0, a: 0.0 };
+    /// The unknowns are the accelerations at fixed q and v: the tangent is the mass matrix.
+    pub const MASS: Self = Self { q: 0.0, v: 0.0, a: 1.0 };
+}

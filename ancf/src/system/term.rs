@@ -1,0 +1,107 @@
+use std::ops::Range;
+
+use super::{Energy, Weights};
+
+/// The largest number of unknowns (coordinates and multipliers) of one term: local arrays live on the stack.
+pub const LOCAL: usize = 64;
+
+/// The part of a state that a term sees: its own coordinates and multipliers, in its own order.
+#[derive(Clone, Copy, Debug)]
+pub struct Local<'a> {
+    /// Coordinates.
+    pub q: &'a [f64],
+    /// Velocities.
+    pub v: &'a [f64],
+    /// Accelerations.
+    pub a: &'a [f64],
+    /// Multipliers.
+    pub lambda: &'a [f64],
+}
+
+/// A small symmetric matrix over the coordinates, then the multipliers, of a term. Only entries (i, j) with i ≥ j count.
+#[derive(Debug)]
+pub struct LocalMatrix<'a> {
+    size: usize,
+    values: &'a mut [f64],
+}
+
+impl<'a> LocalMatrix<'a> {
+    /// A zero matrix of `size` rows in `storage`, which holds at least size² numbers.
+    pub fn zero(size: usize, storage: &'a mut [f64]) -> Self {
+        let values = &mut storage[..size * size];
+        values.fill(0.0);
+        Self { size, values }
+    }
+
+    /// Adds to entry (i, j), i ≥ j.
+    pub fn add(&mut self, i: usize, j: usize, value: f64) {
+        debug_assert!(i >= j && i < self.size, "only the lower triangle counts");
+        self.values[j * self.size + i] += value;
+    }
+
+    /// Entry (i, j), i ≥ j.
+    pub fn get(&self, i: usize, j: usize) -> f64 {
+        self.values[j * self.size + i]
+    }
+
+    /// The lower triangle by columns, column j starting with its diagonal.
+    pub fn lower(&self) -> impl Iterator<Item = f64> {
+        (0..self.size).flat_map(move |j| self.values[j * self.size + j..(j + 1) * self.size].iter().copied())
+    }
+}
+
+/// One local share of the equations of motion: an element, one equation of a joint, a load.
+///
+/// A term is immutable; it adds nothing but depends on nothing beyond the coordinates and multipliers that it names.
+/// What every term must obey (tangent = ∂residual, residual = ∂energy) is checked by `tests/laws.rs`.
+///
+/// A spring between coordinate 3 and the ground, complete:
+///
+/// ```
+/// use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
+///
+/// struct Spring {
+///     stiffness: f64,
+/// }
+///
+/// impl Term for Spring {
+///     fn coordinates(&self) -> &[usize] {
+///         &[3]
+///     }
+///     fn residual(&self, at: &Local, r: &mut [f64]) {
+///         r[0] += self.stiffness * at.q[0];
+///     }
+///     fn rounding(&self, at: &Local, floor: &mut [f64]) {
+///         floor[0] += f64::EPSILON * (self.stiffness * at.q[0]).abs();
+///     }
+///     fn tangent(&self, _: &Local, w: Weights, k: &mut LocalMatrix) {
+///         k.add(0, 0, w.q * self.stiffness);
+///     }
+///     fn energy(&self, at: &Local) -> Energy {
+///         Energy { strain: 0.5 * self.stiffness * at.q[0].powi(2), ..Energy::default() }
+///     }
+/// }
+/// ```
+pub trait Term: Send + Sync {
+    /// Its coordinates, each once.
+    fn coordinates(&self) -> &[usize];
+
+    /// Its multipliers.
+    fn multipliers(&self) -> Range<usize> {
+        0..0
+    }
+
+    /// Adds its share of the residual: rows of its coordinates, then of its multipliers.
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]);
+
+    /// Adds a bound of the rounding error in its share of the residual.
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]);
+
+    /// Adds its share of the tangent, the lower triangle.
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
+
+    /// Its energies.
+    fn energy(&self, _at: &Local<'_>) -> Energy {
+        Energy::default()
+    }
+}

@@ -75,7 +75,7 @@ pub mod scales;
 mod simulate;
 pub mod system;
 
-pub use model::{Model, ModelError};
+pub use model::{Model, ModelError, ModelErrors};
 pub use rows::Rows;
 pub use scales::Scales;
 pub use simulate::{Error, Outcome, Summary, simulate};

@@ -5,7 +5,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::analysis::{self, Dynamics, Newmark, Newton, SolveError, StepReport, consistent_start};
-use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelError, Start, Stop};
+use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelErrors, Start, Stop};
 use crate::record::Sink;
 use crate::rows::Rows;
 use crate::scales::Scales;
@@ -15,15 +15,11 @@ use crate::system::{Energy, EquationsOfMotion, State, System};
 #[derive(Debug, Error)]
 pub enum Error {
     /// The model is not valid.
-    #[error("{}", list(.0))]
-    Model(Vec<ModelError>),
+    #[error(transparent)]
+    Model(#[from] ModelErrors),
     /// A sink could not record.
     #[error("results could not be written: {0}")]
     Sink(#[from] io::Error),
-}
-
-fn list(errors: &[ModelError]) -> String {
-    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// How a run ended. Whatever was recorded until then stands.
@@ -112,10 +108,10 @@ impl Summary {
 /// # Errors
 /// If the model is not valid or a sink fails. A step that cannot be solved is an [`Outcome`], with all before it recorded.
 pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
-    model.check().map_err(Error::Model)?;
+    model.check()?;
     let chosen = model.scales();
     let scaled = model.scaled(&chosen.scales);
-    let assembly = scaled.assemble().map_err(Error::Model)?;
+    let assembly = scaled.assemble()?;
     let Analysis::Dynamics(settings) = &scaled.analysis;
     let mut rows = Rows::new(&assembly, chosen.scales);
     let mut summary = Summary::new(&assembly, chosen);

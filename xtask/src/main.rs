@@ -1,2 +1,86 @@
-//! stub
-fn main() {}
+//! Chores of the workspace: `cargo xtask test` is everything that can be tested.
+
+use std::env;
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+/// What a chore returns: why it failed, in words.
+type Done = Result<(), String>;
+
+const HELP: &str = "\
+cargo xtask test      everything that can be tested: format, lints, tests, documentation
+cargo xtask schema    refresh docs/model.schema.json after a change of the model types
+";
+
+fn main() -> ExitCode {
+    let chore = env::args().nth(1).unwrap_or_default();
+    let done = match chore.as_str() {
+        "test" => test(),
+        "schema" => schema(),
+        _ => Err(format!("what shall be done?\n\n{HELP}")),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            say(&why);
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Everything, the quick checks first; stops at the first that fails.
+fn test() -> Done {
+    component("fmt", "rustfmt")?;
+    component("clippy", "clippy")?;
+    cargo("format", &["fmt", "--all", "--check"], &[])?;
+    cargo("lints", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
+    cargo("tests", &["test", "--workspace"], &[])?;
+    let doc = ["doc", "--workspace", "--no-deps", "--document-private-items"];
+    cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
+    say("all tests passed");
+    Ok(())
+}
+
+/// Installs a component of the toolchain if it is missing.
+fn component(subcommand: &str, name: &str) -> Done {
+    let there = Command::new(env!("CARGO")).args([subcommand, "--version"]).output();
+    if there.is_ok_and(|output| output.status.success()) {
+        return Ok(());
+    }
+    let install = Command::new("rustup").args(["component", "add", name]).status();
+    match install {
+        Ok(status) if status.success() => Ok(()),
+        _ => Err(format!("`cargo {subcommand}` is missing; type: rustup component add {name}")),
+    }
+}
+
+/// Runs cargo under a headline.
+fn cargo(what: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Done {
+    say(&format!("\n== {what}: cargo {}", arguments.join(" ")));
+    let status = Command::new(env!("CARGO")).args(arguments).envs(variables.iter().copied()).status();
+    match status {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{what}: {status}")),
+        Err(error) => Err(format!("{what}: cannot run cargo: {error}")),
+    }
+}
+
+/// Writes the JSON Schema of model files as the program prints it.
+fn schema() -> Done {
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--quiet", "--package", "ancf-cli", "--", "schema"])
+        .output()
+        .map_err(|error| format!("cannot run cargo: {error}"))?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model.schema.json");
+    fs::write(&path, output.stdout).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+fn say(text: &str) {
+    // Nothing is left to be done if standard error is closed.
+    let _ = writeln!(io::stderr(), "{text}");
+}

@@ -161,7 +161,7 @@ impl Term for Perpendicular {
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let n = at.q.len();
-        let sizes = self.values(at.q).map(|x| x.norm());
+        let sizes = [self.a.size(at.q), self.b.size(at.q)];
         for (marker, other) in [(&self.a, sizes[1]), (&self.b, sizes[0])] {
             for &(first, w) in marker.parts() {
                 for k in 0..3 {

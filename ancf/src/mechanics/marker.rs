@@ -48,6 +48,12 @@ impl Marker {
         self.reference + self.sum(&s.q)
     }
 
+    /// The magnitudes that its value is made of, |x₀| + Σᵢ |wᵢ| |q[vᵢ..vᵢ+3]|: ε times this bounds its rounding error.
+    pub(super) fn size(&self, q: &[f64]) -> f64 {
+        let moved = |&(i, w): &(usize, f64)| w.abs() * Vector3::new(q[i], q[i + 1], q[i + 2]).norm();
+        self.reference.norm() + self.parts.iter().map(moved).sum::<f64>()
+    }
+
     /// The same marker over the coordinates of a term, given their sorted list.
     pub(super) fn within(&self, coordinates: &[usize]) -> Self {
         let local =

@@ -1,7 +1,6 @@
 use nalgebra::Vector3;
 
-use super::redundant::redundant;
-use super::{Beam, Clamped, End, Joint, Load, Model, ModelError, Place};
+use super::{Beam, Clamped, End, Joint, Load, Model, ModelErrors, Place};
 use crate::mechanics::{BeamMesh, BeamShape, Coincide, Force, Marker, Perpendicular, Profile, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
@@ -18,7 +17,7 @@ pub struct Assembly {
 
 /// The equations of one joint.
 #[derive(Debug, Default)]
-struct JointEquations {
+pub(super) struct JointEquations {
     name: String,
     coincide: Vec<Coincide>,
     perpendicular: Vec<Perpendicular>,
@@ -30,7 +29,7 @@ impl JointEquations {
         3 * self.coincide.len() + self.perpendicular.len()
     }
 
-    fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
+    pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
         let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
         coincide.chain(self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>))
     }
@@ -93,41 +92,49 @@ impl Model {
     /// Turns a valid model into equations of motion in the model's own numbers.
     ///
     /// # Errors
-    /// If the model is not valid, or a joint repeats what others already tie.
-    pub fn assemble(&self) -> Result<Assembly, Vec<ModelError>> {
+    /// If the model is not valid.
+    pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
         self.check()?;
         let bodies = self.meshes();
-        let find = |place: &Place| {
-            let index = self.bodies.iter().position(|body| body.name() == place.body);
-            let index = index.expect("a checked model names bodies that are there");
-            (&bodies[index].1, self.bodies[index].beam().arc_length(place.at))
-        };
-        let point = |place: &Place| {
-            let (mesh, s) = find(place);
+        let joints = self.joint_equations(&bodies);
+        let point = |place| {
+            let (mesh, s) = self.locate(&bodies, place);
             mesh.point(s)
         };
         let mut terms: Vec<Box<dyn Term>> = Vec::new();
         for (_, mesh) in &bodies {
             terms.extend(mesh.elements().map(|element| Box::new(element) as Box<dyn Term>));
         }
-        let (mut joints, mut multipliers) = (Vec::new(), 0);
-        for joint in &self.joints {
-            let equations = equations(joint, multipliers, &find);
-            multipliers += equations.multipliers();
-            terms.extend(equations.terms());
-            joints.push(equations);
-        }
+        terms.extend(joints.iter().flat_map(JointEquations::terms));
         for Load::Force { on, force } in &self.loads {
             terms.push(Box::new(Force::new(&point(on), Vector3::from(*force))));
         }
         let probes = self.probes.iter().map(|probe| (probe.name.clone(), point(&probe.on))).collect();
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
-        redundant(&joints.iter().map(|joint| joint.terms().collect()).collect::<Vec<_>>(), &self.joints)?;
+        let multipliers = joints.iter().map(JointEquations::multipliers).sum();
         Ok(Assembly { system: System::new(coordinates, multipliers, terms), probes, bodies, joints })
     }
 
+    /// The mesh and the arc length of a place.
+    fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
+        let index = self.bodies.iter().position(|body| body.name() == place.body);
+        let index = index.expect("a checked model names bodies that are there");
+        (&meshes[index].1, self.bodies[index].beam().arc_length(place.at))
+    }
+
+    /// The equations of the joints, multipliers counted on from joint to joint.
+    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)]) -> Vec<JointEquations> {
+        let mut first = 0;
+        let equations = self.joints.iter().map(|joint| {
+            let equations = equations(joint, first, &|place| self.locate(meshes, place));
+            first += equations.multipliers();
+            equations
+        });
+        equations.collect()
+    }
+
     /// The meshes of the bodies, coordinates counted on from body to body.
-    fn meshes(&self) -> Vec<(String, BeamMesh)> {
+    pub(super) fn meshes(&self) -> Vec<(String, BeamMesh)> {
         let mut first = 0;
         let meshes = self.bodies.iter().map(|body| {
             let mesh = self.mesh(body.beam(), first);

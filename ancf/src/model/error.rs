@@ -1,5 +1,5 @@
 use std::fmt;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
 /// Something wrong in a model, for its user to mend.
 ///
@@ -61,3 +61,24 @@ impl fmt::Display for ModelError {
 }
 
 impl std::error::Error for ModelError {}
+
+/// All that is wrong in a model, in the order of its text; read as a slice of [`ModelError`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModelErrors(pub Vec<ModelError>);
+
+impl Deref for ModelErrors {
+    type Target = [ModelError];
+
+    fn deref(&self) -> &[ModelError] {
+        &self.0
+    }
+}
+
+impl fmt::Display for ModelErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<String> = self.iter().map(ToString::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl std::error::Error for ModelErrors {}

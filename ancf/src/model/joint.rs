@@ -67,14 +67,13 @@ impl Joint {
 
 /// What a joint ties its first end to.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(rename_all = "snake_case")]
 pub enum End {
     /// The fixed frame: `"ground"`.
     #[default]
-    #[serde(with = "ground")]
-    #[schemars(with = "String")]
     Ground,
     /// A place on another body.
+    #[serde(untagged)]
     Place(Place),
 }
 
@@ -88,19 +87,4 @@ pub enum Clamped {
     All,
     /// r_y and r_z only: the section is fixed and the axis is free to stretch, exact in tension.
     Section,
-}
-
-mod ground {
-    use serde::{Deserialize, Deserializer, Serializer, de::Error};
-
-    pub(super) fn serialize<S: Serializer>(to: S) -> Result<S::Ok, S::Error> {
-        to.serialize_str("ground")
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<(), D::Error> {
-        match String::deserialize(from)?.as_str() {
-            "ground" => Ok(()),
-            other => Err(D::Error::custom(format!("`{other}` is not `ground`"))),
-        }
-    }
 }

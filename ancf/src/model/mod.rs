@@ -12,7 +12,10 @@ mod output;
 mod read;
 mod redundant;
 mod scale;
+mod schema;
 mod section;
+mod survey;
+mod syntax;
 
 use std::collections::BTreeMap;
 
@@ -22,13 +25,13 @@ use serde::{Deserialize, Serialize};
 pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
 pub use assemble::Assembly;
 pub use body::{At, AtEnd, Beam, Body, Place, Slopes};
-pub use error::{ModelError, Position};
+pub use error::{ModelError, ModelErrors, Position};
 pub use joint::{Clamped, End, Joint};
 pub use load::Load;
 pub use material::Material;
 pub use output::{Output, Probe};
-pub use read::schema;
 pub use scale::{Chosen, ScaleChoice};
+pub use schema::{schema, schema_text};
 pub use section::Section;
 
 /// A flexible multibody model as its user states it.

@@ -1,9 +1,114 @@
-use super::{Model, ModelError};
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::Value;
+
+use super::check::broken_rules;
+use super::redundant::repeated_joints;
+use super::survey::{Finding, Survey};
+use super::syntax::{Document, position};
+use super::{Model, ModelError, ModelErrors};
+
 impl Model {
-    /// stub
-    pub fn parse(text: &str) -> Result<Self, Vec<ModelError>> {
-        toml::from_str(text).map_err(|e| vec![ModelError::new("", e.to_string(), "toml")])
+    /// Reads a model file and checks the model.
+    ///
+    /// # Errors
+    /// All that is wrong, in the order of the text; or why the file cannot be read.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelErrors> {
+        let bytes = fs::read(path).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        Self::parse(&String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))?)
+    }
+
+    /// Reads the text of a model file and checks the model.
+    ///
+    /// # Errors
+    /// All that is wrong, in the order of the text.
+    ///
+    /// ```
+    /// let errors = ancf::model::Model::parse("gravity = [0, -9.81]").unwrap_err();
+    /// assert_eq!(errors[4].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
+    /// ```
+    pub fn parse(text: &str) -> Result<Self, ModelErrors> {
+        let mut document = Document::parse(text);
+        let (model, findings) = judge(&Value::Table(std::mem::take(&mut document.data)));
+        let is_hidden = |finding: &Finding| finding.absence || document.is_spoilt(&finding.error.path);
+        let findings =
+            findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
+        let mut errors: Vec<_> = findings.map(|finding| placed(finding, &document, text)).collect();
+        errors.extend(document.errors);
+        errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
+        model.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+    }
+
+    /// Makes a model of data such as a table of another language, and checks it.
+    ///
+    /// # Errors
+    /// All that is wrong, without positions.
+    pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
+        let (model, findings) = judge(data);
+        let errors: Vec<_> = findings.into_iter().map(|finding| finding.error).collect();
+        model.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+    }
+
+    /// Checks a model that was built in Rust by the rules for model files.
+    ///
+    /// # Errors
+    /// All that is wrong, without positions.
+    pub fn check(&self) -> Result<(), ModelErrors> {
+        let data = Value::try_from(self)
+            .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
+        Self::from_value(&data).map(|_| ())
     }
 }
-/// stub
-pub fn schema() {}
+
+/// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
+fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
+    let (mut survey, mended) = Survey::of(data);
+    let mut findings = std::mem::take(&mut survey.findings);
+    let model = Model::deserialize(mended);
+    let broken = model.as_ref().map(broken_rules).unwrap_or_default();
+    findings.extend(broken.into_iter().map(|finding| spelt(finding, &survey)).filter(|finding| {
+        !survey.has_mended(&finding.error.path)
+            && !finding.rests_on.iter().any(|path| survey.has_mended(path))
+    }));
+    match &model {
+        Ok(model) if findings.is_empty() => findings.extend(repeated_joints(model)),
+        Err(error) if findings.is_empty() => {
+            findings.push(ModelError::new("", error.to_string(), "a model").into());
+        }
+        _ => {}
+    }
+    (model.ok(), findings)
+}
+
+/// The finding with its paths as the file spells them.
+fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
+    finding.error.path = survey.spelt(&finding.error.path);
+    finding.rests_on.iter_mut().for_each(|path| *path = survey.spelt(path));
+    finding
+}
+
+fn placed(finding: Finding, document: &Document, text: &str) -> ModelError {
+    let bytes = document.find(&finding.error.path, finding.at_key);
+    ModelError { at: Some(position(text, bytes)), ..finding.error }
+}
+
+fn unreadable(error: &io::Error) -> ModelError {
+    let found = match error.kind() {
+        ErrorKind::NotFound => "no such file".into(),
+        ErrorKind::IsADirectory => "a directory".into(),
+        ErrorKind::PermissionDenied => "a file that may not be read".into(),
+        _ => error.to_string(),
+    };
+    ModelError::new("", found, "a model file")
+}
+
+fn not_utf8(bytes: &[u8]) -> ModelError {
+    let valid = bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let at = valid.len();
+    let byte = bytes.get(at).copied().unwrap_or_default();
+    let error = ModelError::new("", format!("the byte 0x{byte:02X}"), "a text in UTF-8");
+    ModelError { at: Some(position(valid, at..at + 1)), ..error }
+}

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 
-use super::{Joint, ModelError};
+use super::survey::Finding;
+use super::{Model, ModelError};
 use crate::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 
 /// A row is redundant if less than this part of it is independent of the others.
@@ -8,30 +9,26 @@ const INDEPENDENT: f64 = 1e-8;
 
 /// Finds joints that repeat what others already tie, by orthogonalising the rows of Φ_q in the reference state.
 ///
-/// Without this check a repeated equation leaves multipliers undetermined and reactions arbitrary.
-pub(super) fn redundant(equations: &[Vec<Box<dyn Term>>], joints: &[Joint]) -> Result<(), Vec<ModelError>> {
+/// Without this check a repeated equation leaves multipliers undetermined and reactions arbitrary. The model must obey all
+/// other rules.
+pub(super) fn repeated_joints(model: &Model) -> Vec<Finding> {
     let mut independent: Vec<BTreeMap<usize, f64>> = Vec::new();
-    let mut errors = Vec::new();
-    for (k, terms) in equations.iter().enumerate() {
-        let rows: Vec<_> = terms.iter().flat_map(|term| rows(term.as_ref())).collect();
-        let before = independent.len();
-        let count = rows.len();
+    let mut findings = Vec::new();
+    for (k, joint) in model.joint_equations(&model.meshes()).iter().enumerate() {
+        let rows: Vec<_> = joint.terms().flat_map(|term| rows(term.as_ref())).collect();
+        let (count, before) = (rows.len(), independent.len());
         for row in rows {
             independent.extend(orthogonal(row, &independent));
         }
         let repeated = count - (independent.len() - before);
         if repeated > 0 {
-            errors.push(ModelError::new(
-                format!("joints[{k}]"),
-                format!(
-                    "joint `{}`, of whose {count} equations {repeated} repeat earlier joints",
-                    joints[k].name()
-                ),
-                "joints that tie each motion once",
-            ));
+            let found = format!("{repeated} of {count} equations that repeat those of earlier joints");
+            findings.push(
+                ModelError::new(format!("joints[{k}]"), found, "joints that tie each motion once").into(),
+            );
         }
     }
-    if errors.is_empty() { Ok(()) } else { Err(errors) }
+    findings
 }
 
 /// The rows of Φ_q of one term in the reference state, each of length one.

@@ -1,0 +1,172 @@
+//! The commands: arguments to library calls to exit codes.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use ancf::record::Sink;
+use ancf::{Model, Outcome, Summary, simulate};
+use anyhow::{Context, Result};
+use clap::Subcommand;
+use serde::Serialize;
+
+use crate::check;
+use crate::folder::Folder;
+use crate::paper;
+use crate::progress::{Interrupt, Progress, say};
+
+/// What to do.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Check a model file and report everything that is wrong with it.
+    Check {
+        /// The model file (TOML).
+        file: PathBuf,
+    },
+    /// Run a model file and write its results.
+    #[command(after_help = "Example: ancf run models/cantilever.toml -o out")]
+    Run {
+        /// The model file (TOML).
+        file: PathBuf,
+        /// The folder for probes.csv, probes.npz and summary.json.
+        #[arg(short, long, value_name = "DIR")]
+        output: PathBuf,
+        /// Show no progress.
+        #[arg(short, long)]
+        quiet: bool,
+    },
+    /// Print the model in the units in which its equations are solved.
+    Scaled {
+        /// The model file (TOML).
+        file: PathBuf,
+    },
+    /// Print the JSON Schema of model files, for editors.
+    Schema,
+    /// Reproduce every table and figure of Kim et al. (2017).
+    Paper {
+        /// The folder for index.html, figures, tables and results.json.
+        #[arg(short, long, value_name = "DIR", default_value = "out/paper")]
+        output: PathBuf,
+        /// Timed repetitions of each run; times are their medians.
+        #[arg(long, default_value_t = 3)]
+        repeats: usize,
+    },
+}
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// All done.
+    Done,
+    /// The analysis failed; what it computed is written.
+    Failed,
+    /// The input is wrong; nothing is written.
+    BadInput,
+    /// Ctrl-C; what was computed is written.
+    Stopped,
+}
+
+impl Command {
+    /// Carries the command out.
+    pub fn run(self) -> Result<Ended> {
+        match self {
+            Self::Check { file } => with_model(&file, |_| {
+                say(&format!("{}: no errors", file.display()));
+                Ok(Ended::Done)
+            }),
+            Self::Scaled { file } => with_model(&file, |model| {
+                print(&scaled(model)?);
+                Ok(Ended::Done)
+            }),
+            Self::Run { file, output, quiet } => {
+                with_model(&file, |model| simulate_into(model, &file, &output, quiet))
+            }
+            Self::Schema => {
+                print(&ancf::model::schema_text());
+                Ok(Ended::Done)
+            }
+            Self::Paper { output, repeats } => {
+                paper::reproduce(&output, repeats)?;
+                Ok(Ended::Done)
+            }
+        }
+    }
+}
+
+/// Reads and checks a model and goes on with it, or renders its errors.
+fn with_model(file: &Path, then: impl FnOnce(&Model) -> Result<Ended>) -> Result<Ended> {
+    match Model::read(file) {
+        Ok(model) => then(&model),
+        Err(errors) => {
+            let text = fs::read(file).unwrap_or_default();
+            say(check::render(&errors, &file.display().to_string(), &String::from_utf8_lossy(&text))
+                .trim_end());
+            Ok(Ended::BadInput)
+        }
+    }
+}
+
+/// The model in the units in which its equations are solved, headed by these.
+fn scaled(model: &Model) -> Result<String> {
+    let chosen = model.scales();
+    let ancf::Scales { length, time, force } = chosen.scales;
+    let text =
+        toml::to_string(&model.scaled(&chosen.scales)).context("the scaled model cannot be printed")?;
+    Ok(format!("# Units: length {length}, time {time}, force {force} ({}).\n{text}", chosen.reason))
+}
+
+/// The contents of `summary.json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    program: &'static str,
+    model: String,
+    wall_seconds: f64,
+    #[serde(flatten)]
+    summary: &'a Summary,
+}
+
+fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Result<Ended> {
+    let interrupt = Interrupt::listen()?;
+    let clock = Instant::now();
+    let ancf::model::Analysis::Dynamics(settings) = &model.analysis;
+    let progress = if quiet { Progress::hidden() } else { Progress::until(settings.duration) };
+    let mut sinks: Vec<Box<dyn Sink>> =
+        vec![Box::new(Folder::new(output, model.output)), Box::new(progress), Box::new(interrupt)];
+    let summary = simulate(model, &mut sinks)?;
+    let report = Report {
+        program: concat!("ancf ", env!("CARGO_PKG_VERSION")),
+        model: file.display().to_string(),
+        wall_seconds: clock.elapsed().as_secs_f64(),
+        summary: &summary,
+    };
+    let path = output.join("summary.json");
+    fs::write(&path, serde_json::to_string_pretty(&report)?)
+        .with_context(|| format!("cannot write {}", path.display()))?;
+    conclude(&summary, output, report.wall_seconds)
+}
+
+fn conclude(summary: &Summary, output: &Path, seconds: f64) -> Result<Ended> {
+    let Summary { time, steps, iterations, .. } = summary;
+    let did = format!("{steps} steps to t = {time}, {iterations} Newton iterations, {seconds:.3} s");
+    let folder = output.display();
+    Ok(match &summary.outcome {
+        Outcome::Finished => {
+            say(&format!("done: {did}; results in {folder}"));
+            Ended::Done
+        }
+        Outcome::Stopped => {
+            say(&format!("stopped: {did}; results so far in {folder}"));
+            Ended::Stopped
+        }
+        Outcome::Failed { time, reason, at } => {
+            say(&format!("failed at t = {time}: {reason}; worst: {at}\n{did}; results so far in {folder}"));
+            Ended::Failed
+        }
+    })
+}
+
+/// Prints what was asked for to standard output; a closed pipe is no error.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}

@@ -1,0 +1,116 @@
+//! The three problems of the paper as models, in every form.
+
+use std::collections::BTreeMap;
+
+use ancf::Model;
+use ancf::model::{
+    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Newmark, Output, Place, Probe,
+    ScaleChoice, Section, Slopes, Start,
+};
+
+/// Length of the beam, m (Table 2).
+pub const LENGTH: f64 = 1.0;
+/// Diameter, m. Table 2 prints 0.20; eq. (34) and Table 5 hold for 0.02 only.
+pub const DIAMETER: f64 = 0.02;
+/// Density, kg/m³ (Table 2).
+pub const DENSITY: f64 = 8030.0;
+/// Young's modulus, N/m² (Table 2).
+pub const YOUNG: f64 = 193e9;
+/// Acceleration of gravity, m/s². Not printed; recovered from the 6263 instants of Table 6 (see `docs/paper.md`).
+pub const GRAVITY: f64 = 9.806;
+/// Duration, s (Tables 4 to 6).
+pub const DURATION: f64 = 2.0;
+/// Step in the time of each form (Table 6).
+pub const STEP: f64 = 1e-3;
+/// Newmark's β of the paper.
+pub const BETA: f64 = 0.36;
+/// Numbers of elements (Tables 3 to 5).
+pub const ELEMENTS: [u32; 6] = [1, 2, 5, 10, 15, 20];
+
+/// One of the paper's problems.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Case {
+    /// Section 3.1: a cantilever dropped from straight under its own weight.
+    Cantilever,
+    /// Section 3.2: a pendulum on a hinge, released from the horizontal.
+    Revolute,
+    /// Section 3.3: a pendulum on a ball joint, E/1000, gravity along -y and as much along -z.
+    Spherical,
+}
+
+/// A form of the equations of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Units of the user, coordinates (r, r_x, r_y, r_z).
+    Dimensional,
+    /// Units of the user, coordinates (r, l r_x, l r_y, l r_z).
+    LengthSlopes,
+    /// Units L_ND, T_ND, F_ND and coordinates (r, l r_x, l r_y, l r_z).
+    NonDimensional,
+}
+
+/// T_ND = L √(ρA/F) with F the weight of one element: √(L n/g) (Table 3).
+pub fn time_unit(n: u32) -> f64 {
+    (LENGTH * f64::from(n) / GRAVITY).sqrt()
+}
+
+impl Case {
+    /// The model of n elements in a form, with a physical step in seconds.
+    pub fn model(self, form: Form, n: u32, step: f64) -> Model {
+        let end = |end| Place { body: "beam".into(), at: At::End(end) };
+        let (name, a, b) = ("joint".to_owned(), end(AtEnd::Start), End::Ground);
+        let joint = match self {
+            Self::Cantilever => Joint::Clamp { name, a, b, fix: Clamped::All },
+            Self::Revolute => Joint::Revolute { name, a, b, axis: [0.0, 0.0, 1.0] },
+            Self::Spherical => Joint::Spherical { name, a, b },
+        };
+        let (slopes, scales) = match form {
+            Form::Dimensional => (Slopes::Gradient, ScaleChoice::None),
+            Form::LengthSlopes => (Slopes::Length, ScaleChoice::None),
+            Form::NonDimensional => (Slopes::Length, self.scales(n)),
+        };
+        Model {
+            title: None,
+            gravity: if self == Self::Spherical { [0.0, -GRAVITY, -GRAVITY] } else { [0.0, -GRAVITY, 0.0] },
+            materials: BTreeMap::from([("steel".into(), self.material())]),
+            sections: BTreeMap::from([("rod".into(), Section::Circle { diameter: DIAMETER })]),
+            bodies: vec![Body::Beam(Beam {
+                name: "beam".into(),
+                from: [0.0; 3],
+                to: [LENGTH, 0.0, 0.0],
+                up: None,
+                elements: n,
+                section: "rod".into(),
+                material: "steel".into(),
+                slopes,
+            })],
+            joints: vec![joint],
+            loads: Vec::new(),
+            scales,
+            analysis: Analysis::Dynamics(Dynamics {
+                scheme: Newmark::Adams,
+                start: Start::Zero,
+                ..Dynamics::new(DURATION, step)
+            }),
+            probes: vec![Probe { name: "tip".into(), on: end(AtEnd::End) }],
+            output: Output::default(),
+        }
+    }
+
+    fn material(self) -> Material {
+        let young = if self == Self::Spherical { YOUNG / 1000.0 } else { YOUNG };
+        Material { density: DENSITY, young, poisson: 0.0 }
+    }
+
+    /// The paper's units. Those of the spherical pendulum are the same (Table 3), although gravity acts twice there.
+    fn scales(self, n: u32) -> ScaleChoice {
+        match self {
+            Self::Cantilever | Self::Revolute => ScaleChoice::Paper,
+            Self::Spherical => {
+                let area = std::f64::consts::FRAC_PI_4 * DIAMETER * DIAMETER;
+                let force = DENSITY * area * LENGTH * GRAVITY / f64::from(n);
+                ScaleChoice::Given { length: LENGTH, force, time: None }
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Condition numbers of the iteration matrix in the forms that have been proposed for index-3 equations.
+
+use ancf::model::Model;
+use ancf::system::{EquationsOfMotion, Weights};
+use anyhow::{Context, Result};
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+use super::cases::{BETA, Case, Form};
+
+/// A way to write the iteration matrix of one Newton step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Writing {
+    /// [M + βh²K, Φᵀ; βh²Φ, 0] of eq. (37) with dimensional coordinates (r, r_x, r_y, r_z).
+    Dimensional,
+    /// The same with coordinates (r, l r_x, l r_y, l r_z).
+    LengthSlopes,
+    /// The same, non-dimensional: the paper's.
+    Paper,
+    /// Constraint rows divided by βh², which makes it symmetric (Negrut et al. 2007).
+    Symmetric,
+    /// Displacements as unknowns, [M/βh² + K, Φᵀ; Φ, 0], with no scaling.
+    Displacement,
+    /// That, scaled from left and right by powers of h (Bottasso, Dopico & Trainelli 2008).
+    Bottasso,
+    /// The symmetric one, equilibrated by a diagonal on both sides (Ruiz 2001).
+    Equilibrated,
+}
+
+impl Writing {
+    /// All of them, in the order of the report.
+    pub const ALL: [Self; 7] = [
+        Self::Dimensional,
+        Self::LengthSlopes,
+        Self::Paper,
+        Self::Symmetric,
+        Self::Displacement,
+        Self::Bottasso,
+        Self::Equilibrated,
+    ];
+
+    fn form(self) -> Form {
+        match self {
+            Self::Paper => Form::NonDimensional,
+            Self::LengthSlopes => Form::LengthSlopes,
+            _ => Form::Dimensional,
+        }
+    }
+}
+
+/// One row of the table: all writings for one mesh and step.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Number of elements.
+    pub n: u32,
+    /// Physical step, s.
+    pub h: f64,
+    /// 2-norm condition numbers, in the order of [`Writing::ALL`].
+    pub condition: [f64; 7],
+}
+
+/// Condition numbers of the beam on a ball joint, with the modulus given, at the straight state at rest.
+///
+/// # Errors
+/// If the model cannot be assembled.
+pub fn row(young: f64, n: u32, h: f64) -> Result<Row> {
+    let mut condition = [0.0; 7];
+    for (number, writing) in condition.iter_mut().zip(Writing::ALL) {
+        let mut model = Case::Spherical.model(writing.form(), n, h);
+        model.materials.values_mut().for_each(|material| material.young = young);
+        let matrices = Matrices::new(&model)?;
+        *number = matrices.condition(writing)?;
+    }
+    Ok(Row { n, h, condition })
+}
+
+/// M, K and Φ_q of a model at rest, as one bordered matrix, and its step.
+struct Matrices {
+    /// [M + βh²K, Φᵀ; Φ, 0].
+    symmetric: DMatrix<f64>,
+    coordinates: usize,
+    beta_h2: f64,
+}
+
+impl Matrices {
+    fn new(model: &Model) -> Result<Self> {
+        let scales = model.scales().scales;
+        let ancf::model::Analysis::Dynamics(dynamics) = &model.analysis;
+        let h = dynamics.step / scales.time;
+        let assembly = model.scaled(&scales).assemble().ok().context("the model of the paper is valid")?;
+        let (system, beta_h2) = (&assembly.system, BETA * h * h);
+        let mut tangent = system.matrix();
+        system.tangent(&assembly.rest(), Weights { q: beta_h2, v: 0.0, a: 1.0 }, &mut tangent);
+        let rows = tangent.dense();
+        let symmetric = DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i][j]);
+        Ok(Self { symmetric, coordinates: system.coordinates(), beta_h2 })
+    }
+
+    /// ‖J‖₂ ‖J⁻¹‖₂ of J = L S R, where S is the symmetric writing and L, R are diagonal.
+    ///
+    /// J⁻¹ is formed from the inverse of the equilibrated matrix, so that the number is right beyond 1/ε as well.
+    fn condition(&self, writing: Writing) -> Result<f64> {
+        let (left, right) = self.scaling(writing);
+        let ruiz = equilibration(&self.symmetric);
+        let scaled = |l: &DVector<f64>, r: &DVector<f64>, a: &DMatrix<f64>| {
+            DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| l[i] * a[(i, j)] * r[j])
+        };
+        let equilibrated = scaled(&ruiz, &ruiz, &self.symmetric);
+        let inverse = equilibrated.try_inverse().context("the iteration matrix is regular")?;
+        let (outer, inner) = (ruiz.component_div(&right), ruiz.component_div(&left));
+        Ok(norm(&scaled(&left, &right, &self.symmetric)) * norm(&scaled(&outer, &inner, &inverse)))
+    }
+
+    /// Diagonals L and R of a writing.
+    fn scaling(&self, writing: Writing) -> (DVector<f64>, DVector<f64>) {
+        let n = self.symmetric.nrows();
+        let diagonal = |coordinates: f64, multipliers: f64| {
+            DVector::from_fn(n, |i, _| if i < self.coordinates { coordinates } else { multipliers })
+        };
+        let one = diagonal(1.0, 1.0);
+        let b = self.beta_h2;
+        match writing {
+            Writing::Dimensional | Writing::LengthSlopes | Writing::Paper => (diagonal(1.0, b), one),
+            Writing::Symmetric => (one.clone(), one),
+            Writing::Displacement => (diagonal(1.0 / b, 1.0), diagonal(1.0, b)),
+            // D_L = (βh², 1), D_R = (1, 1/βh²) around the displacement form.
+            Writing::Bottasso => (diagonal(b / b, 1.0), diagonal(1.0, b / b)),
+            Writing::Equilibrated => {
+                let d = equilibration(&self.symmetric);
+                (d.clone(), d)
+            }
+        }
+    }
+}
+
+/// Ruiz's diagonal: repeated division by the roots of the largest entries of the rows.
+fn equilibration(a: &DMatrix<f64>) -> DVector<f64> {
+    let mut d = DVector::from_element(a.nrows(), 1.0);
+    for _ in 0..20 {
+        let largest = DVector::from_fn(a.nrows(), |i, _| {
+            (0..a.ncols()).map(|j| (d[i] * a[(i, j)] * d[j]).abs()).fold(0.0, f64::max)
+        });
+        d.component_div_assign(&largest.map(f64::sqrt));
+    }
+    d
+}
+
+/// ‖A‖₂ by power iteration on AᵀA.
+fn norm(a: &DMatrix<f64>) -> f64 {
+    let mut x = DVector::from_fn(a.ncols(), |i, _| 1.0 + 0.37 * (i as f64).sin());
+    let mut norm = 0.0;
+    for _ in 0..500 {
+        x /= x.norm();
+        let y = a * &x;
+        let next = y.norm();
+        if (next - norm).abs() <= 1e-6 * next {
+            return next;
+        }
+        norm = next;
+        x = a.tr_mul(&y);
+    }
+    norm
+}

@@ -1,0 +1,88 @@
+//! What the user sees while a run goes on, and Ctrl-C.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use ancf::record::Sink;
+use anyhow::{Context, Result};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Writes a line to standard error.
+pub fn say(line: &str) {
+    // Nothing is left to be done if standard error is closed.
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// A bar with the time reached and the Newton iterations of the last step.
+pub struct Progress {
+    bar: ProgressBar,
+    duration: f64,
+    iterations: Option<usize>,
+}
+
+/// Resolution of the bar.
+const TICKS: u64 = 1000;
+
+impl Progress {
+    /// A bar that is full at time `duration`; it appears on terminals only.
+    pub fn until(duration: f64) -> Self {
+        let template = "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}]";
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = ProgressBar::with_draw_target(Some(TICKS), ProgressDrawTarget::stderr_with_hz(10))
+            .with_style(style);
+        bar.enable_steady_tick(Duration::from_millis(200));
+        Self { bar, duration, iterations: None }
+    }
+
+    /// No bar.
+    pub fn hidden() -> Self {
+        Self { bar: ProgressBar::hidden(), duration: 1.0, iterations: None }
+    }
+}
+
+impl Sink for Progress {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        self.iterations = columns.iter().position(|name| name == "iterations");
+        Ok(())
+    }
+
+    fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
+        let t = row.first().copied().unwrap_or(0.0);
+        let position = (t / self.duration * TICKS as f64) as u64;
+        if position != self.bar.position() {
+            let iterations = self.iterations.and_then(|column| row.get(column)).copied().unwrap_or(0.0);
+            self.bar.set_message(format!("t = {t:.4}, {iterations} iterations"));
+            self.bar.set_position(position);
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        self.bar.finish_and_clear();
+        Ok(())
+    }
+}
+
+/// Ends a run in good order at Ctrl-C.
+pub struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Listens from now on.
+    pub fn listen() -> Result<Self> {
+        let stop = Arc::new(AtomicBool::new(false));
+        let heard = Arc::clone(&stop);
+        ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed))
+            .context("cannot listen to Ctrl-C")?;
+        Ok(Self(stop))
+    }
+}
+
+impl Sink for Interrupt {
+    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
+        let stop = self.0.load(Ordering::Relaxed);
+        Ok(if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+    }
+}

@@ -104,7 +104,7 @@ pub fn consistent_start<E: EquationsOfMotion>(
     eom.tangent(s, Weights::MASS, matrix);
     let solved = Factor::new(matrix.pattern()).and_then(|mut factor| {
         factor.factorise(matrix)?;
-        factor.solve(&mut rhs)
+        factor.solve(matrix, &mut rhs)
     });
     solved.map_err(|_| SolveError::at_start(Failure::Singular))?;
     s.a.copy_from_slice(&rhs[..n]);

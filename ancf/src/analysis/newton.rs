@@ -118,7 +118,7 @@ impl Newton {
             *z = if i < n { -r } else { -r / w.q };
         }
         self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
-        self.factor.solve(&mut self.z).map_err(|_| Failure::Singular)?;
+        self.factor.solve(&self.matrix, &mut self.z).map_err(|_| Failure::Singular)?;
         s.add(&self.z, w);
         let dot = |z: &[f64], r: &[f64]| z.iter().zip(r).map(|(z, r)| z * r).sum::<f64>();
         report.iterations += 1;

@@ -82,15 +82,24 @@ impl SectionLaw {
     /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β.
     fn strains(g0: &Directors, u: &Directors) -> ([f64; 5], [f64; 10]) {
         let equal = std::array::from_fn(|i| g0[i].dot(&u[i]) + 0.5 * u[i].dot(&u[i]));
-        let mixed = MIXED.map(|(i, j)| g0[i].dot(&u[j]) + u[i].dot(&g0[j]) + u[i].dot(&u[j]));
+        let mut mixed = [0.0; 10];
+        for (strain, (i, j)) in mixed.iter_mut().zip(MIXED) {
+            *strain = g0[i].dot(&u[j]) + u[i].dot(&g0[j]) + u[i].dot(&u[j]);
+        }
         (equal, mixed)
     }
 
     fn resultants(&self, (equal, mixed): ([f64; 5], [f64; 10])) -> Resultants {
-        Resultants {
-            equal: self.equal.map(|row| row.iter().zip(&equal).map(|(d, e)| d * e).sum()),
-            mixed: std::array::from_fn(|k| self.mixed[k] * mixed[k]),
+        let mut n = Resultants { equal: [0.0; 5], mixed: [0.0; 10] };
+        for i in 0..5 {
+            for j in 0..5 {
+                n.equal[i] += self.equal[i][j] * equal[j];
+            }
         }
+        for k in 0..10 {
+            n.mixed[k] = self.mixed[k] * mixed[k];
+        }
+        n
     }
 
     /// Strain energy per length of the increment u from the reference directors g0.

@@ -74,6 +74,15 @@ impl Deref for ModelErrors {
     }
 }
 
+impl IntoIterator for ModelErrors {
+    type Item = ModelError;
+    type IntoIter = std::vec::IntoIter<ModelError>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
 impl fmt::Display for ModelErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let lines: Vec<String> = self.iter().map(ToString::to_string).collect();

@@ -26,7 +26,7 @@ pub struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
     memory: MemBuffer,
-    matrix: SparseMatrix,
+    pattern: Arc<Pattern>,
     lu: Option<Lu<usize, f64>>,
     /// Equilibration D, right-hand side, solution and residual, in positions.
     d: Vec<f64>,
@@ -74,7 +74,7 @@ impl Factor {
         Ok(Self {
             values: vec![0.0; symbolic.len_val()],
             memory: MemBuffer::new(scratch),
-            matrix: SparseMatrix::zero(Arc::clone(pattern)),
+            pattern: Arc::clone(pattern),
             symbolic,
             lu: None,
             d: zeros.clone(),
@@ -89,67 +89,67 @@ impl Factor {
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        self.matrix.values_mut().copy_from_slice(k.values());
         self.lu = None;
-        self.equilibrate();
-        let a = SparseColMatRef::new(k.pattern().symbolic(), k.values());
+        self.equilibrate(k);
         let done = self.symbolic.factorize_numeric_ldlt(
             &mut self.values,
-            a,
+            SparseColMatRef::new(k.pattern().symbolic(), k.values()),
             Side::Lower,
             LdltRegularization::default(),
             Par::Seq,
             MemStack::new(&mut self.memory),
             Spec::default(),
         );
-        if done.is_err() { self.factorise_by_lu() } else { Ok(()) }
+        if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
     }
 
-    /// Solves A x = b in place; `x` holds b on entry, in the order of the unknowns.
+    /// Solves K x = b in place with the factors of K; `x` holds b on entry, in the order of the unknowns.
     ///
     /// # Errors
     /// If no factorisation solves the equations to a small backward error.
-    pub fn solve(&mut self, x: &mut [f64]) -> Result<(), SingularMatrix> {
-        let pattern = Arc::clone(self.matrix.pattern());
+    pub fn solve(&mut self, k: &SparseMatrix, x: &mut [f64]) -> Result<(), SingularMatrix> {
         for (unknown, &value) in x.iter().enumerate() {
-            self.b[pattern.position(unknown)] = value;
+            self.b[self.pattern.position(unknown)] = value;
         }
-        if self.refined(self.lu.is_some()).is_err() {
-            self.factorise_by_lu()?;
-            self.refined(true)?;
+        if self.refined(k).is_err() {
+            if self.lu.is_some() {
+                return Err(SingularMatrix);
+            }
+            self.factorise_by_lu(k)?;
+            self.refined(k)?;
         }
         for (unknown, value) in x.iter_mut().enumerate() {
-            *value = self.x[pattern.position(unknown)];
+            *value = self.x[self.pattern.position(unknown)];
         }
         Ok(())
     }
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
-    fn refined(&mut self, by_lu: bool) -> Result<(), SingularMatrix> {
+    fn refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.x.copy_from_slice(&self.b);
-        self.substitute(by_lu, false);
-        let mut error = self.backward_error();
+        self.substitute(false);
+        let mut error = self.backward_error(k);
         for _ in 0..2 {
             if error <= REFINE {
                 return Ok(());
             }
-            self.substitute(by_lu, true);
+            self.substitute(true);
             for (x, r) in self.x.iter_mut().zip(&self.r) {
                 *x += r;
             }
-            error = self.backward_error();
+            error = self.backward_error(k);
         }
         if error <= ACCEPT { Ok(()) } else { Err(SingularMatrix) }
     }
 
     /// Forward and backward substitution of `x`, or of the residual `r`, in place.
-    fn substitute(&mut self, by_lu: bool, residual: bool) {
+    fn substitute(&mut self, residual: bool) {
         let target = if residual { &mut self.r } else { &mut self.x };
         let n = target.len();
         let rhs = MatMut::from_column_major_slice_mut(target, n, 1);
         match &self.lu {
-            Some(lu) if by_lu => lu.solve_in_place(rhs),
-            _ => LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Some(lu) => lu.solve_in_place(rhs),
+            None => LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
                 Conj::No,
                 rhs,
                 Par::Seq,
@@ -158,16 +158,11 @@ impl Factor {
         }
     }
 
-    /// Residual r = b − A x and the backward error; infinite if anything is not finite.
-    fn backward_error(&mut self) -> f64 {
-        let Self { matrix, d, b, x, r, .. } = self;
+    /// Residual r = b − K x and the backward error; infinite if anything is not finite.
+    fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
+        let Self { d, b, x, r, .. } = self;
         r.copy_from_slice(b);
-        matrix.visit(|i, j, value| {
-            r[i] -= value * x[j];
-            if i != j {
-                r[j] -= value * x[i];
-            }
-        });
+        k.subtract_product(x, r);
         let (mut residual, mut size): (f64, f64) = (0.0, 0.0);
         for i in 0..b.len() {
             if !r[i].is_finite() {
@@ -179,34 +174,29 @@ impl Factor {
         if residual == 0.0 { 0.0 } else { residual / size }
     }
 
-    /// D: one over the root of the diagonal; where that is zero (multipliers), one over the largest scaled entry.
-    fn equilibrate(&mut self) {
-        let Self { matrix, d, .. } = self;
-        d.fill(0.0);
-        matrix.visit(|i, j, value| {
-            if i == j && value != 0.0 {
-                d[i] = 1.0 / value.abs().sqrt();
-            }
-        });
-        let mut largest = std::mem::take(&mut self.r);
+    /// D: one over the root of the diagonal; for multipliers, where that is zero, one over the largest scaled entry.
+    fn equilibrate(&mut self, k: &SparseMatrix) {
+        let Self { d, r: largest, .. } = self;
         largest.fill(0.0);
-        matrix.visit(|i, j, value| {
-            largest[i] = largest[i].max(value.abs() * d[j]);
-            largest[j] = largest[j].max(value.abs() * d[i]);
-        });
-        for (d, &largest) in d.iter_mut().zip(&largest) {
-            if *d == 0.0 {
-                *d = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+        for (d, diagonal) in d.iter_mut().zip(k.diagonal()) {
+            *d = if diagonal == 0.0 { 1.0 } else { 1.0 / diagonal.abs().sqrt() };
+        }
+        for border in k.pattern().border() {
+            let entry = k.values()[border.slot].abs() * d[border.coordinate];
+            largest[border.multiplier] = largest[border.multiplier].max(entry);
+        }
+        for (d, &largest) in d.iter_mut().zip(&*largest) {
+            if largest > 0.0 {
+                *d = 1.0 / largest;
             }
         }
-        self.r = largest;
     }
 
     /// Factorises the full matrix by LU with pivoting.
-    fn factorise_by_lu(&mut self) -> Result<(), SingularMatrix> {
+    fn factorise_by_lu(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         let n = self.b.len();
-        let mut entries = Vec::with_capacity(2 * self.matrix.values().len());
-        self.matrix.visit(|i, j, value| {
+        let mut entries = Vec::with_capacity(2 * k.values().len());
+        k.visit(|i, j, value| {
             entries.push(Triplet::new(i, j, value));
             if i != j {
                 entries.push(Triplet::new(j, i, value));

@@ -2,8 +2,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
+use faer::sparse::{SymbolicSparseColMat, SymbolicSparseColMatRef};
 
 /// Where a symmetric matrix has entries, in an order fit for LDLᵀ without pivoting.
 ///
@@ -16,9 +16,21 @@ pub struct Pattern {
     position: Vec<u32>,
     /// The strict order: unknown at each position.
     order: Vec<u32>,
-    /// Lower triangle by columns, in positions; rows ascending, the diagonal first.
-    columns: Vec<usize>,
-    rows: Vec<usize>,
+    /// Lower triangle in positions; rows of a column ascending, the diagonal first.
+    lower: SymbolicSparseColMat<usize>,
+    /// Entries of multipliers with coordinates.
+    border: Vec<Border>,
+}
+
+/// An entry of a multiplier with a coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Border {
+    /// Position of the coordinate.
+    pub(super) coordinate: usize,
+    /// Position of the multiplier.
+    pub(super) multiplier: usize,
+    /// Index among the values of a matrix.
+    pub(super) slot: usize,
 }
 
 impl Pattern {
@@ -44,7 +56,13 @@ impl Pattern {
             rows.append(column);
             columns.push(rows.len());
         }
-        Self { position, order, columns, rows }
+        let border = border(&columns, &rows, |at| order[at] as usize >= coordinates);
+        Self {
+            position,
+            lower: SymbolicSparseColMat::new_checked(size, size, columns, None, rows),
+            order,
+            border,
+        }
     }
 
     /// Number of unknowns.
@@ -54,7 +72,22 @@ impl Pattern {
 
     /// Number of entries in the lower triangle.
     pub fn entries(&self) -> usize {
-        self.rows.len()
+        self.rows().len()
+    }
+
+    /// Where each column starts among the entries.
+    fn columns(&self) -> &[usize] {
+        self.lower.col_ptr()
+    }
+
+    /// The row of each entry.
+    fn rows(&self) -> &[usize] {
+        self.lower.row_idx()
+    }
+
+    /// Entries of multipliers with coordinates.
+    pub(super) fn border(&self) -> &[Border] {
+        &self.border
     }
 
     /// Position of an unknown in the order of elimination.
@@ -69,16 +102,16 @@ impl Pattern {
     pub(super) fn slot(&self, i: usize, j: usize) -> u32 {
         let (i, j) = (self.position(i), self.position(j));
         let (row, column) = (i.max(j), i.min(j));
-        let range = self.columns[column]..self.columns[column + 1];
-        let at = self.rows[range.clone()].binary_search(&row).expect("both unknowns belong to one block");
+        let range = self.columns()[column]..self.columns()[column + 1];
+        let at = self.rows()[range.clone()].binary_search(&row).expect("both unknowns belong to one block");
         (range.start + at) as u32
     }
 
     /// Columns and rows of the upper triangle.
     pub(super) fn upper(&self) -> (Vec<usize>, Vec<usize>) {
         let mut upper: Vec<Vec<usize>> = vec![Vec::new(); self.size()];
-        for (column, range) in self.columns.windows(2).enumerate() {
-            for &row in &self.rows[range[0]..range[1]] {
+        for (column, range) in self.columns().windows(2).enumerate() {
+            for &row in &self.rows()[range[0]..range[1]] {
                 upper[row].push(column);
             }
         }
@@ -91,8 +124,23 @@ impl Pattern {
 
     /// The lower triangle in faer's form.
     pub(super) fn symbolic(&self) -> SymbolicSparseColMatRef<'_, usize> {
-        SymbolicSparseColMatRef::new_checked(self.size(), self.size(), &self.columns, None, &self.rows)
+        self.lower.as_ref()
     }
+}
+
+/// Entries below the diagonal of which one unknown is a multiplier and the other is not.
+fn border(columns: &[usize], rows: &[usize], is_multiplier: impl Fn(usize) -> bool) -> Vec<Border> {
+    let mut border = Vec::new();
+    for (column, range) in columns.windows(2).enumerate() {
+        for slot in range[0]..range[1] {
+            match (is_multiplier(rows[slot]), is_multiplier(column)) {
+                (true, false) => border.push(Border { coordinate: column, multiplier: rows[slot], slot }),
+                (false, true) => border.push(Border { coordinate: rows[slot], multiplier: column, slot }),
+                _ => {}
+            }
+        }
+    }
+    border
 }
 
 /// The order of elimination: groups by minimum degree, each multiplier after its last coordinate.
@@ -215,10 +263,29 @@ impl SparseMatrix {
 
     /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions.
     pub(super) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        for (j, range) in self.pattern.columns.windows(2).enumerate() {
+        for (j, range) in self.pattern.columns().windows(2).enumerate() {
             for at in range[0]..range[1] {
-                visit(self.pattern.rows[at], j, self.values[at]);
+                visit(self.pattern.rows()[at], j, self.values[at]);
             }
+        }
+    }
+
+    /// The diagonal, in positions.
+    pub(super) fn diagonal(&self) -> impl Iterator<Item = f64> {
+        self.pattern.columns()[..self.pattern.size()].iter().map(|&first| self.values[first])
+    }
+
+    /// r −= A x, in positions.
+    pub(super) fn subtract_product(&self, x: &[f64], r: &mut [f64]) {
+        for (j, range) in self.pattern.columns().windows(2).enumerate() {
+            let rows = &self.pattern.rows()[range[0] + 1..range[1]];
+            let values = &self.values[range[0] + 1..range[1]];
+            let mut column = self.values[range[0]] * x[j];
+            for (&i, value) in rows.iter().zip(values) {
+                r[i] -= value * x[j];
+                column += value * x[i];
+            }
+            r[j] -= column;
         }
     }
 

@@ -1,0 +1,165 @@
+//! The program as its user meets it: commands, files, messages, exit codes.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ancf"));
+    command.args(arguments).current_dir(root());
+    command
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A folder for the model and the results of one test.
+struct Bench(TempDir);
+
+impl Bench {
+    fn new() -> Self {
+        Self(TempDir::new().unwrap())
+    }
+
+    fn out(&self) -> PathBuf {
+        self.0.path().join("out")
+    }
+
+    /// `ancf run FILE -o OUT`.
+    fn run(&self, file: &str) -> Command {
+        command(&["run", file, "-o", self.out().to_str().unwrap()])
+    }
+
+    /// The cantilever with a line replaced.
+    fn cantilever(&self, line: &str, by: &str) -> String {
+        let text = fs::read_to_string(root().join("models/cantilever.toml")).unwrap();
+        assert!(text.contains(line), "the cantilever has `{line}`");
+        let path = self.0.path().join("model.toml");
+        fs::write(&path, text.replacen(line, by, 1)).unwrap();
+        path.to_str().unwrap().to_owned()
+    }
+
+    fn summary(&self) -> Value {
+        serde_json::from_slice(&fs::read(self.out().join("summary.json")).unwrap()).unwrap()
+    }
+
+    fn column(&self, name: &str) -> Vec<f64> {
+        let text = fs::read_to_string(self.out().join("probes.csv")).unwrap();
+        let at = text.lines().next().unwrap().split(',').position(|column| column == name).unwrap();
+        text.lines().skip(1).map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
+    }
+}
+
+/// The README's command. Mean tip deflection: Kim et al. (2017), Table 5, 20 elements, -2.037 mm.
+#[test]
+fn the_cantilever_runs_as_the_readme_says() {
+    let bench = Bench::new();
+    let run = bench.run("models/cantilever.toml").output().unwrap();
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let tip = bench.column("tip.y");
+    assert_eq!(tip.len(), 2001);
+    let mean = 1e3 * tip.iter().sum::<f64>() / tip.len() as f64;
+    assert!((mean + 2.037).abs() < 2e-3, "mean deflection {mean} mm");
+    assert_eq!(bench.summary()["outcome"]["kind"], "finished");
+    assert_eq!(bench.summary()["steps"], 2000);
+    let npz = fs::read(bench.out().join("probes.npz")).unwrap();
+    assert!(npz.starts_with(b"PK"), "an archive of arrays");
+}
+
+/// Every model in `models/` is valid and runs; for a tenth of a second, since the tests of physics are elsewhere.
+#[test]
+fn every_model_runs() {
+    for entry in fs::read_dir(root().join("models")).unwrap() {
+        let path = entry.unwrap().path();
+        let (bench, text) = (Bench::new(), fs::read_to_string(&path).unwrap());
+        let duration = text.lines().find(|line| line.starts_with("duration")).unwrap();
+        let short = bench.0.path().join("short.toml");
+        fs::write(&short, text.replace(duration, "duration = 0.1")).unwrap();
+        let run = bench.run(short.to_str().unwrap()).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}: {}", path.display(), stderr(&run));
+    }
+}
+
+/// Bad input: a precise message with file, line, column, key, what was found and what is wanted; exit code 2; no folder.
+#[test]
+fn bad_input_is_refused() {
+    let density = "density = 8030.0";
+    let cases = [
+        (density, "denstiy = 8030.0", ":10:1: materials.steel.denstiy: found unknown key `denstiy`"),
+        (density, "density = -8030.0", ":10:11: materials.steel.density: found -8030.0, wanted a number > 0"),
+        (density, "density = nan", ":10:11: materials.steel.density: found nan, wanted a finite number > 0"),
+        ("elements = 20", "elements = 0", ":23:12: bodies[0].elements: found 0, wanted an integer >= 1"),
+        ("to = [1.0, 0.0, 0.0]", "to = [0, 0, 0]", ":22:6: bodies[0].to: found a beam of length 0"),
+        ("section = \"rod\"", "", "bodies[0].section: found no key `section`"),
+        ("{ body = \"beam\"", "{ body = \"bean\"", ":30:14: joints[0].a.body: found \"bean\""),
+    ];
+    for (line, by, message) in cases {
+        let bench = Bench::new();
+        let run = bench.run(&bench.cantilever(line, by)).output().unwrap();
+        assert_eq!(run.status.code(), Some(2), "{by}");
+        assert!(stderr(&run).contains(message), "{by}: {}", stderr(&run));
+        assert!(!bench.out().exists(), "{by}: an output folder");
+    }
+}
+
+/// A joint that ties what another ties already is named.
+#[test]
+fn a_redundant_joint_is_refused() {
+    let bench = Bench::new();
+    let second = "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
+    let check = command(&["check", &bench.cantilever("[[probes]]", second)]).output().unwrap();
+    assert_eq!(check.status.code(), Some(2));
+    assert!(stderr(&check).contains("joints[1]: found 3 of 3 equations that repeat"), "{}", stderr(&check));
+}
+
+/// A failed analysis: exit code 1, a message that says when, why and where, and the results so far.
+#[test]
+fn a_failed_analysis_keeps_its_results() {
+    let bench = Bench::new();
+    let absolute = "step = 1e-3\nmax_halvings = 1\nstop = { rule = \"residual\", tolerance = 1e-9 }";
+    let run = bench.run(&bench.cantilever("step = 1e-3", absolute)).output().unwrap();
+    assert_eq!(run.status.code(), Some(1), "{}", stderr(&run));
+    assert!(stderr(&run).contains("failed at t = ") && stderr(&run).contains("did not converge"), "{}", stderr(&run));
+    assert_eq!(bench.summary()["outcome"]["kind"], "failed");
+    let steps = bench.summary()["steps"].as_u64().unwrap();
+    assert_eq!(bench.column("t").len() as u64, steps + 1, "every step that was solved is there");
+}
+
+/// Ctrl-C: exit code 130 and what was computed.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_its_results() {
+    let bench = Bench::new();
+    let mut run = bench.run(&bench.cantilever("duration = 2.0", "duration = 1000.0")).spawn().unwrap();
+    let csv = bench.out().join("probes.csv");
+    while fs::metadata(&csv).map_or(0, |file| file.len()) == 0 {
+        assert!(run.try_wait().unwrap().is_none(), "it ended before it was interrupted");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    assert_eq!(run.wait().unwrap().code(), Some(130));
+    assert_eq!(bench.summary()["outcome"]["kind"], "stopped");
+    assert_eq!(bench.column("t").len() as u64, bench.summary()["steps"].as_u64().unwrap() + 1);
+}
+
+/// The scaled model is a model: it reads back, and its numbers are those of eqs (7), (26), (33) of Kim et al. (2017).
+#[test]
+fn the_scaled_model_is_printed() {
+    let printed = command(&["scaled", "models/revolute_pendulum.toml"]).output().unwrap();
+    assert!(printed.status.success());
+    let model: toml::Table = String::from_utf8(printed.stdout).unwrap().parse().unwrap();
+    let number = |path: [&str; 3]| model[path[0]][path[1]][path[2]].as_float().unwrap();
+    let area = std::f64::consts::FRAC_PI_4 * 0.02 * 0.02;
+    let force = 8030.0 * area * 9.81 / 4.0;
+    assert!((number(["materials", "steel", "young"]) / (193e9 / force) - 1.0).abs() < 1e-12);
+    assert!((number(["materials", "steel", "density"]) * area - 1.0).abs() < 1e-12, "rho A = 1 by eq. (7)");
+    assert!((model["gravity"][1].as_float().unwrap() * 0.25 + 1.0).abs() < 1e-12, "an element weighs 1");
+}

@@ -1,6 +1,7 @@
 //! Observed orders: of the schemes in the step h, of the element in its length l.
 //!
 //! A scheme of order p at steps h, h/2, h/4 gives differences in the ratio 2ᵖ.
+#![cfg(test)]
 
 #[path = "common/equilibrium.rs"]
 mod equilibrium;
@@ -65,7 +66,6 @@ fn order(results: [Vector3<f64>; 3]) -> f64 {
 }
 
 fn assert_order(name: &str, observed: f64, expected: f64) {
-    println!("{name}: order {observed}");
     assert!((observed - expected).abs() < 0.1, "{name}: order {observed}");
 }
 
@@ -81,29 +81,31 @@ fn schemes_without_constraints() {
     }
 }
 
-/// Tip of a pendulum of two soft elements after 0.4 s.
+/// Tip of a rubber-like pendulum of one element after 0.4 s.
 fn swung(scheme: model::Newmark, steps: u32) -> Vector3<f64> {
-    let mut model = rod::revolute(2);
-    rod::material(&mut model).young /= 1000.0;
+    let mut model = rod::revolute(1);
+    rod::material(&mut model).young /= 1e5;
     let settings = rod::settings(&mut model);
     (settings.scheme, settings.start) = (scheme, Start::Consistent);
     (settings.duration, settings.step) = (0.4, 0.4 / f64::from(steps));
+    settings.stop = model::Stop::Energy { tolerance: 1e-10 };
     *Run::of(&model).vectors("tip.").last().unwrap()
 }
 
+/// Of the pairs with γ = 1/2, only β = 1/4 is stable with constraints.
 #[test]
 fn schemes_with_constraints() {
-    for (name, scheme, expected) in
-        [("ADAMS", model::Newmark::Adams, 1.0), ("average acceleration", model::Newmark::AverageAcceleration, 2.0)]
-    {
-        for n in [50, 100, 200, 400, 800, 1600, 3200] {
-        let results = [n, 2*n, 4*n].map(|steps| swung(scheme, steps));
-        println!("{name} {n} {}", order(results));
-        }
-        let results = [400, 800, 1600].map(|steps| swung(scheme, steps));
-        println!("{name}: {}", order(results));
+    for (name, scheme, expected) in [
+        ("ADAMS", model::Newmark::Adams, 1.0),
+        ("average acceleration", model::Newmark::AverageAcceleration, 2.0),
+    ] {
+        let results = [800, 1600, 3200].map(|steps| swung(scheme, steps));
+        assert_order(name, order(results), expected);
     }
 }
+
+/// Static tip of the cantilever: Reissner's rod with k = 1 and ν = 0, by shooting (independent calculation).
+const LIMIT: f64 = -2.041186330e-3;
 
 fn static_tip(model: &Model) -> Vector3<f64> {
     let (assembly, state) = equilibrium(model, 1);
@@ -116,9 +118,7 @@ fn elements_of_the_static_tip() {
     for fix in [Clamped::All, Clamped::Section] {
         let tips = [8, 16, 32].map(|elements| static_tip(&rod::clamped(elements, fix)));
         assert_order(&format!("{fix:?}"), order(tips), 2.0);
-        let limit = -2.041186330e-3; // Reissner's rod with k = 1, ν = 0, by shooting
-        let missing = (1.0 - tips[0].y / limit) * 3.0 * 64.0;
-        println!("missing {missing}");
-        assert!((missing - 1.0).abs() < 0.02, "{fix:?}: {missing}");
+        let missing = 1.0 - tips[0].y / LIMIT;
+        assert!((missing * 3.0 * 8.0_f64.powi(2) - 1.0).abs() < 0.01, "{fix:?}: {missing}");
     }
 }

@@ -1,5 +1,6 @@
 //! The architecture of the library, read from its sources: floors use only what `lib.rs` draws below them, and no file
 //! is too long to read in one sitting.
+#![cfg(test)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,7 @@ fn uses(text: &str) -> Vec<String> {
     let code: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
     let code = code.join("\n");
     let paths = code.split("crate::").skip(1);
-    paths.flat_map(|path| names(path)).collect()
+    paths.flat_map(names).collect()
 }
 
 /// The first names of a path or of a group of paths.
@@ -117,6 +118,7 @@ fn files_fit_a_sitting() {
 
 #[test]
 fn reads_uses() {
-    let text = "use crate::system::{State, Term};\nuse crate::{a::{b, c}, d};\n// crate::x\nlet y = crate::e::f(1);";
+    let text =
+        "use crate::system::{State, Term};\nuse crate::{a::{b, c}, d};\n// crate::x\nlet y = crate::e::f(1);";
     assert_eq!(uses(text), ["system", "a", "d", "e"]);
 }

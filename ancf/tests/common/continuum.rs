@@ -1,0 +1,62 @@
+//! The element as a three-dimensional continuum, by brute force: an oracle that shares no formula with the library
+//! but the five Gauss points of the axis.
+
+use std::f64::consts::TAU;
+
+use ancf::mechanics::gauss;
+use ancf::model::Section;
+use nalgebra::{Matrix3, Vector3};
+
+/// ∫ f dV over an element of length l, exact for polynomials of degree nine along x and four across.
+pub(crate) fn integrate(length: f64, section: Section, f: impl Fn([f64; 3]) -> f64) -> f64 {
+    let across = points(section);
+    let slice = |x: f64| across.iter().map(|&([y, z], w)| w * f([x, y, z])).sum::<f64>();
+    gauss().iter().map(|&(xi, w)| w * length * slice(xi * length)).sum()
+}
+
+/// Points (y, z) and weights of a cross-section: a product rule, in polar coordinates for the circle.
+fn points(section: Section) -> Vec<([f64; 2], f64)> {
+    let pairs = |second: Vec<(f64, f64)>| {
+        gauss()
+            .into_iter()
+            .flat_map(move |(x, w)| second.clone().into_iter().map(move |(y, u)| (x, y, w * u)))
+    };
+    match section {
+        Section::Rectangle { height, width } => pairs(gauss().to_vec())
+            .map(|(y, z, w)| ([height * (y - 0.5), width * (z - 0.5)], w * height * width))
+            .collect(),
+        Section::Circle { diameter } => {
+            pairs((0..8).map(|k| (TAU * f64::from(k) / 8.0, TAU / 8.0)).collect())
+                .map(|(part, angle, w)| (0.5 * diameter * part, angle, 0.5 * diameter * w))
+                .map(|(r, angle, w)| ([r * angle.cos(), r * angle.sin()], w * r))
+                .collect()
+        }
+    }
+}
+
+/// Gradients of S₁ .. S₈ at a point, by Kim et al. (2017), eqs (5), (12), with S₂ = s(ξ − 2ξ² + ξ³), S₆ = s(ξ³ − ξ²)
+/// and s = l/ℓ.
+pub(crate) fn shape_gradients(length: f64, slope: f64, [x, y, z]: [f64; 3]) -> [Vector3<f64>; 8] {
+    let (xi, eta, zeta) = (x / length, y / length, z / length);
+    let bend = Vector3::new((6.0 * xi - 6.0 * xi * xi) / length, 0.0, 0.0);
+    [
+        -bend,
+        Vector3::new(1.0 - 4.0 * xi + 3.0 * xi * xi, 0.0, 0.0) / slope,
+        Vector3::new(-eta, 1.0 - xi, 0.0) / slope,
+        Vector3::new(-zeta, 0.0, 1.0 - xi) / slope,
+        bend,
+        Vector3::new(3.0 * xi * xi - 2.0 * xi, 0.0, 0.0) / slope,
+        Vector3::new(eta, xi, 0.0) / slope,
+        Vector3::new(zeta, 0.0, xi) / slope,
+    ]
+}
+
+/// J = Σₐ eₐ ∇Sₐᵀ.
+pub(crate) fn deformation_gradient(e: &[Vector3<f64>; 8], gradients: &[Vector3<f64>; 8]) -> Matrix3<f64> {
+    e.iter().zip(gradients).map(|(e, gradient)| e * gradient.transpose()).sum()
+}
+
+/// E = ½(JᵀJ − I).
+pub(crate) fn green_strain(j: &Matrix3<f64>) -> Matrix3<f64> {
+    (j.transpose() * j - Matrix3::identity()) * 0.5
+}

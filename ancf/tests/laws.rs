@@ -1,0 +1,311 @@
+//! Laws that every term of the equations of motion obeys, whatever it models.
+//!
+//! A new element, joint or load joins the list in [`terms`] and is tested. Sections are stubby, so that no part of an
+//! energy hides behind another, and residuals are polynomials of degree three at most, so that five-point differences
+//! with large steps are exact but for rounding.
+#![cfg(test)]
+
+#[path = "common/continuum.rs"]
+mod continuum;
+
+use std::sync::Arc;
+
+use ancf::mechanics::{Beam24, BeamMesh, BeamShape, Coincide, Force, Marker, Perpendicular, Profile};
+use ancf::model::{Material, Section};
+use ancf::system::{Energy, LOCAL, Local, LocalMatrix, Term, Weights};
+use nalgebra::{DMatrix, DVector, Rotation3, SymmetricEigen, Vector3};
+
+/// Numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn number(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self, size: usize) -> DVector<f64> {
+        DVector::from_fn(size, |_, _| self.number())
+    }
+
+    fn vector3(&mut self) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.number())
+    }
+}
+
+/// The unknowns of one term.
+#[derive(Clone)]
+struct Sample {
+    q: DVector<f64>,
+    v: DVector<f64>,
+    a: DVector<f64>,
+    lambda: DVector<f64>,
+}
+
+impl Sample {
+    fn random(term: &dyn Term, random: &mut Random) -> Self {
+        let (n, m) = sizes(term);
+        Self { q: random.vector(n), v: random.vector(n), a: random.vector(n), lambda: random.vector(m) }
+    }
+
+    fn rest(term: &dyn Term) -> Self {
+        let (n, m) = sizes(term);
+        Self { q: DVector::zeros(n), v: DVector::zeros(n), a: DVector::zeros(n), lambda: DVector::zeros(m) }
+    }
+
+    fn local(&self) -> Local<'_> {
+        let Self { q, v, a, lambda } = self;
+        Local { q: q.as_slice(), v: v.as_slice(), a: a.as_slice(), lambda: lambda.as_slice() }
+    }
+
+    /// Moved by h (dz, dλ), as weights have it.
+    fn moved(&self, z: &DVector<f64>, h: f64, w: Weights) -> Self {
+        let (dz, dlambda) = (z.rows(0, self.q.len()) * h, z.rows(self.q.len(), self.lambda.len()) * h);
+        Self {
+            q: &self.q + &dz * w.q,
+            v: &self.v + &dz * w.v,
+            a: &self.a + dz * w.a,
+            lambda: &self.lambda + dlambda,
+        }
+    }
+}
+
+fn sizes(term: &dyn Term) -> (usize, usize) {
+    (term.coordinates().len(), term.multipliers().len())
+}
+
+fn residual(term: &dyn Term, at: &Sample) -> DVector<f64> {
+    let mut r = DVector::zeros(at.q.len() + at.lambda.len());
+    term.residual(&at.local(), r.as_mut_slice());
+    r
+}
+
+fn rounding(term: &dyn Term, at: &Sample) -> DVector<f64> {
+    let mut floor = DVector::zeros(at.q.len() + at.lambda.len());
+    term.rounding(&at.local(), floor.as_mut_slice());
+    floor
+}
+
+fn tangent(term: &dyn Term, at: &Sample, w: Weights) -> DMatrix<f64> {
+    let size = at.q.len() + at.lambda.len();
+    let mut storage = [0.0; LOCAL * LOCAL];
+    let mut k = LocalMatrix::zero(size, &mut storage);
+    term.tangent(&at.local(), w, &mut k);
+    DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
+}
+
+/// f'(0) of a polynomial of degree four at most.
+fn derivative(f: impl Fn(f64) -> DVector<f64>) -> DVector<f64> {
+    let difference = |h: f64| f(h) - f(-h);
+    (difference(0.5) * 8.0 - difference(1.0)) / 6.0
+}
+
+fn assert_close(what: &str, a: &DVector<f64>, b: &DVector<f64>, tolerance: f64) {
+    let (error, size) = ((a - b).amax(), a.amax().max(b.amax()).max(1.0));
+    assert!(error <= tolerance * size, "{what}: {error:e} of {size:e}");
+}
+
+/// What any term must survive.
+fn obeys_laws(name: &str, term: &dyn Term, random: &mut Random) {
+    let ((n, m), rest) = (sizes(term), Sample::rest(term));
+    let (s, z) = (Sample::random(term, random), random.vector(n + m));
+    let w = Weights { q: 1.3 + random.number(), v: random.number(), a: 1.3 + random.number() };
+
+    // The tangent is the derivative of the residual, its constraint rows divided by w_q.
+    let mut product = tangent(term, &s, w) * &z;
+    product.rows_mut(n, m).scale_mut(w.q);
+    let slope = derivative(|h| residual(term, &s.moved(&z, h, w)));
+    assert_close(&format!("{name}: tangent"), &product, &slope, 1e-12);
+
+    // Moved by q and v at once, the energy changes as the residual with v in the place of a has it: dU = f dq, dT = M v dv.
+    let both = Weights { q: 1.0, v: 1.0, a: 0.0 };
+    let power = derivative(|h| DVector::from_element(1, energy(term, &s.moved(&z, h, both)).total()));
+    let forces = residual(term, &Sample { a: s.v.clone(), lambda: DVector::zeros(m), ..s.clone() });
+    let work = DVector::from_element(1, forces.rows(0, n).dot(&z.rows(0, n)));
+    assert_close(&format!("{name}: energy"), &power, &work, 1e-12);
+    assert_eq!(energy(term, &rest), Energy::default(), "{name}: energy of the reference state");
+
+    // The mass matrix is constant and not negative.
+    let mass = tangent(term, &s, Weights { q: 0.0, v: 0.0, a: 1.0 }).view((0, 0), (n, n)).into_owned();
+    let inertia = SymmetricEigen::new(mass).eigenvalues;
+    assert!(inertia.min() >= -1e-14 * inertia.max(), "{name}: negative mass");
+
+    // An ulp more or less in the state, rounded again on the way, is within twice the bound of one rounding; and the
+    // bound is one of rounding, not of more.
+    let (here, bound) = (residual(term, &s), rounding(term, &s));
+    for _ in 0..20 {
+        let mut ulp = |x: &DVector<f64>| x.map(|x| x * (1.0 + 0.5 * f64::EPSILON * random.number().signum()));
+        let near = Sample { q: ulp(&s.q), v: s.v.clone(), a: ulp(&s.a), lambda: ulp(&s.lambda) };
+        let moved = (residual(term, &near) - &here).abs();
+        assert!(moved <= &bound * 2.0, "{name}: rounding {} beyond its bound {}", moved.amax(), bound.amax());
+    }
+    assert!(bound.amax() < 1e-12 * here.amax().max(1.0), "{name}: a bound of {:e}", bound.amax());
+}
+
+fn energy(term: &dyn Term, at: &Sample) -> Energy {
+    term.energy(&at.local())
+}
+
+const LENGTH: f64 = 0.7;
+
+/// An element with its reference coordinates.
+struct Element {
+    name: String,
+    term: Beam24,
+    reference: [Vector3<f64>; 8],
+    slope: f64,
+    section: Section,
+    material: Material,
+}
+
+/// One element for every choice of section, Poisson's ratio, slope length and frame.
+fn elements(gravity: Vector3<f64>) -> Vec<Element> {
+    let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
+    let mut elements = Vec::new();
+    for section in [Section::Circle { diameter: 0.3 }, Section::Rectangle { height: 0.3, width: 0.2 }] {
+        for poisson in [0.0, 0.3] {
+            for slope in [1.0, LENGTH] {
+                for rotation in [Rotation3::identity(), tilted] {
+                    elements.push(element(section, poisson, slope, rotation, gravity));
+                }
+            }
+        }
+    }
+    elements
+}
+
+fn element(section: Section, poisson: f64, slope: f64, r: Rotation3<f64>, gravity: Vector3<f64>) -> Element {
+    let material = Material { density: 2.0, young: 30.0, poisson };
+    let shape = BeamShape { length: LENGTH, slope };
+    let profile = Profile::new(shape, material.lame(), material.density, section.moments(), gravity);
+    let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| r * axis);
+    let [x, y, z] = frame.map(|axis| axis * slope);
+    Element {
+        name: format!("{section:?}, nu = {poisson}, slope length {slope}, frame {:.1}", frame[0].transpose()),
+        term: Beam24::new(std::array::from_fn(|i| i), frame, Arc::new(profile)),
+        reference: [Vector3::zeros(), x, y, z, frame[0] * LENGTH, x, y, z],
+        slope,
+        section,
+        material,
+    }
+}
+
+/// Constraints and loads on two tilted bodies of two elements each, at nodes and between them.
+fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
+    let mesh = |first, rotation: Rotation3<f64>| {
+        let section = Section::Circle { diameter: 0.3 }.moments();
+        let material = Material { density: 2.0, young: 30.0, poisson: 0.3 };
+        let shape = BeamShape { length: LENGTH, slope: LENGTH };
+        let profile = Profile::new(shape, material.lame(), material.density, section, Vector3::zeros());
+        let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| rotation * axis);
+        BeamMesh::new(first, 2, Vector3::new(0.1, -0.2, 0.3), frame, profile)
+    };
+    let (a, b) = (mesh(0, Rotation3::identity()), mesh(36, Rotation3::from_euler_angles(0.4, -1.1, 2.3)));
+    let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
+    let ground = Marker::fixed(across);
+    let (point_a, point_b) = (a.point(0.31), b.point(LENGTH));
+    let (direction_a, direction_b) = (a.direction(0.31, along), b.direction(2.0 * LENGTH, across));
+    vec![
+        ("points", Box::new(Coincide::points(&point_a, &point_b, 5))),
+        ("point and ground", Box::new(Coincide::points(&point_a, &ground, 5))),
+        ("points of one body", Box::new(Coincide::points(&point_a, &a.point(0.0), 5))),
+        ("directions", Box::new(Coincide::directions(&direction_a, &direction_b, 5))),
+        ("direction and ground", Box::new(Coincide::directions(&direction_a, &ground, 5))),
+        ("perpendicular", Box::new(Perpendicular::new(&direction_a, &direction_b, 5))),
+        ("perpendicular to the ground", Box::new(Perpendicular::new(&direction_a, &ground, 5))),
+        (
+            "perpendicular within a body",
+            Box::new(Perpendicular::new(&direction_a, &a.direction(0.0, across), 5)),
+        ),
+        ("force", Box::new(Force::new(&point_a, Vector3::new(0.3, -2.0, 0.7)))),
+    ]
+}
+
+/// Every kind of term there is.
+fn terms() -> Vec<(String, Box<dyn Term>)> {
+    let elements = elements(Vector3::new(0.3, -2.0, 0.7));
+    let elements = elements.into_iter().map(|e| (e.name, Box::new(e.term) as Box<dyn Term>));
+    let others = constraints_and_loads().into_iter().map(|(name, term)| (name.to_owned(), term));
+    elements.chain(others).collect()
+}
+
+#[test]
+fn every_term_obeys_the_laws() {
+    let mut random = Random(2017);
+    for (name, term) in terms() {
+        for _ in 0..10 {
+            obeys_laws(&name, term.as_ref(), &mut random);
+        }
+    }
+}
+
+#[test]
+fn every_term_names_its_coordinates_once() {
+    for (name, term) in terms() {
+        let mut coordinates = term.coordinates().to_vec();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        assert_eq!(coordinates.len(), term.coordinates().len(), "{name}");
+    }
+}
+
+/// Translation and rotation of any size: no energy, no elastic force.
+#[test]
+fn rigid_motion_costs_nothing() {
+    let mut random = Random(24);
+    for Element { name, term, reference, slope, section, material, .. } in elements(Vector3::zeros()) {
+        let stiffness = material.young * section.moments().area;
+        for _ in 0..10 {
+            let (turn, shift) = (Rotation3::new(random.vector3() * 3.0), random.vector3() * 10.0);
+            let mut at = Sample::rest(&term);
+            for (k, e) in reference.iter().enumerate() {
+                let moved = turn * e - e + if k % 4 == 0 { shift } else { Vector3::zeros() };
+                at.q.rows_mut(3 * k, 3).copy_from(&moved);
+            }
+            let force = residual(&term, &at).amax() / slope;
+            assert!(force < 1e-10 * stiffness, "{name}: force {force:e}");
+            let strain = energy(&term, &at).strain;
+            assert!(strain < 1e-20 * stiffness * LENGTH, "{name}: energy {strain:e}");
+        }
+    }
+}
+
+/// A free element has six motions without stiffness, three translations and three rotations, and no other.
+#[test]
+fn stiffness_has_six_free_motions_and_mass_none() {
+    for Element { name, term, .. } in elements(Vector3::zeros()) {
+        let rest = Sample::rest(&term);
+        let eigenvalues = |w| {
+            let mut values = SymmetricEigen::new(tangent(&term, &rest, w)).eigenvalues.data.as_vec().clone();
+            values.sort_unstable_by(f64::total_cmp);
+            values
+        };
+        let (stiffness, mass) = (eigenvalues(Weights::STIFFNESS), eigenvalues(Weights::MASS));
+        assert!(stiffness[0] > -1e-13 * stiffness[23], "{name}: {stiffness:?}");
+        assert!(stiffness[5] < 1e-13 * stiffness[23], "{name}: {stiffness:?}");
+        assert!(stiffness[6] > 1e-5 * stiffness[23], "{name}: {stiffness:?}");
+        assert!(mass[0] > 1e-5 * mass[23], "{name}: {mass:?}");
+    }
+}
+
+/// ½∫(λ tr² E + 2G E:E) dV over the volume, by 125 points and more, is what the element makes of moments of area.
+#[test]
+fn strain_energy_is_that_of_the_continuum() {
+    let mut random = Random(31);
+    for Element { name, term, reference, slope, section, material, .. } in elements(Vector3::zeros()) {
+        let lame = material.lame();
+        for _ in 0..5 {
+            let at = Sample::random(&term, &mut random);
+            let e = std::array::from_fn(|k| reference[k] + at.q.fixed_rows::<3>(3 * k));
+            let density = |x: [f64; 3]| {
+                let gradients = continuum::shape_gradients(LENGTH, slope, x);
+                let strain = continuum::green_strain(&continuum::deformation_gradient(&e, &gradients));
+                0.5 * lame.lambda * strain.trace().powi(2) + lame.shear * strain.norm_squared()
+            };
+            let (brute, exact) = (continuum::integrate(LENGTH, section, density), energy(&term, &at).strain);
+            assert!((exact / brute - 1.0).abs() < 1e-13, "{name}: {exact} and {brute}");
+        }
+    }
+}

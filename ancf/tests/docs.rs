@@ -1,4 +1,5 @@
 //! The documentation names files and tests that are there, and its links lead somewhere.
+#![cfg(test)]
 
 use std::collections::BTreeSet;
 use std::fs;

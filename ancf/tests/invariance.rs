@@ -122,7 +122,7 @@ fn same_columns(model: &Model, other: &Model) {
         let b = b.column(name);
         let size = a.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        println!("{name}: {apart:e} of {size:e}");
+        assert!(apart < 1e-9 * size.max(1.0), "{name}: {apart:e} of {size:e}");
     }
 }
 
@@ -132,13 +132,14 @@ fn scales() {
         same(&model, &Model { scales: ScaleChoice::Paper, ..model.clone() }, identity, [1.0; 2]);
     }
     for model in every_system() {
-        same_columns(&model, &Model { scales: ScaleChoice::Auto, ..model.clone() });
         for scales in [
             ScaleChoice::Auto,
             ScaleChoice::Given { length: 0.2, force: 7e4, time: None },
             ScaleChoice::Given { length: 12.0, force: 1e-3, time: Some(0.3) },
         ] {
-            same(&model, &Model { scales, ..model.clone() }, identity, [1.0; 2]);
+            let other = Model { scales, ..model.clone() };
+            same(&model, &other, identity, [1.0; 2]);
+            same_columns(&model, &other);
         }
     }
 }
@@ -217,20 +218,21 @@ fn direction_of_a_beam() {
     }
 }
 
-/// A step that had to be halved is two steps of half the size.
+/// A step that had to be quartered is four steps of a quarter, and the iterations of failed attempts count.
 #[test]
 fn divided_steps() {
-    let model = |step, max_iterations| {
+    let run = |step| {
         let mut model = systems()[2].clone();
         let settings = rod::settings(&mut model);
-        (settings.step, settings.max_iterations, settings.max_halvings) = (step, max_iterations, 1);
-        model
+        (settings.duration, settings.step) = (0.02, step);
+        (settings.max_iterations, settings.max_halvings) = (3, 2);
+        Run::of(&model)
     };
-    for it in [2,3,4,5,6,7,8] { for h in [0.01,0.02,0.03, 0.05, 0.06,0.1] {
-    let mut s = ancf::record::Series::new();
-    let x = ancf::simulate(&model(h, it), &mut s).unwrap();
-    println!("{h} {it} {x:?}");
-    }}
+    let (divided, quarters) = (run(0.02), run(0.005));
+    assert_eq!((divided.summary.divided_steps, quarters.summary.divided_steps), (1, 0));
+    assert_eq!(divided.summary.iterations, quarters.summary.iterations + 2 * 3);
+    let last = |run: &Run| [run.vectors("tip.")[run.column("t").len() - 1]];
+    assert!(distance(&last(&divided), &last(&quarters)) < 1e-12 * rod::LENGTH);
 }
 
 #[test]

@@ -309,3 +309,23 @@ fn strain_energy_is_that_of_the_continuum() {
         }
     }
 }
+
+/// ½∫ρ v·v dV and −∫ρ g·u dV likewise.
+#[test]
+fn kinetic_and_potential_energy_are_those_of_the_continuum() {
+    let (mut random, gravity) = (Random(18), Vector3::new(0.3, -2.0, 0.7));
+    for Element { name, term, slope, section, material, .. } in elements(gravity) {
+        let at = Sample::random(&term, &mut random);
+        let field = |nodes: &DVector<f64>, x| -> Vector3<f64> {
+            let values = continuum::shape_values(LENGTH, slope, x);
+            values.iter().enumerate().map(|(k, s)| nodes.fixed_rows::<3>(3 * k) * *s).sum()
+        };
+        let kinetic = |x| 0.5 * material.density * field(&at.v, x).norm_squared();
+        let potential = |x| -material.density * gravity.dot(&field(&at.q, x));
+        let exact = energy(&term, &at);
+        let brute = continuum::integrate(LENGTH, section, kinetic);
+        assert!((exact.kinetic / brute - 1.0).abs() < 1e-13, "{name}: {} and {brute}", exact.kinetic);
+        let brute = continuum::integrate(LENGTH, section, potential);
+        assert!((exact.potential - brute).abs() < 1e-14, "{name}: {} and {brute}", exact.potential);
+    }
+}

@@ -34,8 +34,16 @@ fn points(section: Section) -> Vec<([f64; 2], f64)> {
     }
 }
 
-/// Gradients of S₁ .. S₈ at a point, by Kim et al. (2017), eqs (5), (12), with S₂ = s(ξ − 2ξ² + ξ³), S₆ = s(ξ³ − ξ²)
-/// and s = l/ℓ.
+/// S₁ .. S₈ at a point, by Kim et al. (2017), eqs (5), (12), with S₂ = s(ξ − 2ξ² + ξ³), S₆ = s(ξ³ − ξ²) and s = l/ℓ.
+pub(crate) fn shape_values(length: f64, slope: f64, [x, y, z]: [f64; 3]) -> [f64; 8] {
+    let (xi, s) = (x / length, length / slope);
+    let (xi2, xi3) = (xi * xi, xi * xi * xi);
+    let near = [1.0 - 3.0 * xi2 + 2.0 * xi3, s * (xi - 2.0 * xi2 + xi3), y * (1.0 - xi), z * (1.0 - xi)];
+    let far = [3.0 * xi2 - 2.0 * xi3, s * (xi3 - xi2), y * xi, z * xi];
+    [near[0], near[1], near[2] / slope, near[3] / slope, far[0], far[1], far[2] / slope, far[3] / slope]
+}
+
+/// Gradients of the same.
 pub(crate) fn shape_gradients(length: f64, slope: f64, [x, y, z]: [f64; 3]) -> [Vector3<f64>; 8] {
     let (xi, eta, zeta) = (x / length, y / length, z / length);
     let bend = Vector3::new((6.0 * xi - 6.0 * xi * xi) / length, 0.0, 0.0);

@@ -132,7 +132,9 @@ fn joints_hold() {
 
 #[test]
 fn action_is_reaction() {
-    for (name, model) in forks() {
+    let [.., (_, mut hinged)] = forks();
+    hinged.joints[0] = Joint::Revolute { name: "root".into(), a: rod::start(), b: End::Ground, axis: AXIS };
+    for (name, model) in forks().into_iter().chain([("hinged at the root", hinged)]) {
         let (assembly, states) = instants(&model);
         for s in states.iter().step_by(20) {
             assert_balance(name, &assembly, s, Vector3::from(model.gravity));
@@ -172,9 +174,15 @@ fn consistent_start_in_motion() {
     let mut s = assembly.rest();
     // All turn about one axis, the branch besides about its hinge.
     let spin = rigid(&assembly, &s, Vector3::new(3.0, -5.0, 4.0), Vector3::zeros());
-    let hinge = rigid(&assembly, &s, Vector3::from(AXIS) * 7.0, -Vector3::from(AXIS).cross(&Vector3::x()) * 7.0 * FORK);
+    let hinge = rigid(
+        &assembly,
+        &s,
+        Vector3::from(AXIS) * 7.0,
+        -Vector3::from(AXIS).cross(&Vector3::x()) * 7.0 * FORK,
+    );
     let branch = 36;
-    s.v = spin.iter().zip(&hinge).enumerate().map(|(i, (a, b))| if i < branch { *a } else { a + b }).collect();
+    s.v =
+        spin.iter().zip(&hinge).enumerate().map(|(i, (a, b))| if i < branch { *a } else { a + b }).collect();
     consistent_start(&assembly.system, &mut assembly.system.matrix(), &mut s).unwrap();
     let ahead = |h: f64| {
         let mut ahead = s.clone();
@@ -221,7 +229,8 @@ fn free_fall() {
     }
     for ((t, v), a) in run.column("t").iter().zip(run.vectors("tip.v")).zip(run.vectors("tip.a")) {
         assert!((v - Vector3::new(0.0, -rod::GRAVITY * t, 0.0)).norm() < 1e-10, "velocity {v}");
-        assert!((a - Vector3::new(0.0, -rod::GRAVITY, 0.0)).norm() < 1e-7, "acceleration {a}");
+        // After 20 m, EA ε q/l over the mass of a node is some 1e-6 m/s².
+        assert!((a - Vector3::new(0.0, -rod::GRAVITY, 0.0)).norm() < 1e-5, "acceleration {a}");
     }
     assert_near("kinetic energy", *kinetic / (WEIGHT * 0.5 * rod::GRAVITY * 4.0), 1.0, 1e-12);
     for (dissipated, strain) in run.column("dissipated").iter().zip(run.column("strain")) {

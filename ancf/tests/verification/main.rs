@@ -3,12 +3,14 @@
 //! Files are named after their source. Where a number comes from is said beside it.
 #![cfg(test)]
 
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "../common/continuum.rs"]
 mod continuum;
 #[path = "../common/equilibrium.rs"]
 mod equilibrium;
 #[path = "../common/rod.rs"]
 mod rod;
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "../common/run.rs"]
 mod run;
 

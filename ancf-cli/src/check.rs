@@ -12,7 +12,7 @@ use miette::{
 /// The errors of the model file `file`: in its text, if stderr is a terminal, else one a line as compilers do.
 ///
 /// Colours follow the terminal and the variables `NO_COLOR` and `FORCE_COLOR`.
-pub(crate) fn render(errors: &[ModelError], file: &str, text: &str) -> String {
+pub fn render(errors: &[ModelError], file: &str, text: &str) -> String {
     if io::stderr().is_terminal() { snippets(errors, file, text) } else { lines(errors, file) }
 }
 

@@ -140,7 +140,7 @@ fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Resu
         summary: &summary,
     };
     let path = output.join("summary.json");
-    fs::write(&path, serde_json::to_string_pretty(&report)?)
+    fs::write(&path, serde_json::to_string_pretty(&report)? + "\n")
         .with_context(|| format!("cannot write {}", path.display()))?;
     conclude(&summary, output, report.wall_seconds)
 }

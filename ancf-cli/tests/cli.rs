@@ -1,4 +1,5 @@
 //! The program as its user meets it: commands, files, messages, exit codes.
+#![cfg(test)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -114,7 +115,8 @@ fn bad_input_is_refused() {
 #[test]
 fn a_redundant_joint_is_refused() {
     let bench = Bench::new();
-    let second = "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
+    let second =
+        "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
     let check = command(&["check", &bench.cantilever("[[probes]]", second)]).output().unwrap();
     assert_eq!(check.status.code(), Some(2));
     assert!(stderr(&check).contains("joints[1]: found 3 of 3 equations that repeat"), "{}", stderr(&check));
@@ -127,7 +129,11 @@ fn a_failed_analysis_keeps_its_results() {
     let absolute = "step = 1e-3\nmax_halvings = 1\nstop = { rule = \"residual\", tolerance = 1e-9 }";
     let run = bench.run(&bench.cantilever("step = 1e-3", absolute)).output().unwrap();
     assert_eq!(run.status.code(), Some(1), "{}", stderr(&run));
-    assert!(stderr(&run).contains("failed at t = ") && stderr(&run).contains("did not converge"), "{}", stderr(&run));
+    assert!(
+        stderr(&run).contains("failed at t = ") && stderr(&run).contains("did not converge"),
+        "{}",
+        stderr(&run)
+    );
     assert_eq!(bench.summary()["outcome"]["kind"], "failed");
     let steps = bench.summary()["steps"].as_u64().unwrap();
     assert_eq!(bench.column("t").len() as u64, steps + 1, "every step that was solved is there");

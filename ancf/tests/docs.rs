@@ -42,8 +42,7 @@ fn links_lead_somewhere() {
 /// `docs/paper.md` maps each equation to a file and a test: both exist.
 #[test]
 fn the_paper_is_mapped_to_files_and_tests() {
-    let sources: String =
-        files(&root(), "rs").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    let sources: String = files(&root(), "rs").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
     let functions: BTreeSet<&str> = between(&sources, "fn ", "(").into_iter().collect();
     let text = fs::read_to_string(root().join("docs/paper.md")).unwrap();
     let rows = text.lines().filter(|line| line.starts_with('|'));

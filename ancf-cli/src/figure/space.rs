@@ -1,56 +1,55 @@
-//! Curves in space, seen in parallel projection inside a box with numbered edges.
+//! Curves in space in parallel projection, inside a box with numbered edges.
+//!
+//! `kuva` has such a box, but at half of all view angles (its own default too) it shows a mirror image.
 
-use super::legend::{self, Entry};
-use super::scene::Scene;
-use super::style::Style;
-use super::svg::{Anchor, Canvas, Rect, fitting};
-use super::{FigureError, Legend, png};
+use super::draw::{FigureError, Point};
+use super::plot::{self, Note, Ruler};
+use super::{Axis, Dash, Figure, Legend, Marker, Series, Style, draw};
+
+type Vector = [f64; 3];
 
 /// One curve in space.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct SpaceSeries {
+pub struct SpaceSeries {
     /// Name in the legend; a series without one is drawn but not listed.
-    pub(crate) name: String,
+    pub name: String,
     /// Its points x, y, z in the units of the axes; one that is not finite breaks the line.
-    pub(crate) points: Vec<[f64; 3]>,
+    pub points: Vec<Vector>,
     /// How it is drawn.
-    pub(crate) style: Style,
+    pub style: Style,
 }
 
 impl SpaceSeries {
     /// A curve through these points, in the units of the axes.
     #[must_use]
-    pub(crate) fn new(name: impl Into<String>, points: Vec<[f64; 3]>, style: Style) -> Self {
-        let name = name.into();
-        Self { name, points, style }
+    pub fn new(name: impl Into<String>, points: Vec<Vector>, style: Style) -> Self {
+        Self { name: name.into(), points, style }
     }
 }
 
 /// A figure of curves in space, z upwards.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct SpaceFigure {
+pub struct SpaceFigure {
     /// Heading above the box.
-    pub(crate) title: Option<String>,
+    pub title: Option<String>,
     /// Words for readers who cannot see it; without them title and labels serve.
-    pub(crate) alt: Option<String>,
+    pub alt: Option<String>,
     /// Width in CSS pixels (the PNG has twice as many).
-    pub(crate) width: f64,
-    /// Height in CSS pixels, legend included; less is taken where the box needs less.
-    pub(crate) height: f64,
+    pub width: f64,
+    /// Height in CSS pixels, legend included.
+    pub height: f64,
     /// What x, y and z show, with their units.
-    pub(crate) labels: [String; 3],
+    pub labels: [String; 3],
     /// The curves; a later one is drawn over an earlier one.
-    pub(crate) series: Vec<SpaceSeries>,
+    pub series: Vec<SpaceSeries>,
     /// Direction of the viewer in the x-y plane, in degrees from x towards y.
-    pub(crate) azimuth: f64,
-    /// Height of the viewer above that plane in degrees, kept within 5 and 85.
-    pub(crate) elevation: f64,
-    /// Whether one unit is equally long on all axes.
-    pub(crate) equal_aspect: bool,
-    /// Whether a pale projection of each curve lies on the floor.
-    pub(crate) floor_shadow: bool,
-    /// Where the legend stands; a corner or a free place counts from the whole picture.
-    pub(crate) legend: Legend,
+    pub azimuth: f64,
+    /// Height of the viewer above that plane in degrees.
+    pub elevation: f64,
+    /// Whether one unit is equally long on all axes, else the box is a cube.
+    pub equal_aspect: bool,
+    /// Where the legend stands.
+    pub legend: Legend,
 }
 
 impl Default for SpaceFigure {
@@ -59,13 +58,12 @@ impl Default for SpaceFigure {
             title: None,
             alt: None,
             width: 640.0,
-            height: 480.0,
+            height: 440.0,
             labels: ["x", "y", "z"].map(str::to_owned),
             series: Vec::new(),
             azimuth: -55.0,
             elevation: 24.0,
             equal_aspect: true,
-            floor_shadow: true,
             legend: Legend::Auto,
         }
     }
@@ -74,69 +72,128 @@ impl Default for SpaceFigure {
 impl SpaceFigure {
     /// The figure as one SVG element.
     #[must_use]
-    pub(crate) fn svg(&self) -> String {
-        let entries = self.entries();
-        let head = if self.title.is_some() { 32.0 } else { 8.0 };
-        let width = self.width - 16.0;
-        let area = |below: &[Entry], right: &[Entry]| Rect {
-            x: 8.0,
-            y: head,
-            w: width - legend::width_right(right),
-            h: self.height - head - 8.0 - legend::height_below(below, width),
+    pub fn svg(&self) -> String {
+        let view = View::new(self);
+        let mut figure = Figure {
+            title: self.title.clone(),
+            width: self.width,
+            height: self.height,
+            equal_aspect: true,
+            legend: self.legend,
+            ..Figure::new("", "")
         };
-        let (below, right): (&[Entry], &[Entry]) = match self.legend {
-            Legend::Below => (&entries, &[]),
-            Legend::Right => (&[], &entries),
-            _ => (&[], &[]),
+        let mut add = |name: &str, points: &[Vector], style: Style| {
+            let (x, y) = points.iter().map(|p| view.project(*p)).unzip();
+            figure.series.push(Series { name: name.to_owned(), x, y, style });
         };
-        let scene = Scene::new(self, area(below, right));
-        let inside = legend::place_inside(&entries, self.legend, scene.area, &scene.ink());
-        let homeless = inside.is_none() && self.legend == Legend::Auto;
-        let (scene, below) = if homeless {
-            (Scene::new(self, area(&entries, &[])), entries.as_slice())
-        } else {
-            (scene, below)
-        };
-        let mut canvas = Canvas::default();
-        scene.draw(&mut canvas);
-        if let Some(place) = inside {
-            legend::draw_inside(&mut canvas, &entries, place);
+        let plain = Style { width: 0.8, ..Style::default() };
+        let grey = Style { colour: 7, pale: true, width: 0.5, ..plain };
+        view.walls().iter().for_each(|line| add("", line, grey));
+        view.edges.iter().for_each(|(_, line, _)| add("", line, plain));
+        for s in &self.series {
+            let floor: Vec<_> = s.points.iter().map(|p| [p[0], p[1], view.back[2]]).collect();
+            add(
+                "",
+                &floor,
+                Style { pale: true, marker: Marker::None, dash: Dash::Solid, width: 0.9, ..s.style },
+            );
+            add(&s.name, &s.points, s.style);
         }
-        let band = Rect { y: scene.area.bottom() + 4.0, w: width, ..scene.area };
-        legend::draw_below(&mut canvas, below, band, self.width / 2.0);
-        let beside = (scene.area.right() + 14.0, scene.area.y + 20.0);
-        legend::draw_column(&mut canvas, right, beside);
-        if let Some(title) = &self.title {
-            let size = fitting(title, 13.5, width);
-            canvas.text((self.width / 2.0, 20.0), title, size, Anchor::Middle);
-        }
-        let below = legend::height_below(below, width);
-        let height = scene.area.bottom() + below + 8.0;
-        canvas.finish(self.width, height, &self.words(&entries))
+        let names: Vec<&str> = self.series.iter().map(|s| s.name.as_str()).collect();
+        let words = || format!("{} in space: {}", self.labels.join(", "), names.join(", "));
+        let scene = plot::scene(&figure, Some(&view.notes(&self.labels)));
+        draw::svg(&scene, &self.alt.clone().unwrap_or_else(words))
     }
 
     /// The figure as a PNG file on white, two pixels for each CSS pixel.
     ///
     /// # Errors
-    /// If the size of the figure is zero, not finite or too large for memory.
-    pub(crate) fn png(&self) -> Result<Vec<u8>, FigureError> {
-        png::render(&self.svg())
+    /// If the size of the figure is zero or too large for memory.
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        draw::png(&self.svg())
+    }
+}
+
+/// The box around the data and the way it is seen.
+struct View {
+    axes: [Ruler; 3],
+    /// What one unit of each axis adds to the right and upwards.
+    right: Vector,
+    up: Vector,
+    /// The corner behind the data, and the one opposite.
+    back: Vector,
+    front: Vector,
+    /// The numbered edges: axis, ends, and a point further inside the box than the first end.
+    edges: [(usize, [Vector; 2], Vector); 3],
+}
+
+impl View {
+    fn new(figure: &SpaceFigure) -> Self {
+        let values = |i: usize| figure.series.iter().flat_map(move |s| s.points.iter().map(move |p| p[i]));
+        let ruler = |i, parts| Ruler::new(&Axis::default(), values(i), 0.04, parts);
+        let lengths = [0, 1, 2].map(|i| ruler(i, 2.0).ends()).map(|(lo, hi)| hi - lo);
+        let longest = lengths.into_iter().fold(0.0, f64::max);
+        let share = |i: usize| if figure.equal_aspect { lengths[i] / longest } else { 1.0 };
+        let axes = [0, 1, 2].map(|i| ruler(i, 3.5 * share(i)));
+        let (sa, ca) = figure.azimuth.to_radians().sin_cos();
+        let (se, ce) = figure.elevation.clamp(5.0, 85.0).to_radians().sin_cos();
+        let unit = |i: usize| share(i) / (axes[i].ends().1 - axes[i].ends().0);
+        let (right, up) =
+            ([-sa * unit(0), ca * unit(1), 0.0], [-se * ca * unit(0), -se * sa * unit(1), ce * unit(2)]);
+        let ends = |i: usize, behind: bool| match axes[i].ends() {
+            (lo, hi) if behind => (lo, hi),
+            (lo, hi) => (hi, lo),
+        };
+        let ((bx, fx), (by, fy), (floor, top)) = (ends(0, ca > 0.0), ends(1, sa > 0.0), ends(2, true));
+        let along = |x: f64, y: f64| ([x, y, floor], [x, y, top]);
+        let (one, other) = (along(fx, by), along(bx, fy));
+        let leftmost = if right[0] * (fx - bx) < right[1] * (fy - by) { one } else { other };
+        let edges = [
+            (0, [[bx, fy, floor], [fx, fy, floor]], [bx, by, floor]),
+            (1, [[fx, by, floor], [fx, fy, floor]], [bx, by, floor]),
+            (2, [leftmost.0, leftmost.1], leftmost.0),
+        ];
+        Self { axes, right, up, back: [bx, by, floor], front: [fx, fy, top], edges }
     }
 
-    fn entries(&self) -> Vec<Entry> {
-        if self.legend == Legend::Hidden {
-            return Vec::new();
-        }
-        let named = self.series.iter().filter(|s| !s.name.is_empty());
-        named.map(|s| Entry::new(&s.name, s.style)).collect()
+    fn project(&self, p: Vector) -> Point {
+        let dot = |a: Vector| a[0] * p[0] + a[1] * p[1] + a[2] * p[2];
+        (dot(self.right), dot(self.up))
     }
 
-    fn words(&self, entries: &[Entry]) -> String {
-        if let Some(alt) = &self.alt {
-            return alt.clone();
+    /// The lines at the ends and the numbers of the axes on the three walls behind the data.
+    fn walls(&self) -> Vec<[Vector; 2]> {
+        let mut lines = Vec::new();
+        for (wall, i) in [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)] {
+            let along = 3 - wall - i;
+            for v in self.axes[i].numbers().into_iter().map(|(v, _)| v).chain([self.back[i], self.front[i]]) {
+                let (mut from, mut to) = (self.back, self.back);
+                (from[i], to[i], to[along]) = (v, v, self.front[along]);
+                lines.push([from, to]);
+            }
         }
-        let names: Vec<&str> = entries.iter().map(|e| e.name.as_str()).collect();
-        let title = self.title.as_deref().unwrap_or("Curves in space");
-        format!("{title}: {} {}", self.labels.join(", "), names.join(", "))
+        lines
+    }
+
+    /// The numbers and labels beside the edges.
+    fn notes(&self, labels: &[String; 3]) -> Vec<Note> {
+        let mut notes = Vec::new();
+        for (i, [from, to], inside) in self.edges {
+            let (a, b) = (self.project(from), self.project(inside));
+            let length = (a.0 - b.0).hypot(a.1 - b.1);
+            let out = if i == 2 { (-1.0, 0.0) } else { ((a.0 - b.0) / length, (b.1 - a.1) / length) };
+            let mut widest = 0.0_f64;
+            for (v, text) in self.axes[i].numbers() {
+                let mut at = from;
+                at[i] = v;
+                widest = widest.max(draw::text_width(&text, 11));
+                notes.push(Note { at: self.project(at), out, far: 11.0, text, label: false });
+            }
+            let at = self.project([0, 1, 2].map(|k| (from[k] + to[k]) / 2.0));
+            let far = if i == 2 { widest + 20.0 } else { 24.0 + widest * out.0.abs() };
+            let text = [labels[i].as_str(), &self.axes[i].note].join(" ");
+            notes.push(Note { at, out, far, text, label: true });
+        }
+        notes
     }
 }

@@ -96,7 +96,7 @@ pub struct Tolerance {
 }
 
 /// Newton iterations of each step of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Counts {
     /// Time of each step, s.
     pub t: Vec<f64>,
@@ -110,6 +110,8 @@ pub struct Counts {
 pub const MOST_ITERATIONS: u32 = 1000;
 /// Absolute tolerances of the residual, from comfortable to below the rounding floor.
 pub const TOLERANCES: [f64; 7] = [1e-6, 1e-7, 3e-8, 2e-8, 1e-8, 8e-9, 5e-9];
+/// The usual acceleration of gravity, beside the recovered one, m/s².
+pub const STANDARD_GRAVITY: f64 = 9.81;
 /// Steps of the conditioning table, s.
 const STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
@@ -232,14 +234,13 @@ impl Counts {
     }
 }
 
-/// Mean tip deflection of the cantilever with g = 9.81 m/s² in the two forms, mm.
+/// Mean tip deflection of the cantilever with the usual gravity in the two forms, mm.
 fn standard_gravity(n: u32) -> Result<[f64; 2]> {
-    let standard = 9.81;
     let mean = |form, step| -> Result<f64> {
         let mut model = Case::Cantilever.model(form, n, step);
-        model.gravity[1] = -standard;
+        model.gravity[1] = -STANDARD_GRAVITY;
         Ok(run(&model)?.mean_deflection())
     };
-    let unit = (super::cases::LENGTH * f64::from(n) / standard).sqrt();
+    let unit = (super::cases::LENGTH * f64::from(n) / STANDARD_GRAVITY).sqrt();
     Ok([mean(Form::Dimensional, STEP)?, mean(Form::NonDimensional, STEP * unit)?])
 }

@@ -1,0 +1,134 @@
+//! Figures 7 to 9.
+
+use super::{DIM, Drawing, NONDIM, RIGID, dim, nondim, pale};
+use crate::figure::{Dash, Figure, Legend, Panels, Scale, Series, Style};
+use crate::paper::cases::{DIAMETER, GRAVITY, LENGTH};
+use crate::paper::number::{fixed, scientific};
+use crate::paper::results::{Figure7, Results, StepCounts};
+use crate::paper::rigid::{CompoundPendulum, Tip};
+use crate::paper::study::{Run, Study};
+
+/// Figures 7, 8a, 8b and 9.
+pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {
+    let motion = Motion::new(study);
+    vec![figure7(&results.fig7), motion.figure8a(), motion.figure8b(), motion.figure9()]
+}
+
+/// Iterations as small numbers on a logarithmic axis.
+fn counts(label: &str, counts: &StepCounts) -> Figure {
+    let numbers = |counts: &[u32]| counts.iter().copied().map(f64::from).collect();
+    let mut figure = Figure::new("time (s)", label)
+        .with(Series::new(DIM, counts.t_dim.clone(), numbers(&counts.dim)).style(dim()))
+        .with(Series::new(NONDIM, counts.t_nondim.clone(), numbers(&counts.nondim)).style(nondim()));
+    figure.legend = Legend::Below;
+    figure
+}
+
+fn figure7(figure: &Figure7) -> Drawing {
+    let most = figure.absolute.dim.iter().copied().max().unwrap_or(0);
+    let mut absolute = counts("iterations, absolute rule", &figure.absolute);
+    if let Some(t) = figure.stalled_at {
+        let top = 2.0 * f64::from(most.max(10));
+        let stall = Series::new("DIM stalls", vec![t, t], vec![0.7, top]).style(Style::nth(0).dashed(Dash::Dotted));
+        absolute = absolute.with(stall);
+    }
+    absolute.y.scale = Scale::Log;
+    absolute.height = 320.0;
+    let mut blind = counts("iterations, unit-blind rule", &figure.unit_blind);
+    let largest = figure.unit_blind.dim.iter().chain(&figure.unit_blind.nondim).copied().max().unwrap_or(0);
+    blind.y.range = Some((0.0, f64::from(largest) + 1.0));
+    blind.height = 220.0;
+    let end = figure.stalled_at.map_or_else(String::new, |t| {
+        format!(", and at {} s (dotted) one that {} iterations do not end", fixed(t, 3), crate::paper::study::MOST_ITERATIONS)
+    });
+    let largest_nondim = figure.absolute.nondim.iter().copied().max().unwrap_or(0);
+    Drawing::new(
+        "fig7",
+        Panels::new(vec![absolute, blind]),
+        format!(
+            "Newton iterations of each step, revolute pendulum of one element. Above: every step must reach |r| ≤ {} in the \
+             numbers of its own form; the dimensional form has steps of up to {most} iterations{end}, the non-dimensional \
+             one none above {largest_nondim}. Below: the unit-blind rule, under which both need at most {largest}.",
+            scientific(figure.tolerance, 1)
+        ),
+    )
+    .described(format!(
+        "Two plots of iterations against time. Under the absolute tolerance the dimensional form reaches {most} iterations, \
+         the non-dimensional one {largest_nondim}; under the unit-blind rule both stay at or below {largest}."
+    ))
+}
+
+/// The tip of the pendulum three times.
+struct Motion<'a> {
+    dim: &'a Run,
+    nondim: &'a Run,
+    rigid: Vec<Tip>,
+}
+
+impl<'a> Motion<'a> {
+    fn new(study: &'a Study) -> Self {
+        let pendulum = CompoundPendulum::new(LENGTH, DIAMETER, GRAVITY);
+        let (dim, nondim) = (&study.revolute.dim, &study.revolute.nondim);
+        Self { dim, nondim, rigid: dim.column("t").iter().map(|&t| pendulum.tip(t)).collect() }
+    }
+
+    fn history(&self, label: &str, column: &str, rigid: impl Fn(&Tip) -> f64) -> Figure {
+        let t = |run: &Run| run.column("t").to_vec();
+        let values = self.rigid.iter().map(rigid).collect();
+        let mut figure = Figure::new("time (s)", label)
+            .with(Series::new(RIGID, t(self.dim), values).style(pale()))
+            .with(Series::new(DIM, t(self.dim), self.dim.column(column).to_vec()).style(dim()))
+            .with(Series::new(NONDIM, t(self.nondim), self.nondim.column(column).to_vec()).style(nondim()));
+        (figure.height, figure.legend) = (240.0, Legend::Below);
+        figure
+    }
+
+    /// Largest distance of the dimensional tip from the rigid one, m.
+    fn distance(&self) -> f64 {
+        let (x, y) = (self.dim.column("tip.x"), self.dim.column("tip.y"));
+        let flexible = x.iter().zip(y);
+        let distances = flexible.zip(&self.rigid).map(|((x, y), tip)| (x - tip.position[0]).hypot(y - tip.position[1]));
+        distances.fold(0.0, f64::max)
+    }
+
+    fn figure8a(&self) -> Drawing {
+        let x = self.history("tip x (m)", "tip.x", |tip| tip.position[0]);
+        let y = self.history("tip y (m)", "tip.y", |tip| tip.position[1]);
+        Drawing::new(
+            "fig8a",
+            Panels::new(vec![x, y]),
+            format!(
+                "Tip of the revolute pendulum against time. The beam moves like the rigid body: the tips are never more than \
+                 {} mm apart (DIM), mostly by the numerical damping of the scheme.",
+                fixed(1e3 * self.distance(), 1)
+            ),
+        )
+        .described("x swings between 1 m and −1 m, y between 0 and −1 m; the three curves coincide on this scale.")
+    }
+
+    fn figure8b(&self) -> Drawing {
+        let path = |run: &Run| [run.column("tip.x").to_vec(), run.column("tip.y").to_vec()];
+        let rigid = |axis: usize| self.rigid.iter().map(|tip| tip.position[axis]).collect();
+        let ([x1, y1], [x2, y2]) = (path(self.dim), path(self.nondim));
+        let mut figure = Figure::new("tip x (m)", "tip y (m)")
+            .with(Series::new(RIGID, rigid(0), rigid(1)).style(pale()))
+            .with(Series::new(DIM, x1, y1).style(dim()))
+            .with(Series::new(NONDIM, x2, y2).style(nondim()));
+        (figure.equal_aspect, figure.legend) = (true, Legend::Below);
+        Drawing::new("fig8b", figure, "Path of the tip of the revolute pendulum: a half circle of radius 1 m.")
+            .described("Three coinciding half circles below the hinge.")
+    }
+
+    fn figure9(&self) -> Drawing {
+        let x = self.history("tip acceleration x (m/s²)", "tip.ax", |tip| tip.acceleration[0]);
+        let y = self.history("tip acceleration y (m/s²)", "tip.ay", |tip| tip.acceleration[1]);
+        Drawing::new(
+            "fig9",
+            Panels::new(vec![x, y]),
+            "Tip acceleration of the revolute pendulum. The release sets the flexible beam vibrating about the rigid motion; \
+             the numerical damping of the scheme ends the vibration. The shorter step of the non-dimensional form at one \
+             element lets more of it through.",
+        )
+        .described("The accelerations of both flexible models ring for a fraction of a second about those of the rigid body.")
+    }
+}

@@ -1,0 +1,42 @@
+//! The folder that the report is written into.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+/// A folder that can be written into.
+#[derive(Debug)]
+pub struct Output(PathBuf);
+
+impl Output {
+    /// Creates the folder and finds out now, not after the runs, whether files can be made in it.
+    ///
+    /// # Errors
+    /// If it cannot be created or written into.
+    pub fn create(path: &Path) -> Result<Self> {
+        fs::create_dir_all(path).with_context(|| format!("cannot create the folder {}", path.display()))?;
+        let output = Self(path.to_owned());
+        let trial = output.beside("trial");
+        fs::write(&trial, "")
+            .and_then(|()| fs::remove_file(&trial))
+            .with_context(|| format!("cannot write into the folder {}", path.display()))?;
+        Ok(output)
+    }
+
+    /// Writes a file that is either the old one or the new one at any time, never half of it.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
+        let (path, part) = (self.0.join(name), self.beside(name));
+        fs::write(&part, contents)
+            .and_then(|()| fs::rename(&part, &path))
+            .with_context(|| format!("cannot write {}", path.display()))
+    }
+
+    /// Where a file stands until it is complete.
+    fn beside(&self, name: &str) -> PathBuf {
+        self.0.join(format!(".{name}.part"))
+    }
+}

@@ -1,6 +1,6 @@
 //! Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
 //!
-//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`] rewrites it in the units
+//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`](fn@simulate) rewrites it in the units
 //! of its [`Scales`], assembles the index-3 equations of motion
 //!
 //! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0,

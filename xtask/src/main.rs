@@ -37,7 +37,7 @@ fn test() -> Done {
     cargo("format", &["fmt", "--all", "--check"], &[])?;
     cargo("lints", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
     cargo("tests", &["test", "--workspace"], &[])?;
-    let doc = ["doc", "--workspace", "--no-deps", "--document-private-items"];
+    let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
     say("all tests passed");
     Ok(())

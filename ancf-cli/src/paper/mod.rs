@@ -56,7 +56,8 @@ pub fn reproduce(out: &Path, repeats: usize) -> Result<()> {
 fn study(repeats: usize) -> Result<Study> {
     say("running the problems of the paper: about half a minute");
     let style = ProgressStyle::with_template("{spinner} {msg}  [{elapsed_precise}]");
-    let spinner = ProgressBar::new_spinner().with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+    let spinner =
+        ProgressBar::new_spinner().with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     spinner.enable_steady_tick(Duration::from_millis(200));
     let study = Study::run(repeats, |next| spinner.set_message(next.to_owned()));
     spinner.finish_and_clear();

@@ -23,8 +23,9 @@ pub fn significant(x: f64, digits: usize) -> String {
     // The exponent after rounding, so that 9.996 counts as 10.0.
     let rounded = format!("{x:.*e}", digits.saturating_sub(1));
     let exponent: i32 = rounded.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
-    if (-4..6).contains(&exponent) {
-        fixed(x, usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0))
+    if (-4..5).contains(&exponent) {
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+        fixed(rounded.parse().unwrap_or(x), decimals)
     } else {
         scientific(x, digits)
     }
@@ -72,9 +73,12 @@ mod tests {
     fn texts() {
         assert_eq!(fixed(-1.3565, 3), "−1.357");
         assert_eq!([signed(0.0004, 3), signed(-0.0004, 3), signed(0.0006, 3)], ["0.000", "0.000", "+0.001"]);
-        let significant = [0.099_56, 131.04, 9.996, 2.34e-12, 0.0].map(|x| significant(x, 3));
-        assert_eq!(significant, ["0.0996", "131", "10.0", "2.34×10⁻¹²", "0"]);
-        assert_eq!([scientific(8.427e10, 2), scientific(1e-5, 1), scientific(5e-9, 1)], ["8.4×10¹⁰", "10⁻⁵", "5×10⁻⁹"]);
+        let significant = [0.099_56, 131.04, 9.996, 2457.0, 2.34e-12, 0.0].map(|x| significant(x, 3));
+        assert_eq!(significant, ["0.0996", "131", "10.0", "2460", "2.34×10⁻¹²", "0"]);
+        assert_eq!(
+            [scientific(8.427e10, 2), scientific(1e-5, 1), scientific(5e-9, 1)],
+            ["8.4×10¹⁰", "10⁻⁵", "5×10⁻⁹"]
+        );
         for x in [0.1 + 0.2, 1.578_174_331_716_589e24, -5e-9, 0.0, 6263.0] {
             assert_eq!(exact(x).parse(), Ok(x));
         }

@@ -1,5 +1,7 @@
 //! A table of numbers, written as CSV in full precision and shown with fewer digits.
 
+use std::ops::Range;
+
 use anyhow::{Context, Result};
 
 use super::number;
@@ -122,6 +124,17 @@ impl Table {
             }))?;
         }
         writer.into_inner().ok().context("memory can be written")
+    }
+
+    /// Some of its rows and columns, under the name of the same file.
+    #[must_use]
+    pub fn part(&self, rows: Range<usize>, columns: Range<usize>) -> Self {
+        let rows = self.rows.get(rows).unwrap_or_default().iter();
+        Self {
+            file: self.file,
+            columns: self.columns.get(columns.clone()).unwrap_or_default().to_vec(),
+            rows: rows.map(|row| row.get(columns.clone()).unwrap_or_default().to_vec()).collect(),
+        }
     }
 
     /// The shared headings in order, each with the number of its columns; none if there is no such heading.

@@ -1,7 +1,9 @@
 //! The tables of the report.
 
 use super::conditioning::Row;
-use super::results::{Agreement, Candidate, Check, Effort, Forms, Gain, Results, Table6, ToleranceRow, UNIT_BLIND, Verdict};
+use super::results::{
+    Agreement, Candidate, Check, Effort, Forms, Gain, Results, Table6, ToleranceRow, UNIT_BLIND, Verdict,
+};
 use super::table::{Column, Format, Table, Value};
 
 /// All tables, each under the name of its file.
@@ -93,8 +95,8 @@ fn verdict(verdict: &Verdict) -> Table {
             Column::text("printed"),
             count("numbers"),
             count("reproduced"),
-            count("to the last digit"),
-            difference("worst difference"),
+            count("exact"),
+            difference("worst"),
             difference("allowed"),
             Column::text("unit"),
         ],
@@ -117,8 +119,12 @@ fn compare(ours: f64, paper: f64) -> [Value; 3] {
 
 /// Columns of a time of ours, the paper's and how many times longer the paper's is.
 fn timed(group: &'static str) -> [Column; 3] {
-    [("ours", "s"), ("paper", "s"), ("paper / ours", "")]
-        .map(|(name, unit)| Column::new(name, unit, Format::Significant(3)).under(group))
+    [
+        ("ours", "s", Format::Significant(3)),
+        ("paper", "s", Format::Fixed(2)),
+        ("paper / ours", "", Format::Significant(2)),
+    ]
+    .map(|(name, unit, format)| Column::new(name, unit, format).under(group))
 }
 
 /// Cells of [`timed`].
@@ -144,20 +150,26 @@ fn table3(forms: &Forms) -> Table {
     let row = |((&n, &ours), &paper): ((&u32, &f64), &f64)| [row![n], compare(ours, paper).to_vec()].concat();
     Table {
         file: "table3",
-        columns: [vec![ELEMENTS], compared("T_ND", "s", [5, 2]).to_vec()].concat(),
+        columns: [vec![ELEMENTS], compared("unit of time", "s", [5, 2]).to_vec()].concat(),
         rows: forms.n.iter().zip(&forms.nondim).zip(paper).map(row).collect(),
     }
 }
 
 fn table4(forms: &Forms) -> Table {
     let ratio = |name| Column::new(name, "", Format::Fixed(2)).under("DIM / Non-DIM");
-    let printed = forms.paper_dim.iter().flatten().zip(forms.paper_nondim.iter().flatten()).map(|(d, n)| d / n);
+    let printed =
+        forms.paper_dim.iter().flatten().zip(forms.paper_nondim.iter().flatten()).map(|(d, n)| d / n);
     let ratios = forms.ratios().into_iter().zip(printed);
     let with_ratio = |(cells, (ours, paper)): (Vec<Value>, _)| [cells, row![ours, paper]].concat();
     Table {
         file: "table4",
-        columns: [vec![ELEMENTS], timed("DIM").to_vec(), timed("Non-DIM").to_vec(), vec![ratio("ours"), ratio("paper")]]
-            .concat(),
+        columns: [
+            vec![ELEMENTS],
+            timed("DIM").to_vec(),
+            timed("Non-DIM").to_vec(),
+            vec![ratio("ours"), ratio("paper")],
+        ]
+        .concat(),
         rows: rows(forms, time).into_iter().zip(ratios).map(with_ratio).collect(),
     }
 }
@@ -185,7 +197,7 @@ fn table6(table: &Table6) -> Table {
         file: "table6",
         columns: [
             vec![Column::text("form")],
-            compared("step", "s", [7, 5]).to_vec(),
+            compared("step", "ms", [5, 2]).to_vec(),
             compared("instants", "", [0, 0]).to_vec(),
             timed("analysis time").to_vec(),
         ]
@@ -193,13 +205,13 @@ fn table6(table: &Table6) -> Table {
         rows: vec![
             row(
                 "DIM",
-                compare(step.step_dim, step.paper_step_dim),
+                compare(1e3 * step.step_dim, 1e3 * step.paper_step_dim),
                 compare(instants.dim[0], printed(&instants.paper_dim)),
                 time(seconds.seconds_dim, seconds.paper_seconds_dim),
             ),
             row(
                 "Non-DIM",
-                compare(step.step_nondim, step.paper_step_nondim),
+                compare(1e3 * step.step_nondim, 1e3 * step.paper_step_nondim),
                 compare(instants.nondim[0], printed(&instants.paper_nondim)),
                 time(seconds.seconds_nondim, seconds.paper_seconds_nondim),
             ),
@@ -212,7 +224,12 @@ fn table7(forms: &Forms) -> Table {
     let cells = forms.n.iter().zip(&forms.dim).zip(&forms.nondim);
     Table {
         file: "table7",
-        columns: vec![ELEMENTS, seconds("DIM"), seconds("Non-DIM"), Column::new("DIM / Non-DIM", "", Format::Fixed(2))],
+        columns: vec![
+            ELEMENTS,
+            seconds("DIM"),
+            seconds("Non-DIM"),
+            Column::new("DIM / Non-DIM", "", Format::Fixed(2)),
+        ],
         rows: cells.map(|((&n, &dim), &nondim)| row![n, dim, nondim, dim / nondim]).collect(),
     }
 }
@@ -251,7 +268,7 @@ fn same_step(gains: &[Gain]) -> Table {
             Column::new("time, DIM / Non-DIM", "", Format::Fixed(2)),
             iterations("DIM"),
             iterations("Non-DIM"),
-            Column::new("largest distance of the tips", "m", Format::Scientific(2)),
+            Column::new("tips apart by", "m", Format::Scientific(2)),
         ],
         rows: gains.iter().map(row).collect(),
     }
@@ -260,7 +277,9 @@ fn same_step(gains: &[Gain]) -> Table {
 fn tolerances(rules: &[ToleranceRow]) -> Table {
     let columns = |group| {
         [("most of a step", ""), ("in all", ""), ("stalls at", "s")]
-            .map(|(name, unit)| Column::new(name, unit, Format::Fixed(if unit == "s" { 3 } else { 0 })).under(group))
+            .map(|(name, unit)| {
+                Column::new(name, unit, Format::Fixed(if unit == "s" { 3 } else { 0 })).under(group)
+            })
             .to_vec()
     };
     let cells = |effort: &Effort| {
@@ -273,7 +292,8 @@ fn tolerances(rules: &[ToleranceRow]) -> Table {
     };
     Table {
         file: "tolerances",
-        columns: [vec![Column::new("rule", "", Format::Scientific(1))], columns("DIM"), columns("Non-DIM")].concat(),
+        columns: [vec![Column::new("rule", "", Format::Scientific(1))], columns("DIM"), columns("Non-DIM")]
+            .concat(),
         rows: rules.iter().map(row).collect(),
     }
 }
@@ -282,15 +302,17 @@ fn conditioning(results: &Results) -> Table {
     let number = |(group, name)| Column::new(name, "", Format::Scientific(2)).under(group);
     let writings = [
         ("eq. (37)", "DIM"),
-        ("eq. (37)", "DIM, ℓ r_x"),
+        ("eq. (37)", "DIM, slopes × l"),
         ("eq. (37)", "Non-DIM"),
-        ("DIM, written", "symmetric"),
-        ("DIM, written", "displacement"),
-        ("DIM, written", "Bottasso"),
-        ("DIM, written", "equilibrated"),
+        ("eq. (37), DIM, rewritten", "symmetric"),
+        ("eq. (37), DIM, rewritten", "displacement"),
+        ("eq. (37), DIM, rewritten", "Bottasso"),
+        ("eq. (37), DIM, rewritten", "equilibrated"),
     ];
     let rows = |young: f64, rows: &[Row]| -> Vec<Vec<Value>> {
-        rows.iter().map(|row| [row![young, row.n, row.h], row.condition.map(Value::from).to_vec()].concat()).collect()
+        rows.iter()
+            .map(|row| [row![young, row.n, row.h], row.condition.map(Value::from).to_vec()].concat())
+            .collect()
     };
     let young = super::cases::YOUNG;
     Table {
@@ -304,7 +326,8 @@ fn conditioning(results: &Results) -> Table {
             writings.map(number).to_vec(),
         ]
         .concat(),
-        rows: [rows(young, &results.conditioning.stiff), rows(young / 1000.0, &results.conditioning.soft)].concat(),
+        rows: [rows(young, &results.conditioning.stiff), rows(young / 1000.0, &results.conditioning.soft)]
+            .concat(),
     }
 }
 

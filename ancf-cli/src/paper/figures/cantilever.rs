@@ -1,11 +1,11 @@
 //! Figures 3 to 5.
 
-use super::{DIM, Drawing, NONDIM, dim, elements, nondim, pale, times};
-use crate::figure::{Dash, Figure, Legend, Marker, Panels, Series, Style};
+use super::{DIM, Drawing, NONDIM, dim, elements, nondim, pale, stack, times};
+use crate::figure::{Dash, Figure, Legend, Marker, Series, Style};
 use crate::paper::cases::DURATION;
 use crate::paper::number::{fixed, significant};
 use crate::paper::results::{Forms, Results};
-use crate::paper::study::Study;
+use crate::paper::study::{Run, Study};
 
 /// Figures 3, 4 and 5.
 pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {
@@ -30,11 +30,10 @@ fn figure3(table: &Forms) -> Drawing {
     let printed = |column: &Option<Vec<f64>>| column.clone().unwrap_or_default();
     let (paper_dim, paper_nondim) = (printed(&table.paper_dim), printed(&table.paper_nondim));
     let paper = times_of_analysis("paper: time (s)", &table.n, &paper_dim, &paper_nondim);
-    let panels = [ours, paper].map(|figure| Figure { height: 270.0, legend: Legend::Below, ..figure });
     let last = |column: &[f64]| significant(column.last().copied().unwrap_or(f64::NAN), 3);
     Drawing::new(
         "fig3",
-        Panels::new(panels.to_vec()),
+        stack([ours, paper].map(|figure| Figure { height: 250.0, ..figure })),
         "Analysis time of the cantilever against the number of elements: ours above, the paper's below. The non-dimensional \
          form is slower with few elements and faster with many, because its physical step grows like the root of n.",
     )
@@ -50,33 +49,46 @@ fn figure3(table: &Forms) -> Drawing {
 
 fn figure4(study: &Study, results: &Results) -> Option<Drawing> {
     let runs = study.cantilever.last()?;
-    let deflection = |run: &crate::paper::study::Run| times(1e3, run.column("tip.y"));
-    let mean = results.table5.dim.last()?;
-    let (value, span) = (results.equation34.value, (0.0, DURATION));
-    let mut figure = Figure::new("time (s)", "tip deflection (mm)")
-        .with(Series::new(DIM, runs.dim.column("t").to_vec(), deflection(&runs.dim)).style(dim()))
-        .with(Series::new(NONDIM, runs.nondim.column("t").to_vec(), deflection(&runs.nondim)).style(nondim()))
-        .with(Series::horizontal("static, eq. (34)", value, span).style(Style::nth(0).dashed(Dash::Solid)))
-        .with(Series::horizontal("mean, DIM", *mean, span).style(Style::nth(3).dashed(Dash::Dotted)));
-    figure.legend = Legend::Below;
-    figure.height = 430.0;
+    let value = results.equation34.value;
+    let deflection = |run: &Run| times(1e3, run.column("tip.y"));
+    let both = |label: &str, of: &dyn Fn(&Run) -> Vec<f64>| {
+        Figure::new("time (s)", label)
+            .with(Series::new(DIM, runs.dim.column("t").to_vec(), of(&runs.dim)).style(dim()))
+            .with(Series::new(NONDIM, runs.nondim.column("t").to_vec(), of(&runs.nondim)).style(nondim()))
+            .with(
+                Series::horizontal("static, eq. (34)", value, (0.0, DURATION))
+                    .style(Style::nth(0).dashed(Dash::Solid)),
+            )
+    };
+    let tip = Figure { height: 300.0, ..both("tip deflection (mm)", &deflection) };
+    let mut means = Figure { height: 200.0, ..both("mean up to then (mm)", &|run| means(&deflection(run))) };
+    means.y.range = Some((value - 0.15, value + 0.15));
+    let last = |column: &[f64]| fixed(column.last().copied().unwrap_or(f64::NAN), 4);
     let drawing = Drawing::new(
         "fig4",
-        figure,
+        stack([tip, means]),
         format!(
-            "Tip deflection of the cantilever of {} elements, dropped from straight. The beam has no damping of its own: \
-             the oscillation dies by the numerical damping of β = 0.36, γ = 0.70, a little faster with the longer step of \
-             the non-dimensional form. Both means, {} mm and {} mm, lie on the static deflection within the width of the line.",
+            "Tip deflection of the cantilever of {} elements, dropped from straight, and its mean over all instants up to then. \
+             The beam has no damping of its own: the oscillation dies by the numerical damping of β = 0.36, γ = 0.70, faster \
+             with the longer step of the non-dimensional form. After 2 s the means are {} mm (DIM) and {} mm (Non-DIM).",
             runs.n,
-            fixed(*mean, 4),
-            fixed(*results.table5.nondim.last()?, 4)
+            last(&results.table5.dim),
+            last(&results.table5.nondim)
         ),
     );
     Some(drawing.described(format!(
-        "A decaying oscillation between 0 and about −4 mm, within 2 s close to the static deflection of {} mm; both forms \
-         nearly coincide.",
+        "A decaying oscillation between 0 and −4 mm about the static deflection of {} mm, on which the running means settle.",
         fixed(value, 3)
     )))
+}
+
+/// Mean of all values up to each.
+fn means(values: &[f64]) -> Vec<f64> {
+    let sums = values.iter().scan(0.0, |sum, x| {
+        *sum += x;
+        Some(*sum)
+    });
+    sums.enumerate().map(|(i, sum)| sum / (i + 1) as f64).collect()
 }
 
 fn figure5(results: &Results) -> Drawing {
@@ -87,7 +99,10 @@ fn figure5(results: &Results) -> Drawing {
     let paper = paper_dim.clone().unwrap_or_default();
     let cross = Style::nth(2).dashed(Dash::None).marked(Marker::Cross, 1);
     let mut figure = Figure::new("number of elements n", "mean tip deflection (mm)")
-        .with(Series::horizontal("static, eq. (34)", value, (1.0, 20.0)).style(Style::nth(0).dashed(Dash::Solid)))
+        .with(
+            Series::horizontal("static, eq. (34)", value, (1.0, 20.0))
+                .style(Style::nth(0).dashed(Dash::Solid)),
+        )
         .with(Series::new("δ (1 − 1/(3n²))", fine, locked).style(pale()))
         .with(
             Series::new("paper, DIM", elements(n), paper)
@@ -103,8 +118,8 @@ fn figure5(results: &Results) -> Drawing {
     Drawing::new(
         "fig5",
         figure,
-        "Shear locking: mean tip deflection against the number of elements. The element bends too little by the factor \
-         1 − 1/(3n²), its static tip deflection without shear; the means of ours and the paper's follow that curve.",
+        "Shear locking: mean tip deflection against the number of elements. Without shear, n \
+         elements have 1 − 1/(3n²) of the exact static deflection; our means and the paper's follow that curve.",
     )
     .described(format!(
         "Mean deflections from {} mm at one element to {} mm at twenty approach the static {} mm.",

@@ -10,15 +10,23 @@ pub fn figure(results: &Results) -> Drawing {
     let rows = &results.conditioning.stiff;
     let n = rows.iter().map(|row| row.n).max().unwrap_or(0);
     let rows: Vec<_> = rows.iter().filter(|row| row.n == n).collect();
-    let markers =
-        [Marker::Circle, Marker::Triangle, Marker::Square, Marker::Diamond, Marker::Cross, Marker::None, Marker::Circle];
+    let markers = [
+        Marker::Circle,
+        Marker::Triangle,
+        Marker::Square,
+        Marker::Diamond,
+        Marker::Cross,
+        Marker::None,
+        Marker::Circle,
+    ];
     let series = |(i, (writing, marker)): (usize, (Writing, Marker))| {
         let h = rows.iter().map(|row| row.h).collect();
         let condition = rows.iter().map(|row| row.condition[i]).collect();
         Series::new(name(writing), h, condition).style(Style::nth(i).marked(marker, 1))
     };
     // Bottasso's scaling is the symmetric writing in other unknowns: one curve for both.
-    let shown = Writing::ALL.into_iter().zip(markers).enumerate().filter(|(_, (w, _))| *w != Writing::Bottasso);
+    let shown =
+        Writing::ALL.into_iter().zip(markers).enumerate().filter(|(_, (w, _))| *w != Writing::Bottasso);
     let mut figure = Figure::new("physical step h (s)", "condition number");
     figure.series = shown.map(series).collect();
     (figure.x.scale, figure.y.scale) = (Scale::Log, Scale::Log);
@@ -27,9 +35,8 @@ pub fn figure(results: &Results) -> Drawing {
         "conditioning",
         figure,
         format!(
-            "Condition number of the iteration matrix against the physical step, {n} elements, E = 193×10⁹ Pa. The three \
-             writings of eq. (37) run parallel: units shift the curve, they do not bend it. Dividing the constraint rows by \
-             βh² and equilibration do."
+            "Condition number of the iteration matrix against the physical step, {n} elements, E = 193×10⁹ Pa. Units shift \
+             the curve of eq. (37), they do not bend it. Dividing the constraint rows by βh² and equilibration do."
         ),
     )
     .described(

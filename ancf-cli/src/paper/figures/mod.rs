@@ -9,7 +9,7 @@ use anyhow::{Result, anyhow};
 
 use super::results::Results;
 use super::study::Study;
-use crate::figure::{Dash, Figure, Panels, SpaceFigure, Style};
+use crate::figure::{Dash, Figure, Legend, Panels, SpaceFigure, Style};
 
 /// A figure under the name of its files.
 #[derive(Clone, Debug)]
@@ -18,8 +18,6 @@ pub struct Drawing {
     pub file: &'static str,
     /// What it shows, for readers who see it.
     pub caption: String,
-    /// What it shows, for readers who do not.
-    words: String,
     picture: Picture,
 }
 
@@ -33,19 +31,18 @@ enum Picture {
 
 impl Drawing {
     fn new(file: &'static str, picture: impl Into<Picture>, caption: impl Into<String>) -> Self {
-        Self { file, caption: caption.into(), words: String::new(), picture: picture.into() }
+        Self { file, caption: caption.into(), picture: picture.into() }
     }
 
     /// The same drawing with words for readers who cannot see it.
-    fn described(self, words: impl Into<String>) -> Self {
-        let words = words.into();
-        let mut drawing = Self { words: words.clone(), ..self };
-        match &mut drawing.picture {
-            Picture::Plane(figure) => figure.alt = Some(words),
-            Picture::Stack(panels) => panels.alt = Some(words),
-            Picture::Space(figure) => figure.alt = Some(words),
+    fn described(mut self, words: impl Into<String>) -> Self {
+        let words = Some(words.into());
+        match &mut self.picture {
+            Picture::Plane(figure) => figure.alt = words,
+            Picture::Stack(panels) => panels.alt = words,
+            Picture::Space(figure) => figure.alt = words,
         }
-        drawing
+        self
     }
 
     /// As an SVG element.
@@ -116,6 +113,15 @@ fn nondim() -> Style {
 /// Pale grey, wide, below the others.
 fn pale() -> Style {
     Style::nth(7).wide(5.0)
+}
+
+/// Panels of the same curves with one legend, in the first.
+fn stack<const N: usize>(figures: [Figure; N]) -> Panels {
+    let mut panels = Panels::new(figures.to_vec());
+    for figure in panels.figures.iter_mut().skip(1) {
+        figure.legend = Legend::Hidden;
+    }
+    panels
 }
 
 /// A column in another unit.

@@ -42,12 +42,13 @@ fn histories(runs: &Comparison, quantity: &str, unit: &str, columns: [&str; 3]) 
         .with(series("DIM z", &runs.dim, z, dim()))
         .with(series("Non-DIM y", &runs.nondim, y, nondim()))
         .with(series("Non-DIM z", &runs.nondim, z, Style::nth(0).dashed(Dash::Dotted)));
-    Panels::new([first, second].map(|figure| Figure { height: 270.0, legend: Legend::Below, ..figure }).to_vec())
+    Panels::new([first, second].map(|figure| Figure { height: 260.0, ..figure }).to_vec())
 }
 
 /// Largest |y − z| of both forms.
 fn asymmetry(runs: &Comparison, y: &str, z: &str) -> f64 {
-    let of = |run: &Run| run.column(y).iter().zip(run.column(z)).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max);
+    let of =
+        |run: &Run| run.column(y).iter().zip(run.column(z)).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max);
     of(&runs.dim).max(of(&runs.nondim))
 }
 
@@ -77,10 +78,15 @@ fn figure12b(runs: &Comparison) -> Drawing {
             SpaceSeries::new(NONDIM, path(&runs.nondim), nondim()),
         ],
         legend: Legend::Below,
+        height: 410.0,
         ..SpaceFigure::default()
     };
-    Drawing::new("fig12b", figure, "Path of the tip of the spherical pendulum in space, with its shadow on the floor.")
-        .described("An arc in the plane y = z, from the horizontal down through the lowest point and up again.")
+    Drawing::new(
+        "fig12b",
+        figure,
+        "Path of the tip of the spherical pendulum in space, with its shadow on the floor.",
+    )
+    .described("An arc in the plane y = z, from the horizontal down through the lowest point and up again.")
 }
 
 fn figure13a(runs: &Comparison) -> Drawing {

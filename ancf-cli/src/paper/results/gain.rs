@@ -61,6 +61,11 @@ pub fn all(study: &Study) -> Vec<Gain> {
 }
 
 impl Gain {
+    /// Whether both forms did the same number of iterations with the same physical step.
+    pub const fn has_equal_iterations(&self) -> bool {
+        self.iterations_dim == self.iterations_same_step
+    }
+
     fn new(problem: Problem, comparison: &Comparison) -> Self {
         let Comparison { n, dim, nondim, same_step } = comparison;
         let time_per_iteration = |run: &Run| run.seconds / run.summary.iterations as f64;

@@ -49,7 +49,8 @@ pub struct Agreement {
 impl Gravity {
     /// Compares the recovered value with the usual ones.
     pub fn new(study: &Study, table5: &Forms) -> Self {
-        let [dim, nondim] = [0, 1].map(|i| study.mean_with_standard_gravity.iter().map(|pair| pair[i]).collect());
+        let [dim, nondim] =
+            [0, 1].map(|i| study.mean_with_standard_gravity.iter().map(|pair| pair[i]).collect());
         let table5_with_981 = Forms { dim, nondim, ..table5.clone() };
         Self {
             recovered: GRAVITY,
@@ -109,8 +110,13 @@ mod tests {
     /// Table 6 prints 6263 instants and eq. (34) -2.040 mm: only the recovered g gives both.
     #[test]
     fn printed_numbers_tell_g() {
-        let told = [GRAVITY, 9.806_65, 9.81].map(Candidate::new).map(|c| (c.instants, format!("{:.3}", c.static_deflection)));
-        assert_eq!(told, [(6263, "-2.040"), (6264, "-2.040"), (6265, "-2.041")].map(|(n, d)| (n, d.to_owned())));
+        let told = [GRAVITY, 9.806_65, 9.81]
+            .map(Candidate::new)
+            .map(|c| (c.instants, format!("{:.3}", c.static_deflection)));
+        assert_eq!(
+            told,
+            [(6263, "-2.040"), (6264, "-2.040"), (6265, "-2.041")].map(|(n, d)| (n, d.to_owned()))
+        );
         let [low, high] = interval(6263);
         assert!(low < GRAVITY && GRAVITY < high && high < 9.806_65);
     }

@@ -104,6 +104,7 @@ pub fn tolerances(study: &Study) -> Vec<ToleranceRow> {
         nondim: Effort::new(nondim),
     };
     let absolute = study.tolerances.iter().map(|t| row(Some(t.tolerance), &t.dim, &t.nondim));
-    let [dim, nondim] = [&study.revolute.dim, &study.revolute.nondim].map(|run| Counts::of(&run.series, None));
+    let [dim, nondim] =
+        [&study.revolute.dim, &study.revolute.nondim].map(|run| Counts::of(&run.series, None));
     absolute.chain([row(None, &dim, &nondim)]).collect()
 }

@@ -208,7 +208,8 @@ fn table3() -> Forms {
 }
 
 fn table5(study: &Study) -> Forms {
-    Forms::new(&study.cantilever, Run::mean_deflection).beside(&published::TABLE_5_DIM, &published::TABLE_5_NONDIM)
+    Forms::new(&study.cantilever, Run::mean_deflection)
+        .beside(&published::TABLE_5_DIM, &published::TABLE_5_NONDIM)
 }
 
 fn table6(study: &Study) -> Table6 {

@@ -124,8 +124,10 @@ impl Matrices {
             Writing::Dimensional | Writing::LengthSlopes | Writing::Paper => (diagonal(1.0, b), one),
             Writing::Symmetric => (one.clone(), one),
             Writing::Displacement => (diagonal(1.0 / b, 1.0), diagonal(1.0, b)),
-            // D_L = (βh², 1), D_R = (1, 1/βh²) around the displacement form.
-            Writing::Bottasso => (diagonal(b / b, 1.0), diagonal(1.0, b / b)),
+            Writing::Bottasso => {
+                let (left, right) = self.scaling(Writing::Displacement);
+                (left.component_mul(&diagonal(b, 1.0)), right.component_mul(&diagonal(1.0, 1.0 / b)))
+            }
             Writing::Equilibrated => {
                 let d = equilibration(&self.symmetric);
                 (d.clone(), d)

@@ -118,16 +118,16 @@ fn page_is_complete_and_self_contained() {
     for name in TABLES {
         assert!(page.contains(&format!("href=\"{name}.csv\"")), "{name}");
     }
-    for part in
-        page.split(" href=\"").chain(page.split(" src=\"")).skip(1).filter_map(|part| part.split_once('"'))
-    {
-        let target = part.0;
-        let inside = target.strip_prefix('#').map(|id| page.contains(&format!("id=\"{id}\"")));
-        assert!(
-            inside.unwrap_or_else(|| target.starts_with('<') || REPORT.join(target).is_file()),
-            "{target} is not there"
-        );
+    let targets = [" href=\"", " src=\""].into_iter().flat_map(|attribute| page.split(attribute).skip(1));
+    for target in targets.filter_map(|rest| rest.split('"').next()) {
+        let is_there = match target.strip_prefix('#') {
+            Some(id) => page.contains(&format!("id=\"{id}\"")),
+            None => REPORT.join(target).is_file(),
+        };
+        assert!(is_there, "{target} is not there");
     }
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(ids.iter().all(|id| ids.iter().filter(|other| *other == id).count() == 1), "{ids:?}");
     for remote in ["<script", "<link", "@import", "url(", "src=\"http", "href=\"http"] {
         assert!(!page.contains(remote), "{remote}");
     }
@@ -179,7 +179,7 @@ fn table_6() {
     assert!((table["step_nondim"].as_f64().unwrap() - 0.00032).abs() < 5e-6);
 }
 
-/// "approximately 80 iterations" and "one or two": tens under an absolute tolerance, two or three under the default.
+/// The paper: "approximately 80 iterations" and "one or two".
 #[test]
 fn figure_7() {
     let figure = &RESULTS["fig7"];
@@ -203,8 +203,8 @@ fn both_forms_move_alike_with_one_physical_step() {
     }
 }
 
-/// Independent calculation (dense matrices in double precision, inverse through the equilibrated matrix), rounded:
-/// n, h, then the writings in their order.
+/// n, h, then the writings in their order, rounded. Independent calculation: dense matrices, inverse through the
+/// equilibrated matrix.
 const CONDITION: [(u64, f64, [f64; 7]); 3] = [
     (1, 1e-3, [9.611e8, 9.611e8, 3.882e7, 1.693e6, 1.001e15, 1.693e6, 3.911e5]),
     (20, 1e-3, [8.4e10, 2.9e10, 2.1e10, 6.9e8, 3.9e16, 6.9e8, 3.5e5]),

@@ -197,7 +197,7 @@ fn table6(table: &Table6) -> Table {
         file: "table6",
         columns: [
             vec![Column::text("form")],
-            compared("step", "ms", [5, 2]).to_vec(),
+            compared("step", "ms", [4, 2]).to_vec(),
             compared("instants", "", [0, 0]).to_vec(),
             timed("analysis time").to_vec(),
         ]

@@ -34,12 +34,13 @@ fn figure3(table: &Forms) -> Drawing {
     Drawing::new(
         "fig3",
         stack([ours, paper].map(|figure| Figure { height: 250.0, ..figure })),
-        "Analysis time of the cantilever against the number of elements: ours above, the paper's below. The non-dimensional \
-         form is slower with few elements and faster with many, because its physical step grows like the root of n.",
+        "Analysis time of the cantilever against the number of elements: ours above, the paper's below. \
+         The non-dimensional form is slower with few elements and faster with many, because its physical \
+         step grows like the root of n.",
     )
     .described(format!(
-        "Two plots of analysis time against number of elements. At 20 elements ours takes {} s (DIM) and {} s (Non-DIM), \
-         the paper {} s and {} s.",
+        "Two plots of analysis time against number of elements. At 20 elements ours takes {} s (DIM) and \
+         {} s (Non-DIM), the paper {} s and {} s.",
         last(&table.dim),
         last(&table.nondim),
         last(&paper_dim),
@@ -68,16 +69,18 @@ fn figure4(study: &Study, results: &Results) -> Option<Drawing> {
         "fig4",
         stack([tip, means]),
         format!(
-            "Tip deflection of the cantilever of {} elements, dropped from straight, and its mean over all instants up to then. \
-             The beam has no damping of its own: the oscillation dies by the numerical damping of β = 0.36, γ = 0.70, faster \
-             with the longer step of the non-dimensional form. After 2 s the means are {} mm (DIM) and {} mm (Non-DIM).",
+            "Tip deflection of the cantilever of {} elements, dropped from straight, and its mean over all \
+             instants up to then. The beam has no damping of its own: the oscillation dies by the \
+             numerical damping of β = 0.36, γ = 0.70, faster with the longer step of the non-dimensional \
+             form. After 2 s the means are {} mm (DIM) and {} mm (Non-DIM).",
             runs.n,
             last(&results.table5.dim),
             last(&results.table5.nondim)
         ),
     );
     Some(drawing.described(format!(
-        "A decaying oscillation between 0 and −4 mm about the static deflection of {} mm, on which the running means settle.",
+        "A decaying oscillation between 0 and −4 mm about the static deflection of {} mm, on which the \
+         running means settle.",
         fixed(value, 3)
     )))
 }
@@ -118,8 +121,8 @@ fn figure5(results: &Results) -> Drawing {
     Drawing::new(
         "fig5",
         figure,
-        "Shear locking: mean tip deflection against the number of elements. Without shear, n \
-         elements have 1 − 1/(3n²) of the exact static deflection; our means and the paper's follow that curve.",
+        "Shear locking: mean tip deflection against the number of elements. Without shear, n elements have \
+         1 − 1/(3n²) of the exact static deflection; our means and the paper's follow that curve.",
     )
     .described(format!(
         "Mean deflections from {} mm at one element to {} mm at twenty approach the static {} mm.",

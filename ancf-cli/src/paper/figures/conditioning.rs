@@ -35,13 +35,14 @@ pub fn figure(results: &Results) -> Drawing {
         "conditioning",
         figure,
         format!(
-            "Condition number of the iteration matrix against the physical step, {n} elements, E = 193×10⁹ Pa. Units shift \
-             the curve of eq. (37), they do not bend it. Dividing the constraint rows by βh² and equilibration do."
+            "Condition number of the iteration matrix against the physical step, {n} elements, E = 193×10⁹ \
+             Pa. Units shift the curve of eq. (37), they do not bend it. Dividing the constraint rows by \
+             βh² and equilibration do."
         ),
     )
     .described(
-        "Log-log plot. The displacement form rises most steeply as h falls, the three writings of eq. (37) rise like h to \
-         the power −2, the symmetric and the equilibrated ones stay bounded.",
+        "Log-log plot. The displacement form rises most steeply as h falls, the three writings of eq. (37) \
+         rise like h to the power −2, the symmetric and the equilibrated ones stay bounded.",
     )
 }
 

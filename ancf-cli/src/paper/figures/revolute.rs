@@ -50,15 +50,17 @@ fn figure7(figure: &Figure7) -> Drawing {
         "fig7",
         stack([absolute, blind]),
         format!(
-            "Newton iterations of each step, revolute pendulum of one element. Above: every step must reach |r| ≤ {} in the \
-             numbers of its own form; the dimensional form has steps of up to {most} iterations{end}, the non-dimensional \
-             one none above {largest_nondim}. Below: the unit-blind rule, under which both need at most {largest}.",
+            "Newton iterations of each step, revolute pendulum of one element. Above: every step must \
+             reach |r| ≤ {} in the numbers of its own form; the dimensional form has steps of up to {most} \
+             iterations{end}, the non-dimensional one none above {largest_nondim}. Below: the unit-blind \
+             rule, under which both need at most {largest}.",
             scientific(figure.tolerance, 1)
         ),
     )
     .described(format!(
-        "Two plots of iterations against time. Under the absolute tolerance the dimensional form reaches {most} iterations, \
-         the non-dimensional one {largest_nondim}; under the unit-blind rule both stay at or below {largest}."
+        "Two plots of iterations against time. Under the absolute tolerance the dimensional form reaches \
+         {most} iterations, the non-dimensional one {largest_nondim}; under the unit-blind rule both stay \
+         at or below {largest}."
     ))
 }
 
@@ -106,13 +108,16 @@ impl<'a> Motion<'a> {
             "fig8a",
             stack([x, y]),
             format!(
-                "Tip of the revolute pendulum against time. The beam moves like the rigid body: its tip is at most \
-                 {} mm (DIM) and {} mm (Non-DIM) off, and less with the shorter step.",
+                "Tip of the revolute pendulum against time. The beam moves like the rigid body: its tip is \
+                 at most {} mm (DIM) and {} mm (Non-DIM) off, and less with the shorter step.",
                 fixed(self.distance(self.dim), 1),
                 fixed(self.distance(self.nondim), 1)
             ),
         )
-        .described("x swings between 1 m and −1 m, y between 0 and −1 m; the three curves coincide on this scale.")
+        .described(
+            "x swings between 1 m and −1 m, y between 0 and −1 m; the three curves coincide on this \
+                    scale.",
+        )
     }
 
     fn figure8b(&self) -> Drawing {
@@ -138,10 +143,13 @@ impl<'a> Motion<'a> {
         Drawing::new(
             "fig9",
             stack([x, y]),
-            "Tip acceleration of the revolute pendulum. The release sets the flexible beam vibrating about the rigid motion; \
-             the numerical damping of the scheme ends the vibration. The shorter step of the non-dimensional form at one \
-             element lets more of it through.",
+            "Tip acceleration of the revolute pendulum. The release sets the flexible beam vibrating about \
+             the rigid motion; the numerical damping of the scheme ends the vibration. The shorter step of \
+             the non-dimensional form at one element lets more of it through.",
         )
-        .described("The accelerations of both flexible models ring for a fraction of a second about those of the rigid body.")
+        .described(
+            "The accelerations of both flexible models ring for a fraction of a second about those \
+                    of the rigid body.",
+        )
     }
 }

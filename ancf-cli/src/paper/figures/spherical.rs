@@ -21,11 +21,14 @@ fn figure11(table: &Table7) -> Drawing {
     Drawing::new(
         "fig11",
         figure,
-        "Analysis time of the spherical pendulum against the number of elements. The dimensional form has as many steps for \
-         every n, so its time grows like n; the non-dimensional one has fewer by the root of n, so its time grows like the \
-         root of n.",
+        "Analysis time of the spherical pendulum against the number of elements. The dimensional form has \
+         as many steps for every n, so its time grows like n; the non-dimensional one has fewer by the \
+         root of n, so its time grows like the root of n.",
     )
-    .described("Both times grow with the number of elements; that of the non-dimensional form grows more slowly.")
+    .described(
+        "Both times grow with the number of elements; that of the non-dimensional form grows more \
+                slowly.",
+    )
 }
 
 /// x in one panel, y and z, which coincide, in another.
@@ -57,13 +60,16 @@ fn figure12a(runs: &Comparison) -> Drawing {
         "fig12a",
         histories(runs, "tip", "m", ["tip.x", "tip.y", "tip.z"]),
         format!(
-            "Tip of the spherical pendulum of {} elements against time. Gravity acts along −y and as much along −z, so y and \
-             z must coincide; they do to {} m.",
+            "Tip of the spherical pendulum of {} elements against time. Gravity acts along −y and as much \
+             along −z, so y and z must coincide; they do to {} m.",
             runs.n,
             scientific(asymmetry(runs, "tip.y", "tip.z"), 1)
         ),
     )
-    .described("x swings from 1 m to about −1 m and back; y and z fall together, rise and fall again; both forms nearly coincide.")
+    .described(
+        "x swings from 1 m to about −1 m and back; y and z fall together, rise and fall again; both \
+                forms nearly coincide.",
+    )
 }
 
 fn figure12b(runs: &Comparison) -> Drawing {
@@ -94,12 +100,15 @@ fn figure13a(runs: &Comparison) -> Drawing {
         "fig13a",
         histories(runs, "acceleration", "m/s²", ["tip.ax", "tip.ay", "tip.az"]),
         format!(
-            "Tip acceleration of the spherical pendulum; y and z coincide to {} m/s². The ripple is that of a beam a thousand \
-             times softer than steel.",
+            "Tip acceleration of the spherical pendulum; y and z coincide to {} m/s². The ripple is that \
+             of a beam a thousand times softer than steel.",
             scientific(asymmetry(runs, "tip.ay", "tip.az"), 1)
         ),
     )
-    .described("Accelerations of some ten m/s² with a ripple; both forms and both directions nearly coincide.")
+    .described(
+        "Accelerations of some ten m/s² with a ripple; both forms and both directions nearly \
+                coincide.",
+    )
 }
 
 fn figure13b(runs: &Comparison) -> Drawing {
@@ -111,5 +120,8 @@ fn figure13b(runs: &Comparison) -> Drawing {
             scientific(asymmetry(runs, "joint.fy", "joint.fz"), 1)
         ),
     )
-    .described("Reaction forces of some hundred newtons with a ripple; both forms and both directions nearly coincide.")
+    .described(
+        "Reaction forces of some hundred newtons with a ripple; both forms and both directions \
+                nearly coincide.",
+    )
 }

@@ -13,23 +13,26 @@ impl Report<'_> {
         html! {
             (self.own_step())
             (table(&self.tables.gain, &html! {
-                "Each form with 0.001 of its own unit of time: total = number of steps × iterations per step × time per iteration."
+                "Each form with 0.001 of its own unit of time: total = number of steps × iterations per \
+                step × time per iteration."
             }))
             (self.printed_factors())
             (self.same_step())
             (table(&self.tables.same_step, &html! { "Both forms with a physical step of 1 ms." }))
-            p { "The longer step is no privilege of the non-dimensional form: a user of the dimensional one may ask for it. It has its price \
-                 in accuracy, since the scheme is of first order." }
+            p { "The longer step is no privilege of the non-dimensional form: a user of the dimensional \
+                one may ask for it. It has its price in accuracy, since the scheme is of first order." }
         }
     }
 
     fn own_step(&self) -> Markup {
         let gain = self.largest(Problem::Cantilever);
         html! {
-            p { "Both forms take a step of 0.001 in their own time. For the dimensional form that is 1 ms; for the non-dimensional one it is 0.001 " (unit("T")) " = 0.001 √(L n/g): "
-                (fixed(time_unit(1), 2)) " ms with one element, " (fixed(time_unit(gain.n), 2)) " ms with " (gain.n) ". So with " (gain.n)
-                " elements it does " (fixed(gain.longer_step, 2)) " times fewer steps, with one element " (fixed(1.0 / time_unit(1), 2))
-                " times more. A longer step needs slightly more iterations, which takes part of the gain back." }
+            p { "Both forms take a step of 0.001 in their own time. For the dimensional form that is 1 ms; \
+                for the non-dimensional one it is 0.001 " (unit("T")) " = 0.001 √(L n/g): "
+                (fixed(time_unit(1), 2)) " ms with one element, " (fixed(time_unit(gain.n), 2)) " ms with \
+                " (gain.n) ". So with " (gain.n) " elements it does " (fixed(gain.longer_step, 2)) " times \
+                fewer steps, with one element " (fixed(1.0 / time_unit(1), 2)) " times more. A longer step \
+                needs slightly more iterations, which takes part of the gain back." }
         }
     }
 
@@ -38,9 +41,11 @@ impl Report<'_> {
         let total = self.printed_gain();
         let first = published::TABLE_4_DIM[0] / published::TABLE_4_NONDIM[0];
         html! {
-            p { "The paper's own times hold the same factor: at " (gain.n) " elements its gain of " (fixed(total, 2)) " is "
-                (fixed(gain.longer_step, 2)) " from the step and " (fixed(total / gain.longer_step, 2)) " from everything else; at one element a step cost it "
-                (fixed(time_unit(1) / first, 2)) " times as much in the non-dimensional form as in the dimensional one." }
+            p { "The paper's own times hold the same factor: at " (gain.n) " elements its gain of "
+                (fixed(total, 2)) " is " (fixed(gain.longer_step, 2)) " from the step and "
+                (fixed(total / gain.longer_step, 2)) " from everything else; at one element a step cost it \
+                " (fixed(time_unit(1) / first, 2)) " times as much in the non-dimensional form as in the \
+                dimensional one." }
         }
     }
 
@@ -52,10 +57,11 @@ impl Report<'_> {
         ratios.sort_by(f64::total_cmp);
         let middle = ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN);
         html! {
-            p { "With the same physical step of 1 ms the two forms are the same computation in other numbers. Their tips are at most "
-                (scientific(apart, 1)) " m apart at any instant of any run, the total of iterations is equal in " (equal) " of " (gains.len())
-                " cases, and the ratio of their times is " (between(ratios.iter().copied(), |x| fixed(x, 2))) ", " (fixed(middle, 2))
-                " in the middle: the scatter of the clock about 1." }
+            p { "With the same physical step of 1 ms the two forms are the same computation in other \
+                numbers. Their tips are at most " (scientific(apart, 1)) " m apart at any instant of any \
+                run, the total of iterations is equal in " (equal) " of " (gains.len()) " cases, and the \
+                ratio of their times is " (between(ratios.iter().copied(), |x| fixed(x, 2))) ", "
+                (fixed(middle, 2)) " in the middle: the scatter of the clock about 1." }
         }
     }
 }

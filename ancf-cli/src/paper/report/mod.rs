@@ -43,7 +43,8 @@ pub fn page(results: &Results, tables: &Tables, drawings: &[Drawing]) -> String 
 
 fn subtitle() -> Markup {
     html! {
-        "Every table and figure of K.-W. Kim, J.-W. Lee, J.-S. Jang, J.-Y. Oh, J.-H. Kang, H.-R. Kim, W.-S. Yoo, "
+        "Every table and figure of K.-W. Kim, J.-W. Lee, J.-S. Jang, J.-Y. Oh, J.-H. Kang, H.-R. Kim, \
+        W.-S. Yoo, "
         cite { "Efficiency of non-dimensional analysis for absolute nodal coordinate formulation" }
         ", Nonlinear Dynamics 87 (2017), computed anew and set beside the printed numbers."
     }
@@ -83,7 +84,7 @@ impl Report<'_> {
             section("spherical", "Pendulum on a spherical joint", self.spherical()),
             section("gain", "Where the gain comes from", self.gain()),
             section("iterations", "What the iteration counts mean", self.iterations()),
-            section("conditioning", "Conditioning", self.conditioning()),
+            section("condition-numbers", "Conditioning", self.conditioning()),
             section("gravity", "The acceleration of gravity", self.gravity()),
             section("recovered", "Other recovered values and misprints", self.recovered()),
             section("sources", "Measurement, files, sources", self.sources()),
@@ -118,7 +119,11 @@ fn table(table: &Table, caption: &Markup) -> Markup {
                     @if !groups.is_empty() {
                         tr.groups { @for (group, count) in &groups { (group_heading(group, *count)) } }
                     }
-                    tr { @for (i, column) in table.columns.iter().enumerate() { th scope="col" class=[is_text(table, i)] { (column.heading()) } } }
+                    tr {
+                        @for (i, column) in table.columns.iter().enumerate() {
+                            th scope="col" class=[is_text(table, i)] { (column.heading()) }
+                        }
+                    }
                 }
                 tbody { @for row in &table.rows { (table_row(table, row)) } }
             }
@@ -128,7 +133,8 @@ fn table(table: &Table, caption: &Markup) -> Markup {
 
 fn group_heading(group: &str, columns: usize) -> Markup {
     html! {
-        @if group.is_empty() { td colspan=(columns) {} } @else { th colspan=(columns) scope="colgroup" { (group) } }
+        @if group.is_empty() { td colspan=(columns) {} }
+        @else { th colspan=(columns) scope="colgroup" { (group) } }
     }
 }
 

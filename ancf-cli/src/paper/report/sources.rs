@@ -6,27 +6,36 @@ use super::Report;
 
 /// Works that the text cites.
 const REFERENCES: [&str; 4] = [
-    "K.-W. Kim, J.-W. Lee, J.-S. Jang, J.-Y. Oh, J.-H. Kang, H.-R. Kim, W.-S. Yoo: Efficiency of non-dimensional analysis \
-     for absolute nodal coordinate formulation. Nonlinear Dynamics 87 (2017), doi 10.1007/s11071-016-3104-7.",
-    "C. L. Bottasso, D. Dopico, L. Trainelli: On the optimal scaling of index three DAEs in multibody dynamics. Multibody \
-     System Dynamics 19 (2008) 3-20.",
-    "D. Negrut, R. Rampalli, G. Ottarsson, A. Sajdak: On an implementation of the Hilber-Hughes-Taylor method in the context \
-     of index 3 differential-algebraic equations of multibody dynamics. Journal of Computational and Nonlinear Dynamics 2 \
-     (2007) 73-85.",
-    "D. Ruiz: A scaling algorithm to equilibrate both rows and columns norms in matrices. Rutherford Appleton Laboratory, \
-     RAL-TR-2001-034 (2001).",
+    "K.-W. Kim, J.-W. Lee, J.-S. Jang, J.-Y. Oh, J.-H. Kang, H.-R. Kim, W.-S. Yoo: Efficiency of \
+     non-dimensional analysis for absolute nodal coordinate formulation. Nonlinear Dynamics 87 (2017), doi \
+     10.1007/s11071-016-3104-7.",
+    "C. L. Bottasso, D. Dopico, L. Trainelli: On the optimal scaling of index three DAEs in multibody \
+     dynamics. Multibody System Dynamics 19 (2008) 3-20.",
+    "D. Negrut, R. Rampalli, G. Ottarsson, A. Sajdak: On an implementation of the Hilber-Hughes-Taylor \
+     method in the context of index 3 differential-algebraic equations of multibody dynamics. Journal of \
+     Computational and Nonlinear Dynamics 2 (2007) 73-85.",
+    "D. Ruiz: A scaling algorithm to equilibrate both rows and columns norms in matrices. Rutherford \
+     Appleton Laboratory, RAL-TR-2001-034 (2001).",
 ];
 
 impl Report<'_> {
     pub(super) fn sources(&self) -> Markup {
         html! {
-            p { "Every time is that of one whole simulation on one thread: checking and assembling the model, all steps, all columns kept in \
-                 memory. The forms of a problem run in turn, so that a drift of the machine touches all alike; "
-                @if self.results.repeats > 1 { "the median of " (self.results.repeats) " repetitions is shown" } @else { "each ran once" }
-                ". Times below a tenth of a second scatter by several tens of per cent on a busy machine." }
+            p { "Every time is that of one whole simulation on one thread: checking and assembling the \
+                model, all steps, all columns kept in memory. The forms of a problem run in turn, so that \
+                a drift of the machine touches all alike; " (self.repeats()) ". Times below a tenth of a \
+                second scatter by several tens of per cent on a busy machine." }
             p { "Every figure is here as SVG and PNG, every table as CSV in full precision; "
-                a href="results.json" { "results.json" } " holds all numbers. The command " code { "ancf paper" } " writes them anew." }
+                a href="results.json" { "results.json" } " holds all numbers. The command "
+                code { "ancf paper" } " writes them anew." }
             ul.references { @for reference in REFERENCES { li { (reference) } } }
+        }
+    }
+
+    fn repeats(&self) -> String {
+        match self.results.repeats {
+            0 | 1 => "each ran once".to_owned(),
+            repeats => format!("the median of {repeats} repetitions is shown"),
         }
     }
 }

@@ -18,7 +18,8 @@ impl Report<'_> {
                 (self.machine())
             }
             (table(&self.tables.verdict, &html! {
-                "The printed numbers that do not depend on the machine. Exact: equal in every printed digit. Worst: the largest difference, beside the one allowed."
+                "The printed numbers that do not depend on the machine. Exact: equal in every printed \
+                digit. Worst: the largest difference, beside the one allowed."
             }))
             h3 { "What came out" }
             (self.findings())
@@ -28,17 +29,14 @@ impl Report<'_> {
     fn headline(&self) -> String {
         let verdict = &self.results.verdict;
         let (numbers, within, exact) = (verdict.numbers(), verdict.within(), verdict.exact());
-        let digits = format!("{exact} of them to the last printed digit");
-        if within == numbers {
-            format!(
-                "All {numbers} printed numbers that do not depend on the machine are reproduced, {digits}."
-            )
-        } else {
-            let off = numbers - within;
-            format!(
-                "{within} of {numbers} printed numbers that do not depend on the machine are reproduced, {digits}; {off} are off."
-            )
-        }
+        let (who, off) = match numbers - within {
+            0 => (format!("All {numbers}"), String::new()),
+            off => (format!("{within} of {numbers}"), format!("; {off} are off")),
+        };
+        format!(
+            "{who} printed numbers that do not depend on the machine are reproduced, {exact} of them to the \
+             last printed digit{off}."
+        )
     }
 
     fn machine(&self) -> Markup {
@@ -46,10 +44,13 @@ impl Report<'_> {
         let machine = &results.machine;
         html! {
             dl {
-                dt { "Program" } dd { "ancf " (machine.version) @if !machine.optimised { ", not optimised: times mean little" } }
+                dt { "Program" } dd {
+                    "ancf " (machine.version) @if !machine.optimised { ", not optimised: times mean little" }
+                }
                 dt { "Machine" } dd { (machine.processor) ", " (machine.cores) " cores, " (machine.system) }
                 dt { "Times" } dd {
-                    @if results.repeats > 1 { "medians of " (results.repeats) " runs" } @else { "one run each" }
+                    @if results.repeats > 1 { "medians of " (results.repeats) " runs" }
+                    @else { "one run each" }
                     ", one thread, without writing files"
                 }
                 dt { "Study" } dd { (significant(results.seconds, 2)) " s in all" }
@@ -67,16 +68,25 @@ impl Report<'_> {
         let most = results.tolerances.iter().map(|rule| rule.dim.most).max().unwrap_or(0);
         html! {
             ul {
-                li { a href="#gain" { "Gain." } " The non-dimensional form is faster with many elements because it takes a longer physical step: at "
-                    (cantilever.n) " elements it does " (fixed(cantilever.longer_step, 2)) " times fewer steps and is " (fixed(cantilever.total, 2))
-                    " times faster (cantilever). With the same physical step both forms give the same motion, to "
-                    (scientific(apart, 1)) " m, with as many iterations in " (equal) " of " (results.gain.len()) " cases." }
-                li { a href="#iterations" { "Iterations." } " The many iterations of the dimensional form in Figure 7 belong to an absolute tolerance near its rounding error: there we count up to "
-                    (most) ". Under a rule that is blind to units neither form needs more than " (blind) "." }
-                li { a href="#spherical" { "Fourfold." } " The paper's \u{201c}more than fourfold\u{201d} gain of the spherical pendulum at " (spherical.n)
-                    " elements is " @if spherical.total <= published::TABLE_7_CLAIM { "not " } "found: we measure " (fixed(spherical.total, 2)) "." }
-                li { a href="#conditioning" { "Conditioning." } " The non-dimensional writing improves the iteration matrix by a constant factor; symmetry and equilibration improve it far more, and make units irrelevant." }
-                li { a href="#gravity" { "Gravity." } " The paper does not print g; its numbers belong to " (GRAVITY) " m/s², not to 9.81." }
+                li { a href="#gain" { "Gain." } " The non-dimensional form is faster with many elements \
+                    because it takes a longer physical step: at " (cantilever.n) " elements it does "
+                    (fixed(cantilever.longer_step, 2)) " times fewer steps and is "
+                    (fixed(cantilever.total, 2)) " times faster (cantilever). With the same physical step \
+                    both forms give the same motion, to " (scientific(apart, 1)) " m, with as many \
+                    iterations in " (equal) " of " (results.gain.len()) " cases." }
+                li { a href="#iterations" { "Iterations." } " The many iterations of the dimensional form \
+                    in Figure 7 belong to an absolute tolerance near its rounding error: there we count up \
+                    to " (most) ". Under a rule that is blind to units neither form needs more than "
+                    (blind) "." }
+                li { a href="#spherical" { "Fourfold." } " The paper's \u{201c}more than fourfold\u{201d} \
+                    gain of the spherical pendulum at " (spherical.n) " elements is "
+                    @if spherical.total <= published::TABLE_7_CLAIM { "not " }
+                    "found: we measure " (fixed(spherical.total, 2)) "." }
+                li { a href="#condition-numbers" { "Conditioning." } " The non-dimensional writing improves the \
+                    iteration matrix by a constant factor; symmetry and equilibration improve it far more, \
+                    and make units irrelevant." }
+                li { a href="#gravity" { "Gravity." } " The paper does not print g; its numbers belong to \
+                    " (GRAVITY) " m/s², not to 9.81." }
             }
         }
     }

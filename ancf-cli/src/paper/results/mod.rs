@@ -232,8 +232,8 @@ fn table6(study: &Study) -> Table6 {
 
 fn table7(study: &Study) -> Table7 {
     let seconds = Forms::new(&study.spherical, |run| run.seconds);
-    let note = "The paper prints no Table 7 for this problem, only that the non-dimensional form is more than fourfold \
-                faster at 20 elements.";
+    let note = "The paper prints no Table 7 for this problem, only that the non-dimensional form is more \
+                than fourfold faster at 20 elements.";
     Table7 { ratio: seconds.ratios(), seconds, note }
 }
 

@@ -34,6 +34,15 @@ fn annotate(error: &io::Error, path: &Path) -> io::Error {
 impl Sink for Folder {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         fs::create_dir_all(&self.path).map_err(|error| annotate(&error, &self.path))?;
+        // What an earlier run left must not be taken for results of this one.
+        for name in ["probes.csv", "probes.npz", "summary.json"] {
+            match fs::remove_file(self.path.join(name)) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(annotate(&error, &self.path));
+                }
+                _ => {}
+            }
+        }
         let every = self.output.every;
         if self.output.csv {
             self.files.push(Box::new(Every::new(every, Csv::new(self.create("probes.csv")?))));

@@ -18,7 +18,7 @@ pub enum Error {
     #[error(transparent)]
     Model(#[from] ModelErrors),
     /// A sink could not record.
-    #[error("results could not be written: {0}")]
+    #[error("results could not be written")]
     Sink(#[from] io::Error),
 }
 

@@ -42,7 +42,7 @@ pub struct Newton {
     r: Vec<f64>,
     z: Vec<f64>,
     floor: Vec<f64>,
-    /// The largest energy met.
+    /// The largest energy of the converged states met.
     energy: f64,
 }
 
@@ -70,7 +70,7 @@ impl Newton {
         })
     }
 
-    /// Tells the energy rule of an energy that the motion has.
+    /// Tells the energy rule of an energy that a converged state has; before that the rule goes by the iterate's own.
     pub fn met(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);
     }
@@ -98,7 +98,7 @@ impl Newton {
             let energy = self
                 .increment(eom, s, w, &mut progress.report)
                 .map_err(|failure| self.error(failure, eom, s, progress.report))?;
-            if let ControlFlow::Break(end) = self.judge_increment(energy, &mut progress) {
+            if let ControlFlow::Break(end) = self.judge_increment(eom, s, energy, &mut progress) {
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
             }
         }
@@ -155,13 +155,16 @@ impl Newton {
     /// Ends the iteration on an increment that is small enough; takes note of a lack of progress.
     fn judge_increment(
         &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
         energy: f64,
         progress: &mut Progress,
     ) -> ControlFlow<Result<Report, Failure>> {
         match self.stop {
             Stop::Energy(tolerance) => {
-                self.energy = self.energy.max(if progress.report.iterations == 1 { energy } else { 0.0 });
-                if energy <= tolerance * tolerance * self.energy {
+                // Energies of increments do not count: those of a stiff beam in a large step dwarf any that the motion has.
+                let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
+                if energy <= tolerance * tolerance * largest {
                     return ControlFlow::Break(Ok(progress.report));
                 }
                 progress.note(energy);

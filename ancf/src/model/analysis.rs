@@ -36,6 +36,7 @@ pub struct Dynamics {
     pub max_iterations: u32,
     /// How often a failed step may be halved before the run ends.
     #[serde(default = "Dynamics::max_halvings")]
+    #[schemars(range(max = 30))]
     pub max_halvings: u32,
 }
 

@@ -9,7 +9,7 @@ use super::{Analysis, Beam, Dynamics, End, Joint, Load, Model, ModelError, Newma
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory that a run needs for an element.
-const BYTES_PER_ELEMENT: f64 = 4e3;
+const BYTES_PER_ELEMENT: f64 = 12e3;
 /// Steps beyond which an analysis is taken for a slip of the pen.
 const MAX_STEPS: f64 = 1e9;
 /// Rounding of a position along an axis, relative to its length.

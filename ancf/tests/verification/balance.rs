@@ -254,3 +254,26 @@ fn dissipation() {
     let average = dissipated(model::Newmark::AverageAcceleration);
     assert!(adams > 0.0 && average.abs() < 0.01 * adams, "{adams:e} and {average:e}");
 }
+
+/// Steps of 1 ms to 100 ms, the longest far beyond the period of the rod, end at the same equilibrium: weight and tip force,
+/// q L⁴/8EI + F L³/3EI less the locking of 20 elements, 4.2374 mm. What the predictor does to a stiff beam must not loosen the rule.
+#[test]
+fn long_steps_end_at_the_equilibrium() {
+    let with_force = |step: f64, duration: f64| {
+        let mut model = rod::cantilever(20);
+        let on = Place { body: model.bodies[0].name().to_owned(), at: At::End(AtEnd::End) };
+        model.loads.push(model::Load::Force { on, force: [0.0, -10.0, 0.0] });
+        let settings = rod::settings(&mut model);
+        (settings.step, settings.duration, settings.start) = (step, duration, Start::Consistent);
+        model
+    };
+    let (assembly, state) = equilibrium(&with_force(1e-3, 1.0), 1);
+    let exact = assembly.probes[0].1.value(&state).y;
+    for step in [0.02, 0.05, 0.1] {
+        let mut series = ancf::record::Series::new();
+        let summary = ancf::simulate(&with_force(step, 20.0), &mut series).unwrap();
+        assert!(summary.outcome.is_finished());
+        let tip = series.columns().find(|(name, _)| name.ends_with(".y")).unwrap().1;
+        assert_near("tip", *tip.last().unwrap(), exact, 1e-7);
+    }
+}

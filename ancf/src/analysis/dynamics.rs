@@ -72,6 +72,11 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.scheme.predict(&mut self.state, h);
         self.state.t = to;
         let done = self.newton.solve(self.eom, &mut self.state, self.scheme.weights(h))?;
+        if let Some(worst) = self.eom.inadmissible(&self.state) {
+            let (iterations, residual, increment) = (done.iterations, done.residual, done.increment);
+            let (failure, t) = (Failure::Inverted, to);
+            return Err(SolveError { failure, t, iterations, residual, increment, worst });
+        }
         self.newton.met(self.eom.energy(&self.state).largest());
         report.iterations += done.iterations;
         report.substeps += 1;

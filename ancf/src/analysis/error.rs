@@ -15,6 +15,9 @@ pub enum Failure {
     /// Increments stopped to decrease above the rounding error.
     #[error("the iteration stagnated above the rounding error: a smaller step may help")]
     Stagnated,
+    /// The solution that was found turns an element inside out.
+    #[error("the solution turns an element inside out: a smaller step may help")]
+    Inverted,
     /// The permitted number of iterations was not enough.
     #[error("the iteration did not converge: a smaller step or more iterations may help")]
     NotConverged,

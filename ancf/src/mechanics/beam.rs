@@ -218,6 +218,16 @@ impl Term for Beam24 {
         }
     }
 
+    /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let q = vectors(at.q);
+        self.profile.stations.iter().all(|station| {
+            let u = station.directors(&q);
+            let [x, _, _, y, z] = std::array::from_fn(|i| self.reference[i] + u[i]);
+            x.dot(&y.cross(&z)) > 0.0
+        })
+    }
+
     fn energy(&self, at: &Local<'_>) -> Energy {
         let (q, v) = (vectors(at.q), vectors(at.v));
         let (law, reference) = (&self.profile.law, &self.reference);

@@ -139,6 +139,12 @@ impl EquationsOfMotion for System {
         }
     }
 
+    fn inadmissible(&self, s: &State) -> Option<usize> {
+        let mut gathered = Gathered::EMPTY;
+        let wrong = self.terms.iter().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())));
+        wrong.and_then(|term| term.coordinates().first().copied())
+    }
+
     fn energy(&self, s: &State) -> Energy {
         let (mut gathered, mut energy) = (Gathered::EMPTY, Energy::default());
         for term in &self.terms {

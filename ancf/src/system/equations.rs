@@ -57,6 +57,11 @@ pub trait EquationsOfMotion {
     /// The symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
 
+    /// A coordinate of a term that cannot be in this state, if there is one: equations of motion have such solutions too.
+    fn inadmissible(&self, _s: &State) -> Option<usize> {
+        None
+    }
+
     /// Kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 }

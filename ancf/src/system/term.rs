@@ -100,6 +100,11 @@ pub trait Term: Send + Sync {
     /// Adds its share of the tangent, the lower triangle.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
+    /// Whether matter can be in this state: not turned inside out.
+    fn is_admissible(&self, _at: &Local<'_>) -> bool {
+        true
+    }
+
     /// Its energies.
     fn energy(&self, _at: &Local<'_>) -> Energy {
         Energy::default()

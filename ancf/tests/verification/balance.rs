@@ -277,3 +277,25 @@ fn long_steps_end_at_the_equilibrium() {
         assert_near("tip", *tip.last().unwrap(), exact, 1e-7);
     }
 }
+
+/// A mirror image costs no strain energy, but matter cannot get there: every element of it is refused, a rotation is not.
+#[test]
+fn elements_inside_out_are_refused() {
+    let assembly = rod::free(2).assemble().unwrap();
+    let mut state = assembly.rest();
+    assert_eq!(assembly.system.inadmissible(&state), None);
+    let mirror = |state: &mut State, axes: &[usize]| {
+        for node in 0..3 {
+            for &axis in axes {
+                let coordinate = 12 * node + 3 * (axis + 1) + axis;
+                state.q[coordinate] = -2.0;
+            }
+        }
+    };
+    mirror(&mut state, &[1, 2]);
+    assert_eq!(assembly.system.inadmissible(&state), None, "half a turn about the axis");
+    state = assembly.rest();
+    mirror(&mut state, &[2]);
+    assert_eq!(assembly.system.inadmissible(&state), Some(0), "z mirrored");
+    assert!(assembly.system.energy(&state).strain.abs() < 1e-6, "at no cost");
+}

@@ -159,7 +159,7 @@ impl Term for Beam24 {
         let q = vectors(at.q);
         let mut force = self.mass_times(&vectors(at.a));
         for (a, force) in force.iter_mut().enumerate() {
-            *force -= self.profile.gravity * self.profile.first[a];
+            *force -= self.profile.gravity * (at.load * self.profile.first[a]);
         }
         for station in &self.profile.stations {
             let p =
@@ -182,7 +182,7 @@ impl Term for Beam24 {
         let (q, acceleration) = (vectors(at.q), vectors(at.a).map(|a| a.norm()));
         let mut bound: [f64; 8] = std::array::from_fn(|a| {
             let inertia: f64 = (0..8).map(|b| self.profile.mass[a][b].abs() * acceleration[b]).sum();
-            f64::EPSILON * (inertia + self.profile.first[a].abs() * self.profile.gravity.norm())
+            f64::EPSILON * (inertia + (at.load * self.profile.first[a]).abs() * self.profile.gravity.norm())
         });
         for station in &self.profile.stations {
             let (u, du) = (station.directors(&q), station.rounding(&q));
@@ -241,7 +241,7 @@ impl Term for Beam24 {
                 .iter()
                 .map(|s| s.weight * law.energy(reference, &s.directors(&q)))
                 .sum(),
-            potential: -self.profile.gravity.dot(&moved),
+            potential: -at.load * self.profile.gravity.dot(&moved),
         }
     }
 }

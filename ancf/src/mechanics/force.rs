@@ -26,14 +26,14 @@ impl Term for Force {
         &self.coordinates
     }
 
-    fn residual(&self, _: &Local<'_>, r: &mut [f64]) {
-        self.point.add(-self.force, r);
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.point.add(-self.force * at.load, r);
     }
 
-    fn rounding(&self, _: &Local<'_>, floor: &mut [f64]) {
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         for &(first, w) in self.point.parts() {
             for k in 0..3 {
-                floor[first + k] += f64::EPSILON * (w * self.force[k]).abs();
+                floor[first + k] += f64::EPSILON * (w * at.load * self.force[k]).abs();
             }
         }
     }
@@ -41,6 +41,6 @@ impl Term for Force {
     fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        Energy { potential: -self.force.dot(&self.point.sum(at.q)), ..Energy::default() }
+        Energy { potential: -at.load * self.force.dot(&self.point.sum(at.q)), ..Energy::default() }
     }
 }

@@ -45,7 +45,14 @@ impl Gathered {
         }
         let (n, m) = (coordinates.len(), multipliers.len());
         self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
-        Local { q: &self.q[..n], v: &self.v[..n], a: &self.a[..n], lambda: &self.lambda[..m] }
+        Local {
+            q: &self.q[..n],
+            v: &self.v[..n],
+            a: &self.a[..n],
+            lambda: &self.lambda[..m],
+            t: s.t,
+            load: s.load,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 ///
 /// q are coordinates *measured from the reference configuration*, e = e₀ + q: strains then come from displacement
 /// gradients, and neither their accuracy nor anything else depends on how far the model is from the origin.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Time t.
     pub t: f64,
@@ -14,13 +14,15 @@ pub struct State {
     pub a: Vec<f64>,
     /// Lagrange multipliers λ.
     pub lambda: Vec<f64>,
+    /// Load factor s: all loads, gravity among them, act s times. 1 but in statics.
+    pub load: f64,
 }
 
 impl State {
     /// The reference configuration at rest.
     pub fn rest(coordinates: usize, multipliers: usize) -> Self {
         let zeros = vec![0.0; coordinates];
-        Self { t: 0.0, q: zeros.clone(), v: zeros.clone(), a: zeros, lambda: vec![0.0; multipliers] }
+        Self { t: 0.0, q: zeros.clone(), v: zeros.clone(), a: zeros, lambda: vec![0.0; multipliers], load: 1.0 }
     }
 
     /// Adds an increment z = (dz, dλ): q += w_q dz, v += w_v dz, a += w_a dz, λ += dλ.
@@ -43,6 +45,7 @@ impl State {
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
         self.lambda.copy_from_slice(&other.lambda);
+        self.load = other.load;
     }
 }
 

@@ -16,6 +16,10 @@ pub struct Local<'a> {
     pub a: &'a [f64],
     /// Multipliers.
     pub lambda: &'a [f64],
+    /// Time.
+    pub t: f64,
+    /// Load factor: a load acts so many times.
+    pub load: f64,
 }
 
 /// A small symmetric matrix over the coordinates, then the multipliers, of a term. Only entries (i, j) with i ≥ j count.

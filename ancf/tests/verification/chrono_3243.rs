@@ -27,7 +27,7 @@ fn element() -> Beam24 {
     Beam24::new(std::array::from_fn(|i| i), frame, Arc::new(profile()))
 }
 
-const REST: Local<'_> = Local { q: &[0.0; 24], v: &[0.0; 24], a: &[0.0; 24], lambda: &[] };
+const REST: Local<'_> = Local { q: &[0.0; 24], v: &[0.0; 24], a: &[0.0; 24], lambda: &[], t: 0.0, load: 1.0 };
 
 fn assert_relative(what: &str, value: f64, reference: f64) {
     assert!((value / reference - 1.0).abs() < 1e-9, "{what}: {value} instead of {reference}");

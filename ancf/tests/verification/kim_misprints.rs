@@ -78,7 +78,7 @@ fn element() -> (Beam24, [Vector3<f64>; 8]) {
 /// Elastic forces and strain energy at coordinates e.
 fn forces(beam: &Beam24, reference: &[Vector3<f64>; 8], e: &[Vector3<f64>; 8]) -> ([Vector3<f64>; 8], f64) {
     let q: Vec<f64> = e.iter().zip(reference).flat_map(|(e, e0)| (e - e0).data.0[0]).collect();
-    let at = Local { q: &q, v: &[0.0; 24], a: &[0.0; 24], lambda: &[] };
+    let at = Local { q: &q, v: &[0.0; 24], a: &[0.0; 24], lambda: &[], t: 0.0, load: 1.0 };
     let mut r = [0.0; 24];
     beam.residual(&at, &mut r);
     (std::array::from_fn(|k| Vector3::from_column_slice(&r[3 * k..3 * k + 3])), beam.energy(&at).strain)
@@ -174,7 +174,7 @@ fn eq_24_stress() {
 #[test]
 fn eq_36_newmark() {
     let (h, steps, g) = (0.01, 100, -rod::GRAVITY);
-    let mut s = State { q: vec![0.0], v: vec![0.0], a: vec![g], ..State::default() };
+    let mut s = State { q: vec![0.0], v: vec![0.0], a: vec![g], ..State::rest(1, 0) };
     let mut printed = [0.0, 0.0];
     for _ in 0..steps {
         Newmark::ADAMS.predict(&mut s, h);

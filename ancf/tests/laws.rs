@@ -57,7 +57,14 @@ impl Sample {
 
     fn local(&self) -> Local<'_> {
         let Self { q, v, a, lambda } = self;
-        Local { q: q.as_slice(), v: v.as_slice(), a: a.as_slice(), lambda: lambda.as_slice(), t: 0.3, load: 0.7 }
+        Local {
+            q: q.as_slice(),
+            v: v.as_slice(),
+            a: a.as_slice(),
+            lambda: lambda.as_slice(),
+            t: 0.3,
+            load: 0.7,
+        }
     }
 
     /// Moved by h (dz, dλ), as weights have it.
@@ -164,7 +171,13 @@ struct Element {
 fn elements(gravity: Vector3<f64>) -> Vec<Element> {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let mut elements = Vec::new();
-    for section in [Section::Circle { diameter: 0.3 }, Section::Rectangle { height: 0.3, width: 0.2 }] {
+    let sections = [
+        Section::Circle { diameter: 0.3 },
+        Section::Tube { outer: 0.3, inner: 0.2 },
+        Section::Rectangle { height: 0.3, width: 0.2 },
+        Section::Ellipse { height: 0.2, width: 0.3 },
+    ];
+    for section in sections {
         for poisson in [0.0, 0.3] {
             for slope in [1.0, LENGTH] {
                 for rotation in [Rotation3::identity(), tilted] {

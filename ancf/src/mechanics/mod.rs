@@ -3,6 +3,7 @@
 mod beam;
 mod constraint;
 mod force;
+mod hyperelastic;
 mod marker;
 mod mesh;
 mod quadrature;
@@ -12,6 +13,7 @@ mod shape;
 pub use beam::{Beam24, Profile};
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use force::Force;
+pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
 pub use mesh::BeamMesh;
 pub use quadrature::gauss;

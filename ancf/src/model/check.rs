@@ -3,8 +3,10 @@
 use nalgebra::Vector3;
 
 use super::schema::{listed, nearest, number, quoted};
-use super::survey::{Finding, did_you_mean};
-use super::{Analysis, Beam, Dynamics, End, Joint, Load, Model, ModelError, Newmark, Place, ScaleChoice};
+use super::survey::{Finding, did_you_mean, join};
+use super::{
+    Analysis, Beam, Dynamics, End, Joint, Load, Model, ModelError, Newmark, Place, ScaleChoice, Section,
+};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
@@ -19,7 +21,7 @@ const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
-    let rules = [names, columns, beams, size, places, joints, time, scheme, scales];
+    let rules = [names, columns, sections, beams, size, places, joints, time, scheme, scales];
     rules.iter().flat_map(|rule| rule(model)).collect()
 }
 
@@ -75,6 +77,19 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
         Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
     });
     spaced.chain(twice).collect()
+}
+
+/// The hole of a tube is narrower than the tube.
+fn sections(model: &Model) -> Vec<Finding> {
+    let rule = |(name, section): (&String, &Section)| {
+        let Section::Tube { outer, inner } = *section else { return None };
+        let path = join("sections", name);
+        (inner >= outer).then(|| {
+            let wanted = format!("less than the outer diameter, {}", number(outer));
+            finding(format!("{path}.inner"), number(inner), wanted).rests_on([format!("{path}.outer")])
+        })
+    };
+    model.sections.iter().filter_map(rule).collect()
 }
 
 /// Sections and materials are there; the axis and the direction `up` span a plane.

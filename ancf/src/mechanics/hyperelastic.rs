@@ -59,7 +59,7 @@ struct Deformation {
     /// F.
     gradient: Matrix3<f64>,
     /// F⁻ᵀ.
-    cofactor: Matrix3<f64>,
+    dual: Matrix3<f64>,
     /// E.
     strain: Matrix3<f64>,
     /// ln det F.
@@ -76,14 +76,14 @@ impl Deformation {
         let h = point.gradient(u) * inverse;
         let gradient = h + Matrix3::identity();
         let det = gradient.determinant();
-        let cofactor = gradient.try_inverse()?.transpose();
+        let dual = gradient.try_inverse()?.transpose();
         let strain = (h + h.transpose() + h.transpose() * h) * 0.5;
         let (log, distortion) = logarithm(&strain, det);
         (det > 0.0 && volume > 0.0).then_some(Self {
             volume,
             inverse,
             gradient,
-            cofactor,
+            dual,
             strain,
             log,
             distortion,
@@ -150,7 +150,7 @@ impl NeoHookean {
             let Some(d) = Deformation::new(point, g0, u) else {
                 return [Vector3::repeat(f64::NAN); 5];
             };
-            let stress = d.cofactor * d.stress(self.lame) * d.inverse.transpose() * d.volume;
+            let stress = d.dual * d.stress(self.lame) * d.inverse.transpose() * d.volume;
             for ((p, column), factor) in p.iter_mut().zip(COLUMN).zip(point.factors()) {
                 *p += stress.column(column) * factor;
             }
@@ -170,9 +170,9 @@ impl NeoHookean {
             let Some(d) = Deformation::new(point, g0, u) else {
                 return [[Matrix3::repeat(f64::NAN); 5]; 5];
             };
-            let (metric, dual) = (d.inverse * d.inverse.transpose(), d.cofactor * d.inverse.transpose());
+            let (metric, basis) = (d.inverse * d.inverse.transpose(), d.dual * d.inverse.transpose());
             let block = |i: usize, j: usize| {
-                let product = dual.column(i) * dual.column(j).transpose();
+                let product = basis.column(i) * basis.column(j).transpose();
                 let crossed = product.transpose() * (shear - lambda * d.log);
                 (Matrix3::from_diagonal_element(shear * metric[(i, j)]) + crossed + product * lambda)
                     * d.volume
@@ -207,15 +207,15 @@ impl NeoHookean {
             for i in 0..5 {
                 columns[COLUMN[i]] += moved[i] * factors[i];
             }
-            let [inverse, gradient, cofactor] = [d.inverse, d.gradient, d.cofactor].map(|m| norm(&m));
+            let [inverse, gradient, dual] = [d.inverse, d.gradient, d.dual].map(|m| norm(&m));
             let increment = columns.norm() * inverse;
             let strain = increment * gradient;
             let near = d.strain.norm() < NEAR;
-            let det = if near { d.log.abs() } else { 4.0 * (gradient * cofactor).powi(2) };
-            let log = 3.0_f64.sqrt() * strain * cofactor * cofactor + f64::EPSILON * det;
+            let det = if near { d.log.abs() } else { 4.0 * (gradient * dual).powi(2) };
+            let log = 3.0_f64.sqrt() * strain * dual * dual + f64::EPSILON * det;
             let stress = 2.0 * self.lame.shear * strain + self.lame.lambda.abs() * log;
-            let turned = cofactor * increment + 4.0 * f64::EPSILON;
-            let error = d.volume * inverse * cofactor * (stress + norm(&d.stress(self.lame)) * turned);
+            let turned = dual * increment + 4.0 * f64::EPSILON;
+            let error = d.volume * inverse * dual * (stress + norm(&d.stress(self.lame)) * turned);
             for (p, factor) in p.iter_mut().zip(factors) {
                 *p += error * factor;
             }

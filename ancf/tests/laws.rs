@@ -174,7 +174,13 @@ struct Element {
 fn elements(gravity: Vector3<f64>) -> Vec<Element> {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let mut elements = Vec::new();
-    for section in [Section::Circle { diameter: 0.3 }, Section::Rectangle { height: 0.3, width: 0.2 }] {
+    let sections = [
+        Section::Circle { diameter: 0.3 },
+        Section::Tube { outer: 0.3, inner: 0.2 },
+        Section::Rectangle { height: 0.3, width: 0.2 },
+        Section::Ellipse { height: 0.2, width: 0.3 },
+    ];
+    for section in sections {
         for poisson in [0.0, 0.3] {
             for slope in [1.0, LENGTH] {
                 for rotation in [Rotation3::identity(), tilted] {
@@ -207,7 +213,14 @@ fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
     let mesh = |first, rotation: Rotation3<f64>| {
         let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
         let lame = Material::elastic(2.0, 30.0, 0.3).lame();
-        let medium = Medium { lame, density: 2.0, retardation: 0.0, drag: 0.0, gravity: Vector3::zeros() };
+        let medium = Medium {
+            lame,
+            neo_hookean: false,
+            density: 2.0,
+            retardation: 0.0,
+            drag: 0.0,
+            gravity: Vector3::zeros(),
+        };
         let of = |_| section.clone();
         let origin = Vector3::new(0.1, -0.2, 0.3);
         let blueprint = Blueprint {

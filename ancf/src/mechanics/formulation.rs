@@ -1,5 +1,6 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::SectionPoint;
 use super::section::{Directors, Lame, SectionLaw, strain::*};
 
 /// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
@@ -17,17 +18,6 @@ pub struct Moments {
     pub yyzz: f64,
     /// ∫ z⁴ dA.
     pub zzzz: f64,
-}
-
-/// A point of a quadrature rule over a cross-section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SectionPoint {
-    /// Coordinate y.
-    pub y: f64,
-    /// Coordinate z.
-    pub z: f64,
-    /// Its share of the area.
-    pub weight: f64,
 }
 
 /// A cross-section as the elements see it.

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, Model, ModelErrors, Place};
+use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
 use crate::mechanics::{
     self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
 };
@@ -151,6 +151,7 @@ impl Model {
         let material = &self.materials[body.material()];
         let medium = Medium {
             lame: material.lame(),
+            neo_hookean: material.law == MaterialLaw::NeoHookean,
             density: material.density,
             retardation: material.damping.strain,
             drag: material.damping.mass,

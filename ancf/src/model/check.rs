@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 
 use super::Formulation;
 use super::schema::{listed, nearest, number, quoted};
-use super::survey::{Finding, did_you_mean};
+use super::survey::{Finding, did_you_mean, join};
 use super::{
     Analysis, Beam, Body, Dynamics, End, Joint, Load, MaterialLaw, Model, ModelError, Newmark, Place,
-    ScaleChoice, Shape,
+    ScaleChoice, Section, Shape,
 };
 
 /// Elements beyond which a model is taken for a slip of the pen.
@@ -23,7 +23,7 @@ const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
-    let rules = [names, columns, bodies, formulations, size, places, joints, time, scheme, scales];
+    let rules = [names, columns, sections, bodies, formulations, size, places, joints, time, scheme, scales];
     rules.iter().flat_map(|rule| rule(model)).collect()
 }
 
@@ -84,6 +84,19 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
         Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
     });
     spaced.chain(twice).collect()
+}
+
+/// The hole of a tube is narrower than the tube.
+fn sections(model: &Model) -> Vec<Finding> {
+    let rule = |(name, section): (&String, &Section)| {
+        let Section::Tube { outer, inner } = *section else { return None };
+        let path = join("sections", name);
+        (inner >= outer).then(|| {
+            let wanted = format!("less than the outer diameter, {}", number(outer));
+            finding(format!("{path}.inner"), number(inner), wanted).rests_on([format!("{path}.outer")])
+        })
+    };
+    model.sections.iter().filter_map(rule).collect()
 }
 
 /// Sections and materials are there; the axis is a curve and the direction `up` is not along it.

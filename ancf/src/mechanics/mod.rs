@@ -1,7 +1,10 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system).
 
 mod beam;
+mod cable;
+mod cable_profile;
 mod constraint;
+mod curve;
 mod force;
 mod marker;
 mod mesh;
@@ -10,6 +13,8 @@ mod section;
 mod shape;
 
 pub use beam::{Beam24, Profile};
+pub use cable::Cable12;
+pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use force::Force;
 pub use marker::Marker;

@@ -11,15 +11,50 @@ pub fn gauss() -> [(f64, f64); 5] {
         .map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
 }
 
+/// The two-point Gauss-Legendre rule on [0, 1], exact to degree three.
+pub(super) fn gauss_two() -> [(f64, f64); 2] {
+    let x = 1.0 / 3.0_f64.sqrt();
+    [-x, x].map(|x| (0.5 * (1.0 + x), 0.5))
+}
+
+/// The three-point Gauss-Legendre rule on [0, 1], exact to degree five.
+pub(super) fn gauss_three() -> [(f64, f64); 3] {
+    let x = 0.6_f64.sqrt();
+    [(-x, 5.0 / 18.0), (0.0, 8.0 / 18.0), (x, 5.0 / 18.0)].map(|(x, w)| (0.5 * (1.0 + x), w))
+}
+
+/// The four-point Gauss-Legendre rule on [0, 1], exact to degree seven.
+pub(super) fn gauss_four() -> [(f64, f64); 4] {
+    let root = 2.0 / 7.0 * 1.2_f64.sqrt();
+    let (inner, outer) = ((3.0 / 7.0 - root).sqrt(), (3.0 / 7.0 + root).sqrt());
+    let part = 30.0_f64.sqrt() / 72.0;
+    let (heavy, light) = (0.25 + part, 0.25 - part);
+    [(-outer, light), (-inner, heavy), (inner, heavy), (outer, light)].map(|(x, w)| (0.5 * (1.0 + x), w))
+}
+
+/// The three-point Lobatto rule on [0, 1], which is Simpson's, exact to degree three.
+pub(super) fn lobatto_three() -> [(f64, f64); 3] {
+    [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn exact_to_degree_nine() {
-        for degree in 0..=9 {
-            let sum: f64 = gauss().iter().map(|(x, w)| w * x.powi(degree)).sum();
-            assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 1e-15, "degree {degree}");
+    fn assert_exact(rule: &[(f64, f64)], highest: i32) {
+        for degree in 0..=highest + 1 {
+            let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(degree)).sum();
+            let exact = (sum - 1.0 / f64::from(degree + 1)).abs() < 1e-15;
+            assert_eq!(exact, degree <= highest, "{} points, degree {degree}", rule.len());
         }
+    }
+
+    #[test]
+    fn exact_to_their_degrees() {
+        assert_exact(&gauss_two(), 3);
+        assert_exact(&lobatto_three(), 3);
+        assert_exact(&gauss_three(), 5);
+        assert_exact(&gauss_four(), 7);
+        assert_exact(&gauss(), 9);
     }
 }

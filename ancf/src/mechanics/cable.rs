@@ -24,25 +24,24 @@ const CRUSHED: f64 = 0.01;
 ///
 /// # Damping
 ///
-/// Kelvin-Voigt with the retardation time τ on two scalars: N = EA (ε + τ ε̇) on ε, and on the smoothed curvature
-/// s = √(K² + δ²) so that the bending moment is M = EI (1 + τ ṡ/s) κ with κ = r′ × r″/|r′|². The dissipation
-/// τ∫(EA ε̇² + EI ṡ²) dx is never negative and zero in every rigid motion, exactly: ε and K are scalars that no rigid motion
-/// changes, so that damping conserves momentum and angular momentum.
+/// Kelvin-Voigt with the retardation time τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|² and κ° its
+/// rate seen from a frame that follows the tangent without spin about it. The dissipation ½τ∫(EA ε̇² + EI |κ°|²) dx is half
+/// the lost power; it is smooth, never negative, and damps small vibrations about any shape as linear theory does.
 ///
-/// δ = 10⁻⁶ √(EA/EI) is a curvature of surface strains of some 10⁻⁶. Above it ṡ is dK/dt and a plane bending vibration is damped
-/// as by κ + τ κ̇; below it bending is not damped; s is smooth, which K is not where the line is straight. It cannot be had
-/// otherwise: a line without twist that is bent by a little, η, and spins rigidly about its tangent at the rate 1/η has
-/// the velocities of a bending of finite rate, however small η. A dissipation that vanishes in all rigid motions and is
-/// continuous at the straight line vanishes there for that bending, too. The rate of κ in a frame that follows the tangent
-/// without spin about it would be smooth, but damps the rigid spin of a bent cable, by moments that nothing balances.
-/// For the same reason a rotation of the plane of bending at constant K is not damped.
+/// It is zero in translations, in all rotations of a straight cable, and in rotations in the plane of a plane one. A rigid
+/// spin Ω about the tangent of a *bent* cable loses τ EI K² Ω² per length, as a rod does whose sections do not spin with it,
+/// being held at its ends; its moment about the tangent is not balanced. It cannot be had otherwise: a line without twist,
+/// bent by a small η, that spins about its tangent at the rate 1/η has the velocities of a bending of finite rate,
+/// however small η. A dissipation that vanishes in all rigid motions and is continuous at the straight line vanishes
+/// there for bending, too. The rate of the scalar K vanishes in rigid motions, but jumps where the line is straight, and leaves
+/// vibrations across the plane of bending undamped.
 ///
 /// The mass-proportional α M v damps rigid motions as well, like a medium at rest.
 ///
 /// # Tangent
 ///
-/// Exact without damping. The derivative of the retarded forces by q is not symmetric; its symmetric part is kept, so that
-/// Newton's method with damping converges linearly, fast for small τ.
+/// Exact without damping, and by v. The derivative of the retarded forces by q is not symmetric; its symmetric part is kept,
+/// so that Newton's method with damping converges linearly, fast for small τ.
 ///
 /// Source: Gerstmayr & Shabana (2006), the element; Gerstmayr & Irschik (2008), its strains.
 #[derive(Clone, Debug)]
@@ -66,10 +65,11 @@ impl Cable12 {
     /// Axial strain ε = |r′| − 1 and curvature vector κ = r′ × r″/|r′|² at ξ, from the element's own coordinates.
     pub fn strains(&self, q: &[f64], xi: f64) -> (f64, Vector3<f64>) {
         let (station, q) = (self.profile.station(xi), vectors(q));
-        (self.stretch(&station, &q).strain, self.bend(&station, &q).curvature())
+        let bend = self.bend(&station, &q);
+        (self.stretch(&station, &q).strain, bend.turned(&bend.strain()))
     }
 
-    /// Axial force N = EA (ε + τ ε̇), positive in tension along the tangent, and bending moment M = EI (1 + τ ṡ/s) κ,
+    /// Axial force N = EA (ε + τ ε̇), positive in tension along the tangent, and bending moment M = EI (κ + τ κ°),
     /// global components, at ξ, from the element's own coordinates and velocities.
     ///
     /// What the part x > ξ l exerts on the part x < ξ l. Axial forces are best at the axial points of the rule.
@@ -77,13 +77,8 @@ impl Cable12 {
         let (station, q, v) = (self.profile.station(xi), vectors(q), vectors(v));
         let (stretch, bend) = (self.stretch(&station, &q), self.bend(&station, &q));
         let rates = station.both(&v);
-        (self.profile.axial_force(&stretch, &rates[0]), bend.curvature() * self.moment(&bend, &rates))
-    }
-
-    /// EI (1 + τφ).
-    fn moment(&self, bend: &Bend, rates: &[Vector3<f64>; 2]) -> f64 {
-        let retarded = self.profile.damping().retardation * self.profile.bending_rate(bend, rates);
-        self.profile.section().bending * (1.0 + retarded)
+        let moment = bend.turned(&self.profile.moment(&bend, &rates));
+        (self.profile.axial_force(&stretch, &rates[0]), moment)
     }
 
     fn stretch(&self, station: &Station, q: &[Vector3<f64>; 4]) -> Stretch {
@@ -125,8 +120,7 @@ impl Term for Cable12 {
         }
         for station in profile.bending() {
             let bend = self.bend(station, &q);
-            let [of_a, of_b] =
-                bend.gradient.map(|g| g * (station.weight * self.moment(&bend, &station.both(&v))));
+            let [of_a, of_b] = bend.force(&(profile.moment(&bend, &station.both(&v)) * station.weight));
             for (i, force) in force.iter_mut().enumerate() {
                 *force += of_a * station.first[i] + of_b * station.second[i];
             }
@@ -201,7 +195,8 @@ impl Term for Cable12 {
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(profile.first_moments()).map(|(q, m)| q * *m).sum();
         let axial: f64 = profile.axial().iter().map(|s| s.weight * self.stretch(s, &q).strain.powi(2)).sum();
-        let bending: f64 = profile.bending().iter().map(|s| s.weight * self.bend(s, &q).square()).sum();
+        let bending: f64 =
+            profile.bending().iter().map(|s| s.weight * self.bend(s, &q).strain().norm_squared()).sum();
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
             strain: 0.5 * (section.axial * axial + section.bending * bending),
@@ -240,8 +235,7 @@ impl Cable12 {
         stiffness + t * h.transpose() + h * t.transpose()
     }
 
-    /// The tangent of EI (1 + τφ) g by (a, b), with g = ∂H, φ = g·(ȧ, ḃ)/s²:
-    /// EI w_q (1 + τφ) ∂²H + g hᵀ + h gᵀ, 2h = EI τ/s² (w_q ∂²H (ȧ, ḃ) + (w_v − 2φ w_q) g).
+    /// The tangent of EI Lᵀ(β + τβ°) by (a, b).
     fn bending_stiffness(
         &self,
         station: &Station,
@@ -251,16 +245,13 @@ impl Cable12 {
     ) -> Blocks {
         let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
         let bend = self.bend(station, q);
-        let (hessian, rates) = (bend.hessian(), station.both(v));
-        let stiffness = hessian.scaled(w.q * self.moment(&bend, &rates));
+        let stiffness = bend.hessian().scaled(w.q * rigidity);
         if tau == 0.0 {
             return stiffness;
         }
-        let half = 0.5 * rigidity * tau / self.profile.smoothed_square(&bend);
-        let own = w.v - 2.0 * self.profile.bending_rate(&bend, &rates) * w.q;
-        let (moved, g) = (hessian.times(&rates), bend.gradient);
-        let h = std::array::from_fn(|i| (moved[i] * w.q + g[i] * own) * half);
-        stiffness.plus_products(&g, &h)
+        stiffness
+            .plus(bend.damping(), w.v * tau * rigidity)
+            .plus(bend.damping_gradient(&station.both(v)), w.q * tau * rigidity)
     }
 }
 
@@ -278,26 +269,19 @@ impl Cable12 {
             + self.profile.axial_force(&stretch, &rate).abs() * (dt + f64::EPSILON)
     }
 
-    /// Bounds of the rounding errors of EI (1 + τφ) ∂H/∂(a, b).
+    /// Bounds of the rounding errors of EI Lᵀ(β + τβ°).
     fn bending_rounding(&self, station: &Station, q: &[Vector3<f64>; 4], v: &[Vector3<f64>; 4]) -> [f64; 2] {
         let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
-        let (bend, rates) = (self.bend(station, q), station.both(v));
-        let ([du, db], drates) = (station.rounding(q), station.rounding(v));
+        let ([du, db], [da_rate, db_rate]) = (station.rounding(q), station.rounding(v));
         let (a, b) = ((self.direction + station.first(q)).norm(), station.second(q).norm());
+        let [a_rate, b_rate] = station.both(v).map(|x| x.norm());
+        // Of a relatively; of the others absolutely. β is made of b, β° of ḃ and b ȧ/|a|, all over |a|.
         let da = du / a + f64::EPSILON;
-        // ∂H is made of |b|²/|a|³ and |b|/|a|².
-        let dg = [(4.0 * b * db + 8.0 * b * b * da) / (a * a * a), (db + 4.0 * b * da) / (a * a)];
-        let moment = self.moment(&bend, &rates).abs();
-        let mut bound = dg.map(|dg| moment * dg);
-        if tau > 0.0 {
-            let g = bend.gradient.map(|g| g.norm());
-            let square = self.profile.smoothed_square(&bend);
-            let rounded: f64 = (0..2).map(|i| dg[i] * rates[i].norm() + g[i] * drates[i]).sum();
-            let rate = self.profile.bending_rate(&bend, &rates).abs();
-            let relative = 2.0 * square.sqrt() * dg[1] * a / square + f64::EPSILON;
-            let dmoment = rigidity * tau * (rounded / square + rate * relative);
-            bound = [bound[0] + dmoment * g[0], bound[1] + dmoment * g[1]];
-        }
-        bound
+        let (strain, dstrain) = (b / a, (db + 4.0 * b * da) / a);
+        let rate = (b_rate + 4.0 * b * a_rate / a) / a;
+        let drate = (db_rate + 4.0 * (db * a_rate + b * da_rate) / a) / a + 6.0 * rate * da;
+        let (m, dm) = (strain + tau * rate, dstrain + tau * drate);
+        let of_a = 2.0 * (b * dm + db * m + 4.0 * b * m * da) / (a * a);
+        [rigidity * of_a, rigidity * (dm + 2.0 * m * da) / a]
     }
 }

@@ -100,9 +100,6 @@ fn combine(weights: &[f64; 4], x: &[Vector3<f64>; 4]) -> Vector3<f64> {
     (x[2] - x[0]) * weights[2] + x[1] * weights[1] + x[3] * weights[3]
 }
 
-/// Curvature times radius of gyration below which bending is not damped.
-const STILL: f64 = 1e-6;
-
 /// What all elements of a straight uniform cable share: shape, rigidities, inertia, damping and body force.
 #[derive(Clone, Debug)]
 pub struct CableProfile {
@@ -200,13 +197,8 @@ impl CableProfile {
         self.section.axial * (stretch.strain + retarded)
     }
 
-    /// φ = ṡ/s with s² = K² + δ², for the rates of a and b: M = EI (1 + τφ) κ. See [`Cable12`](super::Cable12).
-    pub(super) fn bending_rate(&self, bend: &Bend, rates: &[Vector3<f64>; 2]) -> f64 {
-        bend.rate(rates) / self.smoothed_square(bend)
-    }
-
-    /// s² = K² + δ², δ = 10⁻⁶ √(EA/EI).
-    pub(super) fn smoothed_square(&self, bend: &Bend) -> f64 {
-        bend.square() + STILL * STILL * self.section.axial / self.section.bending
+    /// EI (β + τβ°) for the rates of a and b.
+    pub(super) fn moment(&self, bend: &Bend, rates: &[Vector3<f64>; 2]) -> Vector3<f64> {
+        (bend.strain() + bend.rate(rates) * self.damping.retardation) * self.section.bending
     }
 }

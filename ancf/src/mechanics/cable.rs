@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::CableProfile;
 use super::cable_profile::Station;
-use super::curve::{Bend, Blocks, Stretch};
+use super::line::{Bend, Blocks, Stretch};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
 /// |r′| at and below which a line is taken to be crushed to a point.

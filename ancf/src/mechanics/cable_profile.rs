@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::curve::{Bend, Stretch};
+use super::line::{Bend, Stretch};
 use super::quadrature::{gauss_four, gauss_three, gauss_two, lobatto_three};
 use super::{BeamShape, gauss};
 

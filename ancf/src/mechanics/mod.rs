@@ -4,7 +4,7 @@ mod beam;
 mod cable;
 mod cable_profile;
 mod constraint;
-mod curve;
+mod line;
 mod force;
 mod marker;
 mod mesh;

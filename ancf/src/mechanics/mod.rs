@@ -1,11 +1,14 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system).
 
+mod cable;
+mod cable_profile;
 mod constraint;
 mod curve;
 mod element;
 mod force;
 mod formulation;
 mod hyperelastic;
+mod line;
 mod marker;
 mod mesh;
 mod profile;
@@ -14,6 +17,8 @@ mod section;
 mod shape;
 mod station;
 
+pub use cable::Cable12;
+pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use curve::{Curve, Node, Spline};
 pub use element::{Beam24, Beam27, Element, Profile};

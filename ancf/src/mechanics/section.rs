@@ -9,6 +9,13 @@ pub struct Lame {
     pub shear: f64,
 }
 
+impl Lame {
+    /// Young's modulus E = G (3λ + 2G)/(λ + G).
+    pub fn young(&self) -> f64 {
+        self.shear * (3.0 * self.lambda + 2.0 * self.shear) / (self.lambda + self.shear)
+    }
+}
+
 /// The vectors that make up the deformation of a cross-section, or increments of them.
 ///
 /// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The sixth, h, is

@@ -109,6 +109,17 @@ impl SectionLaw {
         Self { entries: self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect() }
     }
 
+    /// The entries between the given strains.
+    pub(super) fn among(&self, strains: &[usize]) -> Self {
+        let inside = |(k, l, _): &(usize, usize, f64)| strains.contains(k) && strains.contains(l);
+        Self { entries: self.entries.iter().copied().filter(inside).collect() }
+    }
+
+    /// The sum of two laws.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) + other.entry(k, l))))
+    }
+
     /// The difference of two laws.
     pub(super) fn minus(&self, other: &Self) -> Self {
         Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) - other.entry(k, l))))

@@ -4,6 +4,7 @@ mod analysis;
 mod assemble;
 mod body;
 mod check;
+mod check_bodies;
 mod cubature;
 mod error;
 mod joint;

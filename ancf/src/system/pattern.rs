@@ -289,6 +289,20 @@ impl SparseMatrix {
         }
     }
 
+    /// A x, in the order of the unknowns.
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let order = &self.pattern.order;
+        let mut product = vec![0.0; order.len()];
+        self.visit(|i, j, value| {
+            let (row, column) = (order[i] as usize, order[j] as usize);
+            product[row] += value * x[column];
+            if i != j {
+                product[column] += value * x[row];
+            }
+        });
+        product
+    }
+
     /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
     pub fn dense(&self) -> Vec<Vec<f64>> {
         let order = &self.pattern.order;

@@ -25,6 +25,8 @@ impl Dimension {
     pub const TIME: Self = Self::new(0, 1, 0);
     /// F.
     pub const FORCE: Self = Self::new(0, 0, 1);
+    /// 1/T.
+    pub const RATE: Self = Self::new(0, -1, 0);
     /// L/T.
     pub const VELOCITY: Self = Self::new(1, -1, 0);
     /// L/T².

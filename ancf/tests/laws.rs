@@ -10,7 +10,10 @@ mod continuum;
 
 use std::sync::Arc;
 
-use ancf::mechanics::{Beam24, BeamMesh, BeamShape, Coincide, Force, Marker, Perpendicular, Profile};
+use ancf::mechanics::{
+    Beam24, BeamMesh, BeamShape, Blueprint, Coincide, Force, Formulation, Marker, Medium, Node,
+    Perpendicular, Profile,
+};
 use ancf::model::{Material, Section};
 use ancf::system::{Energy, LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector, Rotation3, SymmetricEigen, Vector3};
@@ -57,7 +60,14 @@ impl Sample {
 
     fn local(&self) -> Local<'_> {
         let Self { q, v, a, lambda } = self;
-        Local { q: q.as_slice(), v: v.as_slice(), a: a.as_slice(), lambda: lambda.as_slice(), t: 0.3, load: 0.7 }
+        Local {
+            q: q.as_slice(),
+            v: v.as_slice(),
+            a: a.as_slice(),
+            lambda: lambda.as_slice(),
+            t: 0.3,
+            load: 0.7,
+        }
     }
 
     /// Moved by h (dz, dλ), as weights have it.
@@ -177,14 +187,14 @@ fn elements(gravity: Vector3<f64>) -> Vec<Element> {
 }
 
 fn element(section: Section, poisson: f64, slope: f64, r: Rotation3<f64>, gravity: Vector3<f64>) -> Element {
-    let material = Material { density: 2.0, young: 30.0, poisson };
+    let material = Material::elastic(2.0, 30.0, poisson);
     let shape = BeamShape { length: LENGTH, slope };
     let profile = Profile::new(shape, material.lame(), material.density, section.moments(), gravity);
     let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| r * axis);
     let [x, y, z] = frame.map(|axis| axis * slope);
     Element {
         name: format!("{section:?}, nu = {poisson}, slope length {slope}, frame {:.1}", frame[0].transpose()),
-        term: Beam24::new(std::array::from_fn(|i| i), frame, Arc::new(profile)),
+        term: Beam24::new(0..24, frame, Arc::new(profile)),
         reference: [Vector3::zeros(), x, y, z, frame[0] * LENGTH, x, y, z],
         slope,
         section,
@@ -195,12 +205,23 @@ fn element(section: Section, poisson: f64, slope: f64, r: Rotation3<f64>, gravit
 /// Constraints and loads on two tilted bodies of two elements each, at nodes and between them.
 fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
     let mesh = |first, rotation: Rotation3<f64>| {
-        let section = Section::Circle { diameter: 0.3 }.moments();
-        let material = Material { density: 2.0, young: 30.0, poisson: 0.3 };
-        let shape = BeamShape { length: LENGTH, slope: LENGTH };
-        let profile = Profile::new(shape, material.lame(), material.density, section, Vector3::zeros());
+        let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
+        let lame = Material::elastic(2.0, 30.0, 0.3).lame();
+        let medium = Medium { lame, density: 2.0, retardation: 0.0, drag: 0.0, gravity: Vector3::zeros() };
+        let of = |_| section.clone();
+        let origin = Vector3::new(0.1, -0.2, 0.3);
+        let blueprint = Blueprint {
+            first,
+            origin,
+            length: LENGTH,
+            slope: LENGTH,
+            medium: &medium,
+            section: &of,
+            prismatic: true,
+        };
         let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| rotation * axis);
-        BeamMesh::new(first, 2, Vector3::new(0.1, -0.2, 0.3), frame, profile)
+        let nodes = [0.0, 1.0, 2.0].map(|k| Node { position: frame[0] * (k * LENGTH), frame });
+        BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
     };
     let (a, b) = (mesh(0, Rotation3::identity()), mesh(36, Rotation3::from_euler_angles(0.4, -1.1, 2.3)));
     let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));

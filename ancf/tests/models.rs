@@ -88,7 +88,7 @@ fn models_built_in_rust_are_checked() {
     let Analysis::Dynamics(dynamics) = &mut model.analysis;
     (dynamics.step, dynamics.scheme) = (-0.5, Newmark::CentralDifference);
     model.scales = ScaleChoice::Given { length: 1.0, force: 1.0, time: Some(f64::NAN) };
-    let Body::Beam(beam) = &mut model.bodies[1];
+    let Body::Beam(beam) = &mut model.bodies[1] else { panic!("a beam") };
     beam.material = "soft ruber".into();
     beam.elements = 0;
     model.probes[0].name.clear();

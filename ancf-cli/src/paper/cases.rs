@@ -75,14 +75,8 @@ impl Case {
             materials: BTreeMap::from([("steel".into(), self.material())]),
             sections: BTreeMap::from([("rod".into(), Section::Circle { diameter: DIAMETER })]),
             bodies: vec![Body::Beam(Beam {
-                name: "beam".into(),
-                from: [0.0; 3],
-                to: [LENGTH, 0.0, 0.0],
-                up: None,
-                elements: n,
-                section: "rod".into(),
-                material: "steel".into(),
                 slopes,
+                ..Beam::straight("beam", [[0.0; 3], [LENGTH, 0.0, 0.0]], n, "rod", "steel")
             })],
             joints: vec![joint],
             loads: Vec::new(),
@@ -99,7 +93,7 @@ impl Case {
 
     fn material(self) -> Material {
         let young = if self == Self::Spherical { YOUNG / 1000.0 } else { YOUNG };
-        Material { density: DENSITY, young, poisson: 0.0 }
+        Material::elastic(DENSITY, young, 0.0)
     }
 
     /// The paper's units. Those of the spherical pendulum are the same (Table 3), although gravity acts twice there.

@@ -1,19 +1,27 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system).
 
-mod beam;
 mod constraint;
+mod curve;
+mod element;
 mod force;
+mod formulation;
 mod marker;
 mod mesh;
+mod profile;
 mod quadrature;
 mod section;
 mod shape;
+mod station;
 
-pub use beam::{Beam24, Profile};
 pub use constraint::{Coincide, Perpendicular, Wrench};
+pub use curve::{Curve, Node, Spline};
+pub use element::{Beam24, Beam27, Element, Profile};
 pub use force::Force;
+pub use formulation::{CrossSection, Moments, SectionPoint};
 pub use marker::Marker;
-pub use mesh::BeamMesh;
-pub use quadrature::gauss;
-pub use section::{Directors, Lame, Moments, SectionLaw};
-pub use shape::BeamShape;
+pub use mesh::{BeamMesh, Blueprint, MeshVector};
+pub use profile::{Formulation, Medium};
+pub use quadrature::{gauss, gauss2, gauss3};
+pub use section::{Directors, Lame, SectionLaw, Stiffness};
+pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};
+pub use station::{Law, Station};

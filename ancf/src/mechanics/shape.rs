@@ -46,6 +46,124 @@ impl BeamShape {
     }
 }
 
+/// What a vector of an element is a coordinate of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// r, a point of the axis.
+    Position,
+    /// ℓ r_x.
+    Slope,
+    /// ℓ r_y.
+    Y,
+    /// ℓ r_z.
+    Z,
+}
+
+impl Kind {
+    /// The directors that it enters: a and h, or d and b, or e and c.
+    pub(super) const fn directors(self) -> [usize; 2] {
+        match self {
+            Self::Position | Self::Slope => [0, 5],
+            Self::Y => [3, 1],
+            Self::Z => [4, 2],
+        }
+    }
+}
+
+/// How N vectors of an element make its axis and its sections.
+pub trait Interpolation<const N: usize> {
+    /// What each vector is.
+    const KINDS: [Kind; N];
+
+    /// Length of the element.
+    fn length(&self) -> f64;
+
+    /// Weights of the vectors in r, r_y or r_z, whichever they belong to, at ξ.
+    fn values(&self, xi: f64) -> [f64; N];
+
+    /// Weights of the vectors in the two directors that they enter ([`Kind`]) at ξ.
+    fn directors(&self, xi: f64) -> [[f64; 2]; N];
+}
+
+impl Interpolation<8> for BeamShape {
+    const KINDS: [Kind; 8] =
+        [Kind::Position, Kind::Slope, Kind::Y, Kind::Z, Kind::Position, Kind::Slope, Kind::Y, Kind::Z];
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn values(&self, xi: f64) -> [f64; 8] {
+        let (axis, section) = (self.axis(xi), self.section(xi));
+        [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
+    }
+
+    fn directors(&self, xi: f64) -> [[f64; 2]; 8] {
+        let (axis, section, twist) = (self.axis_gradient(xi), self.section(xi), self.section_gradient());
+        // The part of a that is quadratic in ξ: 3 (r_x₁ + r_x₂) − 6 (r₂ − r₁)/l.
+        let quadratic = [6.0 / self.length, 3.0 / self.slope, -6.0 / self.length, 3.0 / self.slope];
+        let axis: [[f64; 2]; 4] = std::array::from_fn(|i| [axis[i], quadratic[i]]);
+        let section: [[f64; 2]; 2] = std::array::from_fn(|i| [section[i], twist[i]]);
+        [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
+    }
+}
+
+/// Shape functions of the three-node beam element: r, r_y and r_z are quadratic along the axis.
+///
+/// N₁ = 1 − 3ξ + 2ξ², N₂ = 4ξ − 4ξ², N₃ = 2ξ² − ξ for the vectors (r, ℓ r_y, ℓ r_z) of the nodes at ξ = 0, ½, 1.
+///
+/// Source: Nachbagauer, Gruber & Gerstmayr (2013).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadraticShape {
+    /// Length l of the element.
+    pub length: f64,
+    /// Slope length ℓ.
+    pub slope: f64,
+}
+
+impl QuadraticShape {
+    /// N₁, N₂, N₃ at ξ.
+    pub fn values(xi: f64) -> [f64; 3] {
+        [1.0 - 3.0 * xi + 2.0 * xi * xi, 4.0 * (xi - xi * xi), 2.0 * xi * xi - xi]
+    }
+
+    /// Their derivatives by ξ.
+    pub fn slopes(xi: f64) -> [f64; 3] {
+        [4.0 * xi - 3.0, 4.0 - 8.0 * xi, 4.0 * xi - 1.0]
+    }
+}
+
+impl Interpolation<9> for QuadraticShape {
+    const KINDS: [Kind; 9] = [
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+    ];
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn values(&self, xi: f64) -> [f64; 9] {
+        let n = Self::values(xi);
+        std::array::from_fn(|i| if i % 3 == 0 { n[i / 3] } else { n[i / 3] / self.slope })
+    }
+
+    fn directors(&self, xi: f64) -> [[f64; 2]; 9] {
+        let (n, slopes) = (Self::values(xi), Self::slopes(xi).map(|slope| slope / self.length));
+        std::array::from_fn(|i| match i % 3 {
+            0 => [slopes[i / 3], 0.0],
+            _ => [n[i / 3] / self.slope, slopes[i / 3] / self.slope],
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

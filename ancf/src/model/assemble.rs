@@ -1,7 +1,9 @@
 use nalgebra::Vector3;
 
-use super::{Beam, Clamped, End, Joint, Load, Model, ModelErrors, Place};
-use crate::mechanics::{BeamMesh, BeamShape, Coincide, Force, Marker, Perpendicular, Profile, Wrench};
+use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, Model, ModelErrors, Place};
+use crate::mechanics::{
+    self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
+};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -67,14 +69,15 @@ impl Assembly {
     pub fn name_of(&self, equation: usize) -> String {
         let mut first = 0;
         for (name, mesh) in &self.bodies {
-            if equation < first + mesh.coordinates() {
-                let (node, coordinate) =
-                    ((equation - first) / BeamMesh::NODE, (equation - first) % BeamMesh::NODE);
-                let vector = ["r", "r_x", "r_y", "r_z"][coordinate / 3];
-                return format!(
-                    "body `{name}`, node {node}, {vector} along {}",
-                    ["x", "y", "z"][coordinate % 3]
-                );
+            if let Some((node, vector)) = mesh.place_of(equation) {
+                let vector = match vector {
+                    Kind::Position => "r",
+                    Kind::Slope => "r_x",
+                    Kind::Y => "r_y",
+                    Kind::Z => "r_z",
+                };
+                let axis = ["x", "y", "z"][(equation - first) % 3];
+                return format!("body `{name}`, node {node}, {vector} along {axis}");
             }
             first += mesh.coordinates();
         }
@@ -103,7 +106,7 @@ impl Model {
         };
         let mut terms: Vec<Box<dyn Term>> = Vec::new();
         for (_, mesh) in &bodies {
-            terms.extend(mesh.elements().map(|element| Box::new(element) as Box<dyn Term>));
+            terms.extend(mesh.terms());
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         for Load::Force { on, force } in &self.loads {
@@ -119,7 +122,7 @@ impl Model {
     fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
         let index = self.bodies.iter().position(|body| body.name() == place.body);
         let index = index.expect("a checked model names bodies that are there");
-        (&meshes[index].1, self.bodies[index].beam().arc_length(place.at))
+        (&meshes[index].1, self.bodies[index].arc_length(place.at))
     }
 
     /// The equations of the joints, multipliers counted on from joint to joint.
@@ -137,20 +140,66 @@ impl Model {
     pub(super) fn meshes(&self) -> Vec<(String, BeamMesh)> {
         let mut first = 0;
         let meshes = self.bodies.iter().map(|body| {
-            let mesh = self.mesh(body.beam(), first);
+            let mesh = self.mesh(body, first);
             first += mesh.coordinates();
             (body.name().to_owned(), mesh)
         });
         meshes.collect()
     }
 
-    fn mesh(&self, beam: &Beam, first: usize) -> BeamMesh {
-        let (material, section) = (&self.materials[&beam.material], &self.sections[&beam.section]);
-        let shape = BeamShape { length: beam.element_length(), slope: beam.slope_length() };
-        let gravity = Vector3::from(self.gravity);
-        let profile = Profile::new(shape, material.lame(), material.density, section.moments(), gravity);
-        let frame = beam.frame().expect("a checked beam has a length and a direction `up`");
-        BeamMesh::new(first, beam.elements as usize, Vector3::from(beam.from), frame, profile)
+    fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
+        let material = &self.materials[body.material()];
+        let medium = Medium {
+            lame: material.lame(),
+            density: material.density,
+            retardation: material.damping.strain,
+            drag: material.damping.mass,
+            gravity: Vector3::from(self.gravity),
+        };
+        let elements = body.elements() as usize;
+        let curve = body.curve().expect("a checked body has an axis");
+        let (total, up) = (curve.length(), body.up().expect("a checked body has a direction `up`"));
+        let nodes = |parts: usize, twist: f64| {
+            let at: Vec<f64> = (0..=parts).map(|k| total * k as f64 / parts as f64).collect();
+            curve.nodes(up, twist, &at)
+        };
+        let (length, slope) = (total / elements as f64, body.slope_length());
+        let section = |s: f64| self.cross_section(body, s / total);
+        let prismatic = !matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
+        let origin = Vector3::from(body.span()[0]);
+        let blueprint =
+            Blueprint { first, origin, length, slope, medium: &medium, section: &section, prismatic };
+        match body {
+            Body::Beam(beam) => match beam.formulation.two_node() {
+                Some(formulation) => {
+                    BeamMesh::two_node(&blueprint, &nodes(elements, beam.twist), formulation)
+                }
+                None => BeamMesh::three_node(&blueprint, &nodes(2 * elements, beam.twist)),
+            },
+            Body::Cable(_) => todo!("cable"),
+        }
+    }
+
+    /// The section of a body at a part of its length.
+    fn cross_section(&self, body: &Body, part: f64) -> CrossSection {
+        let start = &self.sections[body.section()];
+        let section = match body {
+            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
+            _ => *start,
+        };
+        section.cross_section(self.materials[body.material()].poisson)
+    }
+}
+
+impl Formulation {
+    /// The formulation of the two-node element, if it is one.
+    const fn two_node(self) -> Option<mechanics::Formulation> {
+        match self {
+            Self::Continuum => Some(mechanics::Formulation::Continuum),
+            Self::Enhanced => Some(mechanics::Formulation::Enhanced),
+            Self::Linked => Some(mechanics::Formulation::Linked),
+            Self::Quadratic => None,
+        }
     }
 }
 
@@ -185,9 +234,10 @@ fn equations<'a>(
     match joint {
         Joint::Spherical { .. } => {}
         Joint::Clamp { fix, .. } => {
+            let axes = mesh.reference_axes(s);
             let tied = match fix {
-                Clamped::All => mesh.frame().as_slice(),
-                Clamped::Section => &mesh.frame()[1..],
+                Clamped::All => axes.as_slice(),
+                Clamped::Section => &axes[1..],
             };
             for &direction in tied {
                 let multipliers = first + equations.multipliers();

@@ -2,31 +2,110 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Shape;
+use crate::mechanics::Curve;
+
 /// A body of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Body {
-    /// A straight beam of two-node, 24-coordinate, fully parameterised elements.
+    /// A beam that bends, twists, stretches and shears.
     Beam(Beam),
+    /// A cable: a line that stretches and bends, equally about every axis across, and has no torsion.
+    Cable(Cable),
 }
 
 impl Body {
     /// The name by which joints, loads and probes refer to the body.
     pub fn name(&self) -> &str {
-        &self.beam().name
+        match self {
+            Self::Beam(beam) => &beam.name,
+            Self::Cable(cable) => &cable.name,
+        }
     }
 
-    /// The body as a beam; so far every body is one.
-    pub const fn beam(&self) -> &Beam {
+    /// Name of the section, at the start.
+    pub fn section(&self) -> &str {
         match self {
-            Self::Beam(beam) => beam,
+            Self::Beam(beam) => &beam.section,
+            Self::Cable(cable) => &cable.section,
         }
+    }
+
+    /// Name of the material.
+    pub fn material(&self) -> &str {
+        match self {
+            Self::Beam(beam) => &beam.material,
+            Self::Cable(cable) => &cable.material,
+        }
+    }
+
+    /// Number of elements.
+    pub const fn elements(&self) -> u32 {
+        match self {
+            Self::Beam(beam) => beam.elements,
+            Self::Cable(cable) => cable.elements,
+        }
+    }
+
+    /// Start and end of the axis.
+    pub const fn span(&self) -> [[f64; 3]; 2] {
+        match self {
+            Self::Beam(beam) => [beam.from, beam.to],
+            Self::Cable(cable) => [cable.from, cable.to],
+        }
+    }
+
+    /// The axis in the reference state, with its start as the origin; `None` if there is no such curve.
+    ///
+    /// Seen from its start, a curve is the same wherever in the world it is.
+    pub fn curve(&self) -> Option<Curve> {
+        let [from, to] = self.span().map(Vector3::from);
+        match self {
+            Self::Beam(beam) => beam.shape.curve(from, to),
+            Self::Cable(_) => Shape::Straight.curve(from, to),
+        }
+    }
+
+    /// Length of the axis; 0 if there is none.
+    pub fn length(&self) -> f64 {
+        self.curve().map_or(0.0, |curve| curve.length())
+    }
+
+    /// Arc length of a position on the axis.
+    pub fn arc_length(&self, at: At) -> f64 {
+        match at {
+            At::End(AtEnd::Start) => 0.0,
+            At::End(AtEnd::End) => self.length(),
+            At::Length(s) => s,
+        }
+    }
+
+    /// Slope length ℓ, by which nodal gradients are multiplied.
+    pub fn slope_length(&self) -> f64 {
+        let slopes = match self {
+            Self::Beam(beam) => beam.slopes,
+            Self::Cable(cable) => cable.slopes,
+        };
+        match slopes {
+            Slopes::Gradient => 1.0,
+            Slopes::Length => self.length() / f64::from(self.elements()),
+        }
+    }
+
+    /// Where the section's y-axis points at the start, if that is normal to the tangent.
+    pub fn up(&self) -> Option<Vector3<f64>> {
+        let (_, tangent) = self.curve()?.at(0.0);
+        let up = match self {
+            Self::Beam(Beam { up: Some(up), .. }) => Vector3::from(*up).try_normalize(0.0)?,
+            _ if tangent.y.abs() > 1.0 - 1e-6 => Vector3::z(),
+            _ => Vector3::y(),
+        };
+        (up - tangent * tangent.dot(&up)).try_normalize(1e-9)
     }
 }
 
-/// A straight prismatic beam of two-node, 24-coordinate, fully parameterised ANCF elements.
-///
-/// Source: Kim et al. (2017), section 2; Yakoub & Shabana (2001); Garcia-Vallejo et al. (2007).
+/// A beam of ANCF elements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Beam {
@@ -37,14 +116,95 @@ pub struct Beam {
     pub from: [f64; 3],
     /// Where the axis ends, length.
     pub to: [f64; 3],
-    /// A direction that fixes the section's y-axis: its part normal to the axis. Global y by default, global z for
-    /// a beam along y.
+    /// How the axis goes from start to end; straight by default. Free of stress.
+    #[serde(default, skip_serializing_if = "Shape::is_straight")]
+    pub shape: Shape,
+    /// A direction that fixes the section's y-axis at the start: its part normal to the axis. Global y by default, global z
+    /// for a beam along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub up: Option<[f64; 3]>,
+    /// Angle by which the section turns about the axis from start to end, in radians; free of stress.
+    #[serde(default)]
+    pub twist: f64,
     /// Number of elements, all of one length.
     #[schemars(range(min = 1))]
     pub elements: u32,
+    /// Which element, and which of its strains are how stiff.
+    #[serde(default)]
+    pub formulation: Formulation,
     /// Name of the section, a key of `sections`.
+    pub section: String,
+    /// Name of the section at the end, of the same kind; sizes in between are interpolated linearly. The same by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section_end: Option<String>,
+    /// Name of the material, a key of `materials`.
+    pub material: String,
+    /// What the nodal slope coordinates are.
+    #[serde(default)]
+    pub slopes: Slopes,
+}
+
+impl Beam {
+    /// A straight beam in the continuum formulation, all else by default.
+    pub fn straight(
+        name: &str,
+        [from, to]: [[f64; 3]; 2],
+        elements: u32,
+        section: &str,
+        material: &str,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            from,
+            to,
+            shape: Shape::Straight,
+            up: None,
+            twist: 0.0,
+            elements,
+            formulation: Formulation::Continuum,
+            section: section.into(),
+            section_end: None,
+            material: material.into(),
+            slopes: Slopes::Gradient,
+        }
+    }
+}
+
+/// Which element, and which of its strains are how stiff.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Formulation {
+    /// Two nodes, 24 coordinates, three-dimensional elasticity: that of Kim et al. (2017), with its locking. Bending has
+    /// (λ+2G) I for E I, torsion the polar moment of area, and errors fall with 1/(3n²).
+    #[default]
+    Continuum,
+    /// The same element with the elasticity of a rod: Poisson's effect on the axis only, shear factors, St. Venant's torsion
+    /// constant (Gerstmayr, Matikainen & Mikkola 2008).
+    Enhanced,
+    /// The same with linked strains, which frees it from shear locking: one element is exact for end loads.
+    Linked,
+    /// Three nodes, 27 coordinates, with the elasticity of a rod, integrated at two points (Nachbagauer, Gruber & Gerstmayr
+    /// 2013).
+    Quadratic,
+}
+
+/// A cable of gradient-deficient ANCF elements: two nodes, 12 coordinates.
+///
+/// Source: Gerstmayr & Shabana (2006); Gerstmayr & Irschik (2008).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cable {
+    /// The name by which joints, loads and probes refer to the cable.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// Where the axis starts, length.
+    pub from: [f64; 3],
+    /// Where the axis ends, length.
+    pub to: [f64; 3],
+    /// Number of elements, all of one length.
+    #[schemars(range(min = 1))]
+    pub elements: u32,
+    /// Name of the section, a key of `sections`; it bends equally about every axis across.
     pub section: String,
     /// Name of the material, a key of `materials`.
     pub material: String,
@@ -92,47 +252,4 @@ pub enum AtEnd {
     Start,
     /// Where the axis ends.
     End,
-}
-
-impl Beam {
-    /// Length of the axis.
-    pub fn length(&self) -> f64 {
-        (Vector3::from(self.to) - Vector3::from(self.from)).norm()
-    }
-
-    /// Length l of one element.
-    pub fn element_length(&self) -> f64 {
-        self.length() / f64::from(self.elements)
-    }
-
-    /// Slope length ℓ, by which nodal gradients are multiplied.
-    pub fn slope_length(&self) -> f64 {
-        match self.slopes {
-            Slopes::Gradient => 1.0,
-            Slopes::Length => self.element_length(),
-        }
-    }
-
-    /// Orthonormal directions of the axis and of the section's y and z at the reference state.
-    ///
-    /// `None` if the beam has no length or `up` is along the axis.
-    pub fn frame(&self) -> Option<[Vector3<f64>; 3]> {
-        let axis = (Vector3::from(self.to) - Vector3::from(self.from)).try_normalize(0.0)?;
-        let up = match self.up {
-            Some(up) => Vector3::from(up).try_normalize(0.0)?,
-            None if axis.y.abs() > 1.0 - 1e-6 => Vector3::z(),
-            None => Vector3::y(),
-        };
-        let y = (up - axis * axis.dot(&up)).try_normalize(1e-9)?;
-        Some([axis, y, axis.cross(&y)])
-    }
-
-    /// Arc length of a position on the axis.
-    pub fn arc_length(&self, at: At) -> f64 {
-        match at {
-            At::End(AtEnd::Start) => 0.0,
-            At::End(AtEnd::End) => self.length(),
-            At::Length(s) => s,
-        }
-    }
 }

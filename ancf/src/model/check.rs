@@ -2,9 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::Formulation;
 use super::schema::{listed, nearest, number, quoted};
 use super::survey::{Finding, did_you_mean};
-use super::{Analysis, Beam, Dynamics, End, Joint, Load, Model, ModelError, Newmark, Place, ScaleChoice};
+use super::{
+    Analysis, Beam, Body, Dynamics, End, Joint, Load, MaterialLaw, Model, ModelError, Newmark, Place,
+    ScaleChoice, Shape,
+};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
@@ -19,7 +23,7 @@ const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
-    let rules = [names, columns, beams, size, places, joints, time, scheme, scales];
+    let rules = [names, columns, bodies, formulations, size, places, joints, time, scheme, scales];
     rules.iter().flat_map(|rule| rule(model)).collect()
 }
 
@@ -38,8 +42,13 @@ impl Finding {
     }
 }
 
+fn bodies_of(model: &Model) -> impl Iterator<Item = (String, &Body)> {
+    model.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}]"), body))
+}
+
 fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
-    model.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}]"), body.beam()))
+    bodies_of(model)
+        .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
 }
 
 fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
@@ -48,7 +57,7 @@ fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
 
 /// Every body has a name of its own.
 fn names(model: &Model) -> Vec<Finding> {
-    rule_of_names(beams_of(model).map(|(path, beam)| (path, &*beam.name)).collect())
+    rule_of_names(bodies_of(model).map(|(path, body)| (path, body.name())).collect())
 }
 
 /// Joints and probes make columns of the outputs by their names.
@@ -77,43 +86,126 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
     spaced.chain(twice).collect()
 }
 
-/// Sections and materials are there; the axis and the direction `up` span a plane.
-fn beams(model: &Model) -> Vec<Finding> {
+/// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
+fn bodies(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for (path, beam) in beams_of(model) {
+    for (path, body) in bodies_of(model) {
         let sections = || model.sections.keys().map(String::as_str).collect();
         let materials = || model.materials.keys().map(String::as_str).collect();
-        if !model.sections.contains_key(&beam.section) {
-            let error = unknown(format!("{path}.section"), "section", &beam.section, sections());
+        if !model.sections.contains_key(body.section()) {
+            let error = unknown(format!("{path}.section"), "section", body.section(), sections());
             findings.push(error.rests_on(["sections".into()]));
         }
-        if !model.materials.contains_key(&beam.material) {
-            let error = unknown(format!("{path}.material"), "material", &beam.material, materials());
+        if let Body::Beam(Beam { section_end: Some(end), .. }) = body
+            && !model.sections.contains_key(end)
+        {
+            let error = unknown(format!("{path}.section_end"), "section", end, sections());
+            findings.push(error.rests_on(["sections".into()]));
+        }
+        if !model.materials.contains_key(body.material()) {
+            let error = unknown(format!("{path}.material"), "material", body.material(), materials());
             findings.push(error.rests_on(["materials".into()]));
         }
-        findings.extend(rule_of_axis(&path, beam));
+        findings.extend(rule_of_axis(&path, body));
     }
     findings
 }
 
-fn rule_of_axis(path: &str, beam: &Beam) -> Option<Finding> {
-    let axis = [format!("{path}.from"), format!("{path}.to")];
-    match (beam.length(), beam.up) {
-        (0.0, _) => {
+fn rule_of_axis(path: &str, body: &Body) -> Option<Finding> {
+    let axis = [format!("{path}.from"), format!("{path}.to"), format!("{path}.shape")];
+    let [from, to] = body.span().map(Vector3::from);
+    let (straight, shape) = match body {
+        Body::Beam(beam) => (beam.shape.is_straight(), Some(&beam.shape)),
+        Body::Cable(_) => (true, None),
+    };
+    let up = if let Body::Beam(beam) = body { beam.up } else { None };
+    match (body.curve(), up) {
+        (None, _) if straight && from == to => {
             let error =
                 finding(format!("{path}.to"), "a beam of length 0", "an end of the axis away from its start");
             Some(error.rests_on(axis))
         }
-        (length, _) if !length.is_finite() => Some(
+        (None, _) if straight => Some(
             finding(format!("{path}.to"), "an axis too long for its length to be a number", "a shorter one")
                 .rests_on(axis),
         ),
-        (_, Some(up)) if !is_direction(up) => Some(no_direction(format!("{path}.up"), up)),
-        (_, Some(_)) if beam.frame().is_none() => {
+        (None, _) => Some(no_curve(path, shape?).rests_on(axis)),
+        (Some(curve), _) if !curve.length().is_finite() => Some(
+            finding(
+                format!("{path}.shape"),
+                "an axis too long for its length to be a number",
+                "a shorter one",
+            )
+            .rests_on(axis),
+        ),
+        (Some(_), Some(up)) if !is_direction(up) => Some(no_direction(format!("{path}.up"), up)),
+        (Some(_), Some(_)) if body.up().is_none() => {
             Some(finding(format!("{path}.up"), "a direction along the axis", "one across it").rests_on(axis))
         }
-        _ => None,
+        (Some(curve), _) => rule_of_end(path, &(from + curve.at(curve.length()).0), &to, curve.length())
+            .map(|e| e.rests_on(axis)),
     }
+}
+
+fn no_curve(path: &str, shape: &Shape) -> Finding {
+    match shape {
+        Shape::Arc { .. } => finding(
+            format!("{path}.shape.through"),
+            "three points on a line",
+            "a point off the line from start to end",
+        ),
+        Shape::Helix { .. } => finding(
+            format!("{path}.shape"),
+            "a helix without radius or axis",
+            "a start away from the axis, and a direction",
+        ),
+        Shape::Spline { .. } | Shape::Straight => {
+            finding(format!("{path}.shape.through"), "a point twice in a row", "points away from each other")
+        }
+    }
+}
+
+/// A helix ends where the body is said to end.
+fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -> Option<Finding> {
+    ((end - to).norm() > COINCIDENT * length).then(|| {
+        let at = |r: &Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
+        finding(format!("{path}.to"), at(to), format!("{}, where the helix ends", at(end)))
+    })
+}
+
+/// What a formulation cannot do, it is not asked to.
+fn formulations(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, beam) in beams_of(model) {
+        let material = model.materials.get(&beam.material);
+        if beam.formulation != Formulation::Continuum
+            && material.is_some_and(|m| m.law == MaterialLaw::NeoHookean)
+        {
+            let wanted = "\"continuum\", which alone integrates a neo-Hookean law over the section";
+            let error = finding(
+                format!("{path}.formulation"),
+                "a rod's elasticity of a neo-Hookean material",
+                wanted,
+            );
+            findings.push(Finding {
+                absence: true,
+                ..error.rests_on([format!("{path}.material"), "materials".into()])
+            });
+        }
+        if let (Some(start), Some(end)) = (
+            model.sections.get(&beam.section),
+            beam.section_end.as_ref().and_then(|end| model.sections.get(end)),
+        ) && std::mem::discriminant(start) != std::mem::discriminant(end)
+        {
+            let error = finding(
+                format!("{path}.section_end"),
+                "a section of another kind",
+                "one of the kind of `section`",
+            );
+            findings.push(error.rests_on([format!("{path}.section"), "sections".into()]));
+        }
+    }
+    findings
 }
 
 /// Whether a vector has a direction, as numbers go.
@@ -138,14 +230,14 @@ fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
 
 /// The mesh fits into the memory of a computer.
 fn size(model: &Model) -> Vec<Finding> {
-    let total: u64 = beams_of(model).map(|(_, beam)| u64::from(beam.elements)).sum();
-    let largest = beams_of(model).max_by_key(|(_, beam)| beam.elements).filter(|_| total > MAX_ELEMENTS);
+    let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
+    let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
     let error = largest.map(|(path, _)| {
         let memory = total as f64 * BYTES_PER_ELEMENT / 1e9;
         let wanted = format!("at most {MAX_ELEMENTS} over all bodies");
         finding(format!("{path}.elements"), format!("{total} elements in all"), wanted)
             .hint(format!("they would need about {memory:.0} GB of memory"))
-            .rests_on(beams_of(model).map(|(path, _)| format!("{path}.elements")))
+            .rests_on(bodies_of(model).map(|(path, _)| format!("{path}.elements")))
     });
     error.into_iter().collect()
 }
@@ -164,23 +256,24 @@ fn places(model: &Model) -> Vec<Finding> {
 }
 
 fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
-    let Some((body, beam)) = body(model, place) else {
-        let names = beams_of(model).map(|(_, beam)| &*beam.name).collect();
+    let Some((owner, body)) = body(model, place) else {
+        let names = model.bodies.iter().map(Body::name).collect();
         let error = unknown(format!("{path}.body"), "body", &place.body, names);
-        return Some(error.rests_on(beams_of(model).map(|(path, _)| format!("{path}.name"))));
+        return Some(error.rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name"))));
     };
-    let (s, length) = (beam.arc_length(place.at), beam.length());
+    let (s, length) = (body.arc_length(place.at), body.length());
     let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
     beyond.then(|| {
-        let wanted = format!("at most {}, the length of {}", number(length), quoted(&beam.name));
-        let rests_on = [format!("{body}.from"), format!("{body}.to"), format!("{path}.body")];
+        let wanted = format!("at most {}, the length of {}", number(length), quoted(body.name()));
+        let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
+        let rests_on = rests_on.into_iter().chain([format!("{path}.body")]);
         finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on)
     })
 }
 
 /// The first body of a name; that there is only one is another rule.
-fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Beam)> {
-    beams_of(model).find(|(_, beam)| beam.name == place.body)
+fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
+    bodies_of(model).find(|(_, body)| body.name() == place.body)
 }
 
 /// Joints connect two places that coincide in the undeformed state; hinges have an axis.
@@ -200,39 +293,39 @@ fn joints(model: &Model) -> Vec<Finding> {
 }
 
 fn rule_of_joint(model: &Model, path: &str, a: &Place, b: &Place) -> Option<Finding> {
-    let ((body_a, beam_a), (body_b, beam_b)) = (body(model, a)?, body(model, b)?);
-    let (s_a, s_b) = (beam_a.arc_length(a.at), beam_b.arc_length(b.at));
-    let length = beam_a.length().max(beam_b.length());
-    if body_a == body_b && (s_a - s_b).abs() <= ON_AXIS * length {
+    let ((path_a, body_a), (path_b, body_b)) = (body(model, a)?, body(model, b)?);
+    let (s_a, s_b) = (body_a.arc_length(a.at), body_b.arc_length(b.at));
+    let length = body_a.length().max(body_b.length());
+    if path_a == path_b && (s_a - s_b).abs() <= ON_AXIS * length {
         let wanted = "a place on another body, or \"ground\"";
         return Some(
             finding(format!("{path}.b"), "the same place as `a`", wanted)
-                .rests_on(ends(path, &body_a, &body_b)),
+                .rests_on(ends(path, &path_a, &path_b)),
         );
     }
-    let (r_a, r_b) = (point(beam_a, s_a)?, point(beam_b, s_b)?);
+    let (r_a, r_b) = (point(body_a, s_a)?, point(body_b, s_b)?);
     let apart = (r_a - r_b).norm();
     (apart > COINCIDENT * length).then(|| {
         let found = format!("a place that is {} away from `a`", number(apart));
         let at = |r: Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
         finding(format!("{path}.b"), found, "places that coincide in the undeformed state")
             .hint(format!("`a` is at {}, `b` at {}", at(r_a), at(r_b)))
-            .rests_on(ends(path, &body_a, &body_b))
+            .rests_on(ends(path, &path_a, &path_b))
     })
 }
 
 /// What the places of a joint rest on.
 fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     let places = ["a.body", "a.at", "b.body", "b.at"].map(|key| format!("{path}.{key}"));
-    let axes = [body_a, body_b].into_iter().flat_map(|body| [format!("{body}.from"), format!("{body}.to")]);
+    let axes = [body_a, body_b];
+    let axes = axes.into_iter().flat_map(|body| ["from", "to", "shape"].map(|key| format!("{body}.{key}")));
     places.into_iter().chain(axes).collect()
 }
 
 /// The point of an undeformed axis at arc length s, if the axis reaches that far.
-fn point(beam: &Beam, s: f64) -> Option<Vector3<f64>> {
-    let (from, to) = (Vector3::from(beam.from), Vector3::from(beam.to));
-    let length = beam.length();
-    (length > 0.0 && s <= length * (1.0 + ON_AXIS)).then(|| from + (to - from) * (s / length))
+fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
+    let curve = body.curve()?;
+    (s <= curve.length() * (1.0 + ON_AXIS)).then(|| Vector3::from(body.span()[0]) + curve.at(s).0)
 }
 
 /// The analysis has at least one step, and an end.

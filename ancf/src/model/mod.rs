@@ -14,6 +14,7 @@ mod redundant;
 mod scale;
 mod schema;
 mod section;
+mod shape;
 mod survey;
 mod syntax;
 
@@ -24,15 +25,16 @@ use serde::{Deserialize, Serialize};
 
 pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
 pub use assemble::Assembly;
-pub use body::{At, AtEnd, Beam, Body, Place, Slopes};
+pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use error::{ModelError, ModelErrors, Position};
 pub use joint::{Clamped, End, Joint};
 pub use load::Load;
-pub use material::Material;
+pub use material::{Damping, Material, MaterialLaw};
 pub use output::{Output, Probe};
 pub use scale::{Chosen, ScaleChoice};
 pub use schema::{schema, schema_text};
 pub use section::Section;
+pub use shape::Shape;
 
 /// A flexible multibody model as its user states it.
 ///

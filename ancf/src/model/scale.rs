@@ -2,7 +2,10 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Place, Probe, Section};
+use super::{
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Joint, Load, Material, Model, Place, Probe,
+    Section, Shape,
+};
 use crate::scales::{Dimension, Scales};
 
 /// How the units of the equations are chosen.
@@ -45,13 +48,12 @@ impl Model {
     ///
     /// The model must be a valid one (see [`Model::check`]).
     pub fn scales(&self) -> Chosen {
-        let longest = self.bodies.iter().max_by(|a, b| a.beam().length().total_cmp(&b.beam().length()));
+        let longest = self.bodies.iter().max_by(|a, b| a.length().total_cmp(&b.length()));
         let (Some(body), false) = (longest, self.scales == ScaleChoice::None) else {
             return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
         };
-        let beam = body.beam();
-        let (length, name) = (beam.length(), &beam.name);
-        let (line_mass, bending) = self.line(beam);
+        let (length, name) = (body.length(), body.name());
+        let (line_mass, bending) = self.line(body);
         let weight = line_mass * length * Vector3::from(self.gravity).norm();
         let (scales, reason) = match self.scales {
             ScaleChoice::Given { length, force, time } => {
@@ -59,7 +61,7 @@ impl Model {
                 (Scales { time: time.unwrap_or(by_eq_7.time), ..by_eq_7 }, "given".into())
             }
             ScaleChoice::Paper => (
-                Scales::from_force(length, weight / f64::from(beam.elements), line_mass),
+                Scales::from_force(length, weight / f64::from(body.elements()), line_mass),
                 format!("length of `{name}`, weight of one element, time by eq. (7)"),
             ),
             ScaleChoice::Auto | ScaleChoice::None if weight > 0.0 => (
@@ -74,9 +76,9 @@ impl Model {
         Chosen { scales, reason }
     }
 
-    /// ρA and the smaller E I of a beam.
-    fn line(&self, beam: &Beam) -> (f64, f64) {
-        let (material, section) = (&self.materials[&beam.material], self.sections[&beam.section].moments());
+    /// ρA and the smaller E I of a body.
+    fn line(&self, body: &Body) -> (f64, f64) {
+        let (material, section) = (&self.materials[body.material()], self.sections[body.section()].moments());
         (material.density * section.area, material.young * section.yy.min(section.zz))
     }
 
@@ -129,11 +131,16 @@ fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
 
 impl Material {
     fn scaled(self, s: &Scales) -> Self {
-        let Self { density, young, poisson } = self;
+        let Self { density, young, poisson, law, damping: Damping { strain, mass } } = self;
         Self {
             density: number(density, Dimension::DENSITY, s),
             young: number(young, Dimension::STRESS, s),
             poisson,
+            law,
+            damping: Damping {
+                strain: number(strain, Dimension::TIME, s),
+                mass: number(mass, Dimension::RATE, s),
+            },
         }
     }
 }
@@ -152,9 +159,28 @@ impl Section {
 
 impl Body {
     fn scaled(self, s: &Scales) -> Self {
-        let Self::Beam(Beam { name, from, to, up, elements, section, material, slopes }) = self;
         let point = |x| vector(x, Dimension::LENGTH, s);
-        Self::Beam(Beam { name, from: point(from), to: point(to), up, elements, section, material, slopes })
+        match self {
+            Self::Beam(beam) => {
+                let Beam { from, to, shape, .. } = beam;
+                Self::Beam(Beam { from: point(from), to: point(to), shape: shape.scaled(s), ..beam })
+            }
+            Self::Cable(cable) => {
+                Self::Cable(Cable { from: point(cable.from), to: point(cable.to), ..cable })
+            }
+        }
+    }
+}
+
+impl Shape {
+    fn scaled(self, s: &Scales) -> Self {
+        let point = |x| vector(x, Dimension::LENGTH, s);
+        match self {
+            Self::Straight => Self::Straight,
+            Self::Arc { through } => Self::Arc { through: point(through) },
+            Self::Helix { center, axis, turns } => Self::Helix { center: point(center), axis, turns },
+            Self::Spline { through } => Self::Spline { through: through.into_iter().map(point).collect() },
+        }
     }
 }
 

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::mechanics::Moments;
+use crate::mechanics::{CrossSection, Moments};
 
 /// A solid cross-section, centred on the beam's axis, with its principal axes along y and z.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -48,6 +48,32 @@ impl Section {
                 zzzz: h * w.powi(5) / 80.0,
                 yyzz: h.powi(3) * w.powi(3) / 144.0,
             },
+        }
+    }
+
+    /// The section as the elements see it, of a material with Poisson's ratio ν.
+    pub fn cross_section(&self, _poisson: f64) -> CrossSection {
+        let moments = self.moments();
+        CrossSection {
+            moments,
+            inertia: [moments.yy, moments.zz],
+            torsion: moments.yy + moments.zz,
+            shear: [1.0; 2],
+            points: Vec::new(),
+        }
+    }
+
+    /// The section at a part of the way to another of the same kind; itself, if the kinds differ.
+    pub(super) fn towards(&self, end: &Self, part: f64) -> Self {
+        let mix = |x: f64, y: f64| x + (y - x) * part;
+        match (*self, *end) {
+            (Self::Circle { diameter }, Self::Circle { diameter: end }) => {
+                Self::Circle { diameter: mix(diameter, end) }
+            }
+            (Self::Rectangle { height, width }, Self::Rectangle { height: h, width: w }) => {
+                Self::Rectangle { height: mix(height, h), width: mix(width, w) }
+            }
+            _ => *self,
         }
     }
 }

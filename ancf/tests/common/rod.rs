@@ -5,7 +5,7 @@
 use ancf::Model;
 use ancf::model::{
     Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Newmark, Output, Place, Probe,
-    ScaleChoice, Section, Slopes, Start, Stop,
+    ScaleChoice, Section, Start, Stop,
 };
 
 /// Length L.
@@ -15,17 +15,8 @@ pub(crate) const GRAVITY: f64 = 9.81;
 
 /// The rod without any joint, two seconds in steps of a millisecond as the paper has it, and a probe at its end.
 pub(crate) fn free(elements: u32) -> Model {
-    let beam = Beam {
-        name: "rod".into(),
-        from: [0.0; 3],
-        to: [LENGTH, 0.0, 0.0],
-        up: None,
-        elements,
-        section: "circle".into(),
-        material: "steel".into(),
-        slopes: Slopes::Gradient,
-    };
-    let steel = Material { density: 8030.0, young: 193e9, poisson: 0.0 };
+    let beam = Beam::straight("rod", [[0.0; 3], [LENGTH, 0.0, 0.0]], elements, "circle", "steel");
+    let steel = Material::elastic(8030.0, 193e9, 0.0);
     Model {
         title: None,
         gravity: [0.0, -GRAVITY, 0.0],
@@ -86,8 +77,10 @@ pub(crate) fn end() -> Place {
 
 /// The first body.
 pub(crate) fn beam(model: &mut Model) -> &mut Beam {
-    let Body::Beam(beam) = &mut model.bodies[0];
-    beam
+    match &mut model.bodies[0] {
+        Body::Beam(beam) => beam,
+        Body::Cable(_) => panic!("the rod is a beam"),
+    }
 }
 
 /// The only material.

@@ -73,8 +73,8 @@ fn rigid(assembly: &Assembly, s: &State, turn: Vector3<f64>, shift: Vector3<f64>
         for node in 0..=elements {
             let at = ELEMENT * f64::from(node);
             dq.extend(&(turn.cross(&mesh.point(at).value(s)) + shift));
-            for direction in mesh.frame() {
-                dq.extend(&turn.cross(&mesh.direction(at, *direction).value(s)));
+            for direction in mesh.axes(at) {
+                dq.extend(&turn.cross(&direction.value(s)));
             }
         }
     }

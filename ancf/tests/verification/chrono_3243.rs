@@ -13,9 +13,9 @@ use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
 
 const AREA: f64 = 0.01;
-const MATERIAL: Material = Material { density: 7850.0, young: 210e9, poisson: 0.3 };
+const MATERIAL: Material = Material::elastic(7850.0, 210e9, 0.3);
 
-fn profile() -> Profile {
+fn profile() -> Profile<8> {
     let section = Section::Rectangle { height: 0.1, width: 0.1 };
     let shape = BeamShape { length: 1.0, slope: 1.0 };
     let gravity = Vector3::new(0.0, 0.0, -9.80665);
@@ -24,7 +24,7 @@ fn profile() -> Profile {
 
 fn element() -> Beam24 {
     let frame = [Vector3::x(), Vector3::y(), Vector3::z()];
-    Beam24::new(std::array::from_fn(|i| i), frame, Arc::new(profile()))
+    Beam24::new(0..24, frame, Arc::new(profile()))
 }
 
 const REST: Local<'_> = Local { q: &[0.0; 24], v: &[0.0; 24], a: &[0.0; 24], lambda: &[], t: 0.0, load: 1.0 };

@@ -18,7 +18,7 @@ use crate::{assert_near, rod};
 
 const LENGTH: f64 = 0.7;
 const SECTION: Section = Section::Rectangle { height: 0.3, width: 0.2 };
-const MATERIAL: Material = Material { density: 2.0, young: 30.0, poisson: 0.3 };
+const MATERIAL: Material = Material::elastic(2.0, 30.0, 0.3);
 /// A displacement gradient without any symmetry.
 const GRADIENT: Matrix3<f64> = Matrix3::new(0.2, -0.1, 0.3, 0.4, -0.3, 0.15, -0.2, 0.1, 0.25);
 
@@ -69,7 +69,7 @@ fn element() -> (Beam24, [Vector3<f64>; 8]) {
     let shape = BeamShape { length: LENGTH, slope: LENGTH };
     let profile = Profile::new(shape, MATERIAL.lame(), MATERIAL.density, SECTION.moments(), Vector3::zeros());
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
-    let beam = Beam24::new(std::array::from_fn(|i| i), [x, y, z], Arc::new(profile));
+    let beam = Beam24::new(0..24, [x, y, z], Arc::new(profile));
     let slopes = [x, y, z].map(|axis| axis * LENGTH);
     let [sx, sy, sz] = slopes;
     (beam, [Vector3::zeros(), sx, sy, sz, x * LENGTH, sx, sy, sz])

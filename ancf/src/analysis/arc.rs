@@ -50,12 +50,25 @@ pub(super) struct Metric {
 
 impl Metric {
     /// The metric at a state with the given dz/ds. Without mass that moves, ds alone counts.
-    pub(super) fn new(eom: &dyn EquationsOfMotion, s: &State, mut mass: SparseMatrix, response: &[f64]) -> Self {
+    pub(super) fn new(
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        mut mass: SparseMatrix,
+        response: &[f64],
+    ) -> Self {
         eom.tangent(s, Weights::MASS, &mut mass);
         let mut metric = Self { mass, weight: 1.0 };
         let square = dot(&metric.mass_times(response, s.q.len()), response);
         metric.weight = if square > 0.0 { 1.0 / square } else { 0.0 };
         metric
+    }
+
+    /// The straight distance of two states.
+    pub(super) fn distance(&self, from: &State, to: &State) -> f64 {
+        let mut moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
+        moved.resize(to.q.len() + to.lambda.len(), 0.0);
+        let square = self.weight * dot(&self.mass_times(&moved, to.q.len()), &moved);
+        (0.5 * (square + (to.load - from.load).powi(2))).sqrt()
     }
 
     /// M dq of the coordinates of z.
@@ -108,7 +121,7 @@ pub(super) fn response(
     let mut response = load_rate(eom, s, &r);
     response.iter_mut().for_each(|x| *x = -*x);
     newton.factorise(eom, s, Weights::STIFFNESS)?;
-    newton.respond(&mut response)?;
+    newton.factor.solve(&newton.matrix, &mut response).map_err(|_| Failure::Singular)?;
     Ok(response)
 }
 

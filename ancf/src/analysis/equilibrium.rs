@@ -28,7 +28,12 @@ impl Equilibrium {
         eom: &dyn EquationsOfMotion,
         s: &mut State,
     ) -> Result<Self, SolveError> {
-        let report = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
+        let mut report = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
+        if report.iterations == 1 {
+            // A mechanism can fly off by an increment whose energy is nothing beside that of the state it leads to.
+            let again = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
+            report = Report { iterations: 1 + again.iterations, ..again };
+        }
         if let Some(worst) = eom.inadmissible(s) {
             return Err(refusal(Failure::Inverted, s, report, worst));
         }

@@ -39,8 +39,8 @@ pub struct Newton {
     stop: Stop,
     max_iterations: u32,
     patience: u32,
-    matrix: SparseMatrix,
-    factor: Factor,
+    pub(super) matrix: SparseMatrix,
+    pub(super) factor: Factor,
     r: Vec<f64>,
     z: Vec<f64>,
     floor: Vec<f64>,
@@ -155,16 +155,6 @@ impl Newton {
     ) -> Result<(), Failure> {
         eom.tangent(s, w, &mut self.matrix);
         self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)
-    }
-
-    /// A matrix of the pattern that it factorises.
-    pub(super) fn matrix(&self) -> SparseMatrix {
-        self.matrix.clone()
-    }
-
-    /// Solves K x = b in place with the matrix that was factorised last.
-    pub(super) fn respond(&mut self, x: &mut [f64]) -> Result<(), Failure> {
-        self.factor.solve(&self.matrix, x).map_err(|_| Failure::Singular)
     }
 
     /// Negative eigenvalues of the matrix that was factorised last, less the one that each multiplier brings: in statics

@@ -21,7 +21,7 @@ pub struct ArcSteps {
 impl ArcSteps {
     /// Steps that begin with a change of the load factor and adapt themselves.
     pub const fn from(first: f64) -> Self {
-        Self { first, smallest: 1e-8 * first, largest: f64::INFINITY, iterations: 5 }
+        Self { first, smallest: 1e-8 * first, largest: f64::INFINITY, iterations: 7 }
     }
 }
 
@@ -71,8 +71,9 @@ pub struct PathPoint {
     pub limit: Option<Limit>,
 }
 
-/// Directions at the two ends of a step differ by less than 60°, cos 60° = ½.
+/// Tangents at the two ends of a step differ by at most 60°, the chord from the first one by at most 30°: by cosines.
 const TURN: f64 = 0.5;
+const BEND: f64 = 0.866;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
 /// Most iterations for a limit point or a load factor.
@@ -133,14 +134,29 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             let found = Equilibrium::find(newton, &mut Whole, eom, start)?;
             response(newton, eom, start).map_err(|failure| found.refuse(failure, start))
         };
-        let response = begin(&mut newton, &mut start)
-            .map_err(|cause| EquilibriumError { reached: load, load, cause })?;
-        let metric = Metric::new(eom, &start, newton.matrix(), &response);
+        let response = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
+            reached: load,
+            load,
+            cause,
+        })?;
+        let metric = Metric::new(eom, &start, newton.matrix.clone(), &response);
         let tangent = metric.tangent(response, start.q.len());
         newton.met(eom.energy(&start).largest());
         let ahead = Tangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
-        Ok(Self { eom, newton, steps, metric, state: start, tangent, trial, ahead, step, length: 0.0, heading: 1.0 })
+        Ok(Self {
+            eom,
+            newton,
+            steps,
+            metric,
+            state: start,
+            tangent,
+            trial,
+            ahead,
+            step,
+            length: 0.0,
+            heading: 1.0,
+        })
     }
 
     /// The same path towards smaller load factors.
@@ -226,13 +242,19 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let found = self.attempt(step)?;
         let iterations = found.iterations;
         let mut arrival = Arrival { found, length: step, limit: None, landed: false };
+        if self.hides_limits(step) {
+            return Err(found.refuse(Failure::Turned, &self.trial));
+        }
         if self.ahead.load * self.heading < 0.0 {
             let start = self.heading * self.tangent.load.abs();
             let largest = self.state.load.abs().max(self.trial.load.abs());
             // The load falls short of its limit by slope²/2 |curvature|.
-            self.locate(&mut arrival, start, |_, ahead| ahead.load, |slope, curvature| {
-                0.5 * slope * slope <= LIMIT * largest * curvature.abs()
-            })?;
+            self.locate(
+                &mut arrival,
+                start,
+                |_, ahead| ahead.load,
+                |slope, curvature| 0.5 * slope * slope <= LIMIT * largest * curvature.abs(),
+            )?;
             arrival.limit = Some(if self.heading > 0.0 { Limit::Maximum } else { Limit::Minimum });
         }
         if let Some(target) = target {
@@ -248,11 +270,21 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         Ok((arrival, iterations))
     }
 
+    /// Whether the load may turn twice within a step, so that its slopes at the ends do not tell.
+    ///
+    /// A cubic with slopes of one sign is monotone if neither is above three times the mean slope (Fritsch & Carlson 1980).
+    fn hides_limits(&self, step: f64) -> bool {
+        let mean = (self.trial.load - self.state.load) / step * self.heading;
+        let [before, after] = [self.tangent.load, self.ahead.load].map(|slope| slope * self.heading);
+        after > 0.0 && before.max(after) > 3.0 * mean
+    }
+
     /// The equilibrium at a length σ beyond the current point, and its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
         self.trial.copy_from(&self.state);
         self.tangent.move_by(length, &mut self.trial);
-        let found = Equilibrium::find(&mut self.newton, &mut Plane(&self.tangent), self.eom, &mut self.trial)?;
+        let found =
+            Equilibrium::find(&mut self.newton, &mut Plane(&self.tangent), self.eom, &mut self.trial)?;
         self.look_ahead(found)
     }
 
@@ -265,7 +297,9 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         if self.ahead.product(&self.tangent) < 0.0 {
             self.ahead.scale(-1.0);
         }
-        if self.ahead.product(&self.tangent) < TURN {
+        let chord = self.metric.distance(&self.state, &self.trial);
+        let along = self.tangent.length(&self.state, &self.trial);
+        if self.ahead.product(&self.tangent) < TURN || along < BEND * chord {
             return Err(found.refuse(Failure::Turned, &self.trial));
         }
         Ok(found)

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::mover::LineSearch;
 use super::{Equilibrium, EquilibriumError, Failure, Newton, SolveError};
-use crate::system::{EquationsOfMotion, State, Weights};
+use crate::system::{EquationsOfMotion, State};
 
 /// Sizes of load increments, as parts of the way from the first load factor to the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +42,8 @@ pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
     increments: Increments,
     search: LineSearch,
     state: State,
+    /// Number of unstable directions of the current state.
+    unstable: Option<usize>,
     /// The equilibrium before the current one, if there was any.
     before: Option<State>,
     trial: State,
@@ -50,13 +52,14 @@ pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
 impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     /// Starts from a state at or near equilibrium under its own load factor, such as that of rest with `load` = 0.
     ///
-    /// Velocities and accelerations are set to zero.
+    /// Velocities and accelerations are set to zero. The start is taken to be stable.
     pub fn new(eom: &'a E, mut newton: Newton, increments: Increments, mut start: State) -> Self {
         start.v.fill(0.0);
         start.a.fill(0.0);
         newton.bear(PATIENCE);
         let search = LineSearch::new(&start);
-        Self { eom, newton, increments, search, before: None, trial: start.clone(), state: start }
+        let (unstable, before, trial) = (Some(0), None, start.clone());
+        Self { eom, newton, increments, search, state: start, unstable, before, trial }
     }
 
     /// The current state.
@@ -76,7 +79,7 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         mut each: impl FnMut(&State, &Equilibrium) -> ControlFlow<()>,
     ) -> Result<Equilibrium, EquilibriumError> {
         let (from, way) = (self.state.load, to - self.state.load);
-        let (mut done, mut part) = (0.0, self.increments.first);
+        let (mut done, mut part) = (0.0, self.increments.first.max(self.increments.smallest));
         let (mut total, mut found) = (Equilibrium::default(), Equilibrium::default());
         loop {
             let next = if done + part > 1.0 - CLOSE { 1.0 } else { done + part };
@@ -107,20 +110,16 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     fn attempt(&mut self, load: f64, wary: bool) -> Result<Equilibrium, SolveError> {
         self.predict(load);
         let found = Equilibrium::find(&mut self.newton, &mut self.search, self.eom, &mut self.trial)?;
-        if wary && found.unstable > Some(0) && found.unstable > self.stability() {
+        let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
+        if wary && lost {
             return Err(found.refuse(Failure::Unstable, &self.trial));
         }
         self.newton.met(self.eom.energy(&self.trial).largest());
         let before = self.before.get_or_insert_with(|| self.state.clone());
         before.copy_from(&self.state);
         self.state.copy_from(&self.trial);
+        self.unstable = found.unstable;
         Ok(found)
-    }
-
-    /// The number of unstable directions of the current state.
-    fn stability(&mut self) -> Option<usize> {
-        self.newton.factorise(self.eom, &self.state, Weights::STIFFNESS).ok()?;
-        self.newton.unstable(self.eom)
     }
 
     /// Sets the trial state on the line through the last two equilibria.

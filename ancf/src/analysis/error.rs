@@ -18,8 +18,8 @@ pub enum Failure {
     /// The solution that was found turns an element inside out.
     #[error("the solution turns an element inside out: a smaller step may help")]
     Inverted,
-    /// The equilibrium that was found is less stable than the one before it.
-    #[error("the equilibrium found is less stable than the one before: a smaller step may help")]
+    /// The equilibrium that was found is not as stable as the one before it, and nothing between them tells why.
+    #[error("the stability changed within the step: a smaller step may help")]
     Unstable,
     /// The path of equilibria turned too far within a step.
     #[error("the path of equilibria turns too far within the step: a smaller step may help")]

@@ -9,11 +9,13 @@ mod newmark;
 mod newton;
 mod path;
 mod statics;
+mod waypoint;
 
 pub use dynamics::{Dynamics, StepReport, consistent_start};
 pub use equilibrium::Equilibrium;
 pub use error::{EquilibriumError, Failure, SolveError};
 pub use newmark::Newmark;
 pub use newton::{Newton, Report, Stop};
-pub use path::{ArcSteps, Left, Limit, Path, PathPoint, Until};
+pub use path::Path;
 pub use statics::{Increments, Statics};
+pub use waypoint::{ArcSteps, Left, Limit, PathPoint, Until};

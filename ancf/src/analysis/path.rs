@@ -2,78 +2,16 @@ use std::ops::ControlFlow;
 
 use super::arc::{Metric, Plane, Tangent, response};
 use super::mover::Whole;
-use super::{Equilibrium, EquilibriumError, Failure, Newton, SolveError};
+use super::{
+    ArcSteps, Equilibrium, EquilibriumError, Failure, Left, Limit, Newton, PathPoint, SolveError, Until,
+};
 use crate::system::{EquationsOfMotion, State};
-
-/// Sizes of the steps along a path, as arc lengths σ: where the path begins, dσ is the change of the load factor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArcSteps {
-    /// The first step.
-    pub first: f64,
-    /// The least that is tried.
-    pub smallest: f64,
-    /// The largest that is made.
-    pub largest: f64,
-    /// Newton iterations that a step should take: the next one is longer by √(wanted/taken), between ½ and 2.
-    pub iterations: u32,
-}
-
-impl ArcSteps {
-    /// Steps that begin with a change of the load factor and adapt themselves.
-    pub const fn from(first: f64) -> Self {
-        Self { first, smallest: 1e-8 * first, largest: f64::INFINITY, iterations: 7 }
-    }
-}
-
-/// When to leave a path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Until {
-    /// At this load factor, exactly, as soon as the path crosses it.
-    pub load: Option<f64>,
-    /// After so many points.
-    pub points: u32,
-    /// After so much arc length.
-    pub length: f64,
-}
-
-/// Why a path was left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Left {
-    /// The load factor was reached.
-    Load,
-    /// So many points were found.
-    Points,
-    /// The arc length was gone.
-    Length,
-    /// The receiver of the points wanted no more.
-    Broken,
-}
-
-/// A load factor beyond which a path turns back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
-    /// The largest load near by.
-    Maximum,
-    /// The least load near by.
-    Minimum,
-}
-
-/// A point of a path of equilibria.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PathPoint {
-    /// How it was found.
-    pub equilibrium: Equilibrium,
-    /// Arc length σ from the start of the path.
-    pub length: f64,
-    /// ds/dσ, the slope of the load factor.
-    pub slope: f64,
-    /// Whether it is a limit point, where the slope vanishes.
-    pub limit: Option<Limit>,
-}
 
 /// Tangents at the two ends of a step differ by at most 60°, the chord from the first one by at most 30°: by cosines.
 const TURN: f64 = 0.5;
 const BEND: f64 = 0.866;
+/// So many halvings of a step are due to a change of stability that no limit point explains, before it is believed.
+const DOUBTS: u32 = 10;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
 /// Most iterations for a limit point or a load factor.
@@ -103,6 +41,8 @@ pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
     ahead: Tangent,
     step: f64,
     length: f64,
+    /// Number of unstable directions beyond the current point.
+    unstable: Option<usize>,
     /// Sign of the slope where the path leaves the current point.
     heading: f64,
 }
@@ -113,6 +53,8 @@ struct Arrival {
     length: f64,
     limit: Option<Limit>,
     landed: bool,
+    /// Number of unstable directions where the path goes on.
+    unstable: Option<usize>,
 }
 
 impl<'a, E: EquationsOfMotion> Path<'a, E> {
@@ -142,6 +84,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let metric = Metric::new(eom, &start, newton.matrix.clone(), &response);
         let tangent = metric.tangent(response, start.q.len());
         newton.met(eom.energy(&start).largest());
+        let unstable = newton.unstable(eom);
         let ahead = Tangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
         Ok(Self {
@@ -155,6 +98,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             ahead,
             step,
             length: 0.0,
+            unstable,
             heading: 1.0,
         })
     }
@@ -207,6 +151,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         self.state.copy_from(&self.trial);
         std::mem::swap(&mut self.tangent, &mut self.ahead);
         self.length += arrival.length;
+        self.unstable = arrival.unstable;
         if arrival.limit.is_some() {
             self.heading = -self.heading;
         }
@@ -216,10 +161,10 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
 
     /// The next point, by a step of at most `left`, in the trial state.
     fn advance(&mut self, target: Option<f64>, left: f64) -> Result<Arrival, EquilibriumError> {
-        let mut found = Equilibrium::default();
+        let (mut found, mut doubts) = (Equilibrium::default(), 0);
         loop {
             let step = self.step.min(self.steps.largest).min(left);
-            match self.reach(step, target) {
+            match self.reach(step, target, doubts < DOUBTS) {
                 Ok((arrival, iterations)) => {
                     let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
                     self.step = step * wanted.sqrt().clamp(0.5, 2.0);
@@ -227,6 +172,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                 }
                 Err(cause) => {
                     found.failed(&cause);
+                    doubts += u32::from(cause.failure == Failure::Unstable);
                     self.step = 0.5 * step;
                     if self.step < self.steps.smallest {
                         let (reached, load) = (self.state.load, self.trial.load);
@@ -238,12 +184,20 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     }
 
     /// Tries a step; ends it at a limit point or at the target within. Also returns the iterations of the whole step.
-    fn reach(&mut self, step: f64, target: Option<f64>) -> Result<(Arrival, u32), SolveError> {
+    fn reach(
+        &mut self,
+        step: f64,
+        target: Option<f64>,
+        doubtful: bool,
+    ) -> Result<(Arrival, u32), SolveError> {
         let found = self.attempt(step)?;
-        let iterations = found.iterations;
-        let mut arrival = Arrival { found, length: step, limit: None, landed: false };
+        let (iterations, unstable) = (found.iterations, found.unstable);
+        let mut arrival = Arrival { found, length: step, limit: None, landed: false, unstable };
         if self.hides_limits(step) {
             return Err(found.refuse(Failure::Turned, &self.trial));
+        }
+        if doubtful && self.hides_bifurcation(unstable) {
+            return Err(found.refuse(Failure::Unstable, &self.trial));
         }
         if self.ahead.load * self.heading < 0.0 {
             let start = self.heading * self.tangent.load.abs();
@@ -264,7 +218,8 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                 let mut landing = Arrival { found: arrival.found, ..arrival };
                 self.locate(&mut landing, before, |s, _| s.load - target, |miss, _| miss.abs() <= close)?;
                 self.land(target, &mut landing)?;
-                arrival = Arrival { limit: None, landed: true, ..landing };
+                let unstable = landing.found.unstable;
+                arrival = Arrival { limit: None, landed: true, unstable, ..landing };
             }
         }
         Ok((arrival, iterations))
@@ -277,6 +232,13 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let mean = (self.trial.load - self.state.load) / step * self.heading;
         let [before, after] = [self.tangent.load, self.ahead.load].map(|slope| slope * self.heading);
         after > 0.0 && before.max(after) > 3.0 * mean
+    }
+
+    /// Whether the stability changes other than by one direction at a limit point: at a bifurcation, which an imperfect
+    /// structure turns away from within a step that is small enough.
+    fn hides_bifurcation(&self, unstable: Option<usize>) -> bool {
+        let limits = usize::from(self.ahead.load * self.heading < 0.0);
+        matches!((self.unstable, unstable), (Some(before), Some(after)) if before.abs_diff(after) != limits)
     }
 
     /// The equilibrium at a length σ beyond the current point, and its tangent.

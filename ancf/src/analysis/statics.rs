@@ -19,9 +19,9 @@ pub struct Increments {
 }
 
 impl Default for Increments {
-    /// All at once; at least 2⁻²⁰, trusted from 2⁻¹⁰ on.
+    /// All at once; at least 2⁻²⁰, trusted from 2⁻¹⁶ on.
     fn default() -> Self {
-        Self { first: 1.0, smallest: 0.5_f64.powi(20), quick: 12, trusted: 0.5_f64.powi(10) }
+        Self { first: 1.0, smallest: 0.5_f64.powi(20), quick: 12, trusted: 0.5_f64.powi(16) }
     }
 }
 

@@ -1,4 +1,5 @@
-//! FLOOR 1a: what is done with equations of motion. Newton's method and time integration; knows no mechanics.
+//! FLOOR 1a: what is done with equations of motion. Newton's method, time integration and
+//! equilibrium; knows no mechanics.
 
 mod arc;
 mod dynamics;

@@ -10,8 +10,8 @@ use crate::system::{EquationsOfMotion, State};
 /// Tangents at the two ends of a step differ by at most 60°, the chord from the first one by at most 30°: by cosines.
 const TURN: f64 = 0.5;
 const BEND: f64 = 0.866;
-/// So many halvings of a step are due to a change of stability that no limit point explains, before it is believed.
-const DOUBTS: u32 = 10;
+/// A change of stability that no limit point explains is believed when the step is down to this part of what it was.
+const BELIEVED: f64 = 1e-3;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
 /// Most iterations for a limit point or a load factor.
@@ -43,6 +43,8 @@ pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
     length: f64,
     /// Number of unstable directions beyond the current point.
     unstable: Option<usize>,
+    /// The step that first met a change of stability which is not believed yet.
+    doubt: Option<f64>,
     /// Sign of the slope where the path leaves the current point.
     heading: f64,
 }
@@ -99,6 +101,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             step,
             length: 0.0,
             unstable,
+            doubt: None,
             heading: 1.0,
         })
     }
@@ -161,18 +164,23 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
 
     /// The next point, by a step of at most `left`, in the trial state.
     fn advance(&mut self, target: Option<f64>, left: f64) -> Result<Arrival, EquilibriumError> {
-        let (mut found, mut doubts) = (Equilibrium::default(), 0);
+        let mut found = Equilibrium::default();
         loop {
             let step = self.step.min(self.steps.largest).min(left);
-            match self.reach(step, target, doubts < DOUBTS) {
+            match self.reach(step, target) {
                 Ok((arrival, iterations)) => {
+                    // Either the path has turned away or what was doubted is believed.
+                    let changed = arrival.unstable != self.unstable;
+                    self.doubt = self.doubt.filter(|first| step < *first && !changed);
                     let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
                     self.step = step * wanted.sqrt().clamp(0.5, 2.0);
                     return Ok(Arrival { found: found.after(arrival.found), ..arrival });
                 }
                 Err(cause) => {
                     found.failed(&cause);
-                    doubts += u32::from(cause.failure == Failure::Unstable);
+                    if cause.failure == Failure::Unstable {
+                        self.doubt.get_or_insert(step);
+                    }
                     self.step = 0.5 * step;
                     if self.step < self.steps.smallest {
                         let (reached, load) = (self.state.load, self.trial.load);
@@ -184,18 +192,14 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     }
 
     /// Tries a step; ends it at a limit point or at the target within. Also returns the iterations of the whole step.
-    fn reach(
-        &mut self,
-        step: f64,
-        target: Option<f64>,
-        doubtful: bool,
-    ) -> Result<(Arrival, u32), SolveError> {
+    fn reach(&mut self, step: f64, target: Option<f64>) -> Result<(Arrival, u32), SolveError> {
         let found = self.attempt(step)?;
         let (iterations, unstable) = (found.iterations, found.unstable);
         let mut arrival = Arrival { found, length: step, limit: None, landed: false, unstable };
         if self.hides_limits(step) {
             return Err(found.refuse(Failure::Turned, &self.trial));
         }
+        let doubtful = self.doubt.is_none_or(|first| step > BELIEVED * first);
         if doubtful && self.hides_bifurcation(unstable) {
             return Err(found.refuse(Failure::Unstable, &self.trial));
         }

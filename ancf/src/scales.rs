@@ -21,6 +21,10 @@ impl Dimension {
     pub const NUMBER: Self = Self::new(0, 0, 0);
     /// L.
     pub const LENGTH: Self = Self::new(1, 0, 0);
+    /// L², of areas.
+    pub const AREA: Self = Self::new(2, 0, 0);
+    /// L⁴, of second moments of area and of torsion constants.
+    pub const SECOND_MOMENT: Self = Self::new(4, 0, 0);
     /// T.
     pub const TIME: Self = Self::new(0, 1, 0);
     /// F.

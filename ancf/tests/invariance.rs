@@ -259,7 +259,7 @@ fn beams_in_one_piece() {
     let place = |at| Place { body: "second".into(), at: At::End(at) };
     halves.probes[0].on = place(AtEnd::End);
     let (a, b) = (place(AtEnd::Start), End::Place(rod::end()));
-    halves.joints.push(Joint::Clamp { name: "weld".into(), a, b, fix: Clamped::All });
+    halves.joints.push(Joint::Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) });
     same(whole, &halves, identity, [1.0; 2]);
 }
 

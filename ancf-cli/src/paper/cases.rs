@@ -60,7 +60,7 @@ impl Case {
         let end = |end| Place { body: "beam".into(), at: At::End(end) };
         let (name, a, b) = ("joint".to_owned(), end(AtEnd::Start), End::Ground);
         let joint = match self {
-            Self::Cantilever => Joint::Clamp { name, a, b, fix: Clamped::All },
+            Self::Cantilever => Joint::Clamp { name, a, b, fix: Some(Clamped::All) },
             Self::Revolute => Joint::Revolute { name, a, b, axis: [0.0, 0.0, 1.0] },
             Self::Spherical => Joint::Spherical { name, a, b },
         };

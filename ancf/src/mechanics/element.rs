@@ -3,7 +3,6 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::sum;
 use super::station::{Relative, Station};
 use super::{BeamShape, Directors, Interpolation, QuadraticShape};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
@@ -169,10 +168,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         let q = Relative::new::<S>(&vectors(at.q));
-        self.states(&q).all(|(_, g0, u)| {
-            let g = sum(&g0, &u);
-            g[0].dot(&g[3].cross(&g[4])) > 0.0
-        })
+        self.states(&q).all(|(station, g0, u)| station.is_admissible(&g0, &u))
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -1,5 +1,6 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::SectionPoint;
 use super::section::{Directors, Lame, SectionLaw, strain::*};
 
 /// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
@@ -17,17 +18,6 @@ pub struct Moments {
     pub yyzz: f64,
     /// ∫ z⁴ dA.
     pub zzzz: f64,
-}
-
-/// A point of a quadrature rule over a cross-section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SectionPoint {
-    /// Coordinate y.
-    pub y: f64,
-    /// Coordinate z.
-    pub z: f64,
-    /// Its share of the area.
-    pub weight: f64,
 }
 
 /// A cross-section as the elements see it.
@@ -68,7 +58,7 @@ impl SectionLaw {
     /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for the split of Poisson's
     /// effect and the shear factors; the projection on the twist is the energy-orthogonal one.
     pub fn enhanced(material: Lame, section: &CrossSection) -> Self {
-        let (young, m) = (young(material), section.moments);
+        let (young, m) = (material.young(), section.moments);
         // E and G without coupling: Lamé's constants λ = 0, 2G' = E for normal strains, G for shear strains.
         let mut d = full(Lame { lambda: 0.0, shear: 0.5 * young }, m);
         let ratio = material.shear / (0.5 * young);
@@ -100,7 +90,7 @@ impl SectionLaw {
     pub fn curved(material: Lame, section: &CrossSection, g0: &Directors, enhanced: bool) -> Self {
         let mut d = [[0.0; 17]; 17];
         let lambda = if enhanced { 0.0 } else { material.lambda };
-        let normal = if enhanced { young(material) } else { material.lambda + 2.0 * material.shear };
+        let normal = if enhanced { material.young() } else { material.lambda + 2.0 * material.shear };
         let (mut area, mut shear, mut twist) = (0.0, [[0.0; 17]; 2], [0.0; 17]);
         for point in &section.points {
             let (rows, volume) = local_strains(g0, point.y, point.z);
@@ -146,12 +136,6 @@ impl SectionLaw {
         let d = map.transpose() * d * map;
         Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| 0.5 * (d[(k, l)] + d[(l, k)]))))
     }
-}
-
-/// E = G (3λ + 2G)/(λ + G).
-fn young(material: Lame) -> f64 {
-    let Lame { lambda, shear } = material;
-    shear * (3.0 * lambda + 2.0 * shear) / (lambda + shear)
 }
 
 /// D of λ tr² E + 2G E:E over a straight section.
@@ -201,7 +185,7 @@ fn add_poisson(material: Lame, area: f64, d: &mut Form) {
 }
 
 fn add_poisson_rows(material: Lame, area: f64, rows: &[[f64; 17]; 6], d: &mut Form) {
-    let own = material.lambda + 2.0 * material.shear - young(material);
+    let own = material.lambda + 2.0 * material.shear - material.young();
     for i in 0..3 {
         for j in 0..3 {
             add_product(&rows[i], &rows[j], area * if i == j { own } else { material.lambda }, d);

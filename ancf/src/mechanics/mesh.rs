@@ -4,8 +4,8 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Beam24, Beam27, BeamShape, CrossSection, Formulation, Interpolation, Kind, Marker, Medium, Node, Profile,
-    QuadraticShape, Wrench,
+    Beam24, Beam27, BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection, CrossSection,
+    Formulation, Interpolation, Kind, Marker, Medium, Node, Profile, QuadraticShape, Wrench,
 };
 use crate::system::{LOCAL, Local, State, Term};
 
@@ -14,12 +14,13 @@ use crate::system::{LOCAL, Local, State, Term};
 enum Elements {
     Two(Vec<Beam24>),
     Three(Vec<Beam27>),
+    Cable(Vec<Cable12>),
 }
 
 /// The nodes and elements of a beam.
 ///
 /// The coordinates of its vectors follow each other from `first` on: (r, ℓ r_x, ℓ r_y, ℓ r_z) for each node of a two-node
-/// element, (r, ℓ r_y, ℓ r_z) for each of a three-node one.
+/// beam element, (r, ℓ r_y, ℓ r_z) for each of a three-node one, (r, ℓ r_x) for each of a cable.
 #[derive(Clone, Debug)]
 pub struct BeamMesh {
     first: usize,
@@ -107,6 +108,34 @@ impl BeamMesh {
         Self { first, length, slope, elements: Elements::Three(elements.collect()), origin, reference }
     }
 
+    /// Cable elements between consecutive nodes of a straight line, by [`CableRule::Lobatto`].
+    pub fn cable(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
+        let Blueprint { first, origin, length, slope, medium, section, .. } = *blueprint;
+        let Medium { lame, density, retardation, drag, gravity, .. } = *medium;
+        let (young, moments) = (lame.young(), section(0.0).moments);
+        let section = CableSection {
+            axial: young * moments.area,
+            bending: young * moments.yy,
+            line_density: density * moments.area,
+        };
+        let profile = CableProfile::new(BeamShape { length, slope }, section, gravity)
+            .damped(CableDamping { retardation, mass: drag })
+            .integrated(CableRule::Lobatto);
+        let profile = Arc::new(profile);
+        let reference =
+            nodes.iter().flat_map(|Node { position, frame }| [*position, frame[0] * slope]).collect();
+        let elements = nodes[1..].iter().enumerate().map(|(k, node)| {
+            let first = first + 6 * k;
+            Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
+        });
+        Self { first, length, slope, elements: Elements::Cable(elements.collect()), origin, reference }
+    }
+
+    /// Whether it has cross-sections, with directions r_y and r_z: all but a cable.
+    pub const fn has_sections(&self) -> bool {
+        !matches!(self.elements, Elements::Cable(_))
+    }
+
     /// Number of coordinates.
     pub fn coordinates(&self) -> usize {
         3 * self.reference.len()
@@ -117,6 +146,7 @@ impl BeamMesh {
         match &self.elements {
             Elements::Two(elements) => elements.len(),
             Elements::Three(elements) => elements.len(),
+            Elements::Cable(elements) => elements.len(),
         }
     }
 
@@ -127,13 +157,13 @@ impl BeamMesh {
 
     /// The elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
+        fn boxed<T: Term + Clone + 'static>(elements: &[T]) -> Vec<Box<dyn Term>> {
+            elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
+        }
         match &self.elements {
-            Elements::Two(elements) => {
-                elements.iter().map(|e| Box::new(e.clone()) as Box<dyn Term>).collect()
-            }
-            Elements::Three(elements) => {
-                elements.iter().map(|e| Box::new(e.clone()) as Box<dyn Term>).collect()
-            }
+            Elements::Two(elements) => boxed(elements),
+            Elements::Three(elements) => boxed(elements),
+            Elements::Cable(elements) => boxed(elements),
         }
     }
 
@@ -141,6 +171,7 @@ impl BeamMesh {
         match &self.elements {
             Elements::Two(elements) => &elements[element],
             Elements::Three(elements) => &elements[element],
+            Elements::Cable(elements) => &elements[element],
         }
     }
 
@@ -149,6 +180,7 @@ impl BeamMesh {
         match self.elements {
             Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
             Elements::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
+            Elements::Cable(_) => &[Kind::Position, Kind::Slope],
         }
     }
 
@@ -183,6 +215,10 @@ impl BeamMesh {
         match self.elements {
             Elements::Two(_) => of(&BeamShape { length, slope }, xi),
             Elements::Three(_) => of(&QuadraticShape { length, slope }, xi),
+            Elements::Cable(_) => {
+                let line = of(&BeamShape { length, slope }, xi).into_iter();
+                line.filter(|(kind, ..)| matches!(kind, Kind::Position | Kind::Slope)).collect()
+            }
         }
     }
 
@@ -201,7 +237,14 @@ impl BeamMesh {
     }
 
     /// The direction of the body at an arc length that is `direction` in the reference state: J d with J = [r_x r_y r_z].
+    ///
+    /// A cable knows but its tangent: the part of the direction along r_x.
     pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
+        if !self.has_sections() {
+            let tangent = self.reference_axes(s)[0];
+            let along = tangent.dot(&direction) / tangent.norm_squared();
+            return self.marker(s, |_, _, directors| clean(along) * directors[0]);
+        }
         let [a, d, e] = self.axes(s).map(|axis| axis.reference());
         let inverse = Matrix3::from_columns(&[a, d, e]).try_inverse().unwrap_or_else(Matrix3::zeros);
         let [x, y, z]: [f64; 3] = (inverse * direction).map(clean).into();
@@ -245,6 +288,7 @@ impl BeamMesh {
         match self.elements {
             Elements::Two(_) => 4,
             Elements::Three(_) => 6,
+            Elements::Cable(_) => 2,
         }
     }
 
@@ -350,12 +394,25 @@ impl BeamMesh {
         })
     }
 
-    /// The directors of an orthonormal section frame at an arc length: its normal, and y and z as near to r_y and r_z as
-    /// they can be.
+    /// An orthonormal section frame at an arc length: its normal, and y and z as near to r_y and r_z as they can be. Of a
+    /// cable, the tangent and any two directions across.
     pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
-        let [_, d, e] = self.axes(s).map(|axis| axis.value(state));
+        let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
+        if !self.has_sections() {
+            let normal = a.normalize();
+            let [y, z] = across(normal);
+            return [normal, y, z];
+        }
         let normal = d.cross(&e).normalize();
         let y = (d.normalize() + e.cross(&normal).normalize()).normalize();
         [normal, y, normal.cross(&y)]
     }
+}
+
+/// Two unit vectors normal to a unit vector and to each other; the global axes where they fit.
+pub fn across(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
+    let least = axis.iamin();
+    let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });
+    let first = (guide - axis * axis.dot(&guide)).normalize();
+    [first, axis.cross(&first)]
 }

@@ -1,10 +1,14 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system).
 
+mod cable;
+mod cable_profile;
 mod constraint;
 mod curve;
 mod element;
 mod force;
 mod formulation;
+mod hyperelastic;
+mod line;
 mod marker;
 mod mesh;
 mod profile;
@@ -13,13 +17,16 @@ mod section;
 mod shape;
 mod station;
 
+pub use cable::Cable12;
+pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use curve::{Curve, Node, Spline};
 pub use element::{Beam24, Beam27, Element, Profile};
 pub use force::Force;
-pub use formulation::{CrossSection, Moments, SectionPoint};
+pub use formulation::{CrossSection, Moments};
+pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
-pub use mesh::{BeamMesh, Blueprint, MeshVector};
+pub use mesh::{BeamMesh, Blueprint, MeshVector, across};
 pub use profile::{Formulation, Medium};
 pub use quadrature::{gauss, gauss2, gauss3};
 pub use section::{Directors, Lame, SectionLaw, Stiffness};

@@ -2,10 +2,11 @@ use nalgebra::Vector3;
 
 use super::element::Profile;
 use super::formulation::straight;
+use super::section::strain::{AA, BB, BD, CC, CE, DD, DE, EE};
 use super::station::{Law, Relative, Station};
 use super::{
-    BeamShape, CrossSection, Directors, Interpolation, Kind, Lame, Moments, QuadraticShape, SectionLaw,
-    gauss, gauss2, gauss3,
+    BeamShape, CrossSection, Directors, Interpolation, Kind, Lame, Moments, NeoHookean, QuadraticShape,
+    SectionLaw, gauss, gauss2, gauss3, quadrature::lobatto3,
 };
 
 /// What a beam is made of.
@@ -13,6 +14,8 @@ use super::{
 pub struct Medium {
     /// Lamé's constants.
     pub lame: Lame,
+    /// Whether the law is neo-Hookean, not St. Venant-Kirchhoff's; for the continuum formulation.
+    pub neo_hookean: bool,
     /// Density ρ.
     pub density: f64,
     /// Retardation time τ of Kelvin and Voigt: stresses are those of the strains E + τ dE/dt.
@@ -40,7 +43,7 @@ type Sample<'a> = (f64, f64, &'a dyn Fn(&Directors, &CrossSection) -> SectionLaw
 impl Profile<8> {
     /// Elements of a straight prismatic beam in the continuum formulation.
     pub fn new(shape: BeamShape, lame: Lame, density: f64, moments: Moments, gravity: Vector3<f64>) -> Self {
-        let medium = Medium { lame, density, retardation: 0.0, drag: 0.0, gravity };
+        let medium = Medium { lame, neo_hookean: false, density, retardation: 0.0, drag: 0.0, gravity };
         let section = CrossSection {
             moments,
             inertia: [moments.yy, moments.zz],
@@ -78,7 +81,26 @@ impl Profile<8> {
                 Self::build(&shape, reference, section, medium, &rule)
             }
             Formulation::Linked => {
-                let rule: Vec<Sample<'_>> = gauss3().iter().map(|&(xi, w)| (xi, w, &law as _)).collect();
+                let axial = |g0: &Directors, section: &CrossSection| {
+                    law(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[AA, BB, CC])
+                };
+                let nodal = |g0: &Directors, section: &CrossSection| {
+                    let poisson = SectionLaw::poisson(lame, section, g0);
+                    law(g0, section).minus(&poisson).among(&[DD, EE, DE]).plus(&poisson)
+                };
+                let mid = |g0: &Directors, section: &CrossSection| law(g0, section).among(&[BD, CE]);
+                let rest = |g0: &Directors, section: &CrossSection| {
+                    law(g0, section)
+                        .minus(&axial(g0, section))
+                        .minus(&nodal(g0, section))
+                        .minus(&mid(g0, section))
+                };
+                let mut rule: Vec<Sample<'_>> = gauss3().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
+                rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &axial) }));
+                rule.extend(
+                    [(0.0, 0.5), (1.0, 0.5)].iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }),
+                );
+                rule.push((0.5, 1.0, &mid));
                 let mut profile = Self::build(&shape, reference, section, medium, &rule);
                 profile.stations.iter_mut().for_each(|station| station.link(length));
                 profile
@@ -115,12 +137,12 @@ impl Profile<9> {
             true => SectionLaw::enhanced(lame, section),
             false => SectionLaw::curved(lame, section, g0, true),
         };
-        let poisson = |g0: &Directors, section: &CrossSection| SectionLaw::poisson(lame, section, g0);
-        let reduced = |g0: &Directors, section: &CrossSection| all(g0, section).minus(&poisson(g0, section));
-        let mut rule: Vec<Sample<'_>> = gauss2().iter().map(|&(xi, w)| (xi, w, &reduced as _)).collect();
-        if lame.lambda != 0.0 {
-            rule.extend(gauss3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &poisson) }));
-        }
+        let nodal = |g0: &Directors, section: &CrossSection| {
+            all(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[DD, EE, DE])
+        };
+        let rest = |g0: &Directors, section: &CrossSection| all(g0, section).minus(&nodal(g0, section));
+        let mut rule: Vec<Sample<'_>> = gauss2().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
+        rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }));
         Self::build(&shape, reference, section, medium, &rule)
     }
 }
@@ -142,10 +164,15 @@ impl<const N: usize> Profile<N> {
             let weights = shape.directors(xi);
             let directors = Station::<N>::sum::<S>(&weights, &relative);
             let g0 = settled(directors, shape.length());
-            let law = law(&g0, &section(xi));
-            let viscosity = (medium.retardation != 0.0).then(|| law.times(medium.retardation));
-            let weight = w * shape.length();
-            Station { xi, weight, weights, reference: g0, law: Law::Quadratic(law), viscosity }
+            let section = section(xi);
+            let quadratic = law(&g0, &section);
+            let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
+            let law = if medium.neo_hookean {
+                Law::Hyperelastic(NeoHookean::new(medium.lame, section.points))
+            } else {
+                Law::Quadratic(quadratic)
+            };
+            Station { xi, weight: w * shape.length(), weights, reference: g0, law, viscosity }
         });
         let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
         for (xi, w) in gauss() {
@@ -173,8 +200,9 @@ impl<const N: usize> Profile<N> {
 impl Station<8> {
     /// Brings its laws under linked strains.
     fn link(&mut self, length: f64) {
-        let Law::Quadratic(law) = &mut self.law;
-        *law = law.linked(self.xi, length);
+        if let Law::Quadratic(law) = &mut self.law {
+            *law = law.linked(self.xi, length);
+        }
         self.viscosity = self.viscosity.as_ref().map(|law| law.linked(self.xi, length));
     }
 }

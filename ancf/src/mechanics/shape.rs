@@ -34,6 +34,13 @@ impl BeamShape {
         [bend, (1.0 - 4.0 * xi + 3.0 * xi2) / self.slope, -bend, (3.0 * xi2 - 2.0 * xi) / self.slope]
     }
 
+    /// Second derivatives by x of [`axis`](Self::axis).
+    pub fn axis_curvature(&self, xi: f64) -> [f64; 4] {
+        let bend = 6.0 * (2.0 * xi - 1.0) / (self.length * self.length);
+        let rate = 1.0 / (self.slope * self.length);
+        [bend, (6.0 * xi - 4.0) * rate, -bend, (6.0 * xi - 2.0) * rate]
+    }
+
     /// ∂S₃/∂y = ∂S₄/∂z and ∂S₇/∂y = ∂S₈/∂z at ξ: weights of the section vectors of both nodes.
     pub fn section(&self, xi: f64) -> [f64; 2] {
         [(1.0 - xi) / self.slope, xi / self.slope]
@@ -191,6 +198,17 @@ mod tests {
             let (coarse, fine) = (difference(xi, 0.5), difference(xi, 0.25));
             for (i, exact) in SHAPE.axis_gradient(xi).into_iter().enumerate() {
                 assert!((exact - (4.0 * fine[i] - coarse[i]) / 3.0).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// The central difference of a parabola is exact.
+    #[test]
+    fn curvature_is_derivative_of_gradient() {
+        for xi in [0.0, 0.3, 0.8, 1.0] {
+            let (right, left) = (SHAPE.axis_gradient(xi + 0.5), SHAPE.axis_gradient(xi - 0.5));
+            for (i, exact) in SHAPE.axis_curvature(xi).into_iter().enumerate() {
+                assert!((exact - (right[i] - left[i]) / SHAPE.length).abs() < 1e-13);
             }
         }
     }

@@ -1,37 +1,50 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::section::{Directors, SectionLaw, Stiffness, Strains, sum};
-use super::{Interpolation, Kind};
+use super::{Interpolation, Kind, NeoHookean};
 
 /// The elastic law of a cross-section.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
     /// Quadratic in the section strains.
     Quadratic(SectionLaw),
+    /// Compressible neo-Hookean.
+    Hyperelastic(NeoHookean),
 }
 
 impl Law {
+    fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
+        match self {
+            Self::Quadratic(_) => true,
+            Self::Hyperelastic(law) => law.is_admissible(g0, u),
+        }
+    }
+
     fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
         match self {
             Self::Quadratic(law) => law.energy(g0, u),
+            Self::Hyperelastic(law) => law.energy(g0, u),
         }
     }
 
     fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
         match self {
             Self::Quadratic(law) => law.forces(g0, u),
+            Self::Hyperelastic(law) => law.forces(g0, u),
         }
     }
 
     fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
         match self {
             Self::Quadratic(law) => law.add_stiffness(g0, u, factor, h),
+            Self::Hyperelastic(law) => law.add_stiffness(g0, u, factor, h),
         }
     }
 
     fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
         match self {
             Self::Quadratic(law) => law.rounding(g0, u, du),
+            Self::Hyperelastic(law) => law.rounding(g0, u, du),
         }
     }
 }
@@ -113,6 +126,12 @@ impl<const N: usize> Station<N> {
     /// The reference directors in the global frame.
     pub(super) fn reference(&self, frame: &Matrix3<f64>) -> Directors {
         self.reference.map(|g| frame * g)
+    }
+
+    /// det J > 0 on the axis, and wherever its law wants it.
+    pub(super) fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
+        let g = sum(g0, u);
+        g[0].dot(&g[3].cross(&g[4])) > 0.0 && self.law.is_admissible(g0, u)
     }
 
     /// Strain energy per length.

@@ -1,8 +1,9 @@
 use nalgebra::Vector3;
 
-use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, Model, ModelErrors, Place};
+use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
 use crate::mechanics::{
     self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
+    across,
 };
 use crate::system::{EquationsOfMotion, State, System, Term};
 
@@ -29,6 +30,20 @@ impl JointEquations {
     /// Number of multipliers.
     fn multipliers(&self) -> usize {
         3 * self.coincide.len() + self.perpendicular.len()
+    }
+
+    /// Keeps the tangent of a line normal to two directions across it of another body or the ground.
+    fn tie_line(
+        &mut self,
+        line: &impl Fn(Vector3<f64>) -> Marker,
+        section: &impl Fn(Vector3<f64>) -> Marker,
+        tangent: Vector3<f64>,
+        first: usize,
+    ) {
+        for normal in across(tangent) {
+            let multiplier = first + self.multipliers();
+            self.perpendicular.push(Perpendicular::new(&line(tangent), &section(normal), multiplier));
+        }
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
@@ -129,11 +144,18 @@ impl Model {
     pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)]) -> Vec<JointEquations> {
         let mut first = 0;
         let equations = self.joints.iter().map(|joint| {
-            let equations = equations(joint, first, &|place| self.locate(meshes, place));
+            let equations =
+                equations(joint, self.is_locking(joint), first, &|place| self.locate(meshes, place));
             first += equations.multipliers();
             equations
         });
         equations.collect()
+    }
+
+    /// Whether the first end of a joint is on a beam of the continuum formulation.
+    fn is_locking(&self, joint: &Joint) -> bool {
+        let body = self.bodies.iter().find(|body| body.name() == joint.ends().0.body);
+        matches!(body, Some(Body::Beam(Beam { formulation: Formulation::Continuum, .. })))
     }
 
     /// The meshes of the bodies, coordinates counted on from body to body.
@@ -151,6 +173,7 @@ impl Model {
         let material = &self.materials[body.material()];
         let medium = Medium {
             lame: material.lame(),
+            neo_hookean: material.law == MaterialLaw::NeoHookean,
             density: material.density,
             retardation: material.damping.strain,
             drag: material.damping.mass,
@@ -176,7 +199,7 @@ impl Model {
                 }
                 None => BeamMesh::three_node(&blueprint, &nodes(2 * elements, beam.twist)),
             },
-            Body::Cable(_) => todo!("cable"),
+            Body::Cable(_) => BeamMesh::cable(&blueprint, &nodes(elements, 0.0)),
         }
     }
 
@@ -206,6 +229,7 @@ impl Formulation {
 /// A joint as equations between markers, by multipliers from `first` on.
 fn equations<'a>(
     joint: &Joint,
+    locking: bool,
     first: usize,
     find: &impl Fn(&Place) -> (&'a BeamMesh, f64),
 ) -> JointEquations {
@@ -234,10 +258,22 @@ fn equations<'a>(
     match joint {
         Joint::Spherical { .. } => {}
         Joint::Clamp { fix, .. } => {
+            let sectional = |end: &End| !matches!(end, End::Place(place) if !find(place).0.has_sections());
+            let fix = fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
             let axes = mesh.reference_axes(s);
-            let tied = match fix {
-                Clamped::All => axes.as_slice(),
-                Clamped::Section => &axes[1..],
+            let tied = match (mesh.has_sections(), sectional(b), fix) {
+                (true, true, Clamped::All) => axes.as_slice(),
+                (true, true, Clamped::Section) => &axes[1..],
+                // A line has a tangent only: it stays normal to what the other end has across it.
+                (true, false, Clamped::Section) => {
+                    equations.tie_line(&other, &|x| mesh.direction(s, x), axes[0].normalize(), first);
+                    return equations;
+                }
+                (false, true, Clamped::Section) => {
+                    equations.tie_line(&|x| mesh.direction(s, x), &other, axes[0].normalize(), first);
+                    return equations;
+                }
+                (false, ..) | (_, false, _) => &axes[..1],
             };
             for &direction in tied {
                 let multipliers = first + equations.multipliers();
@@ -247,7 +283,7 @@ fn equations<'a>(
         }
         Joint::Revolute { axis, .. } => {
             let axis = Vector3::from(*axis).normalize();
-            for normal in normals(axis) {
+            for normal in across(axis) {
                 let multiplier = first + equations.multipliers();
                 let tie = Perpendicular::new(&mesh.direction(s, axis), &other(normal), multiplier);
                 equations.perpendicular.push(tie);
@@ -255,12 +291,4 @@ fn equations<'a>(
         }
     }
     equations
-}
-
-/// Two unit vectors normal to a unit vector and to each other; the global axes where they fit.
-fn normals(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
-    let least = axis.iamin();
-    let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });
-    let first = (guide - axis * axis.dot(&guide)).normalize();
-    [first, axis.cross(&first)]
 }

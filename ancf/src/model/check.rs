@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 
 use super::Formulation;
 use super::schema::{listed, nearest, number, quoted};
-use super::survey::{Finding, did_you_mean};
+use super::survey::{Finding, did_you_mean, join};
 use super::{
     Analysis, Beam, Body, Dynamics, End, Joint, Load, MaterialLaw, Model, ModelError, Newmark, Place,
-    ScaleChoice, Shape,
+    ScaleChoice, Section, Shape,
 };
 
 /// Elements beyond which a model is taken for a slip of the pen.
@@ -23,7 +23,8 @@ const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
-    let rules = [names, columns, bodies, formulations, size, places, joints, time, scheme, scales];
+    let rules =
+        [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     rules.iter().flat_map(|rule| rule(model)).collect()
 }
 
@@ -84,6 +85,19 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
         Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
     });
     spaced.chain(twice).collect()
+}
+
+/// The hole of a tube is narrower than the tube.
+fn sections(model: &Model) -> Vec<Finding> {
+    let rule = |(name, section): (&String, &Section)| {
+        let Section::Tube { outer, inner } = *section else { return None };
+        let path = join("sections", name);
+        (inner >= outer).then(|| {
+            let wanted = format!("less than the outer diameter, {}", number(outer));
+            finding(format!("{path}.inner"), number(inner), wanted).rests_on([format!("{path}.outer")])
+        })
+    };
+    model.sections.iter().filter_map(rule).collect()
 }
 
 /// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
@@ -171,6 +185,55 @@ fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -
         let at = |r: &Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
         finding(format!("{path}.to"), at(to), format!("{}, where the helix ends", at(end)))
     })
+}
+
+/// A cable bends equally about every axis across, and has no section to hold.
+fn cables(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, body) in bodies_of(model) {
+        let (Body::Cable(cable), Some(section)) = (body, model.sections.get(body.section())) else {
+            continue;
+        };
+        let m = section.moments();
+        if (m.yy - m.zz).abs() > 1e-9 * m.yy.max(m.zz) {
+            let error = finding(
+                format!("{path}.section"),
+                "a section that bends differently about y and z",
+                "a circle, a tube, a square or a general section with iy = iz",
+            );
+            findings.push(error.rests_on(["sections".into()]));
+        }
+        if model
+            .materials
+            .get(&cable.material)
+            .is_some_and(|material| material.law == MaterialLaw::NeoHookean)
+        {
+            let error = finding(
+                format!("{path}.material"),
+                "a neo-Hookean material of a cable",
+                "one whose law is \"st_venant_kirchhoff\"",
+            );
+            findings.push(error.rests_on(["materials".into()]));
+        }
+    }
+    for (path, joint) in joints_of(model) {
+        let (a, b) = joint.ends();
+        let places = [("a", Some(a)), ("b", if let End::Place(b) = b { Some(b) } else { None })];
+        for (key, place) in places {
+            let on_cable = place
+                .and_then(|place| body(model, place))
+                .is_some_and(|(_, body)| matches!(body, Body::Cable(_)));
+            if on_cable && matches!(joint, Joint::Revolute { .. }) {
+                let error = finding(
+                    format!("{path}.{key}"),
+                    "a hinge on a cable, which has no section to turn",
+                    "a \"spherical\" joint, or a beam",
+                );
+                findings.push(error.rests_on(["bodies".into()]));
+            }
+        }
+    }
+    findings
 }
 
 /// What a formulation cannot do, it is not asked to.

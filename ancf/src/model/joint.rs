@@ -19,9 +19,10 @@ pub enum Joint {
         /// The other end; the ground by default.
         #[serde(default)]
         b: End,
-        /// Which gradients are tied besides the position.
-        #[serde(default)]
-        fix: Clamped,
+        /// Which gradients are tied besides the position: `"all"` for beams of the continuum formulation, `"section"`
+        /// for all else, by default.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fix: Option<Clamped>,
     },
     /// A hinge: ties the position and leaves rotation about one axis.
     Revolute {
@@ -78,13 +79,13 @@ pub enum End {
 }
 
 /// Which gradients a clamp ties besides the position.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Clamped {
     /// r_x, r_y and r_z: all twelve coordinates of the node, as Kim et al. (2017) do. Stretch and shear of the axis
     /// are then zero at the clamp, which stiffens coarse meshes: 8/9 of the exact elongation for one element.
-    #[default]
     All,
-    /// r_y and r_z only: the section is fixed and the axis is free to stretch, exact in tension.
+    /// r_y and r_z only: the section is fixed and the axis is free to stretch, exact in tension. Of a cable, the direction
+    /// of the tangent.
     Section,
 }

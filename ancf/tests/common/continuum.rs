@@ -14,7 +14,7 @@ pub(crate) fn integrate(length: f64, section: Section, f: impl Fn([f64; 3]) -> f
     gauss().iter().map(|&(xi, w)| w * length * slice(xi * length)).sum()
 }
 
-/// Points (y, z) and weights of a cross-section: a product rule, in polar coordinates for the circle.
+/// Points (y, z) and weights of a cross-section: a product rule, in polar coordinates but for the rectangle.
 fn points(section: Section) -> Vec<([f64; 2], f64)> {
     let pairs = |second: Vec<(f64, f64)>| {
         gauss()
@@ -25,13 +25,26 @@ fn points(section: Section) -> Vec<([f64; 2], f64)> {
         Section::Rectangle { height, width } => pairs(gauss().to_vec())
             .map(|(y, z, w)| ([height * (y - 0.5), width * (z - 0.5)], w * height * width))
             .collect(),
-        Section::Circle { diameter } => {
-            pairs((0..8).map(|k| (TAU * f64::from(k) / 8.0, TAU / 8.0)).collect())
-                .map(|(part, angle, w)| (0.5 * diameter * part, angle, 0.5 * diameter * w))
-                .map(|(r, angle, w)| ([r * angle.cos(), r * angle.sin()], w * r))
-                .collect()
-        }
+        Section::Circle { diameter } => rings(pairs, diameter, diameter, 0.0),
+        Section::Tube { outer, inner } => rings(pairs, outer, outer, inner / outer),
+        Section::Ellipse { height, width } => rings(pairs, height, width, 0.0),
+        Section::General { .. } => panic!("no shape"),
     }
+}
+
+/// Between two ellipses of one shape, of which the inner one has the relative size m.
+fn rings<I: Iterator<Item = (f64, f64, f64)>>(
+    pairs: impl Fn(Vec<(f64, f64)>) -> I,
+    height: f64,
+    width: f64,
+    m: f64,
+) -> Vec<([f64; 2], f64)> {
+    pairs((0..8).map(|k| (TAU * f64::from(k) / 8.0, TAU / 8.0)).collect())
+        .map(|(part, angle, w)| (m + (1.0 - m) * part, angle, (1.0 - m) * w))
+        .map(|(r, angle, w)| {
+            ([0.5 * height * r * angle.cos(), 0.5 * width * r * angle.sin()], 0.25 * height * width * w * r)
+        })
+        .collect()
 }
 
 /// S₁ .. S₈ at a point, by Kim et al. (2017), eqs (5), (12), with S₂ = s(ξ − 2ξ² + ξ³), S₆ = s(ξ³ − ξ²) and s = l/ℓ.

@@ -47,7 +47,7 @@ pub(crate) fn cantilever(elements: u32) -> Model {
 
 /// Clamped at its start in one way or the other.
 pub(crate) fn clamped(elements: u32, fix: Clamped) -> Model {
-    let clamp = Joint::Clamp { name: "root".into(), a: start(), b: End::Ground, fix };
+    let clamp = Joint::Clamp { name: "root".into(), a: start(), b: End::Ground, fix: Some(fix) };
     Model { joints: vec![clamp], ..free(elements) }
 }
 

@@ -40,7 +40,7 @@ fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
 }
 
 fn clamp(fix: Clamped) -> impl FnOnce(Place, End) -> Joint {
-    move |a, b| Joint::Clamp { name: "fork".into(), a, b, fix }
+    move |a, b| Joint::Clamp { name: "fork".into(), a, b, fix: Some(fix) }
 }
 
 /// One system for each kind of joint, soft and on the move.

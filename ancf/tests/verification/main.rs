@@ -3,6 +3,8 @@
 //! Files are named after their source. Where a number comes from is said beside it.
 #![cfg(test)]
 
+#[path = "../common/chain.rs"]
+mod chain;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "../common/continuum.rs"]
 mod continuum;
@@ -15,8 +17,10 @@ mod rod;
 mod run;
 
 mod balance;
+mod cable_statics;
 mod chrono_3243;
 mod elastica;
+mod gerstmayr_irschik;
 mod kim_cantilever;
 mod kim_misprints;
 mod kim_pendulum;

@@ -18,6 +18,12 @@ pub enum Failure {
     /// The solution that was found turns an element inside out.
     #[error("the solution turns an element inside out: a smaller step may help")]
     Inverted,
+    /// The equilibrium that was found is not as stable as the one before it, and nothing between them tells why.
+    #[error("the stability changed within the step: a smaller step may help")]
+    Unstable,
+    /// The path of equilibria turned too far within a step.
+    #[error("the path of equilibria turns too far within the step: a smaller step may help")]
+    Turned,
     /// The permitted number of iterations was not enough.
     #[error("the iteration did not converge: a smaller step or more iterations may help")]
     NotConverged,
@@ -46,4 +52,17 @@ impl SolveError {
     pub(super) const fn at_start(failure: Failure) -> Self {
         Self { failure, t: 0.0, iterations: 0, residual: 0.0, increment: 0.0, worst: 0 }
     }
+}
+
+/// There is no equilibrium, or none that was found, beyond a load factor.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("no equilibrium found beyond load factor {reached}; at {load}: {cause}")]
+pub struct EquilibriumError {
+    /// Load factor of the last equilibrium.
+    pub reached: f64,
+    /// Load factor of the last attempt.
+    pub load: f64,
+    /// How the last attempt failed.
+    #[source]
+    pub cause: SolveError,
 }

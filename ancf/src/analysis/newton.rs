@@ -1,5 +1,6 @@
 use std::ops::ControlFlow;
 
+use super::mover::{Linear, Mover, Whole};
 use super::{Failure, SolveError};
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
@@ -37,8 +38,9 @@ pub struct Report {
 pub struct Newton {
     stop: Stop,
     max_iterations: u32,
-    matrix: SparseMatrix,
-    factor: Factor,
+    patience: u32,
+    pub(super) matrix: SparseMatrix,
+    pub(super) factor: Factor,
     r: Vec<f64>,
     z: Vec<f64>,
     floor: Vec<f64>,
@@ -48,7 +50,7 @@ pub struct Newton {
 
 /// A residual within this many times its rounding bound cannot be told from zero.
 const FLOOR: f64 = 8.0;
-/// So many iterations without progress are a stagnation.
+/// So many iterations without progress are a stagnation, unless more patience is asked for.
 const STUCK: u32 = 3;
 
 impl Newton {
@@ -61,6 +63,7 @@ impl Newton {
         Ok(Self {
             stop,
             max_iterations,
+            patience: STUCK,
             factor: Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?,
             matrix,
             r: zeros.clone(),
@@ -73,6 +76,11 @@ impl Newton {
     /// Tells the energy rule of an energy that a converged state has; before that the rule goes by the iterate's own.
     pub fn met(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);
+    }
+
+    /// Bears so many iterations without progress before it calls them a stagnation.
+    pub(super) fn bear(&mut self, patience: u32) {
+        self.patience = patience;
     }
 
     /// Iterates a state until r(s) = 0, moving it by `w`.
@@ -88,6 +96,17 @@ impl Newton {
         s: &mut State,
         w: Weights,
     ) -> Result<Report, SolveError> {
+        self.solve_by(&mut Whole, eom, s, w)
+    }
+
+    /// The same, with another way of moving the state by an increment.
+    pub(super) fn solve_by(
+        &mut self,
+        mover: &mut dyn Mover,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+    ) -> Result<Report, SolveError> {
         let mut progress = Progress::default();
         loop {
             eom.residual(s, &mut self.r);
@@ -96,7 +115,7 @@ impl Newton {
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
             }
             let energy = self
-                .increment(eom, s, w, &mut progress.report)
+                .increment(mover, eom, s, w, &mut progress.report)
                 .map_err(|failure| self.error(failure, eom, s, progress.report))?;
             if let ControlFlow::Break(end) = self.judge_increment(eom, s, energy, &mut progress) {
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
@@ -107,23 +126,41 @@ impl Newton {
     /// One Newton increment of the state; returns its energy |Δq·r| + |Δλ·Φ|.
     fn increment(
         &mut self,
+        mover: &mut dyn Mover,
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
         report: &mut Report,
     ) -> Result<f64, Failure> {
         let n = s.q.len();
-        eom.tangent(s, w, &mut self.matrix);
+        self.factorise(eom, s, w)?;
         for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
             *z = if i < n { -r } else { -r / w.q };
         }
-        self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
         self.factor.solve(&self.matrix, &mut self.z).map_err(|_| Failure::Singular)?;
-        s.add(&self.z, w);
+        let Self { matrix, factor, r, z, .. } = self;
+        mover.go(Linear { eom, matrix, factor, r, z }, s, w)?;
         let dot = |z: &[f64], r: &[f64]| z.iter().zip(r).map(|(z, r)| z * r).sum::<f64>();
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
+    }
+
+    /// Factorises the iteration matrix of a state.
+    pub(super) fn factorise(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        w: Weights,
+    ) -> Result<(), Failure> {
+        eom.tangent(s, w, &mut self.matrix);
+        self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)
+    }
+
+    /// Negative eigenvalues of the matrix that was factorised last, less the one that each multiplier brings: in statics
+    /// the number of unstable directions. `None` if the factors do not tell.
+    pub(super) fn unstable(&self, eom: &dyn EquationsOfMotion) -> Option<usize> {
+        self.factor.negative_pivots()?.checked_sub(eom.multipliers())
     }
 
     /// Ends the iteration on a residual that is small enough, at its floor, or not finite.
@@ -143,7 +180,7 @@ impl Newton {
         if progress.stuck > 0 && self.excess(eom, s).1 <= FLOOR {
             return ControlFlow::Break(Ok(Report { floor: true, ..report }));
         }
-        if progress.stuck >= STUCK {
+        if progress.stuck >= self.patience {
             return ControlFlow::Break(Err(Failure::Stagnated));
         }
         if report.iterations >= self.max_iterations {

@@ -289,6 +289,18 @@ impl SparseMatrix {
         }
     }
 
+    /// A x, in the order of the unknowns.
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let order = &self.pattern.order;
+        let ordered: Vec<f64> = order.iter().map(|&unknown| x[unknown as usize]).collect();
+        let (mut negative, mut product) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        self.subtract_product(&ordered, &mut negative);
+        for (&unknown, value) in order.iter().zip(negative) {
+            product[unknown as usize] = -value;
+        }
+        product
+    }
+
     /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
     pub fn dense(&self) -> Vec<Vec<f64>> {
         let order = &self.pattern.order;

@@ -5,8 +5,10 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::prelude::Solve;
 use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
 use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMatRef, Triplet};
@@ -213,5 +215,22 @@ impl Factor {
     /// Whether the current factorisation is the LU fallback.
     pub fn is_lu(&self) -> bool {
         self.lu.is_some()
+    }
+
+    /// The number of negative entries of D in the current L D Lᵀ: as many as K has negative eigenvalues.
+    ///
+    /// `None` if LU has taken over, whose pivots tell nothing of eigenvalues.
+    ///
+    /// Source: Sylvester (1852), the law of inertia; the diagonal of faer's supernodes is D.
+    pub fn negative_pivots(&self) -> Option<usize> {
+        let (SymbolicCholeskyRaw::Supernodal(symbolic), None) = (self.symbolic.raw(), &self.lu) else {
+            return None;
+        };
+        let factors = SupernodalLdltRef::new(symbolic, &self.values);
+        let negative = |s| {
+            let block = factors.supernode(s).val();
+            (0..block.ncols()).filter(|&j| block[(j, j)] < 0.0).count()
+        };
+        Some((0..symbolic.n_supernodes()).map(negative).sum())
     }
 }

@@ -2,10 +2,14 @@
 
 mod dynamics;
 mod error;
+mod krylov;
+mod modes;
 mod newmark;
 mod newton;
 
 pub use dynamics::{Dynamics, StepReport, consistent_start};
 pub use error::{Failure, SolveError};
+pub use krylov::EigenError;
+pub use modes::{Mode, Modes, modes};
 pub use newmark::Newmark;
 pub use newton::{Newton, Report, Stop};

@@ -292,14 +292,12 @@ impl SparseMatrix {
     /// A x, in the order of the unknowns.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let order = &self.pattern.order;
-        let mut product = vec![0.0; order.len()];
-        self.visit(|i, j, value| {
-            let (row, column) = (order[i] as usize, order[j] as usize);
-            product[row] += value * x[column];
-            if i != j {
-                product[column] += value * x[row];
-            }
-        });
+        let ordered: Vec<f64> = order.iter().map(|&unknown| x[unknown as usize]).collect();
+        let (mut negative, mut product) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        self.subtract_product(&ordered, &mut negative);
+        for (&unknown, value) in order.iter().zip(negative) {
+            product[unknown as usize] = -value;
+        }
         product
     }
 

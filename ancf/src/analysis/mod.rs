@@ -1,5 +1,6 @@
 //! FLOOR 1a: what is done with equations of motion. Newton's method and time integration; knows no mechanics.
 
+mod buckling;
 mod dynamics;
 mod error;
 mod krylov;
@@ -7,6 +8,7 @@ mod modes;
 mod newmark;
 mod newton;
 
+pub use buckling::{Critical, Sense, buckling};
 pub use dynamics::{Dynamics, StepReport, consistent_start};
 pub use error::{Failure, SolveError};
 pub use krylov::EigenError;

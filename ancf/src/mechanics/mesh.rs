@@ -4,6 +4,18 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{Beam24, BeamShape, Marker, Profile};
+use crate::system::State;
+
+/// A vector among the coordinates of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalVector {
+    /// The first of its three coordinates.
+    pub first: usize,
+    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    pub is_position: bool,
+    /// Its value in a state.
+    pub value: Vector3<f64>,
+}
 
 /// The nodes and elements of a straight prismatic beam.
 ///
@@ -40,6 +52,20 @@ impl BeamMesh {
     /// Orthonormal directions of x, y and z in the reference state.
     pub fn frame(&self) -> &[Vector3<f64>; 3] {
         &self.frame
+    }
+
+    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
+        let shape = self.shape();
+        (0..4 * (self.elements + 1)).map(move |k| {
+            let (first, is_position) = (self.first + 3 * k, k % 4 == 0);
+            let reference = match k % 4 {
+                0 => self.origin + self.frame[0] * ((k / 4) as f64 * shape.length),
+                along => self.frame[along - 1] * shape.slope,
+            };
+            let moved = Vector3::from_column_slice(&s.q[first..first + 3]);
+            NodalVector { first, is_position, value: reference + moved }
+        })
     }
 
     /// The elements.

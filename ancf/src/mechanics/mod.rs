@@ -13,7 +13,7 @@ pub use beam::{Beam24, Profile};
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use force::Force;
 pub use marker::Marker;
-pub use mesh::BeamMesh;
+pub use mesh::{BeamMesh, NodalVector};
 pub use quadrature::gauss;
 pub use section::{Directors, Lame, Moments, SectionLaw};
 pub use shape::BeamShape;

@@ -65,10 +65,11 @@ pub fn buckling(
     sense: Sense,
 ) -> Result<Vec<Critical>, EigenError> {
     let lowest = modes(eom, matrix.clone(), s, 1)?.modes;
-    match lowest.first().map_or(1.0, |mode| mode.squared) {
-        0.0 => return Err(EigenError::Singular),
-        squared if squared < 0.0 => return Err(EigenError::Indefinite),
-        _ => {}
+    match lowest.first().map(|mode| mode.squared) {
+        None => return Ok(Vec::new()),
+        Some(0.0) => return Err(EigenError::Singular),
+        Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
+        Some(_) => {}
     }
     let (mut stiffness, n) = (matrix.clone(), eom.coordinates());
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
@@ -90,17 +91,28 @@ pub fn buckling(
     for _ in 0..PASSES {
         let found = krylov(&mut op, start, &search)?;
         if found.converged {
-            let pairs = &found.pairs[..found.wanted];
-            return Ok(pairs.iter().map(|pair| critical(pair.value, &pair.vector, &mass, n)).collect());
+            // Once more through T: x then obeys the constraints as well as equations are solved.
+            let shapes: Result<Vec<_>, _> =
+                found.pairs[..found.wanted].iter().map(|pair| op.apply(&pair.vector)).collect();
+            return Ok(shapes?.iter().map(|x| critical(x, &stiffness, &softening, &mass, n)).collect());
         }
         start = found.pairs.into_iter().map(|pair| pair.vector).collect();
     }
     Err(EigenError::NotConverged)
 }
 
-fn critical(theta: f64, x: &DVector<f64>, mass: &SparseMatrix, n: usize) -> Critical {
-    let size = x.dot(&DVector::from(mass.times(x.as_slice()))).max(0.0).sqrt();
-    Critical { factor: 1.0 / theta, shape: x.iter().take(n).map(|x| x / size).collect() }
+/// s = xᵀ K₀ x / −xᵀ K_g x, which the error of x enters by its square only, and x with xᵀ M x = 1.
+fn critical(
+    x: &DVector<f64>,
+    stiffness: &SparseMatrix,
+    softening: &SparseMatrix,
+    mass: &SparseMatrix,
+    n: usize,
+) -> Critical {
+    let product = |matrix: &SparseMatrix| x.dot(&DVector::from(matrix.times(x.as_slice())));
+    let size = product(mass).max(0.0).sqrt();
+    let shape = x.iter().take(n).map(|x| x / size).collect();
+    Critical { factor: product(stiffness) / product(softening), shape }
 }
 
 /// The linear path of equilibria on which a state starts.

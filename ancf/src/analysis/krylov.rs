@@ -105,7 +105,7 @@ pub(super) struct Search {
 /// The best pairs of a space, best first, and whether the wanted ones among them have converged.
 #[derive(Debug)]
 pub(super) struct Found {
-    /// As many as the starting block has, for it to be replaced by them.
+    /// As many as the starting block has, if there are so many, for it to be replaced by them.
     pub(super) pairs: Vec<Pair>,
     /// How many of them are wanted.
     pub(super) wanted: usize,
@@ -115,6 +115,8 @@ pub(super) struct Found {
 
 /// What is left of a vector counts as nothing below this part of it.
 const NOTHING: f64 = 1e-10;
+/// A square below zero by more than this part of what it is a sum of is negative.
+const NEGATIVE: f64 = 1e-10;
 /// A residual within this many times the asymmetry of VᵀBTV cannot be told from rounding.
 const ROUNDING: f64 = 10.0;
 
@@ -130,6 +132,7 @@ pub(super) fn krylov(
     search: &Search,
 ) -> Result<Found, EigenError> {
     let mut space = Space { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
+    let size = start.len();
     for x in start {
         space.insert(x)?;
     }
@@ -147,7 +150,7 @@ pub(super) fn krylov(
         }
         let ritz = space.ritz(search);
         if ritz.converged || depth >= search.depth {
-            let pairs = (0..block).map(|k| space.pair(&ritz, k)).collect();
+            let pairs = (0..size.min(ritz.order.len())).map(|k| space.pair(&ritz, k)).collect();
             return Ok(Found { pairs, wanted: ritz.wanted, converged: ritz.converged });
         }
     }
@@ -173,8 +176,12 @@ impl Space<'_> {
     /// Orthogonalises a vector and adds what is left of it to the basis; returns its coefficients.
     fn insert(&mut self, mut x: DVector<f64>) -> Result<Vec<f64>, EigenError> {
         let mut coefficients = vec![0.0; self.basis.len()];
-        let (mut image, mut size) = self.image(&x)?;
-        let before = size;
+        let (mut image, square) = self.image(&x)?;
+        if square < 0.0 && square < -NEGATIVE * self.inner.magnitude(x.as_slice()) {
+            return Err(EigenError::Indefinite);
+        }
+        let before = square.max(0.0).sqrt();
+        let mut size = before;
         // Once more after a loss of digits; what then is left of the loss is rounding.
         for _ in 0..3 {
             for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
@@ -182,10 +189,10 @@ impl Space<'_> {
                 x.axpy(-dot, v, 1.0);
                 *sum += dot;
             }
-            let left;
-            (image, left) = self.image(&x)?;
-            let kept = left / std::mem::replace(&mut size, left);
-            if kept > 0.1 || left <= NOTHING * before {
+            let square;
+            (image, square) = self.image(&x)?;
+            let kept = square.max(0.0).sqrt() / std::mem::replace(&mut size, square.max(0.0).sqrt());
+            if kept > 0.1 || size <= NOTHING * before {
                 break;
             }
         }
@@ -196,17 +203,11 @@ impl Space<'_> {
         Ok(coefficients)
     }
 
-    /// B x and √(xᵀ B x).
+    /// B x and xᵀ B x.
     fn image(&self, x: &DVector<f64>) -> Result<(DVector<f64>, f64), EigenError> {
         let image = DVector::from(self.inner.times(x.as_slice()));
         let square = x.dot(&image);
-        if !square.is_finite() {
-            return Err(EigenError::Singular);
-        }
-        if square < 0.0 && square < -1e-10 * self.inner.magnitude(x.as_slice()) {
-            return Err(EigenError::Indefinite);
-        }
-        Ok((image, square.max(0.0).sqrt()))
+        if square.is_finite() { Ok((image, square)) } else { Err(EigenError::Singular) }
     }
 
     /// Entry (i, j) of H; zero where a column ended before a vector joined the basis.
@@ -226,13 +227,13 @@ impl Space<'_> {
         let key = |&k: &usize| -> f64 { (search.key)(Vec::<f64>::as_slice(&values)[k]) };
         order.sort_by(|a, b| key(b).total_cmp(&key(a)));
         let largest = values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
-        let wanted =
-            order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
+        let wanted = order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
         let residual = |k: usize| {
             let row = |i| (0..n).map(|j| self.entry(i, j) * vectors[(j, k)]).sum::<f64>();
             (n..all).map(|i| row(i).powi(2)).sum::<f64>().sqrt()
         };
-        let small = |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
+        let small =
+            |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
         let converged = order[..wanted].iter().all(small);
         Ritz { values, vectors, order, wanted, converged }
     }

@@ -1,4 +1,4 @@
-//! FLOOR 1a: what is done with equations of motion. Newton's method and time integration; knows no mechanics.
+//! FLOOR 1a: what is done with equations of motion. Newton's method, time integration, modes, buckling; knows no mechanics.
 
 mod buckling;
 mod dynamics;

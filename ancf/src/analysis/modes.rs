@@ -64,14 +64,19 @@ pub fn modes(
     s: &State,
     count: usize,
 ) -> Result<Modes, EigenError> {
+    let count = count.min(eom.coordinates().saturating_sub(eom.multipliers()));
+    if count == 0 {
+        return Ok(Modes { modes: Vec::new(), rigid: 0 });
+    }
     let mut pencil = Pencil::new(eom, matrix, s)?;
     let mut search = Search { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
-    let (mut start, mut shift) = (Vec::new(), pencil.first_shift());
+    // Far below all ω² no mode is preferred: the vectors to start from are independent even if the first shift is not.
+    let highest = pencil.highest();
+    pencil.factorise(-highest)?;
+    let mut start = pencil.operator().start(count + GUARD)?;
+    let mut shift = -100.0 * f64::EPSILON * highest;
     for pass in 0..PASSES {
         shift = pencil.factorise(shift)?;
-        if start.is_empty() {
-            start = pencil.operator().start(count + GUARD)?;
-        }
         let found = krylov(&mut pencil.operator(), start, &search)?;
         if pass > 0 && found.converged {
             return pencil.finish(found);
@@ -102,20 +107,19 @@ impl<'a> Pencil<'a> {
         Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor })
     }
 
-    /// Just below zero by the rounding of the highest ω², for which the largest K_ii / M_ii stands.
-    fn first_shift(&self) -> f64 {
+    /// The size of the highest ω², for which the largest K_ii / M_ii stands; one if nothing has stiffness.
+    fn highest(&self) -> f64 {
         let ratio = |i| match self.mass.diagonal_of(i) {
             mass if mass > 0.0 => self.stiffness.diagonal_of(i).abs() / mass,
             _ => 0.0,
         };
         let highest = (0..self.eom.coordinates()).map(ratio).fold(0.0, f64::max);
-        // Without any stiffness all shifts are equally good.
-        if highest > 0.0 { -100.0 * f64::EPSILON * highest } else { -1.0 }
+        if highest > 0.0 { highest } else { 1.0 }
     }
 
     /// Factorises K − σM for the first σ of σ, 4σ, 16σ, ... that lies below all ω²; returns it.
     fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
-        // Each doubles the exponent's reach: 4¹⁰⁰ is beyond any spectrum.
+        // 4¹⁰⁰ is beyond any spectrum.
         for _ in 0..100 {
             self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
             self.factor.factorise(&self.shifted)?;

@@ -195,7 +195,11 @@ impl Rigid {
         let motions = self.owner[coordinate].map(|(b, k)| {
             let (body, vector) = (&self.bodies[b], self.bodies[b].vectors[k]);
             let component = coordinate - vector.first;
-            body.motions(&vector).map(|x| x[component]).into_iter().enumerate().map(move |(j, x)| (6 * b + j, x))
+            body.motions(&vector)
+                .map(|x| x[component])
+                .into_iter()
+                .enumerate()
+                .map(move |(j, x)| (6 * b + j, x))
         });
         motions.into_iter().flatten()
     }
@@ -240,7 +244,8 @@ impl RigidBody {
         let centre = self.positions().sum::<Vector3<f64>>() / self.positions().count().max(1) as f64;
         self.origin = joint.unwrap_or(centre);
         let reach = self.positions().map(|r| (r - self.origin).norm()).fold(0.0, f64::max);
-        let vector = self.vectors.iter().filter(|v| !v.is_position).map(|v| v.value.norm()).fold(0.0, f64::max);
+        let vector =
+            self.vectors.iter().filter(|v| !v.is_position).map(|v| v.value.norm()).fold(0.0, f64::max);
         self.length = [reach, vector, 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0);
     }
 
@@ -333,7 +338,9 @@ fn words(motion: &Motion, s: &str) -> String {
         }
         Motion::Screw { through, along, pitch } => {
             let (point, along, pitch) = (triple(through), direction(along), number(*pitch));
-            format!("rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian")
+            format!(
+                "rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian"
+            )
         }
     }
 }

@@ -30,7 +30,8 @@ impl Kernel {
             return;
         }
         row.retain(|_, x| x.abs() > ROUNDING * largest);
-        let rank = |j: usize, x: f64| (prefer(j) && x.abs() > 0.1 * largest, (x.abs() / largest * 1e6).round());
+        let rank =
+            |j: usize, x: f64| (prefer(j) && x.abs() > 0.1 * largest, (x.abs() / largest * 1e6).round());
         let best = row.iter().max_by(|a, b| {
             let (a, b) = (rank(*a.0, *a.1), rank(*b.0, *b.1));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))

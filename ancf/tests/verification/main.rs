@@ -15,6 +15,7 @@ mod rod;
 mod run;
 
 mod balance;
+mod buckling;
 mod chrono_3243;
 mod elastica;
 mod kim_cantilever;
@@ -25,6 +26,7 @@ mod kim_static_tips;
 mod linear_beam;
 mod princeton_beam;
 mod timoshenko_modes;
+mod vibration;
 
 use ancf::Model;
 use ancf::model::{ScaleChoice, Slopes};

@@ -42,7 +42,9 @@ fn of(kind: Kind, modes: &[(f64, Kind)]) -> Vec<f64> {
 
 /// Bending modes come in pairs, one in either plane.
 fn assert_bending(name: &str, modes: &[(f64, Kind)], reference: &[f64]) {
-    for (pair, &reference) in of(Kind::Bending, modes).chunks(2).zip(reference) {
+    let bending = of(Kind::Bending, modes);
+    assert!(bending.len() >= 2 * reference.len(), "{name}: {} bending modes", bending.len());
+    for (pair, &reference) in bending.chunks(2).zip(reference) {
         assert_near(&format!("{name}, bending"), pair[0], reference, 1e-6);
         assert_near(&format!("{name}, bending in the other plane"), pair[1], reference, 1e-6);
     }

@@ -45,9 +45,10 @@ const CHANGE: f64 = 1e-3;
 /// load factor; directions that joints leave free stay those of the state. The reference configuration is an equilibrium
 /// under load factor zero.
 ///
-/// Straight on along that path, good are only the loads of bodies that do not turn before they buckle, such as columns. Where a beam bends first, as in lateral buckling, sections that turn seem to stretch, and a
-/// stiffness linear in s vanishes far too early. The remedy, for those and for all that a path bends, is a state nearer to
-/// the critical one: an equilibrium under most of the load, about which the rest is small.
+/// Straight on along that path, good are only the loads of bodies that do not turn before they buckle, such as columns.
+/// Where a beam bends first, as in lateral buckling, sections that turn seem to stretch, and a stiffness linear in s
+/// vanishes far too early. The remedy is a state nearer to the critical one: an equilibrium under most of the load, about
+/// which the rest is small.
 ///
 /// Fewer than `count` if loads in this sense have no more. `matrix` is any matrix of the pattern of `eom`.
 ///

@@ -50,15 +50,15 @@ pub struct BeamMesh {
     pub(super) elasticity: Elasticity,
 }
 
-/// A vector of a mesh.
+/// A vector among the coordinates of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeshVector {
-    /// Its first coordinate.
+pub struct NodalVector {
+    /// The first of its three coordinates.
     pub first: usize,
-    /// What it is.
-    pub kind: Kind,
-    /// Its reference value; slopes times ℓ.
-    pub reference: Vector3<f64>,
+    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    pub is_position: bool,
+    /// Its value in a state.
+    pub value: Vector3<f64>,
 }
 
 /// What all elements of a mesh have in common.
@@ -230,13 +230,17 @@ impl BeamMesh {
         }
     }
 
-    /// Its vectors in the order of their coordinates.
-    pub fn vectors(&self) -> impl Iterator<Item = MeshVector> + '_ {
+    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let kinds = self.node_kinds();
-        self.reference.iter().enumerate().map(move |(i, &reference)| MeshVector {
-            first: self.first + 3 * i,
-            kind: kinds[i % kinds.len()],
-            reference: if i % kinds.len() == 0 { reference + self.origin } else { reference },
+        self.reference.iter().enumerate().map(move |(i, &reference)| {
+            let (first, is_position) = (self.first + 3 * i, i % kinds.len() == 0);
+            let reference = if is_position { reference + self.origin } else { reference };
+            NodalVector {
+                first,
+                is_position,
+                value: reference + Vector3::from_column_slice(&s.q[first..first + 3]),
+            }
         })
     }
 

@@ -27,7 +27,7 @@ pub use force::Force;
 pub use formulation::{CrossSection, Moments};
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
-pub use mesh::{BeamMesh, Blueprint, MeshVector};
+pub use mesh::{BeamMesh, Blueprint, NodalVector};
 pub use profile::{Formulation, Medium};
 pub use quadrature::{gauss, gauss2, gauss3};
 pub use resultants::across;

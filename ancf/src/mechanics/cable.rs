@@ -81,6 +81,15 @@ impl Cable12 {
         (self.profile.axial_force(&stretch, &rates[0]), moment)
     }
 
+    /// Strain energy of stretch and of bending, from the element's own coordinates.
+    pub fn parts(&self, q: &[f64]) -> [f64; 2] {
+        let (profile, q) = (&*self.profile, vectors(q));
+        let section = profile.section();
+        let axial = profile.axial().iter().map(|s| s.weight * self.stretch(s, &q).strain.powi(2));
+        let bending = profile.bending().iter().map(|s| s.weight * self.bend(s, &q).strain().norm_squared());
+        [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
+    }
+
     fn stretch(&self, station: &Station, q: &[Vector3<f64>; 4]) -> Stretch {
         Stretch::new(&self.direction, &station.first(q))
     }
@@ -191,15 +200,11 @@ impl Term for Cable12 {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
-        let section = profile.section();
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(profile.first_moments()).map(|(q, m)| q * *m).sum();
-        let axial: f64 = profile.axial().iter().map(|s| s.weight * self.stretch(s, &q).strain.powi(2)).sum();
-        let bending: f64 =
-            profile.bending().iter().map(|s| s.weight * self.bend(s, &q).strain().norm_squared()).sum();
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
-            strain: 0.5 * (section.axial * axial + section.bending * bending),
+            strain: self.parts(at.q).iter().sum(),
             potential: -at.load * profile.gravity().dot(&moved),
         }
     }

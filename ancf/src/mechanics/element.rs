@@ -3,13 +3,15 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::station::{Relative, Station};
+use super::station::{Relative, Station, StrainEnergy};
 use super::{BeamShape, Directors, Interpolation, QuadraticShape};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
 /// What congruent elements share: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<const N: usize> {
+    /// Length of the element.
+    pub(super) length: f64,
     pub(super) stations: Vec<Station<N>>,
     /// M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
     pub(super) mass: [[f64; N]; N],
@@ -76,6 +78,16 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
         std::array::from_fn(|a| {
             (0..N).filter(|&b| self.profile.mass[a][b] != 0.0).map(|b| x[b] * self.profile.mass[a][b]).sum()
         })
+    }
+
+    /// Strain energy by part, from the element's own coordinates.
+    pub fn parts(&self, q: &[f64]) -> StrainEnergy {
+        let q = Relative::new::<S>(&vectors(q));
+        let mut sum = StrainEnergy::default();
+        for (station, g0, u) in self.states(&q) {
+            sum += station.parts(&g0, &u, self.profile.length) * station.weight;
+        }
+        sum
     }
 
     /// The stations with their reference directors and the increments of these.

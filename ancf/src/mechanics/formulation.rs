@@ -217,7 +217,7 @@ fn add_product(x: &[f64; 17], y: &[f64; 17], factor: f64, d: &mut Form) {
 
 /// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ at (y, z) in the orthonormal frame of the reference section as rows over the section
 /// strains, and det F₀.
-fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], f64) {
+pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], f64) {
     let n = g0[3].cross(&g0[4]).normalize();
     let second = g0[3].normalize();
     let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);

@@ -5,9 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{
     Beam24, Beam27, BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection, CrossSection,
-    Formulation, Interpolation, Kind, Marker, Medium, Node, Profile, QuadraticShape, Wrench,
+    Formulation, Interpolation, Kind, Lame, Marker, Medium, Node, Profile, QuadraticShape, StrainEnergy,
 };
-use crate::system::{LOCAL, Local, State, Term};
+use crate::system::{State, Term};
 
 /// The elements of a body, all of one kind.
 #[derive(Clone, Debug)]
@@ -17,32 +17,48 @@ enum Elements {
     Cable(Vec<Cable12>),
 }
 
+/// How stress follows strain at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Elasticity {
+    /// In three dimensions.
+    Continuum,
+    NeoHookean,
+    /// As in [`SectionLaw::enhanced`](super::SectionLaw::enhanced), by linked strains or not.
+    Rod {
+        linked: bool,
+    },
+    /// Along the axis only.
+    Line,
+}
+
 /// The nodes and elements of a beam.
 ///
 /// The coordinates of its vectors follow each other from `first` on: (r, ℓ r_x, ℓ r_y, ℓ r_z) for each node of a two-node
 /// beam element, (r, ℓ r_y, ℓ r_z) for each of a three-node one, (r, ℓ r_x) for each of a cable.
 #[derive(Clone, Debug)]
 pub struct BeamMesh {
-    first: usize,
+    pub(super) first: usize,
     /// Length l of each element.
-    length: f64,
+    pub(super) length: f64,
     slope: f64,
     elements: Elements,
     /// The point from which reference positions count.
     origin: Vector3<f64>,
     /// Reference values of the vectors.
-    reference: Vec<Vector3<f64>>,
+    pub(super) reference: Vec<Vector3<f64>>,
+    pub(super) lame: Lame,
+    pub(super) elasticity: Elasticity,
 }
 
-/// A vector of a mesh.
+/// A vector among the coordinates of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeshVector {
-    /// Its first coordinate.
+pub struct NodalVector {
+    /// The first of its three coordinates.
     pub first: usize,
-    /// What it is.
-    pub kind: Kind,
-    /// Its reference value; slopes times ℓ.
-    pub reference: Vector3<f64>,
+    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    pub is_position: bool,
+    /// Its value in a state.
+    pub value: Vector3<f64>,
 }
 
 /// What all elements of a mesh have in common.
@@ -88,7 +104,15 @@ impl BeamMesh {
             let first = first + 12 * k;
             Beam24::new(first..first + 24, frame, profile)
         });
-        Self { first, length, slope, elements: Elements::Two(elements.collect()), origin, reference }
+        let lame = blueprint.medium.lame;
+        let elasticity = match formulation {
+            Formulation::Continuum if blueprint.medium.neo_hookean => Elasticity::NeoHookean,
+            Formulation::Continuum => Elasticity::Continuum,
+            Formulation::Enhanced => Elasticity::Rod { linked: false },
+            Formulation::Linked => Elasticity::Rod { linked: true },
+        };
+        let elements = Elements::Two(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
     /// Three-node elements on nodes 0 1 2, 2 3 4, and so on.
@@ -105,7 +129,9 @@ impl BeamMesh {
             let first = first + 18 * k;
             Beam27::new(first..first + 27, frame, profile)
         });
-        Self { first, length, slope, elements: Elements::Three(elements.collect()), origin, reference }
+        let (lame, elasticity) = (blueprint.medium.lame, Elasticity::Rod { linked: false });
+        let elements = Elements::Three(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
     /// Cable elements between consecutive nodes of a straight line, by [`CableRule::Lobatto`].
@@ -128,7 +154,8 @@ impl BeamMesh {
             let first = first + 6 * k;
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
-        Self { first, length, slope, elements: Elements::Cable(elements.collect()), origin, reference }
+        let elements = Elements::Cable(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity: Elasticity::Line }
     }
 
     /// Whether it has cross-sections, with directions r_y and r_z: all but a cable.
@@ -167,7 +194,26 @@ impl BeamMesh {
         }
     }
 
-    fn term(&self, element: usize) -> &dyn Term {
+    /// Strain energy of all elements by part.
+    pub fn strain_energy(&self, state: &State) -> StrainEnergy {
+        let mut sum = StrainEnergy::default();
+        let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
+        for element in 0..self.count() {
+            let first = self.first + element * stride;
+            let q = &state.q[first..first + size];
+            sum += match &self.elements {
+                Elements::Two(elements) => elements[element].parts(q),
+                Elements::Three(elements) => elements[element].parts(q),
+                Elements::Cable(elements) => {
+                    let [axial, bending] = elements[element].parts(q);
+                    StrainEnergy { axial, bending, ..StrainEnergy::default() }
+                }
+            };
+        }
+        sum
+    }
+
+    pub(super) fn term(&self, element: usize) -> &dyn Term {
         match &self.elements {
             Elements::Two(elements) => &elements[element],
             Elements::Three(elements) => &elements[element],
@@ -176,7 +222,7 @@ impl BeamMesh {
     }
 
     /// Kinds of the vectors of a node.
-    fn node_kinds(&self) -> &'static [Kind] {
+    pub(super) fn node_kinds(&self) -> &'static [Kind] {
         match self.elements {
             Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
             Elements::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
@@ -184,13 +230,17 @@ impl BeamMesh {
         }
     }
 
-    /// Its vectors in the order of their coordinates.
-    pub fn vectors(&self) -> impl Iterator<Item = MeshVector> + '_ {
+    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let kinds = self.node_kinds();
-        self.reference.iter().enumerate().map(move |(i, &reference)| MeshVector {
-            first: self.first + 3 * i,
-            kind: kinds[i % kinds.len()],
-            reference: if i % kinds.len() == 0 { reference + self.origin } else { reference },
+        self.reference.iter().enumerate().map(move |(i, &reference)| {
+            let (first, is_position) = (self.first + 3 * i, i % kinds.len() == 0);
+            let reference = if is_position { reference + self.origin } else { reference };
+            NodalVector {
+                first,
+                is_position,
+                value: reference + Vector3::from_column_slice(&s.q[first..first + 3]),
+            }
         })
     }
 
@@ -206,7 +256,7 @@ impl BeamMesh {
     }
 
     /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the two directors that each enters.
-    fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 2])> {
+    pub(super) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 2])> {
         fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 2])> {
             let (values, directors) = (shape.values(xi), shape.directors(xi));
             (0..N).map(|i| (S::KINDS[i], values[i], directors[i])).collect()
@@ -284,7 +334,7 @@ impl BeamMesh {
     }
 
     /// Vectors from the start of one element to that of the next.
-    fn stride(&self) -> usize {
+    pub(super) fn stride(&self) -> usize {
         match self.elements {
             Elements::Two(_) => 4,
             Elements::Three(_) => 6,
@@ -293,7 +343,7 @@ impl BeamMesh {
     }
 
     /// Element and ξ of an arc length; a node belongs to one of its elements at exactly ξ = 0 or 1.
-    fn locate(&self, s: f64) -> (usize, f64) {
+    pub(super) fn locate(&self, s: f64) -> (usize, f64) {
         let at = s / self.length;
         let node = at.round();
         let at = if (at - node).abs() < 1e-9 { node } else { at };
@@ -342,77 +392,4 @@ fn elements<const N: usize>(
 /// Numbers that are zero but for rounding, such as components along a frame's own directions, are zero.
 fn clean(component: f64) -> f64 {
     if component.abs() < 1e-14 { 0.0 } else { component }
-}
-
-impl BeamMesh {
-    /// What is transmitted through the section at an arc length in the global frame, force and moment, as the part beyond
-    /// exerts it on the part before; with the section's directions.
-    ///
-    /// At nodes these are the forces that hold an element in equilibrium with its own inertia, body force and
-    /// damping: exact where an element has no other loads, whatever the mesh. Between the nodes of an element they are
-    /// interpolated linearly.
-    pub fn resultants(&self, state: &State, s: f64) -> Wrench {
-        let (element, xi) = self.locate(s);
-        let [start, end] = self.ends(state, element);
-        Wrench {
-            force: end.force * xi - start.force * (1.0 - xi),
-            moment: end.moment * xi - start.moment * (1.0 - xi),
-        }
-    }
-
-    /// Forces and moments that hold the two ends of an element.
-    fn ends(&self, state: &State, element: usize) -> [Wrench; 2] {
-        let term = self.term(element);
-        let coordinates = term.coordinates();
-        let n = coordinates.len();
-        let mut local = [[0.0; LOCAL]; 4];
-        for (i, &c) in coordinates.iter().enumerate() {
-            local[0][i] = state.q[c];
-            local[1][i] = state.v[c];
-            local[2][i] = state.a[c];
-        }
-        let [q, v, a, mut r] = local;
-        let at = Local { q: &q[..n], v: &v[..n], a: &a[..n], lambda: &[], t: state.t, load: state.load };
-        term.residual(&at, &mut r[..n]);
-        let kinds = self.node_kinds();
-        let last = n / 3 - kinds.len();
-        let offset = element * self.stride();
-        [0, last].map(|first| {
-            let mut wrench = Wrench::default();
-            for (i, kind) in kinds.iter().enumerate() {
-                let place = first + i;
-                let force = Vector3::from_column_slice(&r[3 * place..3 * place + 3]);
-                if *kind == Kind::Position {
-                    wrench.force += force;
-                } else {
-                    let vector = self.reference[offset + place]
-                        + Vector3::from_column_slice(&q[3 * place..3 * place + 3]);
-                    wrench.moment += vector.cross(&force);
-                }
-            }
-            wrench
-        })
-    }
-
-    /// An orthonormal section frame at an arc length: its normal, and y and z as near to r_y and r_z as they can be. Of a
-    /// cable, the tangent and any two directions across.
-    pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
-        let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
-        if !self.has_sections() {
-            let normal = a.normalize();
-            let [y, z] = across(normal);
-            return [normal, y, z];
-        }
-        let normal = d.cross(&e).normalize();
-        let y = (d.normalize() + e.cross(&normal).normalize()).normalize();
-        [normal, y, normal.cross(&y)]
-    }
-}
-
-/// Two unit vectors normal to a unit vector and to each other; the global axes where they fit.
-pub fn across(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
-    let least = axis.iamin();
-    let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });
-    let first = (guide - axis * axis.dot(&guide)).normalize();
-    [first, axis.cross(&first)]
 }

@@ -193,7 +193,14 @@ impl<const N: usize> Profile<N> {
                 }
             }
         }
-        Self { stations: stations.collect(), mass, first, gravity: medium.gravity, drag: medium.drag }
+        Self {
+            length: shape.length(),
+            stations: stations.collect(),
+            mass,
+            first,
+            gravity: medium.gravity,
+            drag: medium.drag,
+        }
     }
 }
 

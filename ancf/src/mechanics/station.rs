@@ -1,4 +1,8 @@
+use std::ops::{AddAssign, Mul};
+
 use nalgebra::{Matrix3, Vector3};
+
+use super::section::strain::{AA, AB, AC, AD, AE, BB, BC, BD, BE, CC, CD, CE, DD, DE, DH, EE, EH};
 
 use super::section::{Directors, SectionLaw, Stiffness, Strains, sum};
 use super::{Interpolation, Kind, NeoHookean};
@@ -64,6 +68,60 @@ pub struct Station<const N: usize> {
     pub(super) law: Law,
     /// Viscosity: resultants of strain rates.
     pub(super) viscosity: Option<SectionLaw>,
+}
+
+/// Strain energy by the strains that it belongs to; what couples two of them is shared between them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StrainEnergy {
+    /// Stretch of the axis.
+    pub axial: f64,
+    /// Bending about both axes.
+    pub bending: f64,
+    /// Mean shear of the sections.
+    pub shear: f64,
+    /// Twist.
+    pub torsion: f64,
+    /// Change of the sections' size and shape.
+    pub section: f64,
+    /// All of it, of a law that has no such parts.
+    pub volume: f64,
+}
+
+impl AddAssign for StrainEnergy {
+    fn add_assign(&mut self, other: Self) {
+        let Self { axial, bending, shear, torsion, section, volume } = other;
+        self.axial += axial;
+        self.bending += bending;
+        self.shear += shear;
+        self.torsion += torsion;
+        self.section += section;
+        self.volume += volume;
+    }
+}
+
+impl Mul<f64> for StrainEnergy {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        let Self { axial, bending, shear, torsion, section, volume } = self;
+        Self {
+            axial: axial * factor,
+            bending: bending * factor,
+            shear: shear * factor,
+            torsion: torsion * factor,
+            section: section * factor,
+            volume: volume * factor,
+        }
+    }
+}
+
+/// Adds to section strains at ξ what linked directors have besides ([`SectionLaw::linked`]).
+pub(super) fn link(strains: &mut Strains, xi: f64, length: f64) {
+    let (value, slope) = (xi - xi * xi, (1.0 - 2.0 * xi) / length);
+    strains[AD] += value * strains[DH];
+    strains[AE] += value * strains[EH];
+    strains[AB] += slope * strains[DH];
+    strains[AC] += slope * strains[EH];
 }
 
 /// The vectors of an element, each less the first of its kind, and these first ones of kind Y and Z: what depends on
@@ -137,6 +195,27 @@ impl<const N: usize> Station<N> {
     /// Strain energy per length.
     pub(super) fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
         self.law.energy(g0, u)
+    }
+
+    /// Strain energy per length by part ([`StrainEnergy`]).
+    pub(super) fn parts(&self, g0: &Directors, u: &Directors, length: f64) -> StrainEnergy {
+        let Law::Quadratic(law) = &self.law else {
+            return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
+        };
+        let mut strains = SectionLaw::strains(g0, u);
+        let n = law.resultants(&strains);
+        if self.weights[0][1] != 0.0 {
+            link(&mut strains, self.xi, length);
+        }
+        let sum = |of: &[usize]| 0.5 * of.iter().map(|&k| n[k] * strains[k]).sum::<f64>();
+        StrainEnergy {
+            axial: sum(&[AA]),
+            bending: sum(&[AB, AC, BB, BC, CC]),
+            shear: sum(&[AD, AE]),
+            torsion: sum(&[BE, CD]),
+            section: sum(&[BD, CE, DD, DE, EE]),
+            volume: 0.0,
+        }
     }
 
     /// Stress resultants of the viscosity, if there is any.

@@ -75,6 +75,11 @@ impl Assembly {
         })
     }
 
+    /// Names and meshes of the bodies.
+    pub(super) fn bodies(&self) -> impl Iterator<Item = (&str, &BeamMesh)> {
+        self.bodies.iter().map(|(name, mesh)| (name.as_str(), mesh))
+    }
+
     /// The mesh of a body.
     pub fn mesh(&self, body: &str) -> Option<&BeamMesh> {
         self.bodies.iter().find(|(name, _)| name == body).map(|(_, mesh)| mesh)

@@ -3,6 +3,7 @@
 mod assembly;
 mod equations;
 mod factor;
+mod kernel;
 mod pattern;
 mod state;
 mod term;
@@ -10,6 +11,7 @@ mod term;
 pub use assembly::System;
 pub use equations::{Energy, EquationsOfMotion};
 pub use factor::{Factor, SingularMatrix};
+pub use kernel::{Kernel, Sparse};
 pub use pattern::{Pattern, SparseMatrix};
 pub use state::{State, Weights};
 pub use term::{LOCAL, Local, LocalMatrix, Term};

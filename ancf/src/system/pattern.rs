@@ -301,6 +301,22 @@ impl SparseMatrix {
         product
     }
 
+    /// |x|ᵀ |A| |x|: ε times this bounds the rounding error of xᵀ A x.
+    pub fn magnitude(&self, x: &[f64]) -> f64 {
+        let order = &self.pattern.order;
+        let mut sum = 0.0;
+        self.visit(|i, j, value| {
+            let entry = (value * x[order[i] as usize] * x[order[j] as usize]).abs();
+            sum += if i == j { entry } else { 2.0 * entry };
+        });
+        sum
+    }
+
+    /// The entry of an unknown with itself.
+    pub fn diagonal_of(&self, unknown: usize) -> f64 {
+        self.values[self.pattern.columns()[self.pattern.position(unknown)]]
+    }
+
     /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
     pub fn dense(&self) -> Vec<Vec<f64>> {
         let order = &self.pattern.order;

@@ -17,6 +17,7 @@ mod rod;
 mod run;
 
 mod balance;
+mod buckling;
 mod cable_statics;
 mod chrono_3243;
 mod elastica;
@@ -29,6 +30,7 @@ mod kim_static_tips;
 mod linear_beam;
 mod princeton_beam;
 mod timoshenko_modes;
+mod vibration;
 
 use ancf::Model;
 use ancf::model::{ScaleChoice, Slopes};

@@ -3,11 +3,7 @@
 //! Source: independent implementation of the element. Limits: Timoshenko's beam with k = 1 (bending: 13.714693124408,
 //! 85.85919781924, 240.0061199541, 469.17308113901 Hz), √(G/ρ)/4L in torsion, √(E/ρ)/4L along the axis.
 
-use std::f64::consts::TAU;
-
-use ancf::Model;
-use ancf::system::{EquationsOfMotion, Weights};
-use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
+use ancf::{Model, analysis};
 
 use crate::{assert_near, rod};
 
@@ -26,41 +22,17 @@ const KINDS: [Kind; 12] = {
     [Axial, Bending, Bending, Axial, Bending, Bending, Bending, Section, Torsion, Bending, Torsion, Section]
 };
 
-/// Frequencies in Hz, ascending, of K x = ω² M x in the null space of Φ_q, each with the kind of its motion.
+/// The lowest frequencies in Hz of the straight rod, ascending, each with the kind of its motion.
 fn modes(model: &Model) -> Vec<(f64, Kind)> {
-    let system = model.assemble().unwrap().system;
-    let (n, m) = (system.coordinates(), system.multipliers());
-    let rest = ancf::system::State::rest(n, m);
-    let dense = |w| {
-        let mut k = system.matrix();
-        system.tangent(&rest, w, &mut k);
-        let rows = k.dense();
-        DMatrix::from_fn(n + m, n + m, |i, j| rows[i][j])
+    let assembly = model.assemble().unwrap();
+    let modes = analysis::modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 20).unwrap();
+    assert_eq!(modes.rigid, 0, "the rod is clamped");
+    let kind = |shape: &[f64]| {
+        let size = |i: &usize| shape[*i].abs();
+        let largest = (0..shape.len()).max_by(|i, j| size(i).total_cmp(&size(j)));
+        KINDS[largest.unwrap() % KINDS.len()]
     };
-    let (k, mass) = (dense(Weights::STIFFNESS), dense(Weights { q: 0.0, v: 0.0, a: 1.0 }));
-    let free = null_space(&k.view((n, 0), (m, n)).into_owned());
-    let reduced = |a: &DMatrix<f64>| free.transpose() * a.view((0, 0), (n, n)) * &free;
-    // With K = L Lᵀ, the largest eigenvalues of L⁻¹ M L⁻ᵀ are 1/ω² of the lowest modes, accurate to rounding.
-    let root = Cholesky::new(reduced(&k)).expect("no motion without stiffness").l();
-    let half = root.solve_lower_triangular(&reduced(&mass)).unwrap().transpose();
-    let eigen = SymmetricEigen::new(root.solve_lower_triangular(&half).unwrap());
-    let shapes = free * root.transpose().solve_upper_triangular(&eigen.eigenvectors).unwrap();
-    let mut modes: Vec<_> = eigen
-        .eigenvalues
-        .iter()
-        .zip(shapes.column_iter())
-        .map(|(value, shape)| (1.0 / value.sqrt() / TAU, KINDS[shape.iamax() % KINDS.len()]))
-        .collect();
-    modes.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    modes
-}
-
-/// An orthonormal basis of the x with Φ x = 0: the last columns of Q in Φᵀ = Q R.
-fn null_space(phi: &DMatrix<f64>) -> DMatrix<f64> {
-    let (m, n) = phi.shape();
-    let mut turned = DMatrix::identity(n, n);
-    phi.transpose().qr().q_tr_mul(&mut turned);
-    turned.rows(m, n - m).transpose()
+    modes.modes.iter().map(|mode| (mode.frequency().unwrap(), kind(&mode.shape))).collect()
 }
 
 /// Frequencies of one kind.
@@ -70,7 +42,9 @@ fn of(kind: Kind, modes: &[(f64, Kind)]) -> Vec<f64> {
 
 /// Bending modes come in pairs, one in either plane.
 fn assert_bending(name: &str, modes: &[(f64, Kind)], reference: &[f64]) {
-    for (pair, &reference) in of(Kind::Bending, modes).chunks(2).zip(reference) {
+    let bending = of(Kind::Bending, modes);
+    assert!(bending.len() >= 2 * reference.len(), "{name}: {} bending modes", bending.len());
+    for (pair, &reference) in bending.chunks(2).zip(reference) {
         assert_near(&format!("{name}, bending"), pair[0], reference, 1e-6);
         assert_near(&format!("{name}, bending in the other plane"), pair[1], reference, 1e-6);
     }

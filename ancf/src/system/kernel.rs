@@ -1,0 +1,73 @@
+use std::collections::BTreeMap;
+
+/// A sparse row or column: entries by index.
+pub type Sparse = BTreeMap<usize, f64>;
+
+/// The vectors x on which rows vanish, by elimination row after row (Gauss-Jordan).
+///
+/// Some unknowns become *pivots*, told by the others, which stay *free*: the kernel has one vector for each free unknown,
+/// with 1 in its place and 0 in the places of the other free ones.
+#[derive(Clone, Debug, Default)]
+pub struct Kernel {
+    /// For each pivot p the c with x_p + Σⱼ cⱼ xⱼ = 0, j free.
+    pivots: BTreeMap<usize, Sparse>,
+}
+
+/// Entries below this part of the largest of a row are rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Kernel {
+    /// Takes in a row; it is dependent on earlier ones if none of what they leave of it exceeds `tolerance`.
+    ///
+    /// Unknowns that `prefer` likes become pivots if their entries are not small, so that the others stay free.
+    pub fn restrict(&mut self, mut row: Sparse, tolerance: f64, prefer: impl Fn(usize) -> bool) {
+        let known: Vec<usize> = row.keys().copied().filter(|j| self.pivots.contains_key(j)).collect();
+        for p in known {
+            eliminate(&mut row, p, &self.pivots[&p]);
+        }
+        let largest = row.values().fold(0.0, |max: f64, x| max.max(x.abs()));
+        if largest <= tolerance {
+            return;
+        }
+        row.retain(|_, x| x.abs() > ROUNDING * largest);
+        let rank =
+            |j: usize, x: f64| (prefer(j) && x.abs() > 0.1 * largest, (x.abs() / largest * 1e6).round());
+        let best = row.iter().max_by(|a, b| {
+            let (a, b) = (rank(*a.0, *a.1), rank(*b.0, *b.1));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        let Some((&pivot, &entry)) = best else { return };
+        row.remove(&pivot);
+        row.values_mut().for_each(|x| *x /= entry);
+        for other in self.pivots.values_mut() {
+            if other.contains_key(&pivot) {
+                eliminate(other, pivot, &row);
+                other.retain(|_, x| x.abs() > ROUNDING);
+            }
+        }
+        self.pivots.insert(pivot, row);
+    }
+
+    /// The vectors of the kernel by their free unknowns, of so many unknowns in all.
+    pub fn vectors(&self, unknowns: usize) -> BTreeMap<usize, Sparse> {
+        let free = (0..unknowns).filter(|j| !self.pivots.contains_key(j));
+        let mut vectors: BTreeMap<usize, Sparse> = free.map(|j| (j, Sparse::from([(j, 1.0)]))).collect();
+        for (&pivot, row) in &self.pivots {
+            for (j, c) in row {
+                if let Some(vector) = vectors.get_mut(j) {
+                    vector.insert(pivot, -c);
+                }
+            }
+        }
+        vectors
+    }
+}
+
+/// Replaces x_p in a row by −Σ c x.
+fn eliminate(row: &mut Sparse, p: usize, told: &Sparse) {
+    if let Some(entry) = row.remove(&p) {
+        for (&j, c) in told {
+            *row.entry(j).or_default() -= entry * c;
+        }
+    }
+}

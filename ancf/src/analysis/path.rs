@@ -169,11 +169,14 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             let step = self.step.min(self.steps.largest).min(left);
             match self.reach(step, target) {
                 Ok((arrival, iterations)) => {
-                    // Either the path has turned away or what was doubted is believed.
-                    let changed = arrival.unstable != self.unstable;
-                    self.doubt = self.doubt.filter(|first| step < *first && !changed);
                     let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
                     self.step = step * wanted.sqrt().clamp(0.5, 2.0);
+                    if arrival.unstable != self.unstable {
+                        // What was doubted is believed: the path goes on as before.
+                        self.step = self.doubt.take().unwrap_or(self.step);
+                    }
+                    // Or the path has turned away.
+                    self.doubt = self.doubt.filter(|first| step < *first);
                     return Ok(Arrival { found: found.after(arrival.found), ..arrival });
                 }
                 Err(cause) => {

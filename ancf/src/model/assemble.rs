@@ -46,6 +46,24 @@ impl JointEquations {
         }
     }
 
+    /// Keeps the angles between the sections' directions of two beams that meet at an angle: their rotation is the same, and
+    /// each section may change its size.
+    ///
+    /// Of the four products of r_y, r_z of one with r_y, r_z of the other the three whose rates tell rotations apart best.
+    fn tie_corner(&mut self, [_, d, e]: [Marker; 3], [_, y, z]: [Marker; 3], first: usize) {
+        let pairs = [(&d, &y), (&d, &z), (&e, &y), (&e, &z)];
+        let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));
+        let volume = |left: usize| {
+            let kept: Vec<_> = (0..4).filter(|&k| k != left).map(|k| turns[k]).collect();
+            kept[0].dot(&kept[1].cross(&kept[2])).abs()
+        };
+        let left = (0..4).max_by(|&i, &j| volume(i).total_cmp(&volume(j))).unwrap_or(0);
+        for (_, (a, b)) in pairs.iter().enumerate().filter(|(k, _)| *k != left) {
+            let multiplier = first + self.multipliers();
+            self.perpendicular.push(Perpendicular::new(a, b, multiplier));
+        }
+    }
+
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
         let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
         coincide.chain(self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>))
@@ -255,6 +273,10 @@ fn equations<'a>(
             mesh.point(s)
         }
     };
+    let place_axes = |place| {
+        let (mesh, s) = find(place);
+        mesh.reference_axes(s)
+    };
     let mut equations = JointEquations {
         name: joint.name().to_owned(),
         coincide: vec![Coincide::points(&point, &opposite, first)],
@@ -268,7 +290,14 @@ fn equations<'a>(
             let axes = mesh.reference_axes(s);
             let tied = match (mesh.has_sections(), sectional(b), fix) {
                 (true, true, Clamped::All) => axes.as_slice(),
-                (true, true, Clamped::Section) => &axes[1..],
+                (true, true, Clamped::Section) => match b {
+                    End::Place(place) if corner(&axes, &place_axes(place)) => {
+                        let other = find(place);
+                        equations.tie_corner(mesh.axes(s), other.0.axes(other.1), first);
+                        return equations;
+                    }
+                    _ => &axes[1..],
+                },
                 // A line has a tangent only: it stays normal to what the other end has across it.
                 (true, false, Clamped::Section) => {
                     equations.tie_line(&other, &|x| mesh.direction(s, x), axes[0].normalize(), first);
@@ -296,4 +325,10 @@ fn equations<'a>(
         }
     }
     equations
+}
+
+/// Whether the sections of two beams are not parallel.
+fn corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
+    let [a, b] = [a, b].map(|axes| axes[1].cross(&axes[2]).normalize());
+    a.dot(&b).abs() < 0.996
 }

@@ -307,6 +307,16 @@ fn equations<'a>(
                     equations.tie_line(&|x| mesh.direction(s, x), &other, axes[0].normalize(), first);
                     return equations;
                 }
+                (false, false, _) => match b {
+                    End::Place(place) if lines_corner(&axes, &place_axes(place)) => {
+                        let (other, at) = find(place);
+                        let multiplier = first + equations.multipliers();
+                        let tie = Perpendicular::new(&mesh.axes(s)[0], &other.axes(at)[0], multiplier);
+                        equations.perpendicular.push(tie);
+                        return equations;
+                    }
+                    _ => &axes[..1],
+                },
                 (false, ..) | (_, false, _) => &axes[..1],
             };
             for &direction in tied {
@@ -331,4 +341,9 @@ fn equations<'a>(
 fn corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
     let [a, b] = [a, b].map(|axes| axes[1].cross(&axes[2]).normalize());
     a.dot(&b).abs() < 0.996
+}
+
+/// Whether two lines are not parallel.
+fn lines_corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
+    a[0].normalize().dot(&b[0].normalize()).abs() < 0.996
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::analysis::{self, Dynamics, Newmark, Newton, SolveError, StepReport, consistent_start};
+use crate::analysis::{self, Dynamics, Newton, Scheme, SolveError, StepReport};
 use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelErrors, Start, Stop};
 use crate::record::Sink;
 use crate::rows::Rows;
@@ -171,17 +171,17 @@ fn integrate(
 
 /// The integration of an assembly from rest, with its start values.
 fn start<'a>(assembly: &'a Assembly, settings: &model::Dynamics) -> Result<Dynamics<'a, System>, SolveError> {
-    let mut state = assembly.rest();
-    let mut matrix = assembly.system.matrix();
-    if settings.start == Start::Consistent {
-        consistent_start(&assembly.system, &mut matrix, &mut state)?;
-    }
     let stop = match settings.stop {
         Stop::Energy { tolerance } => analysis::Stop::Energy(tolerance),
         Stop::Residual { tolerance } => analysis::Stop::Residual(tolerance),
         Stop::Increment { tolerance } => analysis::Stop::Increment(tolerance),
     };
     let (gamma, beta) = settings.scheme.pair();
-    let newton = Newton::new(matrix, stop, settings.max_iterations)?;
-    Ok(Dynamics::new(&assembly.system, Newmark { gamma, beta }, newton, settings.max_halvings, state))
+    let newton = Newton::new(assembly.system.matrix(), stop, settings.max_iterations)?;
+    let (system, scheme) = (&assembly.system, Scheme::newmark(gamma, beta));
+    let mut dynamics = Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.rest());
+    if settings.start == Start::Consistent {
+        dynamics.restart(0.0)?;
+    }
+    Ok(dynamics)
 }

@@ -13,7 +13,7 @@ mod rod;
 mod run;
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newmark, Newton, Stop};
+use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::{self, Clamped, Start};
 use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 use nalgebra::Vector3;
@@ -48,7 +48,7 @@ impl Term for Oscillator {
 }
 
 /// Position at t = 2 of the oscillator released from q = 1.
-fn released(scheme: Newmark, steps: u32) -> f64 {
+fn released(scheme: Scheme, steps: u32) -> f64 {
     let system = System::new(1, 0, vec![Box::new(Oscillator)]);
     let newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 20).unwrap();
     let start = State { q: vec![1.0], a: vec![-2.0], ..State::rest(1, 0) };
@@ -72,9 +72,9 @@ fn assert_order(name: &str, observed: f64, expected: f64) {
 #[test]
 fn schemes_without_constraints() {
     for (name, scheme, expected) in [
-        ("ADAMS", Newmark::ADAMS, 1.0),
-        ("average acceleration", Newmark::AVERAGE_ACCELERATION, 2.0),
-        ("linear acceleration", Newmark::LINEAR_ACCELERATION, 2.0),
+        ("ADAMS", Scheme::ADAMS, 1.0),
+        ("average acceleration", Scheme::AVERAGE_ACCELERATION, 2.0),
+        ("linear acceleration", Scheme::LINEAR_ACCELERATION, 2.0),
     ] {
         let results = [200, 400, 800].map(|steps| Vector3::x() * released(scheme, steps));
         assert_order(name, order(results), expected);

@@ -1,5 +1,6 @@
 use std::ops::ControlFlow;
 
+use super::floor::raise_to_achievable;
 use super::{Failure, SolveError};
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
@@ -37,11 +38,12 @@ pub struct Report {
 pub struct Newton {
     stop: Stop,
     max_iterations: u32,
-    matrix: SparseMatrix,
-    factor: Factor,
-    r: Vec<f64>,
-    z: Vec<f64>,
+    pub(super) matrix: SparseMatrix,
+    pub(super) factor: Factor,
+    pub(super) r: Vec<f64>,
+    pub(super) z: Vec<f64>,
     floor: Vec<f64>,
+    weights: Weights,
     /// The largest energy of the converged states met.
     energy: f64,
 }
@@ -66,6 +68,7 @@ impl Newton {
             r: zeros.clone(),
             z: zeros.clone(),
             floor: zeros,
+            weights: Weights::STIFFNESS,
             energy: 0.0,
         })
     }
@@ -89,6 +92,8 @@ impl Newton {
         w: Weights,
     ) -> Result<Report, SolveError> {
         let mut progress = Progress::default();
+        self.weights = w;
+        self.z.fill(0.0);
         loop {
             eom.residual(s, &mut self.r);
             progress.report.residual = norm(&self.r);
@@ -179,9 +184,10 @@ impl Newton {
         ControlFlow::Continue(())
     }
 
-    /// The equation whose residual is the largest multiple of its rounding bound, and that multiple.
+    /// The equation whose residual is the largest multiple of what the arithmetic can reach, and that multiple.
     fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
         eom.rounding(s, &mut self.floor);
+        raise_to_achievable(&self.matrix, &s.q, &self.z, self.weights, &mut self.floor);
         let mut worst = (0, 0.0);
         for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
             let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };

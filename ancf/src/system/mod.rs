@@ -8,7 +8,7 @@ mod state;
 mod term;
 
 pub use assembly::System;
-pub use equations::{Energy, EquationsOfMotion};
+pub use equations::{Energy, EquationsOfMotion, Level};
 pub use factor::{Factor, SingularMatrix};
 pub use pattern::{Pattern, SparseMatrix};
 pub use state::{State, Weights};

@@ -57,7 +57,14 @@ impl Sample {
 
     fn local(&self) -> Local<'_> {
         let Self { q, v, a, lambda } = self;
-        Local { q: q.as_slice(), v: v.as_slice(), a: a.as_slice(), lambda: lambda.as_slice(), t: 0.3, load: 0.7 }
+        Local {
+            q: q.as_slice(),
+            v: v.as_slice(),
+            a: a.as_slice(),
+            lambda: lambda.as_slice(),
+            t: 0.3,
+            load: 0.7,
+        }
     }
 
     /// Moved by h (dz, dλ), as weights have it.

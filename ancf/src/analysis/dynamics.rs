@@ -148,7 +148,14 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         let done = self.newton.solve(self.eom, &mut self.state, self.scheme.weights(h))?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
             let Report { iterations, residual, increment, .. } = done;
-            return Err(SolveError { failure: Failure::Inverted, t: to, iterations, residual, increment, worst });
+            return Err(SolveError {
+                failure: Failure::Inverted,
+                t: to,
+                iterations,
+                residual,
+                increment,
+                worst,
+            });
         }
         for i in 0..next.len() {
             next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.state.a[i]);

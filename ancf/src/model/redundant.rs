@@ -36,7 +36,14 @@ fn rows(term: &dyn Term) -> Vec<BTreeMap<usize, f64>> {
     let (coordinates, multipliers) = (term.coordinates(), term.multipliers().len());
     let n = coordinates.len();
     let zero = vec![0.0; LOCAL];
-    let at = Local { q: &zero[..n], v: &zero[..n], a: &zero[..n], lambda: &zero[..multipliers], t: 0.0, load: 1.0 };
+    let at = Local {
+        q: &zero[..n],
+        v: &zero[..n],
+        a: &zero[..n],
+        lambda: &zero[..multipliers],
+        t: 0.0,
+        load: 1.0,
+    };
     let mut storage = vec![0.0; LOCAL * LOCAL];
     let mut k = LocalMatrix::zero(n + multipliers, &mut storage);
     term.tangent(&at, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut k);

@@ -22,7 +22,14 @@ impl State {
     /// The reference configuration at rest.
     pub fn rest(coordinates: usize, multipliers: usize) -> Self {
         let zeros = vec![0.0; coordinates];
-        Self { t: 0.0, q: zeros.clone(), v: zeros.clone(), a: zeros, lambda: vec![0.0; multipliers], load: 1.0 }
+        Self {
+            t: 0.0,
+            q: zeros.clone(),
+            v: zeros.clone(),
+            a: zeros,
+            lambda: vec![0.0; multipliers],
+            load: 1.0,
+        }
     }
 
     /// Adds an increment z = (dz, dλ): q += w_q dz, v += w_v dz, a += w_a dz, λ += dλ.

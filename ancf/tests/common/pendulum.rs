@@ -91,10 +91,8 @@ fn state(t: f64, [phi, omega]: [f64; 2], haul: f64) -> State {
     let rho = ROD * (1.0 + haul * t.sin()).sqrt();
     let rate = 0.5 * ROD.powi(2) * haul * t.cos() / rho;
     let (sin, cos) = phi.sin_cos();
-    let (q, v) = (
-        vec![rho * cos, rho * sin],
-        vec![rate * cos - rho * omega * sin, rate * sin + rho * omega * cos],
-    );
+    let (q, v) =
+        (vec![rho * cos, rho * sin], vec![rate * cos - rho * omega * sin, rate * sin + rho * omega * cos]);
     // r·r̈ + v·v + c̈ = 0 with m r̈ + m g + λ r = 0.
     let bend = v[0].powi(2) + v[1].powi(2) + 0.5 * ROD.powi(2) * haul * t.sin();
     let lambda = vec![MASS * (bend - GRAVITY * q[1]) / rho.powi(2)];

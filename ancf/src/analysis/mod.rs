@@ -4,6 +4,7 @@ mod adaptive;
 mod consistent;
 mod dynamics;
 mod error;
+mod estimate;
 mod floor;
 mod launch;
 mod newton;

@@ -81,6 +81,12 @@ impl Scheme {
         1.0 / 6.0 - 0.5 * self.lead() - self.beta
     }
 
+    /// κ = ½ [β − 1/12 − g²/2 − g (αf + αm)/2], g = αf − αm: a second-order scheme turns the frequency ω into ω (1 − κ ω²h²).
+    pub const fn phase_constant(&self) -> f64 {
+        let g = -self.lead();
+        0.5 * (self.beta - 1.0 / 12.0 - 0.5 * g * g - 0.5 * g * (self.alpha_f + self.alpha_m))
+    }
+
     /// dq : dv : da for an increment of the new true acceleration.
     pub const fn weights(&self, h: f64) -> Weights {
         let k = (1.0 - self.alpha_f) / (1.0 - self.alpha_m);

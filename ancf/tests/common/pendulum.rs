@@ -83,7 +83,13 @@ impl Term for Rod {
 
 /// The equations of motion; with `haul` the rod changes its length.
 pub(crate) fn system(haul: f64) -> System {
-    System::new(2, 1, vec![Box::new(Mass), Box::new(Rod { haul })])
+    system_with(haul, Vec::new())
+}
+
+/// The same with further terms.
+pub(crate) fn system_with(haul: f64, mut terms: Vec<Box<dyn Term>>) -> System {
+    terms.extend([Box::new(Mass) as Box<dyn Term>, Box::new(Rod { haul })]);
+    System::new(2, 1, terms)
 }
 
 /// Exact place, velocity and multiplier at angle φ from the x-axis, rod length ρ and their rates.

@@ -7,9 +7,9 @@ mod pendulum;
 #[path = "common/rod.rs"]
 mod rod;
 
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
+use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
 use ancf::model::Section;
-use ancf::system::State;
+use ancf::system::{EquationsOfMotion, Level, State, System};
 
 /// Errors of q, v and λ.
 type Errors = [f64; 3];
@@ -124,4 +124,53 @@ fn damping_lets_no_amplitude_grow() {
         let amplitude = lowest(step) / fine;
         assert!(amplitude < 1.001 && amplitude > 0.9, "{amplitude} at a step of {step}");
     }
+}
+
+fn constraints(system: &System, s: &State, level: Level) -> f64 {
+    let mut phi = [0.0];
+    system.constraints(s, level, &mut phi);
+    phi[0]
+}
+
+/// The levels of a constraint that is quadratic in q and depends on t are its derivatives along an exact motion.
+#[test]
+fn levels_of_constraints() {
+    let (system, exact) = (pendulum::system(0.3), pendulum::exact(0.3, 1.0, 4));
+    for s in &exact {
+        for level in [Level::Position, Level::Velocity] {
+            assert!(constraints(&system, s, level).abs() < 1e-13, "{level:?}");
+        }
+        let along = s.q.iter().zip(&s.a).map(|(q, a)| q * a).sum::<f64>(); // Φ_q a
+        assert!((constraints(&system, s, Level::Acceleration) + along).abs() < 1e-12);
+    }
+}
+
+/// Wrong velocities lose their part along the rope, and nothing else; right ones stay.
+#[test]
+fn velocities_are_projected() {
+    let (system, exact) = (pendulum::system(0.3), pendulum::exact(0.3, 1.0, 1).pop().unwrap());
+    let mut s = exact.clone();
+    (0..2).for_each(|i| s.v[i] += 0.1 * exact.q[i]);
+    consistent_velocities(&system, &mut system.matrix(), &mut s).unwrap();
+    assert!(distance(&s, &exact)[1] < 1e-14, "{:?} for {:?}", s.v, exact.v);
+}
+
+/// What velocities violate is of second order, and no more of it after a long time.
+#[test]
+fn drift_does_not_grow() {
+    let system = pendulum::system(0.3);
+    let drift = |steps: u32| {
+        let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.3);
+        let drifts =
+            (1..=steps).map(|i| dynamics.advance(20.0 * f64::from(i) / f64::from(steps)).unwrap().drift);
+        let drifts: Vec<f64> = drifts.collect();
+        drifts
+            .chunks(drifts.len() / 2)
+            .map(|half| half.iter().copied().fold(0.0, f64::max))
+            .collect::<Vec<f64>>()
+    };
+    let (coarse, fine) = (drift(4000), drift(8000));
+    let order = (coarse[1] / fine[1]).log2();
+    assert!((order - 2.0).abs() < 0.1, "order {order}");
+    assert!(fine[1] < 1.2 * fine[0], "{fine:?}");
 }

@@ -82,12 +82,12 @@ fn schemes_without_constraints() {
 }
 
 /// Tip of a rubber-like pendulum of one element after 0.4 s.
-fn swung(scheme: model::Newmark, steps: u32) -> Vector3<f64> {
+fn swung(scheme: model::Scheme, steps: u32) -> Vector3<f64> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e5;
     let settings = rod::settings(&mut model);
     (settings.scheme, settings.start) = (scheme, Start::Consistent);
-    (settings.duration, settings.step) = (0.4, 0.4 / f64::from(steps));
+    (settings.duration, settings.step) = (0.4, model::Step::Fixed(0.4 / f64::from(steps)));
     settings.stop = model::Stop::Energy { tolerance: 1e-10 };
     *Run::of(&model).vectors("tip.").last().unwrap()
 }
@@ -96,8 +96,8 @@ fn swung(scheme: model::Newmark, steps: u32) -> Vector3<f64> {
 #[test]
 fn schemes_with_constraints() {
     for (name, scheme, expected) in [
-        ("ADAMS", model::Newmark::Adams, 1.0),
-        ("average acceleration", model::Newmark::AverageAcceleration, 2.0),
+        ("ADAMS", model::Scheme::Adams, 1.0),
+        ("average acceleration", model::Scheme::AverageAcceleration, 2.0),
     ] {
         let results = [800, 1600, 3200].map(|steps| swung(scheme, steps));
         assert_order(name, order(results), expected);

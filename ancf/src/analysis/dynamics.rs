@@ -23,6 +23,20 @@ pub struct StepReport {
     pub floor: bool,
 }
 
+impl StepReport {
+    /// This report and that of the step after it, as one: counts of both, norms of the later.
+    #[must_use]
+    pub fn then(self, next: &Self) -> Self {
+        Self {
+            iterations: self.iterations + next.iterations,
+            substeps: self.substeps + next.substeps,
+            rejected: self.rejected + next.rejected,
+            floor: self.floor || next.floor,
+            ..*next
+        }
+    }
+}
+
 /// Integration of equations of motion in time.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {

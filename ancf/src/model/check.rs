@@ -4,14 +4,13 @@ use nalgebra::Vector3;
 
 use super::schema::{listed, nearest, number, quoted};
 use super::survey::{Finding, did_you_mean};
-use super::{Analysis, Beam, Dynamics, End, Joint, Load, Model, ModelError, Newmark, Place, ScaleChoice};
+use super::scheme::{scheme, time};
+use super::{Beam, End, Joint, Load, Model, ModelError, Place, ScaleChoice};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory that a run needs for an element.
 const BYTES_PER_ELEMENT: f64 = 12e3;
-/// Steps beyond which an analysis is taken for a slip of the pen.
-const MAX_STEPS: f64 = 1e9;
 /// Rounding of a position along an axis, relative to its length.
 const ON_AXIS: f64 = 1e-9;
 /// How far apart, relative to the longer body, two places may be that a joint connects.
@@ -23,17 +22,17 @@ pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     rules.iter().flat_map(|rule| rule(model)).collect()
 }
 
-fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+pub(super) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
     ModelError::new(path, found, wanted).into()
 }
 
 impl Finding {
-    fn hint(mut self, hint: impl Into<String>) -> Self {
+    pub(super) fn hint(mut self, hint: impl Into<String>) -> Self {
         self.error = self.error.hint(hint);
         self
     }
 
-    fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+    pub(super) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
         Self { rests_on: paths.into_iter().collect(), ..self }
     }
 }
@@ -233,34 +232,6 @@ fn point(beam: &Beam, s: f64) -> Option<Vector3<f64>> {
     let (from, to) = (Vector3::from(beam.from), Vector3::from(beam.to));
     let length = beam.length();
     (length > 0.0 && s <= length * (1.0 + ON_AXIS)).then(|| from + (to - from) * (s / length))
-}
-
-/// The analysis has at least one step, and an end.
-fn time(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { duration, step, .. }) = &model.analysis;
-    let path = || "analysis.step".to_owned();
-    let error = if step > duration {
-        finding(path(), number(*step), format!("at most the duration, {}", number(*duration)))
-    } else if duration / step > MAX_STEPS {
-        finding(path(), format!("{:.1e} steps", duration / step), format!("at most {MAX_STEPS:e} steps"))
-    } else {
-        return Vec::new();
-    };
-    vec![error.rests_on(["analysis.duration".into()])]
-}
-
-/// The scheme is implicit.
-fn scheme(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { scheme, .. }) = &model.analysis;
-    let (path, found) = match scheme {
-        Newmark::CentralDifference => ("analysis.scheme", "\"central_difference\", which has β = 0"),
-        Newmark::Pair { beta: 0.0, .. } => ("analysis.scheme.beta", "0"),
-        _ => return Vec::new(),
-    };
-    let reason =
-        "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
-    let wanted = "β > 0, as in \"average_acceleration\" or \"adams\"";
-    vec![finding(path.into(), found, wanted).hint(reason)]
 }
 
 /// The scales of the paper are for its model.

@@ -13,6 +13,7 @@ mod read;
 mod redundant;
 mod scale;
 mod schema;
+mod scheme;
 mod section;
 mod survey;
 mod syntax;
@@ -22,7 +23,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
+pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::Assembly;
 pub use body::{At, AtEnd, Beam, Body, Place, Slopes};
 pub use error::{ModelError, ModelErrors, Position};

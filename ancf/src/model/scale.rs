@@ -2,7 +2,9 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Place, Probe, Section};
+use super::{
+    Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Output, Place, Probe, Section, Step,
+};
 use crate::scales::{Dimension, Scales};
 
 /// How the units of the equations are chosen.
@@ -74,6 +76,16 @@ impl Model {
         Chosen { scales, reason }
     }
 
+    /// The mass of all bodies.
+    pub fn mass(&self) -> f64 {
+        self.bodies.iter().map(|body| self.line(body.beam()).0 * body.beam().length()).sum()
+    }
+
+    /// The length of the longest body.
+    pub fn length(&self) -> f64 {
+        self.bodies.iter().map(|body| body.beam().length()).fold(0.0, f64::max)
+    }
+
     /// ρA and the smaller E I of a beam.
     fn line(&self, beam: &Beam) -> (f64, f64) {
         let (material, section) = (&self.materials[&beam.material], self.sections[&beam.section].moments());
@@ -112,7 +124,7 @@ impl Model {
                 .into_iter()
                 .map(|Probe { name, on }| Probe { name, on: on.scaled(scales) })
                 .collect(),
-            output,
+            output: output.scaled(scales),
         }
     }
 }
@@ -190,6 +202,13 @@ impl Load {
     }
 }
 
+impl Output {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { interval, every, csv, npz } = self;
+        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, csv, npz }
+    }
+}
+
 impl Analysis {
     fn scaled(self, s: &Scales) -> Self {
         let Self::Dynamics(Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings }) =
@@ -197,7 +216,12 @@ impl Analysis {
         let time = |x| number(x, Dimension::TIME, s);
         Self::Dynamics(Dynamics {
             duration: time(duration),
-            step: time(step),
+            step: match step {
+                Step::Fixed(step) => Step::Fixed(time(step)),
+                Step::Adaptive { tolerance, initial, largest } => {
+                    Step::Adaptive { tolerance, initial: initial.map(time), largest: largest.map(time) }
+                }
+            },
             scheme,
             start,
             stop,

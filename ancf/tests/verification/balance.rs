@@ -221,7 +221,7 @@ fn reactions_at_rest() {
 fn free_fall() {
     let mut model = rod::free(3);
     let settings = rod::settings(&mut model);
-    (settings.scheme, settings.start) = (model::Newmark::AverageAcceleration, Start::Consistent);
+    (settings.scheme, settings.start) = (model::Scheme::AverageAcceleration, Start::Consistent);
     let run = Run::of(&model);
     let kinetic = run.column("kinetic").last().unwrap();
     for (t, y) in run.column("t").iter().zip(run.column("tip.y")) {
@@ -250,8 +250,8 @@ fn dissipation() {
         let exchanged = run.column("kinetic").iter().copied().fold(0.0, f64::max);
         run.column("dissipated").last().unwrap() / exchanged
     };
-    let adams = dissipated(model::Newmark::Adams);
-    let average = dissipated(model::Newmark::AverageAcceleration);
+    let adams = dissipated(model::Scheme::Adams);
+    let average = dissipated(model::Scheme::AverageAcceleration);
     assert!(adams > 0.0 && average.abs() < 0.01 * adams, "{adams:e} and {average:e}");
 }
 

@@ -14,6 +14,7 @@ use crate::system::{Energy, State};
 /// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment that each joint `j` exerts on its end `a` |
 /// | `iterations` | Newton iterations of the step |
 /// | `residual`, `increment` | their last norms, in the numbers of the solver |
+/// | `drift` | the largest violation of a joint by velocities, in the numbers of the solver |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
 /// | `dissipated` | energy that the scheme has taken out since the start |
 #[derive(Debug)]
@@ -40,7 +41,8 @@ impl Rows {
         for name in assembly.joints() {
             vectors(name, &["f", "m"]);
         }
-        let own = ["iterations", "residual", "increment", "kinetic", "strain", "potential", "dissipated"];
+        let own =
+            ["iterations", "residual", "increment", "drift", "kinetic", "strain", "potential", "dissipated"];
         columns.extend(own.map(str::to_owned));
         Self { row: Vec::with_capacity(columns.len()), columns, scales, initial: None }
     }
@@ -66,6 +68,7 @@ impl Rows {
         self.push(f64::from(report.iterations), Dimension::NUMBER);
         self.push(report.residual, Dimension::NUMBER);
         self.push(report.increment, Dimension::NUMBER);
+        self.push(report.drift, Dimension::NUMBER);
         self.push(energy.kinetic, Dimension::ENERGY);
         self.push(energy.strain, Dimension::ENERGY);
         self.push(energy.potential, Dimension::ENERGY);

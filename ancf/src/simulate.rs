@@ -1,15 +1,18 @@
+mod pace;
+
 use std::io;
 use std::ops::ControlFlow;
 
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::analysis::{self, Dynamics, Newmark, Newton, SolveError, StepReport, consistent_start};
-use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelErrors, Start, Stop};
+use crate::analysis::{SolveError, StepReport};
+use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelErrors};
 use crate::record::Sink;
 use crate::rows::Rows;
 use crate::scales::Scales;
-use crate::system::{Energy, EquationsOfMotion, State, System};
+use crate::system::{Energy, EquationsOfMotion, State};
+use pace::Pace;
 
 /// Why a run could not be done or recorded. That the numerics gave up is not an error but an [`Outcome`].
 #[derive(Debug, Error)]
@@ -59,6 +62,8 @@ pub struct Summary {
     pub steps: u64,
     /// Steps that had to be divided because Newton's method failed.
     pub divided_steps: u64,
+    /// Steps that were tried but found too inaccurate.
+    pub rejected_steps: u64,
     /// Steps in which the rounding error of the residual ended the iteration.
     pub floor_steps: u64,
     /// Newton iterations in all.
@@ -82,6 +87,7 @@ impl Summary {
             time: 0.0,
             steps: 0,
             divided_steps: 0,
+            rejected_steps: 0,
             floor_steps: 0,
             iterations: 0,
             most_iterations: 0,
@@ -95,6 +101,7 @@ impl Summary {
     fn count(&mut self, report: &StepReport) {
         self.steps += 1;
         self.divided_steps += u64::from(report.substeps > 1);
+        self.rejected_steps += u64::from(report.rejected);
         self.floor_steps += u64::from(report.floor);
         self.iterations += u64::from(report.iterations);
         self.most_iterations = self.most_iterations.max(report.iterations);
@@ -103,7 +110,7 @@ impl Summary {
 
 /// Runs a model: check, scale, assemble, integrate, record.
 ///
-/// Columns are those of [`Rows`]; the run ends at the last multiple of the step that fits into the duration.
+/// Columns are those of [`Rows`]; the run ends with the duration, by a shorter step if that is no multiple of the step.
 ///
 /// # Errors
 /// If the model is not valid or a sink fails. A step that cannot be solved is an [`Outcome`], with all before it recorded.
@@ -116,7 +123,7 @@ pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
     let mut rows = Rows::new(&assembly, chosen.scales);
     let mut summary = Summary::new(&assembly, chosen);
     sink.begin(rows.columns())?;
-    let integrated = integrate(&assembly, settings, &mut summary, |state, energy, report| {
+    let integrated = integrate(&scaled, settings, &assembly, &mut summary, |state, energy, report| {
         sink.record(rows.fill(&assembly, state, energy, report))
     });
     // What was recorded is completed even if recording broke off.
@@ -142,46 +149,32 @@ fn outcome(ended: Integrated, assembly: &Assembly, scales: Scales) -> Outcome {
     }
 }
 
-/// Steps through a dynamic analysis, handing every instant to `record`.
+/// Steps through a dynamic analysis, handing every recorded instant to `record`.
 fn integrate(
-    assembly: &Assembly,
+    model: &Model,
     settings: &model::Dynamics,
+    assembly: &Assembly,
     summary: &mut Summary,
     mut record: impl FnMut(&State, Energy, &StepReport) -> io::Result<ControlFlow<()>>,
 ) -> io::Result<Integrated> {
-    let mut dynamics = match start(assembly, settings) {
-        Ok(dynamics) => dynamics,
+    // The loads of a model are constant so far: none jumps.
+    let mut pace = match Pace::new(model, settings, assembly, Vec::new()) {
+        Ok(pace) => pace,
         Err(error) => return Ok(Err(error)),
     };
-    let mut flow = record(dynamics.state(), dynamics.energy(), &StepReport::default())?;
-    let steps = (settings.duration / settings.step * (1.0 + 1e-12)).floor() as u64;
-    while flow.is_continue() && summary.steps < steps {
-        match dynamics.advance((summary.steps + 1) as f64 * settings.step) {
-            Ok(report) => {
-                summary.count(&report);
-                summary.time = dynamics.state().t;
-                flow = record(dynamics.state(), dynamics.energy(), &report)?;
-            }
+    let mut report = StepReport::default();
+    loop {
+        let flow = record(pace.dynamics().state(), pace.dynamics().energy(), &report)?;
+        if flow.is_break() {
+            // A sink that breaks on the last instant has stopped nothing.
+            return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));
+        }
+        let advanced = pace.advance(|step| summary.count(step));
+        summary.time = pace.dynamics().state().t;
+        match advanced {
+            Ok(Some(done)) => report = done,
+            Ok(None) => return Ok(Ok(ControlFlow::Continue(()))),
             Err(error) => return Ok(Err(error)),
         }
     }
-    // A sink that breaks on the last instant has stopped nothing.
-    Ok(Ok(if summary.steps == steps { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }))
-}
-
-/// The integration of an assembly from rest, with its start values.
-fn start<'a>(assembly: &'a Assembly, settings: &model::Dynamics) -> Result<Dynamics<'a, System>, SolveError> {
-    let mut state = assembly.rest();
-    let mut matrix = assembly.system.matrix();
-    if settings.start == Start::Consistent {
-        consistent_start(&assembly.system, &mut matrix, &mut state)?;
-    }
-    let stop = match settings.stop {
-        Stop::Energy { tolerance } => analysis::Stop::Energy(tolerance),
-        Stop::Residual { tolerance } => analysis::Stop::Residual(tolerance),
-        Stop::Increment { tolerance } => analysis::Stop::Increment(tolerance),
-    };
-    let (gamma, beta) = settings.scheme.pair();
-    let newton = Newton::new(matrix, stop, settings.max_iterations)?;
-    Ok(Dynamics::new(&assembly.system, Newmark { gamma, beta }, newton, settings.max_halvings, state))
 }

@@ -13,7 +13,7 @@ mod rod;
 mod run;
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newmark, Newton, Stop};
+use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::{self, Clamped, Start};
 use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 use nalgebra::Vector3;
@@ -48,7 +48,7 @@ impl Term for Oscillator {
 }
 
 /// Position at t = 2 of the oscillator released from q = 1.
-fn released(scheme: Newmark, steps: u32) -> f64 {
+fn released(scheme: Scheme, steps: u32) -> f64 {
     let system = System::new(1, 0, vec![Box::new(Oscillator)]);
     let newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 20).unwrap();
     let start = State { q: vec![1.0], a: vec![-2.0], ..State::rest(1, 0) };
@@ -72,9 +72,9 @@ fn assert_order(name: &str, observed: f64, expected: f64) {
 #[test]
 fn schemes_without_constraints() {
     for (name, scheme, expected) in [
-        ("ADAMS", Newmark::ADAMS, 1.0),
-        ("average acceleration", Newmark::AVERAGE_ACCELERATION, 2.0),
-        ("linear acceleration", Newmark::LINEAR_ACCELERATION, 2.0),
+        ("ADAMS", Scheme::ADAMS, 1.0),
+        ("average acceleration", Scheme::AVERAGE_ACCELERATION, 2.0),
+        ("linear acceleration", Scheme::LINEAR_ACCELERATION, 2.0),
     ] {
         let results = [200, 400, 800].map(|steps| Vector3::x() * released(scheme, steps));
         assert_order(name, order(results), expected);
@@ -82,12 +82,12 @@ fn schemes_without_constraints() {
 }
 
 /// Tip of a rubber-like pendulum of one element after 0.4 s.
-fn swung(scheme: model::Newmark, steps: u32) -> Vector3<f64> {
+fn swung(scheme: model::Scheme, steps: u32) -> Vector3<f64> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e5;
     let settings = rod::settings(&mut model);
     (settings.scheme, settings.start) = (scheme, Start::Consistent);
-    (settings.duration, settings.step) = (0.4, 0.4 / f64::from(steps));
+    (settings.duration, settings.step) = (0.4, model::Step::Fixed(0.4 / f64::from(steps)));
     settings.stop = model::Stop::Energy { tolerance: 1e-10 };
     *Run::of(&model).vectors("tip.").last().unwrap()
 }
@@ -96,8 +96,8 @@ fn swung(scheme: model::Newmark, steps: u32) -> Vector3<f64> {
 #[test]
 fn schemes_with_constraints() {
     for (name, scheme, expected) in [
-        ("ADAMS", model::Newmark::Adams, 1.0),
-        ("average acceleration", model::Newmark::AverageAcceleration, 2.0),
+        ("ADAMS", model::Scheme::Adams, 1.0),
+        ("average acceleration", model::Scheme::AverageAcceleration, 2.0),
     ] {
         let results = [800, 1600, 3200].map(|steps| swung(scheme, steps));
         assert_order(name, order(results), expected);

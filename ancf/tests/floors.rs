@@ -12,7 +12,7 @@ const FLOORS: [(&str, &[&str]); 9] = [
     ("record", &[]),
     ("mechanics", &["system"]),
     ("analysis", &["system"]),
-    ("model", &["mechanics", "system", "scales"]),
+    ("model", &["analysis", "mechanics", "system", "scales"]),
     ("rows", &["analysis", "model", "record", "scales", "system"]),
     ("simulate", &["analysis", "model", "record", "rows", "scales", "system"]),
     ("lib", &[]),

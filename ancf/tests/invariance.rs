@@ -11,6 +11,7 @@ mod run;
 
 use ancf::model::{
     At, AtEnd, Body, Clamped, End, Joint, Load, Material, Place, Probe, ScaleChoice, Section, Slopes, Start,
+    Step,
 };
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -224,7 +225,7 @@ fn divided_steps() {
     let run = |step| {
         let mut model = systems()[2].clone();
         let settings = rod::settings(&mut model);
-        (settings.duration, settings.step) = (0.02, step);
+        (settings.duration, settings.step) = (0.02, Step::Fixed(step));
         (settings.max_iterations, settings.max_halvings) = (3, 2);
         Run::of(&model)
     };

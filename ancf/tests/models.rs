@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ancf::model::{Analysis, Body, Model, ModelError, Newmark, ScaleChoice, schema, schema_text};
+use ancf::model::{Analysis, Body, Model, ModelError, ScaleChoice, Scheme, Step, schema, schema_text};
 use proptest::prelude::*;
 
 fn folder(name: &str) -> PathBuf {
@@ -86,7 +86,7 @@ fn models_built_in_rust_are_checked() {
     let mut model = Model::read(folder("good/every_key.toml")).unwrap();
     model.gravity[2] = f64::NEG_INFINITY;
     let Analysis::Dynamics(dynamics) = &mut model.analysis;
-    (dynamics.step, dynamics.scheme) = (-0.5, Newmark::CentralDifference);
+    (dynamics.step, dynamics.scheme) = (Step::Fixed(-0.5), Scheme::CentralDifference);
     model.scales = ScaleChoice::Given { length: 1.0, force: 1.0, time: Some(f64::NAN) };
     let Body::Beam(beam) = &mut model.bodies[1] else { panic!("a beam") };
     beam.material = "soft ruber".into();

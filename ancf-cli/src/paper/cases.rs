@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Newmark, Output, Place, Probe,
-    ScaleChoice, Section, Slopes, Start,
+    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Output, Place, Probe,
+    ScaleChoice, Scheme, Section, Slopes, Start,
 };
 
 /// Length of the beam, m (Table 2).
@@ -82,9 +82,10 @@ impl Case {
             loads: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
-                scheme: Newmark::Adams,
+                scheme: Scheme::Adams,
                 start: Start::Zero,
-                ..Dynamics::new(DURATION, step)
+                // The last whole step, as the paper has it.
+                ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
             probes: vec![Probe { name: "tip".into(), on: end(AtEnd::End) }],
             output: Output::default(),

@@ -87,7 +87,7 @@ impl Matrices {
     fn new(model: &Model) -> Result<Self> {
         let scales = model.scales().scales;
         let ancf::model::Analysis::Dynamics(dynamics) = &model.analysis;
-        let h = dynamics.step / scales.time;
+        let h = dynamics.step.fixed().context("the paper has steps of one size")? / scales.time;
         let assembly = model.scaled(&scales).assemble().ok().context("the model of the paper is valid")?;
         let (system, beta_h2) = (&assembly.system, BETA * h * h);
         let mut tangent = system.matrix();

@@ -189,7 +189,8 @@ fn run(model: &Model) -> Result<Run> {
     let seconds = clock.elapsed().as_secs_f64();
     ensure!(summary.outcome.is_finished(), "a run of the paper ended early: {:?}", summary.outcome);
     let Analysis::Dynamics(settings) = &model.analysis;
-    Ok(Run { step: settings.step, seconds, summary, series })
+    let step = settings.step.fixed().context("the paper has steps of one size")?;
+    Ok(Run { step, seconds, summary, series })
 }
 
 impl Tolerance {

@@ -1,5 +1,7 @@
-use super::{Failure, Newmark, Newton, SolveError};
-use crate::system::{Energy, EquationsOfMotion, Factor, SparseMatrix, State, Weights};
+use super::consistent::{accelerations, velocities};
+use super::launch::launch;
+use super::{Failure, Newton, Report, Scheme, SolveError};
+use crate::system::{Energy, EquationsOfMotion, Level, State};
 
 /// How a step went.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -8,30 +10,74 @@ pub struct StepReport {
     pub iterations: u32,
     /// Steps that were taken, 1 unless the step had to be divided.
     pub substeps: u32,
+    /// Steps that were tried but found too inaccurate; none without error control.
+    pub rejected: u32,
     /// Euclidean norm of the last residual that was evaluated.
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
+    /// The largest |Φ_q v + Φ_t| of a constraint: what the velocities violate, while Φ = 0 is solved for. In the numbers of
+    /// the solver, length/time for points and 1/time for directions. Second order in h, it need not grow.
+    pub drift: f64,
     /// Whether the rounding error of the residual ended an iteration.
     pub floor: bool,
+}
+
+impl StepReport {
+    /// This report and that of the step after it, as one: counts of both, norms of the later.
+    #[must_use]
+    pub fn then(self, next: &Self) -> Self {
+        Self {
+            iterations: self.iterations + next.iterations,
+            substeps: self.substeps + next.substeps,
+            rejected: self.rejected + next.rejected,
+            floor: self.floor || next.floor,
+            ..*next
+        }
+    }
 }
 
 /// Integration of equations of motion in time.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
-    eom: &'a E,
-    scheme: Newmark,
-    newton: Newton,
+    pub(super) eom: &'a E,
+    pub(super) scheme: Scheme,
+    pub(super) newton: Newton,
     max_halvings: u32,
-    state: State,
+    /// By how many halvings the next step begins: one less than the last one needed.
+    halvings: u32,
+    pub(super) state: State,
     /// The state before the current attempt.
     before: State,
+    /// The scheme's auxiliary acceleration aₙ, for the step `h` that led here.
+    auxiliary: Vec<f64>,
+    h: f64,
+    /// Whether accelerations are consistent and there is no step before.
+    pub(super) fresh: bool,
+    /// aₙ and aₙ₊₁ of the current attempt.
+    pub(super) attempted: [Vec<f64>; 2],
+    drift: Vec<f64>,
 }
 
 impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
-    /// Starts from a state; a step whose iteration fails is halved up to `max_halvings` times.
-    pub fn new(eom: &'a E, scheme: Newmark, newton: Newton, max_halvings: u32, start: State) -> Self {
-        Self { eom, scheme, newton, max_halvings, before: start.clone(), state: start }
+    /// Starts from a state, accelerations as they are (see [`restart`](Self::restart)); a step whose iteration fails is halved
+    /// up to `max_halvings` times.
+    pub fn new(eom: &'a E, scheme: Scheme, newton: Newton, max_halvings: u32, start: State) -> Self {
+        let auxiliary = start.a.clone();
+        Self {
+            eom,
+            scheme,
+            newton,
+            max_halvings,
+            halvings: 0,
+            before: start.clone(),
+            attempted: [auxiliary.clone(), auxiliary.clone()],
+            auxiliary,
+            h: 0.0,
+            fresh: false,
+            drift: vec![0.0; start.lambda.len()],
+            state: start,
+        }
     }
 
     /// The current state.
@@ -44,19 +90,40 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.eom.energy(&self.state)
     }
 
-    /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not.
+    /// Begins anew at a time t, at q and v as they are: at the start, and where loads or prescribed motions jump.
+    ///
+    /// Velocities are projected onto Φ_q v + Φ_t = 0, accelerations and multipliers follow from the equations of motion, and
+    /// the scheme gets start values of its own. At a jump take the last step to `t.next_down()`, where loads are still those before it.
+    ///
+    /// # Errors
+    /// If the mass matrix with the constraints is singular.
+    pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
+        self.state.t = t;
+        let Newton { matrix, factor, z, .. } = &mut self.newton;
+        velocities(self.eom, matrix, factor, &mut self.state, z)?;
+        accelerations(self.eom, matrix, factor, &mut self.state, z)?;
+        self.auxiliary.copy_from_slice(&self.state.a);
+        self.h = 0.0;
+        self.fresh = true;
+        Ok(())
+    }
+
+    /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not. After
+    /// that, steps grow again by a factor of two each.
     ///
     /// # Errors
     /// If the smallest permitted step fails; the state is then that of the last converged step.
     pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        let (mut h, mut left, mut halvings) = (to - self.state.t, 1_u64, 0);
+        let mut halvings = self.halvings.min(self.max_halvings);
+        let (mut h, mut left) = ((to - self.state.t) / f64::from(halvings).exp2(), 1_u64 << halvings);
         while left > 0 {
-            self.before.copy_from(&self.state);
-            match self.attempt(h, to - (left - 1) as f64 * h, &mut report) {
-                Ok(()) => left -= 1,
+            match self.attempt(h, to - (left - 1) as f64 * h) {
+                Ok(done) => {
+                    self.accept(&done, &mut report);
+                    left -= 1;
+                }
                 Err(error) => {
-                    self.state.copy_from(&self.before);
                     report.iterations += error.iterations;
                     if halvings == self.max_halvings {
                         return Err(error);
@@ -65,68 +132,68 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
                 }
             }
         }
+        self.halvings = halvings.saturating_sub(1);
         Ok(report)
     }
 
-    fn attempt(&mut self, h: f64, to: f64, report: &mut StepReport) -> Result<(), SolveError> {
-        self.scheme.predict(&mut self.state, h);
+    /// Tries a step h that ends at the time `to`. Its end is then to be accepted or taken back; a failed one is taken back already.
+    pub(super) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+        self.before.copy_from(&self.state);
+        let done = self.solve(h, to);
+        if done.is_err() {
+            self.take_back();
+        }
+        done
+    }
+
+    fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+        let [auxiliary, next] = &mut self.attempted;
+        if self.fresh && !self.scheme.is_newmark() {
+            launch(self.eom, self.scheme, &mut self.newton, &mut self.state, auxiliary, h)?;
+        } else {
+            // a − v̇ is proportional to h (Brüls & Arnold 2008).
+            let ratio = if self.h == 0.0 { 1.0 } else { h / self.h };
+            for i in 0..auxiliary.len() {
+                auxiliary[i] = self.state.a[i] + ratio * (self.auxiliary[i] - self.state.a[i]);
+            }
+        }
+        self.scheme.predict(&mut self.state, auxiliary, h);
         self.state.t = to;
         let done = self.newton.solve(self.eom, &mut self.state, self.scheme.weights(h))?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
-            let (iterations, residual, increment) = (done.iterations, done.residual, done.increment);
-            let (failure, t) = (Failure::Inverted, to);
-            return Err(SolveError { failure, t, iterations, residual, increment, worst });
+            let Report { iterations, residual, increment, .. } = done;
+            return Err(SolveError {
+                failure: Failure::Inverted,
+                t: to,
+                iterations,
+                residual,
+                increment,
+                worst,
+            });
         }
+        for i in 0..next.len() {
+            next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.state.a[i]);
+        }
+        Ok(done)
+    }
+
+    /// Returns to the state before the attempt.
+    pub(super) fn take_back(&mut self) {
+        self.state.copy_from(&self.before);
+    }
+
+    /// Makes the end of the attempt the current state.
+    pub(super) fn accept(&mut self, done: &Report, report: &mut StepReport) {
+        self.h = self.state.t - self.before.t;
+        self.fresh = false;
+        std::mem::swap(&mut self.auxiliary, &mut self.attempted[1]);
         self.newton.met(self.eom.energy(&self.state).largest());
+        self.eom.constraints(&self.state, Level::Velocity, &mut self.drift);
         report.iterations += done.iterations;
         report.substeps += 1;
         report.residual = done.residual;
         report.increment = done.increment;
+        report.drift = self.drift.iter().fold(0.0, |largest, rate| rate.abs().max(largest));
         report.floor |= done.floor;
-        Ok(())
     }
-}
-
-/// Sets the accelerations and multipliers that satisfy the equations of motion at given q and v.
-///
-/// [M, Φ_qᵀ; Φ_q, 0] (a, λ) = −(f, (Φ_q v)_q v). The constraints are at most quadratic, so that the last term is exactly
-/// their second difference along v.
-///
-/// # Errors
-/// If the matrix is singular.
-pub fn consistent_start<E: EquationsOfMotion>(
-    eom: &E,
-    matrix: &mut SparseMatrix,
-    s: &mut State,
-) -> Result<(), SolveError> {
-    let n = s.q.len();
-    s.a.fill(0.0);
-    s.lambda.fill(0.0);
-    let mut rhs = vec![0.0; matrix.pattern().size()];
-    eom.residual(s, &mut rhs);
-    rhs[n..].copy_from_slice(&curvature(eom, s));
-    rhs.iter_mut().for_each(|x| *x = -*x);
-    eom.tangent(s, Weights::MASS, matrix);
-    let solved = Factor::new(matrix.pattern()).and_then(|mut factor| {
-        factor.factorise(matrix)?;
-        factor.solve(matrix, &mut rhs)
-    });
-    solved.map_err(|_| SolveError::at_start(Failure::Singular))?;
-    s.a.copy_from_slice(&rhs[..n]);
-    s.lambda.copy_from_slice(&rhs[n..]);
-    Ok(())
-}
-
-/// (Φ_q v)_q v = Φ(q + v) − 2Φ(q) + Φ(q − v) for constraints of degree two.
-fn curvature<E: EquationsOfMotion>(eom: &E, s: &State) -> Vec<f64> {
-    let n = s.q.len();
-    let constraints = |sign: f64| {
-        let mut moved = s.clone();
-        moved.q.iter_mut().zip(&s.v).for_each(|(q, v)| *q += sign * v);
-        let mut r = vec![0.0; n + s.lambda.len()];
-        eom.residual(&moved, &mut r);
-        r.split_off(n)
-    };
-    let (ahead, here, back) = (constraints(1.0), constraints(0.0), constraints(-1.0));
-    ahead.iter().zip(&here).zip(&back).map(|((ahead, here), back)| ahead - 2.0 * here + back).collect()
 }

@@ -27,6 +27,9 @@ pub enum Failure {
     /// The permitted number of iterations was not enough.
     #[error("the iteration did not converge: a smaller step or more iterations may help")]
     NotConverged,
+    /// The error of a step exceeds its share of the tolerance even in the smallest permitted step.
+    #[error("the step fell below the smallest permitted: the motion jumps, or the tolerance is too tight")]
+    StepTooSmall,
 }
 
 /// A failed solution of the equations of motion, in the units of the solver.
@@ -50,7 +53,12 @@ pub struct SolveError {
 impl SolveError {
     /// A failure before any iteration.
     pub(super) const fn at_start(failure: Failure) -> Self {
-        Self { failure, t: 0.0, iterations: 0, residual: 0.0, increment: 0.0, worst: 0 }
+        Self::at(0.0, failure)
+    }
+
+    /// A failure at a time, outside any iteration.
+    pub(super) const fn at(t: f64, failure: Failure) -> Self {
+        Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: 0 }
     }
 }
 

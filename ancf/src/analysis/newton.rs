@@ -1,5 +1,6 @@
 use std::ops::ControlFlow;
 
+use super::floor::raise_to_achievable;
 use super::mover::{Linear, Mover, Whole};
 use super::{Failure, SolveError};
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
@@ -41,9 +42,10 @@ pub struct Newton {
     patience: u32,
     pub(super) matrix: SparseMatrix,
     pub(super) factor: Factor,
-    r: Vec<f64>,
-    z: Vec<f64>,
+    pub(super) r: Vec<f64>,
+    pub(super) z: Vec<f64>,
     floor: Vec<f64>,
+    weights: Weights,
     /// The largest energy of the converged states met.
     energy: f64,
 }
@@ -69,6 +71,7 @@ impl Newton {
             r: zeros.clone(),
             z: zeros.clone(),
             floor: zeros,
+            weights: Weights::STIFFNESS,
             energy: 0.0,
         })
     }
@@ -108,6 +111,8 @@ impl Newton {
         w: Weights,
     ) -> Result<Report, SolveError> {
         let mut progress = Progress::default();
+        self.weights = w;
+        self.z.fill(0.0);
         loop {
             eom.residual(s, &mut self.r);
             progress.report.residual = norm(&self.r);
@@ -216,9 +221,10 @@ impl Newton {
         ControlFlow::Continue(())
     }
 
-    /// The equation whose residual is the largest multiple of its rounding bound, and that multiple.
+    /// The equation whose residual is the largest multiple of what the arithmetic can reach, and that multiple.
     fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
         eom.rounding(s, &mut self.floor);
+        raise_to_achievable(&self.matrix, &s.q, &self.z, self.weights, &mut self.floor);
         let mut worst = (0, 0.0);
         for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
             let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };

@@ -1,6 +1,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::analysis;
+
 /// What to compute.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -9,9 +11,9 @@ pub enum Analysis {
     Dynamics(Dynamics),
 }
 
-/// Settings of a dynamic analysis by Newmark's scheme on the index-3 equations.
+/// Settings of a dynamic analysis by a scheme of the generalized-α family on the index-3 equations.
 ///
-/// Source: Kim et al. (2017), appendix.
+/// Source: Kim et al. (2017), appendix; Arnold & Brüls (2007).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dynamics {
@@ -19,11 +21,10 @@ pub struct Dynamics {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
     /// Step, time; always the user's, whatever the scales.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub step: f64,
+    pub step: Step,
     /// Scheme of time integration.
     #[serde(default)]
-    pub scheme: Newmark,
+    pub scheme: Scheme,
     /// Accelerations and multipliers at the start.
     #[serde(default)]
     pub start: Start,
@@ -34,7 +35,7 @@ pub struct Dynamics {
     #[serde(default = "Dynamics::max_iterations")]
     #[schemars(range(min = 1))]
     pub max_iterations: u32,
-    /// How often a failed step may be halved before the run ends.
+    /// How often a failed step of fixed size may be halved before the run ends.
     #[serde(default = "Dynamics::max_halvings")]
     #[schemars(range(max = 30))]
     pub max_halvings: u32,
@@ -53,8 +54,8 @@ impl Dynamics {
     pub const fn new(duration: f64, step: f64) -> Self {
         Self {
             duration,
-            step,
-            scheme: Newmark::Adams,
+            step: Step::Fixed(step),
+            scheme: Scheme::Adams,
             start: Start::Consistent,
             stop: Stop::Energy { tolerance: Stop::ENERGY },
             max_iterations: Self::max_iterations(),
@@ -63,22 +64,56 @@ impl Dynamics {
     }
 }
 
-/// A pair (γ, β) of Newmark's scheme, by name or by number.
+/// Steps of one size, or as large as a tolerance permits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Step {
+    /// Of this size, time; the last one ends with the duration and may be shorter.
+    Fixed(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// By error control; wants a scheme of second order.
+    #[schemars(extend("additionalProperties" = false))]
+    Adaptive {
+        /// Error that the motion may gather over the duration, a root mean square displacement relative to the length of the
+        /// longest body.
+        #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.1))]
+        tolerance: f64,
+        /// First step, time; found by itself if left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        initial: Option<f64>,
+        /// Largest step, time.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        largest: Option<f64>,
+    },
+}
+
+impl Step {
+    /// The size, if it is fixed.
+    pub const fn fixed(&self) -> Option<f64> {
+        match *self {
+            Self::Fixed(step) => Some(step),
+            Self::Adaptive { .. } => None,
+        }
+    }
+}
+
+/// A scheme of time integration, by name or by number.
 ///
-/// Source: Kim et al. (2017), table of the appendix.
+/// Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977); Chung & Hulbert (1993).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Newmark {
-    /// γ = 0.70, β = 0.36: first order, strongly damping; the choice of the paper.
+pub enum Scheme {
+    /// Newmark with γ = 0.70, β = 0.36: first order, strongly damping; the choice of the paper.
     #[default]
     Adams,
-    /// γ = 1/2, β = 1/4: second order, keeps the energy of linear systems.
+    /// Newmark with γ = 1/2, β = 1/4: second order, keeps the energy of linear systems; with joints, reactions alternate.
     AverageAcceleration,
-    /// γ = 1/2, β = 1/6: second order, stable for small steps only; with joints it is not stable at all.
+    /// Newmark with γ = 1/2, β = 1/6: second order, stable for small steps only; refused with joints, where it never is.
     LinearAcceleration,
-    /// γ = 1/2, β = 0: explicit, hence refused for equations with constraints.
+    /// Newmark with γ = 1/2, β = 0: explicit, hence refused for equations with constraints.
     CentralDifference,
-    /// Any pair.
+    /// Newmark with any pair.
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     Pair {
@@ -89,17 +124,36 @@ pub enum Newmark {
         #[schemars(range(min = 0, max = 1))]
         beta: f64,
     },
+    /// Generalized-α: second order, in reactions too, damps what the step does not resolve.
+    #[serde(untagged)]
+    #[schemars(extend("additionalProperties" = false))]
+    GeneralizedAlpha {
+        /// Part of a vibration of infinite frequency that survives a step: 0 ends it, 1 damps nothing, 0.8 is a good choice.
+        #[schemars(range(min = 0, max = 1))]
+        spectral_radius: f64,
+    },
+    /// The scheme of Hilber, Hughes and Taylor: second order, in reactions too, damps high frequencies.
+    #[serde(untagged)]
+    #[schemars(extend("additionalProperties" = false))]
+    Hht {
+        /// From −1/3, most damping, to 0, none.
+        #[schemars(extend("minimum" = -1.0 / 3.0, "maximum" = 0))]
+        alpha: f64,
+    },
 }
 
-impl Newmark {
-    /// The numbers (γ, β).
-    pub const fn pair(&self) -> (f64, f64) {
+impl Scheme {
+    /// Its four numbers.
+    pub const fn numbers(&self) -> analysis::Scheme {
+        use analysis::Scheme;
         match *self {
-            Self::Adams => (0.70, 0.36),
-            Self::AverageAcceleration => (0.5, 0.25),
-            Self::LinearAcceleration => (0.5, 1.0 / 6.0),
-            Self::CentralDifference => (0.5, 0.0),
-            Self::Pair { gamma, beta } => (gamma, beta),
+            Self::Adams => Scheme::ADAMS,
+            Self::AverageAcceleration => Scheme::AVERAGE_ACCELERATION,
+            Self::LinearAcceleration => Scheme::LINEAR_ACCELERATION,
+            Self::CentralDifference => Scheme::newmark(0.5, 0.0),
+            Self::Pair { gamma, beta } => Scheme::newmark(gamma, beta),
+            Self::GeneralizedAlpha { spectral_radius } => Scheme::generalized_alpha(spectral_radius),
+            Self::Hht { alpha } => Scheme::hht(alpha),
         }
     }
 }
@@ -152,5 +206,15 @@ impl Stop {
 impl Default for Stop {
     fn default() -> Self {
         Self::Energy { tolerance: Self::ENERGY }
+    }
+}
+
+impl From<Stop> for analysis::Stop {
+    fn from(stop: Stop) -> Self {
+        match stop {
+            Stop::Energy { tolerance } => Self::Energy(tolerance),
+            Stop::Residual { tolerance } => Self::Residual(tolerance),
+            Stop::Increment { tolerance } => Self::Increment(tolerance),
+        }
     }
 }

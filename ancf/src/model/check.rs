@@ -4,17 +4,14 @@ use nalgebra::Vector3;
 
 use super::check_bodies::{bodies, cables, formulations};
 use super::schema::{listed, nearest, number, quoted};
+use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
-use super::{
-    Analysis, Beam, Body, Dynamics, End, Joint, Load, Model, ModelError, Newmark, Place, ScaleChoice, Section,
-};
+use super::{Beam, Body, End, Joint, Load, Model, ModelError, Place, ScaleChoice, Section};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory that a run needs for an element.
 const BYTES_PER_ELEMENT: f64 = 12e3;
-/// Steps beyond which an analysis is taken for a slip of the pen.
-const MAX_STEPS: f64 = 1e9;
 /// Rounding of a position along an axis, relative to its length.
 const ON_AXIS: f64 = 1e-9;
 /// How far apart, relative to the longer body, two places may be that a joint connects.
@@ -217,34 +214,6 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
 fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
     let curve = body.curve()?;
     (s <= curve.length() * (1.0 + ON_AXIS)).then(|| Vector3::from(body.span()[0]) + curve.at(s).0)
-}
-
-/// The analysis has at least one step, and an end.
-fn time(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { duration, step, .. }) = &model.analysis;
-    let path = || "analysis.step".to_owned();
-    let error = if step > duration {
-        finding(path(), number(*step), format!("at most the duration, {}", number(*duration)))
-    } else if duration / step > MAX_STEPS {
-        finding(path(), format!("{:.1e} steps", duration / step), format!("at most {MAX_STEPS:e} steps"))
-    } else {
-        return Vec::new();
-    };
-    vec![error.rests_on(["analysis.duration".into()])]
-}
-
-/// The scheme is implicit.
-fn scheme(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { scheme, .. }) = &model.analysis;
-    let (path, found) = match scheme {
-        Newmark::CentralDifference => ("analysis.scheme", "\"central_difference\", which has β = 0"),
-        Newmark::Pair { beta: 0.0, .. } => ("analysis.scheme.beta", "0"),
-        _ => return Vec::new(),
-    };
-    let reason =
-        "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
-    let wanted = "β > 0, as in \"average_acceleration\" or \"adams\"";
-    vec![finding(path.into(), found, wanted).hint(reason)]
 }
 
 /// The scales of the paper are for its model.

@@ -17,6 +17,7 @@ mod redundant;
 mod rigidity;
 mod scale;
 mod schema;
+mod scheme;
 mod section;
 mod shape;
 mod survey;
@@ -27,7 +28,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
+pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::Assembly;
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use error::{ModelError, ModelErrors, Position};

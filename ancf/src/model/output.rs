@@ -15,10 +15,14 @@ pub struct Probe {
 }
 
 /// What is written, and how often.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Output {
-    /// Record every so many steps; the first and the last instant always are.
+    /// Time between recorded instants, on each of which a step ends; every step is recorded if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub interval: Option<f64>,
+    /// Record every so many of these; the first and the last instant always are.
     #[schemars(range(min = 1))]
     pub every: u32,
     /// Write `probes.csv`.
@@ -29,6 +33,6 @@ pub struct Output {
 
 impl Default for Output {
     fn default() -> Self {
-        Self { every: 1, csv: true, npz: true }
+        Self { interval: None, every: 1, csv: true, npz: true }
     }
 }

@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Joint, Load, Material, Model, Place, Probe,
-    Section, Shape,
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Joint, Load, Material, Model, Output, Place,
+    Probe, Section, Shape, Step,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -76,6 +76,16 @@ impl Model {
         Chosen { scales, reason }
     }
 
+    /// The mass of all bodies.
+    pub fn mass(&self) -> f64 {
+        self.bodies.iter().map(|body| self.line(body).0 * body.length()).sum()
+    }
+
+    /// The length of the longest body.
+    pub fn length(&self) -> f64 {
+        self.bodies.iter().map(|body| body.length()).fold(0.0, f64::max)
+    }
+
     /// ρA and the smaller E I of a body.
     fn line(&self, body: &Body) -> (f64, f64) {
         let (material, section) = (&self.materials[body.material()], self.sections[body.section()].moments());
@@ -114,7 +124,7 @@ impl Model {
                 .into_iter()
                 .map(|Probe { name, on }| Probe { name, on: on.scaled(scales) })
                 .collect(),
-            output,
+            output: output.scaled(scales),
         }
     }
 }
@@ -229,6 +239,13 @@ impl Load {
     }
 }
 
+impl Output {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { interval, every, csv, npz } = self;
+        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, csv, npz }
+    }
+}
+
 impl Analysis {
     fn scaled(self, s: &Scales) -> Self {
         let Self::Dynamics(Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings }) =
@@ -236,7 +253,12 @@ impl Analysis {
         let time = |x| number(x, Dimension::TIME, s);
         Self::Dynamics(Dynamics {
             duration: time(duration),
-            step: time(step),
+            step: match step {
+                Step::Fixed(step) => Step::Fixed(time(step)),
+                Step::Adaptive { tolerance, initial, largest } => {
+                    Step::Adaptive { tolerance, initial: initial.map(time), largest: largest.map(time) }
+                }
+            },
             scheme,
             start,
             stop,

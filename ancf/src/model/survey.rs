@@ -148,7 +148,7 @@ impl Survey {
 
     /// Which of several forms a table has by its tag, and whether that is sure; takes out the tag.
     fn form(&mut self, forms: &[&'static Json], entries: &mut Entries, path: &str) -> (&'static Json, bool) {
-        let Some((key, _)) = tag(forms[0]) else { return (forms[0], true) };
+        let Some((key, _)) = tag(forms[0]) else { return (nearest_form(forms, entries), true) };
         self.correct_tag(key, forms, entries, path);
         let words = || forms.iter().filter_map(|form| Some(tag(form)?.1));
         let named = |word| forms.iter().copied().find(|form| tag(form).is_some_and(|(_, own)| own == word));
@@ -269,6 +269,17 @@ pub(super) fn did_you_mean(error: ModelError, meant: Option<String>) -> ModelErr
         Some(meant) => error.hint(format!("did you mean {meant}?")),
         None => error,
     }
+}
+
+/// The form without a tag to which most keys belong, as spelt or as probably meant; the first of equals.
+fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+    let known = |form: &Json, key: &str| !form["properties"][key].is_null();
+    let meant = |form: &'static Json, key: &str| known(form, key) || nearest(key, keys(form)).is_some();
+    let fit = |form: &'static Json| {
+        let count = |test: &dyn Fn(&str) -> bool| entries.keys().filter(|key| test(key)).count();
+        (count(&|key| known(form, key)), count(&|key| meant(form, key)))
+    };
+    forms.iter().copied().rev().max_by_key(|form| fit(form)).unwrap_or(forms[0])
 }
 
 /// The path of a key in a table.

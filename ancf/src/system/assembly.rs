@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{
-    Energy, EquationsOfMotion, LOCAL, Local, LocalMatrix, Pattern, SparseMatrix, State, Term, Weights,
+    Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, SparseMatrix, State, Term, Weights,
 };
 
 /// Equations of motion as the sum of terms: gather, evaluate, scatter.
@@ -10,6 +10,8 @@ pub struct System {
     coordinates: usize,
     multipliers: usize,
     terms: Vec<Box<dyn Term>>,
+    /// The terms that have multipliers.
+    constraints: Vec<usize>,
     pattern: Arc<Pattern>,
     /// Where the lower triangle of each term's matrix goes, term after term.
     slots: Vec<u32>,
@@ -71,7 +73,8 @@ impl System {
             .flat_map(|u| (0..u.len()).flat_map(move |j| (j..u.len()).map(move |i| (u[i], u[j]))))
             .map(|(i, j)| pattern.slot(i, j))
             .collect();
-        Self { coordinates, multipliers, terms, pattern: Arc::new(pattern), slots }
+        let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
+        Self { coordinates, multipliers, terms, constraints, pattern: Arc::new(pattern), slots }
     }
 
     /// The terms.
@@ -105,6 +108,18 @@ impl System {
     }
 }
 
+/// Rows of a term's multipliers at q + sign × v.
+fn ahead(term: &dyn Term, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
+    let (mut q, mut rows) = ([0.0; LOCAL], [0.0; LOCAL]);
+    let (n, m) = (at.q.len(), at.lambda.len());
+    for i in 0..n {
+        q[i] = at.q[i] + sign * at.v[i];
+    }
+    term.residual(&Local { q: &q[..n], ..*at }, &mut rows[..n + m]);
+    rows.copy_within(n..n + m, 0);
+    rows
+}
+
 /// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
 fn unknowns(term: &dyn Term, coordinates: usize) -> Vec<usize> {
     term.coordinates().iter().copied().chain(term.multipliers().map(|m| coordinates + m)).collect()
@@ -121,6 +136,31 @@ impl EquationsOfMotion for System {
 
     fn residual(&self, s: &State, r: &mut [f64]) {
         self.sum(s, r, |term, at, rows| term.residual(at, rows));
+    }
+
+    fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
+        phi.fill(0.0);
+        let mut gathered = Gathered::EMPTY;
+        for &i in &self.constraints {
+            let term = self.terms[i].as_ref();
+            let local = gathered.gather(s, term);
+            let at = |sign| ahead(term, &local, sign);
+            let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
+            let m = local.lambda.len();
+            term.drive(s.t, &mut rates[..m], &mut accelerations[..m]);
+            let (ahead, here, back) = match level {
+                Level::Position => ([0.0; LOCAL], at(0.0), [0.0; LOCAL]),
+                Level::Velocity => (at(1.0), [0.0; LOCAL], at(-1.0)),
+                Level::Acceleration => (at(1.0), at(0.0), at(-1.0)),
+            };
+            for (k, row) in term.multipliers().enumerate() {
+                phi[row] += match level {
+                    Level::Position => here[k],
+                    Level::Velocity => 0.5 * (ahead[k] - back[k]) + rates[k],
+                    Level::Acceleration => ahead[k] - 2.0 * here[k] + back[k] + accelerations[k],
+                };
+            }
+        }
     }
 
     fn rounding(&self, s: &State, floor: &mut [f64]) {

@@ -33,6 +33,17 @@ impl AddAssign for Energy {
     }
 }
 
+/// How often constraints are differentiated in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Φ(q, t).
+    Position,
+    /// Φ̇ = Φ_q v + Φ_t: what the velocities violate, the drift of index-3 schemes.
+    Velocity,
+    /// (Φ_q v)_q v + Φ_tt, the part of Φ̈ without accelerations.
+    Acceleration,
+}
+
 /// Index-3 equations of motion M a + f(q, v, t) + Φ_qᵀ λ = 0, Φ(q, t) = 0 with symmetric derivatives.
 ///
 /// The waist of the hourglass: elements and joints above know nothing of schemes, schemes below nothing of elements.
@@ -47,6 +58,12 @@ pub trait EquationsOfMotion {
 
     /// r = [M a + f + Φ_qᵀ λ; Φ].
     fn residual(&self, s: &State, r: &mut [f64]);
+
+    /// The constraints alone, at a cost proportional to their number: one entry for each multiplier.
+    ///
+    /// Constraints are Φ(q, t) = A(q) + c(t) with A at most quadratic, so that its derivatives along v are exactly its differences:
+    /// A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v).
+    fn constraints(&self, s: &State, level: Level, phi: &mut [f64]);
 
     /// A bound of the rounding error of each entry of the residual: ε times the sum of the magnitudes it is made of.
     fn rounding(&self, s: &State, floor: &mut [f64]);

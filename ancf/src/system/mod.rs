@@ -9,7 +9,7 @@ mod state;
 mod term;
 
 pub use assembly::System;
-pub use equations::{Energy, EquationsOfMotion};
+pub use equations::{Energy, EquationsOfMotion, Level};
 pub use factor::{Factor, SingularMatrix};
 pub use kernel::{Kernel, Sparse};
 pub use pattern::{Pattern, SparseMatrix};

@@ -270,6 +270,30 @@ impl SparseMatrix {
         }
     }
 
+    /// The entry of an unknown with itself.
+    pub fn diagonal_of(&self, unknown: usize) -> f64 {
+        self.values[self.pattern.columns()[self.pattern.position(unknown)]]
+    }
+
+    /// The entries of Φ_q: multiplier (counted after the coordinates), coordinate, value.
+    pub fn constraints(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let unknown = |at: usize| self.pattern.order[at] as usize;
+        let border = self.pattern.border.iter();
+        border.map(move |b| (unknown(b.multiplier), unknown(b.coordinate), self.values[b.slot]))
+    }
+
+    /// y = A x, in the order of the unknowns.
+    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        self.visit(|i, j, value| {
+            let (i, j) = (self.pattern.order[i] as usize, self.pattern.order[j] as usize);
+            y[i] += value * x[j];
+            if i != j {
+                y[j] += value * x[i];
+            }
+        });
+    }
+
     /// The diagonal, in positions.
     pub(super) fn diagonal(&self) -> impl Iterator<Item = f64> {
         self.pattern.columns()[..self.pattern.size()].iter().map(|&first| self.values[first])
@@ -291,13 +315,8 @@ impl SparseMatrix {
 
     /// A x, in the order of the unknowns.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
-        let order = &self.pattern.order;
-        let ordered: Vec<f64> = order.iter().map(|&unknown| x[unknown as usize]).collect();
-        let (mut negative, mut product) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-        self.subtract_product(&ordered, &mut negative);
-        for (&unknown, value) in order.iter().zip(negative) {
-            product[unknown as usize] = -value;
-        }
+        let mut product = vec![0.0; x.len()];
+        self.multiply(x, &mut product);
         product
     }
 
@@ -310,11 +329,6 @@ impl SparseMatrix {
             sum += if i == j { entry } else { 2.0 * entry };
         });
         sum
-    }
-
-    /// The entry of an unknown with itself.
-    pub fn diagonal_of(&self, unknown: usize) -> f64 {
-        self.values[self.pattern.columns()[self.pattern.position(unknown)]]
     }
 
     /// The matrix as dense rows in the order of the unknowns; for small systems and tests.

@@ -4,8 +4,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Newmark, Output, Place, Probe,
-    ScaleChoice, Section, Start, Stop,
+    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Output, Place, Probe,
+    ScaleChoice, Scheme, Section, Start, Step, Stop,
 };
 
 /// Length L.
@@ -28,8 +28,8 @@ pub(crate) fn free(elements: u32) -> Model {
         scales: ScaleChoice::None,
         analysis: Analysis::Dynamics(Dynamics {
             duration: 2.0,
-            step: 1e-3,
-            scheme: Newmark::Adams,
+            step: Step::Fixed(1e-3),
+            scheme: Scheme::Adams,
             start: Start::Zero,
             stop: Stop::default(),
             max_iterations: 50,

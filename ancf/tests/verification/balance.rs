@@ -7,7 +7,7 @@
 //! ```
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newmark, Newton, Stop, consistent_start};
+use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_start};
 use ancf::model::{self, Assembly, At, AtEnd, Body, Clamped, End, Joint, Place, Start};
 use ancf::system::{EquationsOfMotion, State, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -102,7 +102,7 @@ fn assert_balance(name: &str, assembly: &Assembly, s: &State, gravity: Vector3<f
 fn instants(model: &Model) -> (Assembly, Vec<State>) {
     let assembly = model.assemble().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
-    let mut dynamics = Dynamics::new(&assembly.system, Newmark::ADAMS, newton, 0, assembly.rest());
+    let mut dynamics = Dynamics::new(&assembly.system, Scheme::ADAMS, newton, 0, assembly.rest());
     let states = (1..=200).map(|step| {
         dynamics.advance(1e-3 * f64::from(step)).unwrap();
         dynamics.state().clone()
@@ -221,7 +221,7 @@ fn reactions_at_rest() {
 fn free_fall() {
     let mut model = rod::free(3);
     let settings = rod::settings(&mut model);
-    (settings.scheme, settings.start) = (model::Newmark::AverageAcceleration, Start::Consistent);
+    (settings.scheme, settings.start) = (model::Scheme::AverageAcceleration, Start::Consistent);
     let run = Run::of(&model);
     let kinetic = run.column("kinetic").last().unwrap();
     for (t, y) in run.column("t").iter().zip(run.column("tip.y")) {
@@ -250,8 +250,8 @@ fn dissipation() {
         let exchanged = run.column("kinetic").iter().copied().fold(0.0, f64::max);
         run.column("dissipated").last().unwrap() / exchanged
     };
-    let adams = dissipated(model::Newmark::Adams);
-    let average = dissipated(model::Newmark::AverageAcceleration);
+    let adams = dissipated(model::Scheme::Adams);
+    let average = dissipated(model::Scheme::AverageAcceleration);
     assert!(adams > 0.0 && average.abs() < 0.01 * adams, "{adams:e} and {average:e}");
 }
 

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use ancf::Model;
-use ancf::analysis::Newmark;
+use ancf::analysis::Scheme;
 use ancf::mechanics::{Beam24, BeamShape, Profile};
 use ancf::model::{Material, ScaleChoice, Section, Slopes};
 use ancf::scales::Scales;
@@ -177,8 +177,8 @@ fn eq_36_newmark() {
     let mut s = State { q: vec![0.0], v: vec![0.0], a: vec![g], ..State::rest(1, 0) };
     let mut printed = [0.0, 0.0];
     for _ in 0..steps {
-        Newmark::ADAMS.predict(&mut s, h);
-        s.add(&[0.0], Newmark::ADAMS.weights(h)); // the acceleration stays g
+        Scheme::ADAMS.predict(&mut s, &[g], h);
+        s.add(&[0.0], Scheme::ADAMS.weights(h)); // the acceleration stays g
         printed[1] += h * g;
         printed[0] += h * printed[1] + 0.5 * h * h * g;
     }

@@ -7,7 +7,7 @@
 //!
 //! Goal: figure 8 (near the rigid compound pendulum), figure 12 (y = z), and that units change nothing.
 
-use ancf::model::Stop;
+use ancf::model::{Step, Stop};
 use ancf::record::Series;
 use ancf::{Model, simulate};
 use nalgebra::Vector3;
@@ -55,7 +55,7 @@ const RIGID: [[f64; 3]; 8] = [
 /// Tips of the revolute pendulum at the instants of [`RIGID`].
 fn tips(elements: u32, steps_per_second: u32) -> Vec<Vector3<f64>> {
     let mut model = rod::revolute(elements);
-    rod::settings(&mut model).step = 1.0 / f64::from(steps_per_second);
+    rod::settings(&mut model).step = Step::Fixed(1.0 / f64::from(steps_per_second));
     let tips = Run::of(&model).vectors("tip.");
     let every = steps_per_second as usize / 4;
     tips.into_iter().skip(every).step_by(every).collect()

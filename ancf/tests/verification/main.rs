@@ -45,7 +45,7 @@ fn non_dimensional(mut model: Model) -> Model {
 /// The non-dimensional form with the step that the paper gives it: 0.001 of its own unit of time.
 fn non_dimensional_step(model: Model) -> Model {
     let mut model = non_dimensional(model);
-    rod::settings(&mut model).step = 1e-3 * model.scales().scales.time;
+    rod::settings(&mut model).step = ancf::model::Step::Fixed(1e-3 * model.scales().scales.time);
     model
 }
 

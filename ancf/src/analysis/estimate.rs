@@ -1,0 +1,118 @@
+use super::consistent::solve;
+use super::{Dynamics, Failure, Report, SolveError};
+use crate::system::{EquationsOfMotion, SparseMatrix, Weights};
+
+/// The error of a step of a second-order scheme, as a root mean square displacement over the mass.
+///
+/// A step shifts the phase of a vibration by κ ω³h³. With ε = κ v̈, taken from the scheme's own accelerations, its error is
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (ε, ·) = (κ M (aₙ₊₁ − aₙ)/h, 0),   h³ √(‖ε‖² + τ²‖ε̇‖²),   ‖x‖² = xᵀ M x / m.
+///
+/// The matrix S of the iteration filters vibrations which the step does not resolve, and does not have to. The second
+/// term is the error in v; τ² = ∫‖ε‖²/∫‖ε̇‖² makes it as large as the first on average, so that the sum does not vanish twice in
+/// every period: in a harmonic motion it is exactly what the phase is off by.
+///
+/// Source: Shampine & Baca (1984) for the filter; κ by inserting exp(iωt) into the scheme.
+#[derive(Debug)]
+pub(super) struct Estimate {
+    /// The mass matrix, which is constant, and the whole mass m.
+    matrix: SparseMatrix,
+    mass: f64,
+    /// ε of the attempt, ε of the last accepted step and its size, the difference of both, M times a vector.
+    now: Vec<f64>,
+    before: Vec<f64>,
+    h: Option<f64>,
+    rate: Vec<f64>,
+    force: Vec<f64>,
+    /// ‖ε‖² and ‖ε̇‖² of the attempt, and their integrals.
+    squares: [f64; 2],
+    integrals: [f64; 2],
+}
+
+impl Estimate {
+    pub(super) fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, mass: f64) -> Self {
+        let mut matrix = dynamics.newton.matrix.clone();
+        dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
+        let zeros = vec![0.0; matrix.pattern().size()];
+        let (now, before, rate) = (zeros.clone(), zeros.clone(), zeros.clone());
+        Self {
+            matrix,
+            mass,
+            now,
+            before,
+            h: None,
+            rate,
+            force: zeros,
+            squares: [0.0; 2],
+            integrals: [0.0; 2],
+        }
+    }
+
+    /// Forgets the steps done.
+    pub(super) fn restart(&mut self) {
+        (self.h, self.integrals) = (None, [0.0; 2]);
+    }
+
+    /// ‖x‖ of a vector over the coordinates.
+    pub(super) fn norm(&mut self, x: &[f64]) -> f64 {
+        self.now[..x.len()].copy_from_slice(x);
+        self.now[x.len()..].fill(0.0);
+        square(&self.matrix, &self.now, &mut self.force, self.mass).sqrt()
+    }
+
+    /// The error of the attempted step.
+    pub(super) fn error<E: EquationsOfMotion>(
+        &mut self,
+        dynamics: &mut Dynamics<'_, E>,
+        done: &Report,
+        h: f64,
+    ) -> Result<f64, SolveError> {
+        let n = dynamics.state.q.len();
+        let [a, b] = &dynamics.attempted;
+        let factor = dynamics.scheme.phase_constant() / h;
+        for i in 0..n {
+            self.force[i] = factor * (b[i] - a[i]);
+        }
+        self.force[n..].fill(0.0);
+        self.matrix.multiply(&self.force, &mut self.now);
+        self.now[n..].fill(0.0);
+        let (newton, s) = (&mut dynamics.newton, &dynamics.state);
+        if done.iterations == 0 {
+            let w = dynamics.scheme.weights(h);
+            solve(dynamics.eom, &mut newton.matrix, &mut newton.factor, s, w, &mut self.now)?;
+        } else {
+            let solved = newton.factor.solve(&newton.matrix, &mut self.now);
+            solved.map_err(|_| SolveError::at(s.t, Failure::Singular))?;
+        }
+        self.now[n..].fill(0.0);
+        self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];
+        if let Some(before) = self.h {
+            let between = 0.5 * (h + before);
+            for i in 0..n {
+                self.rate[i] = (self.now[i] - self.before[i]) / between;
+            }
+            self.squares[1] = square(&self.matrix, &self.rate, &mut self.force, self.mass);
+        }
+        let [over, under] = self.integrals(h);
+        let second = if under > 0.0 { over / under * self.squares[1] } else { 0.0 };
+        Ok(h.powi(3) * (self.squares[0] + second).sqrt())
+    }
+
+    /// ∫‖ε‖² and ∫‖ε̇‖² with the attempt.
+    fn integrals(&self, h: f64) -> [f64; 2] {
+        std::array::from_fn(|i| self.integrals[i] + h * self.squares[i])
+    }
+
+    /// Takes note that the attempt was accepted.
+    pub(super) fn accept(&mut self, h: f64) {
+        self.integrals = self.integrals(h);
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.h = Some(h);
+    }
+}
+
+/// ‖x‖².
+fn square(matrix: &SparseMatrix, x: &[f64], force: &mut [f64], mass: f64) -> f64 {
+    matrix.multiply(x, force);
+    x.iter().zip(force).map(|(x, f)| x * *f).sum::<f64>().max(0.0) / mass
+}

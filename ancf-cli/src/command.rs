@@ -128,8 +128,10 @@ struct Report<'a> {
 fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Result<Ended> {
     let interrupt = Interrupt::listen()?;
     let clock = Instant::now();
-    let ancf::model::Analysis::Dynamics(settings) = &model.analysis;
-    let progress = if quiet { Progress::hidden() } else { Progress::until(settings.duration) };
+    let progress = match model.analysis.dynamics() {
+        Some(settings) if !quiet => Progress::until(settings.duration),
+        _ => Progress::hidden(),
+    };
     let mut sinks: Vec<Box<dyn Sink>> =
         vec![Box::new(Folder::new(output, model.output)), Box::new(progress), Box::new(interrupt)];
     let summary = simulate(model, &mut sinks)?;

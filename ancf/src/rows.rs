@@ -1,50 +1,67 @@
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use crate::analysis::StepReport;
-use crate::model::Assembly;
+use crate::mechanics::StrainEnergy;
+use crate::model::{Assembly, Quantity};
 use crate::scales::{Dimension, Scales};
-use crate::system::{Energy, State};
+use crate::system::{EquationsOfMotion, State};
 
-/// The columns of a run, and their values at one instant, in the user's units.
+/// The columns of a run, and their values in one state, in the user's units.
 ///
 /// | columns | what |
 /// |---|---|
-/// | `t` | time |
-/// | `p.x p.y p.z`, `p.vx ..`, `p.ax ..` | position, velocity and acceleration of each probe `p` |
+/// | `t`, in statics `load` | time, load factor |
+/// | `p.x p.y p.z`, `p.vx ..`, `p.ax ..` | motion of each probe `p`: position, velocity, acceleration |
+/// | `p.N p.Qy p.Qz p.T p.My p.Mz` | its section forces, as the part beyond exerts them on the part before |
+/// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | its strain, Green's, in the section's frame |
+/// | `p.sxx ..` | its stress, second Piola-Kirchhoff |
 /// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment that each joint `j` exerts on its end `a` |
-/// | `iterations` | Newton iterations of the step |
-/// | `residual`, `increment` | their last norms, in the numbers of the solver |
-/// | `drift` | the largest violation of a joint by velocities, in the numbers of the solver |
+/// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
+/// | `iterations`, ... | what the analysis says of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
-/// | `dissipated` | energy that the scheme has taken out since the start |
+/// | `dissipated` | total energy at the start less that of the state |
 #[derive(Debug)]
 pub struct Rows {
     columns: Vec<String>,
     row: Vec<f64>,
     scales: Scales,
-    /// Total energy at the first instant.
+    parts: bool,
+    /// Total energy of the first state.
     initial: Option<f64>,
 }
 
+/// Places of a symmetric matrix in columns.
+const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
 impl Rows {
-    /// Columns of an assembly whose numbers are in the given units.
-    pub fn new(assembly: &Assembly, scales: Scales) -> Self {
-        let mut columns = vec!["t".to_owned()];
-        let mut vectors = |name: &str, prefixes: &[&str]| {
-            for prefix in prefixes {
-                columns.extend(["x", "y", "z"].map(|axis| format!("{name}.{prefix}{axis}")));
+    /// Columns of an assembly whose numbers are in the given units: the first, those of probes and joints, `own`, energies.
+    pub fn new(assembly: &Assembly, scales: Scales, first: &str, own: &[&str]) -> Self {
+        let mut columns = vec![first.to_owned()];
+        let vectors = |name: &str, prefix: &str| ["x", "y", "z"].map(|axis| format!("{name}.{prefix}{axis}"));
+        for probe in &assembly.measures {
+            let name = &probe.name;
+            let of = |names: [&str; 6]| names.map(|column| format!("{name}.{column}"));
+            match probe.quantity {
+                Quantity::Motion => {
+                    columns.extend(["", "v", "a"].iter().flat_map(|prefix| vectors(name, prefix)))
+                }
+                Quantity::SectionForces => columns.extend(of(["N", "Qy", "Qz", "T", "My", "Mz"])),
+                Quantity::Strain => columns.extend(of(["exx", "eyy", "ezz", "exy", "exz", "eyz"])),
+                Quantity::Stress => columns.extend(of(["sxx", "syy", "szz", "sxy", "sxz", "syz"])),
             }
-        };
-        for (name, _) in &assembly.probes {
-            vectors(name, &["", "v", "a"]);
         }
         for name in assembly.joints() {
-            vectors(name, &["f", "m"]);
+            columns.extend(["f", "m"].iter().flat_map(|prefix| vectors(name, prefix)));
         }
-        let own =
-            ["iterations", "residual", "increment", "drift", "kinetic", "strain", "potential", "dissipated"];
-        columns.extend(own.map(str::to_owned));
-        Self { row: Vec::with_capacity(columns.len()), columns, scales, initial: None }
+        if assembly.energy_parts {
+            let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
+            columns
+                .extend(assembly.bodies().flat_map(|(body, _)| parts.map(|part| format!("{body}.{part}"))));
+        }
+        columns.extend(
+            own.iter().chain(&["kinetic", "strain", "potential", "dissipated"]).map(|&own| own.to_owned()),
+        );
+        let row = Vec::with_capacity(columns.len());
+        Self { row, columns, scales, parts: assembly.energy_parts, initial: None }
     }
 
     /// Names of the columns.
@@ -52,29 +69,58 @@ impl Rows {
         &self.columns
     }
 
-    /// The row of one instant.
-    pub fn fill(&mut self, assembly: &Assembly, s: &State, energy: Energy, report: &StepReport) -> &[f64] {
+    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units.
+    pub fn fill(&mut self, assembly: &Assembly, s: &State, first: f64, own: &[f64]) -> &[f64] {
         self.row.clear();
-        self.push(s.t, Dimension::TIME);
-        for (_, point) in &assembly.probes {
-            self.extend(point.value(s), Dimension::LENGTH);
-            self.extend(point.sum(&s.v), Dimension::VELOCITY);
-            self.extend(point.sum(&s.a), Dimension::ACCELERATION);
-        }
+        self.row.push(first);
+        self.measure(assembly, s);
         for reaction in assembly.reactions(s) {
             self.extend(reaction.force, Dimension::FORCE);
             self.extend(reaction.moment, Dimension::ENERGY);
         }
-        self.push(f64::from(report.iterations), Dimension::NUMBER);
-        self.push(report.residual, Dimension::NUMBER);
-        self.push(report.increment, Dimension::NUMBER);
-        self.push(report.drift, Dimension::NUMBER);
-        self.push(energy.kinetic, Dimension::ENERGY);
-        self.push(energy.strain, Dimension::ENERGY);
-        self.push(energy.potential, Dimension::ENERGY);
+        if self.parts {
+            for (_, mesh) in assembly.bodies() {
+                let StrainEnergy { axial, bending, shear, torsion, section, volume } = mesh.strain_energy(s);
+                for part in [axial, bending, shear, torsion, section, volume] {
+                    self.push(part, Dimension::ENERGY);
+                }
+            }
+        }
+        self.row.extend(own);
+        let energy = assembly.system.energy(s);
         let initial = *self.initial.get_or_insert(energy.total());
-        self.push(initial - energy.total(), Dimension::ENERGY);
+        for energy in [energy.kinetic, energy.strain, energy.potential, initial - energy.total()] {
+            self.push(energy, Dimension::ENERGY);
+        }
         &self.row
+    }
+
+    fn measure(&mut self, assembly: &Assembly, s: &State) {
+        for probe in &assembly.measures {
+            match probe.quantity {
+                Quantity::Motion => {
+                    self.extend(probe.point.value(s), Dimension::LENGTH);
+                    self.extend(probe.point.sum(&s.v), Dimension::VELOCITY);
+                    self.extend(probe.point.sum(&s.a), Dimension::ACCELERATION);
+                }
+                Quantity::SectionForces => {
+                    let mesh = assembly.mesh_of(probe.body);
+                    let (wrench, frame) = (mesh.resultants(s, probe.s), mesh.section_frame(s, probe.s));
+                    let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
+                    self.extend(seen(wrench.force), Dimension::FORCE);
+                    self.extend(seen(wrench.moment), Dimension::ENERGY);
+                }
+                Quantity::Strain | Quantity::Stress => {
+                    let mesh = assembly.mesh_of(probe.body);
+                    let [strain, stress] = mesh.strain_and_stress(s, probe.s, probe.offset);
+                    if probe.quantity == Quantity::Strain {
+                        self.entries(&strain, Dimension::NUMBER);
+                    } else {
+                        self.entries(&stress, Dimension::STRESS);
+                    }
+                }
+            }
+        }
     }
 
     fn push(&mut self, value: f64, of: Dimension) {
@@ -84,5 +130,9 @@ impl Rows {
     fn extend(&mut self, value: Vector3<f64>, of: Dimension) {
         let unit = self.scales.unit(of);
         self.row.extend(value.iter().map(|x| x * unit));
+    }
+
+    fn entries(&mut self, value: &Matrix3<f64>, of: Dimension) {
+        ENTRIES.iter().for_each(|&at| self.push(value[at], of));
     }
 }

@@ -1,3 +1,6 @@
+mod dynamics;
+mod eigen;
+mod equilibria;
 mod pace;
 
 use std::io;
@@ -6,13 +9,11 @@ use std::ops::ControlFlow;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::analysis::{SolveError, StepReport};
-use crate::model::{self, Analysis, Assembly, Chosen, Model, ModelErrors};
+use crate::analysis::{EigenError, EquilibriumError, SolveError, StepReport};
+use crate::model::{Analysis, Assembly, Chosen, Model, ModelErrors};
 use crate::record::Sink;
-use crate::rows::Rows;
 use crate::scales::Scales;
-use crate::system::{Energy, EquationsOfMotion, State};
-use pace::Pace;
+use crate::system::{EquationsOfMotion, State};
 
 /// Why a run could not be done or recorded. That the numerics gave up is not an error but an [`Outcome`].
 #[derive(Debug, Error)]
@@ -35,7 +36,7 @@ pub enum Outcome {
     Stopped,
     /// The equations of a step could not be solved.
     Failed {
-        /// Time that was to be reached.
+        /// Time that was to be reached; in statics, the load factor.
         time: f64,
         /// Why, and what may help.
         reason: String,
@@ -56,9 +57,9 @@ impl Outcome {
 pub struct Summary {
     /// How it ended.
     pub outcome: Outcome,
-    /// Time reached.
+    /// Time reached; in statics, the load factor.
     pub time: f64,
-    /// Steps done.
+    /// Steps done; in statics equilibria, modes or critical loads found.
     pub steps: u64,
     /// Steps that had to be divided because Newton's method failed.
     pub divided_steps: u64,
@@ -108,73 +109,103 @@ impl Summary {
     }
 }
 
-/// Runs a model: check, scale, assemble, integrate, record.
+/// Runs a model: check, scale, assemble, analyse, record.
 ///
-/// Columns are those of [`Rows`]; the run ends with the duration, by a shorter step if that is no multiple of the step.
+/// Rows are states of motion or equilibrium with the columns of [`Rows`](crate::Rows), or modes and critical loads with those of
+/// the table below. Motion ends with the duration, by a shorter step if that is no multiple of the step.
+///
+/// | modes, buckling | what |
+/// |---|---|
+/// | `mode` | number from 1 |
+/// | `frequency`, `squared` | ω/2π, not a number where the state is unstable; ω² |
+/// | `factor` | critical load factor |
+/// | `p.x p.y p.z` | displacement of each probe in the shape x, xᵀ M x = 1 |
 ///
 /// # Errors
-/// If the model is not valid or a sink fails. A step that cannot be solved is an [`Outcome`], with all before it recorded.
+/// If the model is not valid or a sink fails. What cannot be solved is an [`Outcome`], with all before it recorded.
 pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
     model.check()?;
     let chosen = model.scales();
     let scaled = model.scaled(&chosen.scales);
     let assembly = scaled.assemble()?;
-    let Analysis::Dynamics(settings) = &scaled.analysis;
-    let mut rows = Rows::new(&assembly, chosen.scales);
-    let mut summary = Summary::new(&assembly, chosen);
-    sink.begin(rows.columns())?;
-    let integrated = integrate(&scaled, settings, &assembly, &mut summary, |state, energy, report| {
-        sink.record(rows.fill(&assembly, state, energy, report))
-    });
+    let mut run = Run { summary: Summary::new(&assembly, chosen), assembly: &assembly, sink };
+    let ended = match &scaled.analysis {
+        Analysis::Dynamics(settings) => run.dynamics(&scaled, settings),
+        Analysis::Statics(settings) => run.statics(settings),
+        Analysis::Path(settings) => run.path(settings),
+        Analysis::Modes(settings) => run.modes(settings),
+        Analysis::Buckling(settings) => run.buckling(settings),
+    };
     // What was recorded is completed even if recording broke off.
-    let finished = sink.finish();
-    summary.outcome = outcome(integrated?, &assembly, summary.scales);
-    summary.time *= summary.scales.time;
+    let finished = run.sink.finish();
+    let Run { mut summary, .. } = run;
+    summary.outcome = outcome(ended?, &assembly, summary.scales);
+    if scaled.analysis.dynamics().is_some() {
+        summary.time *= summary.scales.time;
+    }
     finished?;
     Ok(summary)
 }
 
-/// How an integration ended, in the units of the solver.
-type Integrated = Result<ControlFlow<()>, SolveError>;
+/// An analysis under way.
+struct Run<'a> {
+    assembly: &'a Assembly,
+    sink: &'a mut dyn Sink,
+    summary: Summary,
+}
 
-fn outcome(ended: Integrated, assembly: &Assembly, scales: Scales) -> Outcome {
-    match ended {
-        Ok(ControlFlow::Continue(())) => Outcome::Finished,
-        Ok(ControlFlow::Break(())) => Outcome::Stopped,
-        Err(error) => Outcome::Failed {
-            time: error.t * scales.time,
-            reason: error.to_string(),
-            at: assembly.name_of(error.worst),
-        },
+/// How an analysis ended, in the units of the solver: finished or stopped by a sink, or why not.
+type Ended = io::Result<Result<ControlFlow<()>, Reason>>;
+
+/// Why an analysis could not go on.
+enum Reason {
+    Motion(SolveError),
+    Equilibrium(EquilibriumError),
+    Eigen(EigenError),
+    /// Motions that nothing holds, in words.
+    Mechanism(String),
+}
+
+impl From<SolveError> for Reason {
+    fn from(error: SolveError) -> Self {
+        Self::Motion(error)
     }
 }
 
-/// Steps through a dynamic analysis, handing every recorded instant to `record`.
-fn integrate(
-    model: &Model,
-    settings: &model::Dynamics,
-    assembly: &Assembly,
-    summary: &mut Summary,
-    mut record: impl FnMut(&State, Energy, &StepReport) -> io::Result<ControlFlow<()>>,
-) -> io::Result<Integrated> {
-    // The loads of a model are constant so far: none jumps.
-    let mut pace = match Pace::new(model, settings, assembly, Vec::new()) {
-        Ok(pace) => pace,
-        Err(error) => return Ok(Err(error)),
-    };
-    let mut report = StepReport::default();
-    loop {
-        let flow = record(pace.dynamics().state(), pace.dynamics().energy(), &report)?;
-        if flow.is_break() {
-            // A sink that breaks on the last instant has stopped nothing.
-            return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));
+impl From<EquilibriumError> for Reason {
+    fn from(error: EquilibriumError) -> Self {
+        Self::Equilibrium(error)
+    }
+}
+
+impl From<EigenError> for Reason {
+    fn from(error: EigenError) -> Self {
+        Self::Eigen(error)
+    }
+}
+
+fn outcome(ended: Result<ControlFlow<()>, Reason>, assembly: &Assembly, scales: Scales) -> Outcome {
+    let failed = |time, reason, at| Outcome::Failed { time, reason, at };
+    match ended {
+        Ok(ControlFlow::Continue(())) => Outcome::Finished,
+        Ok(ControlFlow::Break(())) => Outcome::Stopped,
+        Err(Reason::Motion(error)) => {
+            failed(error.t * scales.time, error.to_string(), assembly.name_of(error.worst))
         }
-        let advanced = pace.advance(|step| summary.count(step));
-        summary.time = pace.dynamics().state().t;
-        match advanced {
-            Ok(Some(done)) => report = done,
-            Ok(None) => return Ok(Ok(ControlFlow::Continue(()))),
-            Err(error) => return Ok(Err(error)),
+        Err(Reason::Equilibrium(error)) => {
+            failed(error.load, error.to_string(), assembly.name_of(error.cause.worst))
+        }
+        Err(Reason::Eigen(error)) => failed(0.0, error.to_string(), "the whole system".into()),
+        Err(Reason::Mechanism(motions)) => {
+            let reason = "there is no equilibrium to find: a motion is held by nothing".to_owned();
+            failed(0.0, reason, motions)
         }
     }
+}
+
+/// The motions that nothing holds in a state, if there are any.
+fn mechanism(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
+    let motions: Vec<String> =
+        assembly.free_motions(s).into_iter().map(|motion| motion.scaled(scales.length).to_string()).collect();
+    (!motions.is_empty()).then(|| motions.join("; "))
 }

@@ -47,7 +47,7 @@ fn linkage() -> Model {
         b: End::Place(rod::end()),
         axis: [0.3, -0.1, 0.9],
     });
-    model.probes = vec![Probe { name: "tip".into(), on: tip.clone() }];
+    model.probes = vec![Probe::of_motion("tip", tip.clone())];
     model.loads = vec![Load::Force { on: tip, force: [3.0, 1.0, 5.0] }];
     model.sections.insert("circle".into(), Section::Rectangle { height: 0.03, width: 0.02 });
     *rod::material(&mut model) = Material::elastic(8030.0, 193e6, 0.3);

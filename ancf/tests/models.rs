@@ -85,7 +85,7 @@ fn line_ends_and_byte_order_marks_change_no_position() {
 fn models_built_in_rust_are_checked() {
     let mut model = Model::read(folder("good/every_key.toml")).unwrap();
     model.gravity[2] = f64::NEG_INFINITY;
-    let Analysis::Dynamics(dynamics) = &mut model.analysis;
+    let dynamics = model.analysis.dynamics_mut().unwrap();
     (dynamics.step, dynamics.scheme) = (Step::Fixed(-0.5), Scheme::CentralDifference);
     model.scales = ScaleChoice::Given { length: 1.0, force: 1.0, time: Some(f64::NAN) };
     let Body::Beam(beam) = &mut model.bodies[1] else { panic!("a beam") };

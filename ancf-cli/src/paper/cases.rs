@@ -87,7 +87,7 @@ impl Case {
                 // The last whole step, as the paper has it.
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
-            probes: vec![Probe { name: "tip".into(), on: end(AtEnd::End) }],
+            probes: vec![Probe::of_motion("tip", end(AtEnd::End))],
             output: Output::default(),
         }
     }

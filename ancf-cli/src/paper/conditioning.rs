@@ -86,7 +86,7 @@ struct Matrices {
 impl Matrices {
     fn new(model: &Model) -> Result<Self> {
         let scales = model.scales().scales;
-        let ancf::model::Analysis::Dynamics(dynamics) = &model.analysis;
+        let dynamics = model.analysis.dynamics().context("the paper is about motion")?;
         let h = dynamics.step.fixed().context("the paper has steps of one size")? / scales.time;
         let assembly = model.scaled(&scales).assemble().ok().context("the model of the paper is valid")?;
         let (system, beta_h2) = (&assembly.system, BETA * h * h);

@@ -188,7 +188,7 @@ fn run(model: &Model) -> Result<Run> {
     let summary = simulate(model, &mut series)?;
     let seconds = clock.elapsed().as_secs_f64();
     ensure!(summary.outcome.is_finished(), "a run of the paper ended early: {:?}", summary.outcome);
-    let Analysis::Dynamics(settings) = &model.analysis;
+    let settings = model.analysis.dynamics().context("the paper is about motion")?;
     let step = settings.step.fixed().context("the paper has steps of one size")?;
     Ok(Run { step, seconds, summary, series })
 }
@@ -197,7 +197,7 @@ impl Tolerance {
     fn run(tolerance: f64) -> Result<Self> {
         let counts = |form, step| {
             let mut model = Case::Revolute.model(form, 1, step);
-            let Analysis::Dynamics(settings) = &mut model.analysis;
+            let settings = model.analysis.dynamics_mut().context("the paper is about motion")?;
             settings.stop = Stop::Residual { tolerance };
             (settings.max_iterations, settings.max_halvings) = (MOST_ITERATIONS, 0);
             Counts::run(&model)

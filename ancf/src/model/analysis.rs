@@ -1,6 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::{Buckling, Modes, Path, Statics};
 use crate::analysis;
 
 /// What to compute.
@@ -9,6 +10,26 @@ use crate::analysis;
 pub enum Analysis {
     /// Motion from rest in the undeformed state.
     Dynamics(Dynamics),
+    /// Equilibrium under growing loads.
+    Statics(Statics),
+    /// A path of equilibria by arc length.
+    Path(Path),
+    /// Natural frequencies and mode shapes.
+    Modes(Modes),
+    /// Critical load factors.
+    Buckling(Buckling),
+}
+
+impl Analysis {
+    /// The settings, if it is one of motion.
+    pub const fn dynamics(&self) -> Option<&Dynamics> {
+        if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }
+    }
+
+    /// The settings to be changed, if it is one of motion.
+    pub const fn dynamics_mut(&mut self) -> Option<&mut Dynamics> {
+        if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }
+    }
 }
 
 /// Settings of a dynamic analysis by a scheme of the generalized-α family on the index-3 equations.

@@ -1,6 +1,9 @@
 use nalgebra::Vector3;
 
-use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
+use super::{
+    Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe,
+    Quantity,
+};
 use crate::mechanics::{
     self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
     across,
@@ -14,8 +17,29 @@ pub struct Assembly {
     pub system: System,
     /// Names and points of the probes.
     pub probes: Vec<(String, Marker)>,
+    /// What the probes record.
+    pub measures: Vec<Measure>,
+    /// Whether strain energies of bodies are recorded by part.
+    pub energy_parts: bool,
     bodies: Vec<(String, BeamMesh)>,
     joints: Vec<JointEquations>,
+}
+
+/// One quantity that a probe records.
+#[derive(Debug)]
+pub struct Measure {
+    /// Name of the probe.
+    pub name: String,
+    /// What it records.
+    pub quantity: Quantity,
+    /// The point.
+    pub point: Marker,
+    /// Number of the body.
+    pub body: usize,
+    /// Arc length.
+    pub s: f64,
+    /// (y, z) in the section.
+    pub offset: [f64; 2],
 }
 
 /// The equations of one joint.
@@ -94,8 +118,13 @@ impl Assembly {
     }
 
     /// Names and meshes of the bodies.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = (&str, &BeamMesh)> {
+    pub fn bodies(&self) -> impl Iterator<Item = (&str, &BeamMesh)> {
         self.bodies.iter().map(|(name, mesh)| (name.as_str(), mesh))
+    }
+
+    /// The mesh of a body by its number, as [`Measure`] has it.
+    pub fn mesh_of(&self, body: usize) -> &BeamMesh {
+        &self.bodies[body].1
     }
 
     /// The mesh of a body.
@@ -150,10 +179,28 @@ impl Model {
         for Load::Force { on, force } in &self.loads {
             terms.push(Box::new(Force::new(&point(on), Vector3::from(*force))));
         }
-        let probes = self.probes.iter().map(|probe| (probe.name.clone(), point(&probe.on))).collect();
+        let probes =
+            self.probes.iter().map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2)).collect();
+        let measures = self.probes.iter().flat_map(|probe| {
+            let (body, s, point) = self.probed(&bodies, probe);
+            probe.record.iter().map(move |&quantity| {
+                let (name, point, offset) = (probe.name.clone(), point.clone(), probe.offset);
+                Measure { name, quantity, point, body, s, offset }
+            })
+        });
+        let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
-        Ok(Assembly { system: System::new(coordinates, multipliers, terms), probes, bodies, joints })
+        let system = System::new(coordinates, multipliers, terms);
+        Ok(Assembly { system, probes, measures, energy_parts, bodies, joints })
+    }
+
+    /// Number of the body, arc length and point of a probe.
+    fn probed(&self, meshes: &[(String, BeamMesh)], probe: &Probe) -> (usize, f64, Marker) {
+        let index = self.bodies.iter().position(|body| body.name() == probe.on.body);
+        let index = index.expect("a checked model names bodies that are there");
+        let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
+        (index, s, meshes[index].1.material_point(s, y, z))
     }
 
     /// The mesh and the arc length of a place.

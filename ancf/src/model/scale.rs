@@ -122,7 +122,11 @@ impl Model {
             analysis: analysis.scaled(scales),
             probes: probes
                 .into_iter()
-                .map(|Probe { name, on }| Probe { name, on: on.scaled(scales) })
+                .map(|probe| Probe {
+                    on: probe.on.scaled(scales),
+                    offset: probe.offset.map(|x| number(x, Dimension::LENGTH, scales)),
+                    ..probe
+                })
                 .collect(),
             output: output.scaled(scales),
         }
@@ -241,15 +245,19 @@ impl Load {
 
 impl Output {
     fn scaled(self, s: &Scales) -> Self {
-        let Self { interval, every, csv, npz } = self;
-        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, csv, npz }
+        let Self { interval, every, energy_parts, csv, npz } = self;
+        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, energy_parts, csv, npz }
     }
 }
 
 impl Analysis {
     fn scaled(self, s: &Scales) -> Self {
-        let Self::Dynamics(Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings }) =
-            self;
+        // Load factors and counts have no units.
+        let dynamics = match self {
+            Self::Dynamics(dynamics) => dynamics,
+            Self::Statics(_) | Self::Path(_) | Self::Modes(_) | Self::Buckling(_) => return self,
+        };
+        let Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings } = dynamics;
         let time = |x| number(x, Dimension::TIME, s);
         Self::Dynamics(Dynamics {
             duration: time(duration),

@@ -3,14 +3,14 @@
 use super::check::finding;
 use super::schema::number;
 use super::survey::Finding;
-use super::{Analysis, Dynamics, Model, Scheme, Step};
+use super::{Dynamics, Model, Scheme, Step};
 
 /// Steps beyond which an analysis is taken for a slip of the pen.
 const MAX_STEPS: f64 = 1e9;
 
 /// The analysis has at least one step, and an end.
 pub(super) fn time(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { duration, step, .. }) = &model.analysis;
+    let Some(Dynamics { duration, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let sizes = match *step {
         Step::Fixed(step) => [("analysis.step", Some(step)), ("analysis.step.largest", None)],
         Step::Adaptive { initial, largest, .. } => {
@@ -36,7 +36,7 @@ fn rule_of_time(path: &str, size: f64, duration: f64) -> Option<Finding> {
 
 /// The scheme is implicit, stable with the joints that there are, and of second order if steps go by its error.
 pub(super) fn scheme(model: &Model) -> Vec<Finding> {
-    let Analysis::Dynamics(Dynamics { scheme, step, .. }) = &model.analysis;
+    let Some(Dynamics { scheme, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let numbers = scheme.numbers();
     let (path, key) = path_and_found(*scheme);
     let joints = !model.joints.is_empty();

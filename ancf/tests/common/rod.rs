@@ -35,7 +35,7 @@ pub(crate) fn free(elements: u32) -> Model {
             max_iterations: 50,
             max_halvings: 0,
         }),
-        probes: vec![Probe { name: "tip".into(), on: end() }],
+        probes: vec![Probe::of_motion("tip", end())],
         output: Output::default(),
     }
 }
@@ -90,6 +90,5 @@ pub(crate) fn material(model: &mut Model) -> &mut Material {
 
 /// Settings of the analysis.
 pub(crate) fn settings(model: &mut Model) -> &mut Dynamics {
-    let Analysis::Dynamics(settings) = &mut model.analysis;
-    settings
+    model.analysis.dynamics_mut().unwrap()
 }

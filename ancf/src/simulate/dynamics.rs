@@ -1,0 +1,48 @@
+use std::io;
+use std::ops::ControlFlow;
+
+use super::pace::Pace;
+use super::{Ended, Run};
+use crate::analysis::StepReport;
+use crate::model::{Dynamics, Model};
+use crate::record::Sink;
+use crate::rows::Rows;
+use crate::system::State;
+
+/// The columns of a motion.
+const OWN: [&str; 4] = ["iterations", "residual", "increment", "drift"];
+
+impl Run<'_> {
+    /// Steps through a motion, recording its instants.
+    pub(super) fn dynamics(&mut self, model: &Model, settings: &Dynamics) -> Ended {
+        let (assembly, scales) = (self.assembly, self.summary.scales);
+        let mut rows = Rows::new(assembly, scales, "t", &OWN);
+        self.sink.begin(rows.columns())?;
+        // The loads of a model are constant so far: none jumps.
+        let mut pace = match Pace::new(model, settings, assembly, Vec::new()) {
+            Ok(pace) => pace,
+            Err(error) => return Ok(Err(error.into())),
+        };
+        let mut record = |sink: &mut dyn Sink, s: &State, report: &StepReport| -> io::Result<_> {
+            let StepReport { iterations, residual, increment, drift, .. } = *report;
+            let own = [f64::from(iterations), residual, increment, drift];
+            sink.record(rows.fill(assembly, s, s.t * scales.time, &own))
+        };
+        let mut report = StepReport::default();
+        loop {
+            let flow = record(self.sink, pace.dynamics().state(), &report)?;
+            if flow.is_break() {
+                // A sink that breaks on the last instant has stopped nothing.
+                return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));
+            }
+            let summary = &mut self.summary;
+            let advanced = pace.advance(|step| summary.count(step));
+            summary.time = pace.dynamics().state().t;
+            match advanced {
+                Ok(Some(done)) => report = done,
+                Ok(None) => return Ok(Ok(ControlFlow::Continue(()))),
+                Err(error) => return Ok(Err(error.into())),
+            }
+        }
+    }
+}

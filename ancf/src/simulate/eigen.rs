@@ -1,0 +1,84 @@
+use std::io;
+use std::iter::once;
+use std::ops::ControlFlow;
+
+use super::equilibria::{equilibrium, unloaded};
+use super::{Ended, Reason, Run};
+use crate::analysis::{Critical, Mode, buckling, modes};
+use crate::model::{About, Buckling, Modes};
+use crate::system::State;
+
+impl Run<'_> {
+    fn state_about(&self, about: About) -> Result<State, Reason> {
+        match about {
+            About::Reference => Ok(unloaded(self.assembly)),
+            About::Equilibrium => {
+                self.held(&unloaded(self.assembly))?;
+                equilibrium(self.assembly)
+            }
+        }
+    }
+
+    /// Natural modes, one row each.
+    pub(super) fn modes(&mut self, settings: &Modes) -> Ended {
+        self.begin(&["frequency", "squared", "residual"])?;
+        let system = &self.assembly.system;
+        let found = self
+            .state_about(settings.about)
+            .and_then(|s| Ok(modes(system, system.matrix(), &s, settings.count as usize)?));
+        let rate = self.summary.scales.time.recip();
+        match found {
+            Ok(found) => self.shapes(found.modes.iter().map(|mode| {
+                let Mode { squared, shape, residual } = mode;
+                let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
+                (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
+            })),
+            Err(reason) => Ok(Err(reason)),
+        }
+    }
+
+    /// Critical loads, one row each.
+    pub(super) fn buckling(&mut self, settings: &Buckling) -> Ended {
+        self.begin(&["factor"])?;
+        let (system, s) = (&self.assembly.system, unloaded(self.assembly));
+        let found = self.held(&s).and_then(|()| {
+            let (count, sense) = (settings.count as usize, settings.sense.into());
+            Ok(buckling(system, system.matrix(), &s, count, sense)?)
+        });
+        match found {
+            Ok(found) => {
+                let row = |critical: &Critical| (vec![critical.factor], critical.shape.clone());
+                let found: Vec<_> = found.iter().map(row).collect();
+                self.shapes(found.iter().map(|(own, shape)| (own.clone(), shape.as_slice())))
+            }
+            Err(reason) => Ok(Err(reason)),
+        }
+    }
+
+    fn begin(&mut self, own: &[&str]) -> io::Result<()> {
+        let mut columns: Vec<String> = once(&"mode").chain(own).map(|&column| column.to_owned()).collect();
+        for (name, _) in &self.assembly.probes {
+            columns.extend(["x", "y", "z"].map(|axis| format!("{name}.{axis}")));
+        }
+        self.sink.begin(&columns)
+    }
+
+    /// Records numbers and shapes.
+    fn shapes<'s>(&mut self, found: impl Iterator<Item = (Vec<f64>, &'s [f64])>) -> Ended {
+        // xᵀ M x = 1: in a unit of mass m, displacements count in one over the root of m.
+        let scales = self.summary.scales;
+        let mass = scales.force * scales.time.powi(2) / scales.length;
+        for (number, (own, shape)) in found.enumerate() {
+            let mut row = vec![(number + 1) as f64];
+            row.extend(own);
+            for (_, point) in &self.assembly.probes {
+                row.extend(point.sum(shape).iter().map(|x| x / mass.sqrt()));
+            }
+            self.summary.steps += 1;
+            if self.sink.record(&row)?.is_break() {
+                return Ok(Ok(ControlFlow::Break(())));
+            }
+        }
+        Ok(Ok(ControlFlow::Continue(())))
+    }
+}

@@ -1,0 +1,136 @@
+use std::io;
+use std::ops::ControlFlow;
+
+use super::{Ended, Reason, Run, mechanism};
+use crate::analysis::{self, ArcSteps, Equilibrium, Increments, Limit, Newton, PathPoint, Until};
+use crate::model::{Assembly, Path, Statics};
+use crate::rows::Rows;
+use crate::system::State;
+
+/// The columns of an equilibrium; those of a path besides.
+const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
+const PATH: [&str; 3] = ["length", "slope", "limit"];
+
+/// The values of [`OWN`]. `unstable` is not a number where the factors do not tell.
+fn own(found: &Equilibrium) -> [f64; 4] {
+    let unstable = found.unstable.map_or(f64::NAN, |count| count as f64);
+    [f64::from(found.iterations), found.residual, found.increment, unstable]
+}
+
+/// The unloaded reference state.
+pub(super) fn unloaded(assembly: &Assembly) -> State {
+    State { load: 0.0, ..assembly.rest() }
+}
+
+/// The equilibrium under all loads by the default settings.
+pub(super) fn equilibrium(assembly: &Assembly) -> Result<State, Reason> {
+    let Statics { stop, max_iterations, .. } = Statics::default();
+    let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
+    let start = unloaded(assembly);
+    let mut statics = analysis::Statics::new(&assembly.system, newton, Increments::default(), start);
+    statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
+    Ok(statics.state().clone())
+}
+
+impl Run<'_> {
+    /// Whether nothing is free to move; else why there is no equilibrium.
+    pub(super) fn held(&self, s: &State) -> Result<(), Reason> {
+        let motions = mechanism(self.assembly, s, self.summary.scales);
+        motions.map_or(Ok(()), |motions| Err(Reason::Mechanism(motions)))
+    }
+
+    fn count_equilibrium(&mut self, load: f64, found: &Equilibrium) {
+        let summary = &mut self.summary;
+        summary.time = load;
+        summary.steps += 1;
+        summary.divided_steps += u64::from(found.attempts > 1);
+        summary.floor_steps += u64::from(found.floor);
+        summary.iterations += u64::from(found.iterations);
+        summary.most_iterations = summary.most_iterations.max(found.iterations);
+    }
+
+    /// Loads a model step by step, recording every equilibrium.
+    pub(super) fn statics(&mut self, settings: &Statics) -> Ended {
+        let assembly = self.assembly;
+        let mut rows = Rows::new(assembly, self.summary.scales, "load", &OWN);
+        self.sink.begin(rows.columns())?;
+        let start = unloaded(assembly);
+        if let Err(reason) = self.held(&start) {
+            return Ok(Err(reason));
+        }
+        let increments = Increments { first: settings.first, ..Increments::default() };
+        let matrix = assembly.system.matrix();
+        let newton = match Newton::new(matrix, settings.stop.into(), settings.max_iterations) {
+            Ok(newton) => newton,
+            Err(error) => return Ok(Err(error.into())),
+        };
+        let mut statics = analysis::Statics::new(&assembly.system, newton, increments, start);
+        let none = own(&Equilibrium::default());
+        let mut written = self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none));
+        if flow(&written).is_break() {
+            return conclude(written?, false, Ok::<_, Reason>(()));
+        }
+        let ended = statics.advance(settings.load, |s, found| {
+            self.count_equilibrium(s.load, found);
+            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found)));
+            flow(&written)
+        });
+        conclude(written?, settings.load == self.summary.time, ended)
+    }
+
+    /// Follows a path of equilibria, recording every point.
+    pub(super) fn path(&mut self, settings: &Path) -> Ended {
+        let assembly = self.assembly;
+        let mut rows = Rows::new(assembly, self.summary.scales, "load", &[OWN.as_slice(), &PATH].concat());
+        self.sink.begin(rows.columns())?;
+        let start = unloaded(assembly);
+        if let Err(reason) = self.held(&start) {
+            return Ok(Err(reason));
+        }
+        let steps = ArcSteps { largest: settings.largest, ..ArcSteps::from(settings.first) };
+        let system = &assembly.system;
+        let newton = Newton::new(system.matrix(), settings.stop.into(), settings.max_iterations);
+        let begun = newton
+            .map_err(Reason::from)
+            .and_then(|newton| analysis::Path::new(system, newton, steps, start).map_err(Reason::from));
+        let mut path = match begun {
+            Ok(path) => path,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let none = [own(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
+        let mut written = self.sink.record(rows.fill(assembly, path.state(), 0.0, &none));
+        if flow(&written).is_break() {
+            return conclude(written?, false, Ok::<_, Reason>(()));
+        }
+        let until = Until { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
+        let ended = path.follow(&until, |s, point| {
+            self.count_equilibrium(s.load, &point.equilibrium);
+            written = self.sink.record(rows.fill(assembly, s, s.load, &of_point(point)));
+            flow(&written)
+        });
+        conclude(written?, settings.load == self.summary.time, ended)
+    }
+}
+
+/// The values of [`OWN`] and [`PATH`]; `limit` is 1 at a maximum of the load, −1 at a minimum, 0 elsewhere.
+fn of_point(point: &PathPoint) -> Vec<f64> {
+    let limit = match point.limit {
+        None => 0.0,
+        Some(Limit::Maximum) => 1.0,
+        Some(Limit::Minimum) => -1.0,
+    };
+    [own(&point.equilibrium).as_slice(), &[point.length, point.slope, limit]].concat()
+}
+
+fn flow(written: &io::Result<ControlFlow<()>>) -> ControlFlow<()> {
+    written.as_ref().map_or(ControlFlow::Break(()), |flow| *flow)
+}
+
+/// A sink that breaks on the last equilibrium has stopped nothing.
+fn conclude<T, E: Into<Reason>>(written: ControlFlow<()>, done: bool, ended: Result<T, E>) -> Ended {
+    Ok(match ended {
+        Err(error) => Err(error.into()),
+        Ok(_) if done => Ok(ControlFlow::Continue(())),
+        Ok(_) => Ok(written),
+    })
+}

@@ -1,13 +1,18 @@
-//! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system).
+//! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system)
+//! and [`function`](crate::function).
 
 mod constraint;
 mod curve;
+mod drive;
 mod element;
+mod follower;
 mod force;
 mod formulation;
+mod frame;
 mod hyperelastic;
 mod marker;
 mod mesh;
+mod moment;
 mod profile;
 mod quadrature;
 mod section;
@@ -16,12 +21,15 @@ mod station;
 
 pub use constraint::{Coincide, Perpendicular, Wrench};
 pub use curve::{Curve, Node, Spline};
+pub use drive::Drive;
 pub use element::{Beam24, Beam27, Element, Profile};
+pub use follower::FollowerForce;
 pub use force::Force;
 pub use formulation::{CrossSection, Moments};
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
 pub use mesh::{BeamMesh, Blueprint, MeshVector};
+pub use moment::Moment;
 pub use profile::{Formulation, Medium};
 pub use quadrature::{gauss, gauss2, gauss3};
 pub use section::{Directors, Lame, SectionLaw, Stiffness};

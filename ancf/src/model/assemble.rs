@@ -1,8 +1,9 @@
 use nalgebra::Vector3;
 
-use super::{Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
+use super::function::Clock;
+use super::{Beam, Body, Clamped, End, Formulation, Ground, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
 use crate::mechanics::{
-    self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
+    self, BeamMesh, Blueprint, Coincide, CrossSection, Drive, Kind, Marker, Medium, Perpendicular, Wrench,
 };
 use crate::system::{EquationsOfMotion, State, System, Term};
 
@@ -15,6 +16,7 @@ pub struct Assembly {
     pub probes: Vec<(String, Marker)>,
     bodies: Vec<(String, BeamMesh)>,
     joints: Vec<JointEquations>,
+    breaks: Vec<f64>,
 }
 
 /// The equations of one joint.
@@ -23,17 +25,20 @@ pub(super) struct JointEquations {
     name: String,
     coincide: Vec<Coincide>,
     perpendicular: Vec<Perpendicular>,
+    drives: Vec<Drive>,
 }
 
 impl JointEquations {
     /// Number of multipliers.
     fn multipliers(&self) -> usize {
-        3 * self.coincide.len() + self.perpendicular.len()
+        3 * self.coincide.len() + self.perpendicular.len() + 3 * self.drives.len()
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
         let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
-        coincide.chain(self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>))
+        let perpendicular = self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
+        let drives = self.drives.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
+        coincide.chain(perpendicular).chain(drives)
     }
 }
 
@@ -53,11 +58,17 @@ impl Assembly {
         self.joints.iter().map(|joint| {
             let coincide = joint.coincide.iter().map(|c| c.reaction(s));
             let perpendicular = joint.perpendicular.iter().map(|c| c.reaction(s));
-            coincide.chain(perpendicular).fold(Wrench::default(), |sum, part| Wrench {
+            let drives = joint.drives.iter().map(|c| c.reaction(s));
+            coincide.chain(perpendicular).chain(drives).fold(Wrench::default(), |sum, part| Wrench {
                 force: sum.force + part.force,
                 moment: sum.moment + part.moment,
             })
         })
+    }
+
+    /// Times at which loads and drives or their rates jump, in order: steps are best ended there.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
     }
 
     /// The mesh of a body.
@@ -97,9 +108,22 @@ impl Model {
     /// # Errors
     /// If the model is not valid.
     pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
+        self.assembled(Clock::Runs)
+    }
+
+    /// The same for statics: functions of time are 1, so that loads and angles have their full values, times the load factor of
+    /// a state.
+    ///
+    /// # Errors
+    /// If the model is not valid.
+    pub fn assemble_static(&self) -> Result<Assembly, ModelErrors> {
+        self.assembled(Clock::Stands)
+    }
+
+    fn assembled(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
         self.check()?;
         let bodies = self.meshes();
-        let joints = self.joint_equations(&bodies);
+        let joints = self.joint_equations(&bodies, clock);
         let point = |place| {
             let (mesh, s) = self.locate(&bodies, place);
             mesh.point(s)
@@ -109,13 +133,25 @@ impl Model {
             terms.extend(mesh.terms());
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
-        for Load::Force { on, force } in &self.loads {
-            terms.push(Box::new(Force::new(&point(on), Vector3::from(*force))));
+        for load in &self.loads {
+            let (mesh, s) = self.locate(&bodies, load.on());
+            terms.push(load.term(mesh, s, clock));
         }
         let probes = self.probes.iter().map(|probe| (probe.name.clone(), point(&probe.on))).collect();
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
-        Ok(Assembly { system: System::new(coordinates, multipliers, terms), probes, bodies, joints })
+        let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
+        Ok(Assembly { system, probes, bodies, joints, breaks })
+    }
+
+    /// Breaks of all functions of time, in order.
+    fn breaks(&self, clock: Clock) -> Vec<f64> {
+        let of_joints = self.joints.iter().filter_map(Joint::time);
+        let functions = self.loads.iter().map(Load::time).chain(of_joints);
+        let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();
+        breaks.sort_unstable_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
     }
 
     /// The mesh and the arc length of a place.
@@ -126,10 +162,14 @@ impl Model {
     }
 
     /// The equations of the joints, multipliers counted on from joint to joint.
-    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)]) -> Vec<JointEquations> {
+    pub(super) fn joint_equations(
+        &self,
+        meshes: &[(String, BeamMesh)],
+        clock: Clock,
+    ) -> Vec<JointEquations> {
         let mut first = 0;
         let equations = self.joints.iter().map(|joint| {
-            let equations = equations(joint, first, &|place| self.locate(meshes, place));
+            let equations = equations(joint, first, clock, &|place| self.locate(meshes, place));
             first += equations.multipliers();
             equations
         });
@@ -204,46 +244,60 @@ impl Formulation {
     }
 }
 
+impl Clamped {
+    /// Which of the directors r_x, r_y, r_z are tied.
+    fn of(self, axes: &[Vector3<f64>; 3]) -> &[Vector3<f64>] {
+        match self {
+            Self::All => axes,
+            Self::Section => &axes[1..],
+        }
+    }
+}
+
 /// A joint as equations between markers, by multipliers from `first` on.
 fn equations<'a>(
     joint: &Joint,
     first: usize,
+    clock: Clock,
     find: &impl Fn(&Place) -> (&'a BeamMesh, f64),
 ) -> JointEquations {
     let (a, b) = joint.ends();
     let (mesh, s) = find(a);
     let other = |direction: Vector3<f64>| match b {
-        End::Ground => Marker::fixed(direction),
+        End::Ground | End::Point(_) => Marker::fixed(direction),
         End::Place(place) => {
             let (mesh, s) = find(place);
             mesh.direction(s, direction)
         }
     };
     let point = mesh.point(s);
-    let opposite = match b {
-        End::Ground => Marker::fixed(point.reference()),
+    let place = match b {
+        End::Ground => Coincide::points(&point, &Marker::fixed(point.reference()), first),
+        End::Point(Ground { point: target }) => Coincide::toward(&point, Vector3::from(*target), first),
         End::Place(place) => {
             let (mesh, s) = find(place);
-            mesh.point(s)
+            Coincide::points(&point, &mesh.point(s), first)
         }
     };
     let mut equations = JointEquations {
         name: joint.name().to_owned(),
-        coincide: vec![Coincide::points(&point, &opposite, first)],
+        coincide: vec![place],
         ..JointEquations::default()
     };
     match joint {
         Joint::Spherical { .. } => {}
         Joint::Clamp { fix, .. } => {
-            let axes = mesh.reference_axes(s);
-            let tied = match fix {
-                Clamped::All => axes.as_slice(),
-                Clamped::Section => &axes[1..],
-            };
-            for &direction in tied {
+            for &direction in fix.of(&mesh.reference_axes(s)) {
                 let multipliers = first + equations.multipliers();
                 let tie = Coincide::directions(&mesh.direction(s, direction), &other(direction), multipliers);
                 equations.coincide.push(tie);
+            }
+        }
+        Joint::Drive { axis, angle, time, fix, .. } => {
+            let (axis, function) = (Vector3::from(*axis).normalize(), clock.function(time));
+            for &direction in fix.of(&mesh.reference_axes(s)) {
+                let (multipliers, a) = (first + equations.multipliers(), mesh.direction(s, direction));
+                equations.drives.push(Drive::new(&a, axis, *angle, function.clone(), multipliers));
             }
         }
         Joint::Revolute { axis, .. } => {

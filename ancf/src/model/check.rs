@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::Formulation;
+use super::{Formulation, times};
 use super::schema::{listed, nearest, number, quoted};
 use super::survey::{Finding, did_you_mean, join};
 use super::{
-    Analysis, Beam, Body, Dynamics, End, Joint, Load, MaterialLaw, Model, ModelError, Newmark, Place,
+    Analysis, Beam, Body, Dynamics, End, Joint, MaterialLaw, Model, ModelError, Newmark, Place,
     ScaleChoice, Section, Shape,
 };
 
@@ -19,15 +19,16 @@ const MAX_STEPS: f64 = 1e9;
 /// Rounding of a position along an axis, relative to its length.
 const ON_AXIS: f64 = 1e-9;
 /// How far apart, relative to the longer body, two places may be that a joint connects.
-const COINCIDENT: f64 = 1e-6;
+pub(super) const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules = [names, columns, sections, bodies, formulations, size, places, joints, time, scheme, scales];
-    rules.iter().flat_map(|rule| rule(model)).collect()
+    let of_times = [times::functions, times::drives, times::ground_points, times::lines];
+    rules.iter().chain(&of_times).flat_map(|rule| rule(model)).collect()
 }
 
-fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+pub(super) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
     ModelError::new(path, found, wanted).into()
 }
 
@@ -37,7 +38,7 @@ impl Finding {
         self
     }
 
-    fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+    pub(super) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
         Self { rests_on: paths.into_iter().collect(), ..self }
     }
 }
@@ -51,7 +52,7 @@ fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
         .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
 }
 
-fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
+pub(super) fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
     model.joints.iter().enumerate().map(|(i, joint)| (format!("joints[{i}]"), joint))
 }
 
@@ -222,11 +223,11 @@ fn formulations(model: &Model) -> Vec<Finding> {
 }
 
 /// Whether a vector has a direction, as numbers go.
-fn is_direction(vector: [f64; 3]) -> bool {
+pub(super) fn is_direction(vector: [f64; 3]) -> bool {
     Vector3::from(vector).norm().is_normal()
 }
 
-fn no_direction(path: String, vector: [f64; 3]) -> Finding {
+pub(super) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
     finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
 }
 
@@ -257,8 +258,7 @@ fn size(model: &Model) -> Vec<Finding> {
 
 /// Places are on bodies that are there.
 fn places(model: &Model) -> Vec<Finding> {
-    let loads =
-        model.loads.iter().enumerate().map(|(i, Load::Force { on, .. })| (format!("loads[{i}].on"), on));
+    let loads = model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}].on"), load.on()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let ends = joints_of(model).flat_map(|(path, joint)| {
         let (a, b) = joint.ends();
@@ -285,7 +285,7 @@ fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> 
 }
 
 /// The first body of a name; that there is only one is another rule.
-fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
+pub(super) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
     bodies_of(model).find(|(_, body)| body.name() == place.body)
 }
 
@@ -336,7 +336,7 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
 }
 
 /// The point of an undeformed axis at arc length s, if the axis reaches that far.
-fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
+pub(super) fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
     let curve = body.curve()?;
     (s <= curve.length() * (1.0 + ON_AXIS)).then(|| Vector3::from(body.span()[0]) + curve.at(s).0)
 }

@@ -6,6 +6,7 @@ mod body;
 mod check;
 mod cubature;
 mod error;
+mod function;
 mod joint;
 mod load;
 mod material;
@@ -19,6 +20,7 @@ mod section;
 mod shape;
 mod survey;
 mod syntax;
+mod times;
 
 use std::collections::BTreeMap;
 
@@ -29,7 +31,8 @@ pub use analysis::{Analysis, Dynamics, Newmark, Start, Stop};
 pub use assemble::Assembly;
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use error::{ModelError, ModelErrors, Position};
-pub use joint::{Clamped, End, Joint};
+pub use function::{TimeFunction, Varying};
+pub use joint::{Clamped, End, Ground, Joint};
 pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use output::{Output, Probe};

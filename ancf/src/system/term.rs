@@ -104,6 +104,11 @@ pub trait Term: Send + Sync {
     /// Adds its share of the tangent, the lower triangle.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
+    /// Adds ċ(t) and c̈(t) of constraints A(q) + c(t) that depend on time, one for each of its multipliers.
+    ///
+    /// The residual holds c(t) itself; A is at most quadratic.
+    fn drive(&self, _t: f64, _rates: &mut [f64], _accelerations: &mut [f64]) {}
+
     /// Whether matter can be in this state: not turned inside out.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
         true

@@ -4,9 +4,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use ancf::{Model, Scales};
 use ancf::function::{Expression, Function, Instant, Table};
 use ancf::model::{At, Load, Place, TimeFunction, Varying};
+use ancf::{Model, Scales};
 use proptest::prelude::*;
 
 fn formula(text: &str) -> Function {
@@ -108,7 +108,10 @@ fn rates_are_those_of_the_values() {
             let Instant { value, rate, acceleration } = function.at(t);
             assert_eq!(value, function.value(t));
             let slope = difference(&|t| function.value(t), t);
-            assert!((rate - slope).abs() < 1e-8 * (1.0 + slope.abs()), "{function:?} at {t}: {rate}, {slope}");
+            assert!(
+                (rate - slope).abs() < 1e-8 * (1.0 + slope.abs()),
+                "{function:?} at {t}: {rate}, {slope}"
+            );
             let bend = difference(&|t| function.at(t).rate, t);
             assert!(
                 (acceleration - bend).abs() < 1e-7 * (1.0 + bend.abs()),

@@ -108,9 +108,8 @@ fn any_vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
 
 /// A rotation of any size, then up to 0.3 of any strain.
 fn any_state() -> impl Strategy<Value = DVector<f64>> {
-    (any_vector(3.0), prop::collection::vec(-0.3..0.3, 9)).prop_map(|(turn, strain)| {
-        turned(&markers(), Rotation3::new(turn)) + DVector::from_vec(strain)
-    })
+    (any_vector(3.0), prop::collection::vec(-0.3..0.3, 9))
+        .prop_map(|(turn, strain)| turned(&markers(), Rotation3::new(turn)) + DVector::from_vec(strain))
 }
 
 proptest! {
@@ -242,8 +241,8 @@ fn drives() {
         let (mut rates, mut accelerations) = ([0.0; 3], [0.0; 3]);
         drive.drive(t, &mut rates, &mut accelerations);
         let slope = ((c(t + h) - c(t - h)) * 8.0 - (c(t + 2.0 * h) - c(t - 2.0 * h))) / (12.0 * h);
-        let bend = ((c(t + h) + c(t - h)) * 16.0 - (c(t + 2.0 * h) + c(t - 2.0 * h)) - c(t) * 30.0)
-            / (12.0 * h * h);
+        let bend =
+            ((c(t + h) + c(t - h)) * 16.0 - (c(t + 2.0 * h) + c(t - 2.0 * h)) - c(t) * 30.0) / (12.0 * h * h);
         assert!((slope - Vector3::from(rates)).norm() < 1e-9, "{t}");
         assert!((bend - Vector3::from(accelerations)).norm() < 1e-7, "{t}");
     }

@@ -1,7 +1,7 @@
 use num_dual::{Dual2_64, DualNum};
 
-use super::grammar::{ExpressionError, parse};
 use super::Instant;
+use super::grammar::{ExpressionError, parse};
 
 /// A number with its first two derivatives in t.
 type Jet = Dual2_64;

@@ -30,15 +30,7 @@ impl Drive {
         let coordinates: Vec<usize> = a.coordinates().collect();
         let once = axis.cross(&a.reference());
         let across = [once, axis.cross(&once)];
-        Self {
-            global: a.clone(),
-            a: a.within(&coordinates),
-            coordinates,
-            first,
-            across,
-            angle,
-            function,
-        }
+        Self { global: a.clone(), a: a.within(&coordinates), coordinates, first, across, angle, function }
     }
 
     /// Its share of what the drive exerts on the body: the moment a × (−λ).

@@ -28,12 +28,7 @@ impl FollowerForce {
         coordinates.sort_unstable();
         coordinates.dedup();
         let components = components(d.reference(), e.reference(), &force);
-        Self {
-            markers: markers.map(|marker| marker.within(&coordinates)),
-            coordinates,
-            components,
-            function,
-        }
+        Self { markers: markers.map(|marker| marker.within(&coordinates)), coordinates, components, function }
     }
 
     /// d and e.

@@ -1,7 +1,9 @@
 use nalgebra::Vector3;
 
 use super::function::Clock;
-use super::{Beam, Body, Clamped, End, Formulation, Ground, Joint, Load, MaterialLaw, Model, ModelErrors, Place};
+use super::{
+    Beam, Body, Clamped, End, Formulation, Ground, Joint, Load, MaterialLaw, Model, ModelErrors, Place,
+};
 use crate::mechanics::{
     self, BeamMesh, Blueprint, Coincide, CrossSection, Drive, Kind, Marker, Medium, Perpendicular, Wrench,
 };
@@ -162,11 +164,7 @@ impl Model {
     }
 
     /// The equations of the joints, multipliers counted on from joint to joint.
-    pub(super) fn joint_equations(
-        &self,
-        meshes: &[(String, BeamMesh)],
-        clock: Clock,
-    ) -> Vec<JointEquations> {
+    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)], clock: Clock) -> Vec<JointEquations> {
         let mut first = 0;
         let equations = self.joints.iter().map(|joint| {
             let equations = equations(joint, first, clock, &|place| self.locate(meshes, place));
@@ -279,11 +277,8 @@ fn equations<'a>(
             Coincide::points(&point, &mesh.point(s), first)
         }
     };
-    let mut equations = JointEquations {
-        name: joint.name().to_owned(),
-        coincide: vec![place],
-        ..JointEquations::default()
-    };
+    let mut equations =
+        JointEquations { name: joint.name().to_owned(), coincide: vec![place], ..JointEquations::default() };
     match joint {
         Joint::Spherical { .. } => {}
         Joint::Clamp { fix, .. } => {

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::{Formulation, times};
 use super::schema::{listed, nearest, number, quoted};
 use super::survey::{Finding, did_you_mean, join};
 use super::{
-    Analysis, Beam, Body, Dynamics, End, Joint, MaterialLaw, Model, ModelError, Newmark, Place,
-    ScaleChoice, Section, Shape,
+    Analysis, Beam, Body, Dynamics, End, Joint, MaterialLaw, Model, ModelError, Newmark, Place, ScaleChoice,
+    Section, Shape,
 };
+use super::{Formulation, times};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;

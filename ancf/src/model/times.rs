@@ -126,7 +126,7 @@ pub(super) fn lines(model: &Model) -> Vec<Finding> {
             super::Load::Force { follower: true, .. } => "a follower on a cable",
             super::Load::Force { .. } => return None,
         };
-        is_cable(load.on()).then(|| (path, "on", what))
+        is_cable(load.on()).then_some((path, "on", what))
     });
     let drives = joints_of(model).filter_map(|(path, joint)| {
         let driven = matches!(joint, Joint::Drive { .. }) && is_cable(joint.ends().0);

@@ -17,7 +17,7 @@
 //!        |   analysis   |          Newton, Newmark: know equations of motion, no mechanics
 //!    mechanics  |       |          elements, markers, constraints: know terms, no analysis
 //!          \    |       |
-//!           system    scales       states, terms, assembly, sparse matrices; units
+//!  function  system    scales       functions of time; states, terms, assembly, sparse matrices; units
 //! ```
 //!
 //! The cantilever of Kim et al. (2017), dropped under its own weight:
@@ -67,6 +67,7 @@
 //! ```
 
 pub mod analysis;
+pub mod function;
 pub mod mechanics;
 pub mod model;
 pub mod record;

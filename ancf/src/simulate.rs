@@ -127,7 +127,8 @@ pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
     model.check()?;
     let chosen = model.scales();
     let scaled = model.scaled(&chosen.scales);
-    let assembly = scaled.assemble()?;
+    let moves = scaled.analysis.dynamics().is_some();
+    let assembly = if moves { scaled.assemble()? } else { scaled.assemble_static()? };
     let mut run = Run { summary: Summary::new(&assembly, chosen), assembly: &assembly, sink };
     let ended = match &scaled.analysis {
         Analysis::Dynamics(settings) => run.dynamics(&scaled, settings),
@@ -140,7 +141,7 @@ pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
     let finished = run.sink.finish();
     let Run { mut summary, .. } = run;
     summary.outcome = outcome(ended?, &assembly, summary.scales);
-    if scaled.analysis.dynamics().is_some() {
+    if moves {
         summary.time *= summary.scales.time;
     }
     finished?;

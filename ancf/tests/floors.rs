@@ -6,13 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each module of the crate and the modules that it may name.
-const FLOORS: [(&str, &[&str]); 9] = [
+const FLOORS: [(&str, &[&str]); 10] = [
+    ("function", &[]),
     ("system", &[]),
     ("scales", &[]),
     ("record", &[]),
-    ("mechanics", &["system"]),
+    ("mechanics", &["function", "system"]),
     ("analysis", &["system"]),
-    ("model", &["analysis", "mechanics", "system", "scales"]),
+    ("model", &["analysis", "function", "mechanics", "system", "scales"]),
     ("rows", &["analysis", "model", "record", "scales", "system"]),
     ("simulate", &["analysis", "model", "record", "rows", "scales", "system"]),
     ("lib", &[]),

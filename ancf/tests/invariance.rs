@@ -11,7 +11,7 @@ mod run;
 
 use ancf::model::{
     At, AtEnd, Body, Clamped, End, Joint, Load, Material, Place, Probe, ScaleChoice, Section, Slopes, Start,
-    Step,
+    Step, TimeFunction, Varying,
 };
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -48,12 +48,48 @@ fn linkage() -> Model {
         axis: [0.3, -0.1, 0.9],
     });
     model.probes = vec![Probe::of_motion("tip", tip.clone())];
-    model.loads = vec![Load::Force { on: tip, force: [3.0, 1.0, 5.0] }];
+    model.loads = loads(tip);
     model.sections.insert("circle".into(), Section::Rectangle { height: 0.03, width: 0.02 });
     *rod::material(&mut model) = Material::elastic(8030.0, 193e6, 0.3);
     let settings = rod::settings(&mut model);
     (settings.duration, settings.start) = (0.3, Start::Consistent);
     model
+}
+
+/// Forces and moments that stay and that follow, and vary in every way.
+fn loads(on: Place) -> Vec<Load> {
+    let place = || on.clone();
+    let varying = TimeFunction::Varying;
+    let (times, values) = (vec![0.0, 0.1, 0.15], vec![1.0, -0.5, 0.7]);
+    let formula = Varying::Expression { text: "if(t < 0.2, t^2/0.04, cos(3*(t - 0.2)))".into(), unit: 1.0 };
+    vec![
+        Load::force(place(), [3.0, 1.0, 5.0]),
+        Load::Force {
+            on: place(),
+            force: [0.5, -1.0, 1.5],
+            follower: true,
+            time: varying(Varying::Table { times, values }),
+        },
+        Load::Moment {
+            on: place(),
+            moment: [0.1, 0.2, -0.3],
+            follower: false,
+            time: varying(Varying::Sine { frequency: 2.0, phase: 0.5 }),
+        },
+        Load::Moment { on: place(), moment: [-0.1, 0.1, 0.2], follower: true, time: varying(formula) },
+        Load::Moment {
+            on: place(),
+            moment: [0.0, 0.05, 0.1],
+            follower: false,
+            time: varying(Varying::Ramp { start: 0.05, end: 0.2 }),
+        },
+        Load::Force {
+            on: place(),
+            force: [0.2, 0.0, 0.3],
+            follower: false,
+            time: varying(Varying::Step { at: 0.0703, until: Some(0.2104) }),
+        },
+    ]
 }
 
 fn every_system() -> impl Iterator<Item = Model> {
@@ -159,8 +195,9 @@ fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
             *axis = direction(*axis);
         }
     }
-    for Load::Force { force, .. } in &mut model.loads {
-        *force = direction(*force);
+    for load in &mut model.loads {
+        let (Load::Force { force: vector, .. } | Load::Moment { moment: vector, .. }) = load;
+        *vector = direction(*vector);
     }
     model
 }
@@ -205,14 +242,17 @@ fn direction_of_a_beam() {
         };
         for joint in &mut reversed.joints {
             let (Joint::Clamp { a, b, .. } | Joint::Revolute { a, b, .. } | Joint::Spherical { a, b, .. }) =
-                joint;
+                joint
+            else {
+                panic!("no system has a drive");
+            };
             swap(a);
             if let End::Place(b) = b {
                 swap(b);
             }
         }
         reversed.probes.iter_mut().for_each(|probe| swap(&mut probe.on));
-        for Load::Force { on, .. } in &mut reversed.loads {
+        for Load::Force { on, .. } | Load::Moment { on, .. } in &mut reversed.loads {
             swap(on);
         }
         same(&model, &reversed, identity, [1.0; 2]);

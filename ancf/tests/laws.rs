@@ -15,9 +15,10 @@ mod sample;
 
 use std::sync::Arc;
 
+use ancf::function::Function;
 use ancf::mechanics::{
-    Beam24, BeamMesh, BeamShape, Blueprint, CableDamping, Coincide, Force, Formulation, Marker, Medium, Node,
-    Perpendicular, Profile,
+    Beam24, BeamMesh, BeamShape, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker,
+    Medium, Node, Perpendicular, Profile,
 };
 use ancf::model::{Material, Section};
 use ancf::system::{Energy, Term, Weights};
@@ -207,6 +208,11 @@ fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
         (
             "perpendicular within a body",
             Box::new(Perpendicular::new(&direction_a, &a.direction(0.0, across), 5)),
+        ),
+        ("toward a point", Box::new(Coincide::toward(&point_a, across, 5))),
+        (
+            "drive",
+            Box::new(Drive::new(&direction_a, Vector3::z(), 2.0, Function::Ramp { start: 0.0, end: 2.0 }, 5)),
         ),
         ("force", Box::new(Force::new(&point_a, Vector3::new(0.3, -2.0, 0.7)))),
     ]

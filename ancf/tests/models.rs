@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ancf::model::{Analysis, Body, Model, ModelError, ScaleChoice, Scheme, Step, schema, schema_text};
+use ancf::model::{Body, Model, ModelError, ScaleChoice, Scheme, Step, schema, schema_text};
 use proptest::prelude::*;
 
 fn folder(name: &str) -> PathBuf {

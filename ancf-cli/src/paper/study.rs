@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use ancf::model::{Analysis, Model, Stop};
+use ancf::model::{Model, Stop};
 use ancf::record::Series;
 use ancf::{Outcome, Summary, simulate};
 use anyhow::{Context, Result, ensure};

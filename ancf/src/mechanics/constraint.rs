@@ -24,7 +24,8 @@ fn joined(a: &Marker, b: &Marker) -> Vec<usize> {
 
 /// Three linear equations: a − b keeps its reference value. Ties two points, or two directions.
 ///
-/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b.
+/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b. A point may be drawn to a target on the ground that is a gap g
+/// away, in proportion to the load factor s of statics: Φ = (a − a₀) − s g.
 ///
 /// Units: of the markers; λ is a force for points and a moment for directions.
 #[derive(Clone, Debug)]
@@ -35,12 +36,19 @@ pub struct Coincide {
     coordinates: Vec<usize>,
     first: usize,
     direction: bool,
+    gap: Vector3<f64>,
 }
 
 impl Coincide {
     /// Ties two points; uses the three multipliers from `first` on.
     pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
         Self::new(a, b, first, false)
+    }
+
+    /// Draws a point to one on the ground by the load factor; uses the three multipliers from `first` on.
+    pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
+        let gap = target - a.reference();
+        Self { gap, ..Self::new(a, &Marker::fixed(a.reference()), first, false) }
     }
 
     /// Ties two directions; uses the three multipliers from `first` on.
@@ -51,7 +59,8 @@ impl Coincide {
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
         let coordinates = joined(a, b);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
-        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction }
+        let gap = Vector3::zeros();
+        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap }
     }
 
     /// Its share of what the joint exerts on the body of marker a: force −λ, or moment a × (−λ) for a direction.
@@ -79,13 +88,17 @@ impl Term for Coincide {
         let lambda = Vector3::from_column_slice(at.lambda);
         self.a.add(lambda, rows);
         self.b.add(-lambda, rows);
-        for (row, gap) in equations.iter_mut().zip(&(self.a.sum(at.q) - self.b.sum(at.q))) {
-            *row += gap;
+        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.gap * at.load;
+        for (row, apart) in equations.iter_mut().zip(&apart) {
+            *row += apart;
         }
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (rows, equations) = floor.split_at_mut(at.q.len());
+        for (row, gap) in equations.iter_mut().zip(&self.gap) {
+            *row += f64::EPSILON * (gap * at.load).abs();
+        }
         for marker in [&self.a, &self.b] {
             for &(first, w) in marker.parts() {
                 for k in 0..3 {

@@ -1,23 +1,34 @@
 use nalgebra::Vector3;
 
 use super::Marker;
+use crate::function::Function;
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
-/// A force on a point, constant in size and direction.
+/// A force on a point, constant in direction and, but for a function of time f, in size.
 ///
-/// Adds −w F to the residual; its potential −F·(x − x₀) is zero in the reference configuration.
+/// Adds −w f(t) F to the residual; its potential −f(t) F·(x − x₀) is zero in the reference configuration.
 #[derive(Clone, Debug)]
 pub struct Force {
     point: Marker,
     coordinates: Vec<usize>,
     force: Vector3<f64>,
+    function: Function,
 }
 
 impl Force {
     /// The force on a point marker.
     pub fn new(point: &Marker, force: Vector3<f64>) -> Self {
+        Self::varying(point, force, Function::ONE)
+    }
+
+    /// The force, times a function of time, on a point marker.
+    pub fn varying(point: &Marker, force: Vector3<f64>, function: Function) -> Self {
         let coordinates: Vec<usize> = point.coordinates().collect();
-        Self { point: point.within(&coordinates), coordinates, force }
+        Self { point: point.within(&coordinates), coordinates, force, function }
+    }
+
+    fn now(&self, at: &Local<'_>) -> Vector3<f64> {
+        self.force * (at.load * self.function.value(at.t))
     }
 }
 
@@ -27,13 +38,14 @@ impl Term for Force {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        self.point.add(-self.force * at.load, r);
+        self.point.add(-self.now(at), r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let force = self.now(at);
         for &(first, w) in self.point.parts() {
             for k in 0..3 {
-                floor[first + k] += f64::EPSILON * (w * at.load * self.force[k]).abs();
+                floor[first + k] += f64::EPSILON * (w * force[k]).abs();
             }
         }
     }
@@ -41,6 +53,6 @@ impl Term for Force {
     fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        Energy { potential: -at.load * self.force.dot(&self.point.sum(at.q)), ..Energy::default() }
+        Energy { potential: -self.now(at).dot(&self.point.sum(at.q)), ..Energy::default() }
     }
 }

@@ -1,13 +1,9 @@
 use nalgebra::Vector3;
 
-use super::{
-    Beam, Body, Clamped, End, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe,
-    Quantity,
-};
-use crate::mechanics::{
-    self, BeamMesh, Blueprint, Coincide, CrossSection, Force, Kind, Marker, Medium, Perpendicular, Wrench,
-    across,
-};
+use super::function::Clock;
+use super::ties::{JointEquations, On};
+use super::{Beam, Body, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe, Quantity};
+use crate::mechanics::{self, BeamMesh, Blueprint, CrossSection, Kind, Marker, Medium, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -23,6 +19,7 @@ pub struct Assembly {
     pub energy_parts: bool,
     bodies: Vec<(String, BeamMesh)>,
     joints: Vec<JointEquations>,
+    breaks: Vec<f64>,
 }
 
 /// One quantity that a probe records.
@@ -42,58 +39,6 @@ pub struct Measure {
     pub offset: [f64; 2],
 }
 
-/// The equations of one joint.
-#[derive(Debug, Default)]
-pub(super) struct JointEquations {
-    name: String,
-    coincide: Vec<Coincide>,
-    perpendicular: Vec<Perpendicular>,
-}
-
-impl JointEquations {
-    /// Number of multipliers.
-    fn multipliers(&self) -> usize {
-        3 * self.coincide.len() + self.perpendicular.len()
-    }
-
-    /// Keeps the tangent of a line normal to two directions across it of another body or the ground.
-    fn tie_line(
-        &mut self,
-        line: &impl Fn(Vector3<f64>) -> Marker,
-        section: &impl Fn(Vector3<f64>) -> Marker,
-        tangent: Vector3<f64>,
-        first: usize,
-    ) {
-        for normal in across(tangent) {
-            let multiplier = first + self.multipliers();
-            self.perpendicular.push(Perpendicular::new(&line(tangent), &section(normal), multiplier));
-        }
-    }
-
-    /// Keeps the angles between the sections' directions of two beams that meet at an angle: their rotation is the same, and
-    /// each section may change its size.
-    ///
-    /// Of the four products of r_y, r_z of one with r_y, r_z of the other the three whose rates tell rotations apart best.
-    fn tie_corner(&mut self, [_, d, e]: [Marker; 3], [_, y, z]: [Marker; 3], first: usize) {
-        let pairs = [(&d, &y), (&d, &z), (&e, &y), (&e, &z)];
-        let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));
-        let volume = |left: usize| {
-            let kept: Vec<_> = (0..4).filter(|&k| k != left).map(|k| turns[k]).collect();
-            kept[0].dot(&kept[1].cross(&kept[2])).abs()
-        };
-        let left = (0..4).max_by(|&i, &j| volume(i).total_cmp(&volume(j))).unwrap_or(0);
-        for (_, (a, b)) in pairs.iter().enumerate().filter(|(k, _)| *k != left) {
-            let multiplier = first + self.multipliers();
-            self.perpendicular.push(Perpendicular::new(a, b, multiplier));
-        }
-    }
-
-    pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
-        let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
-        coincide.chain(self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>))
-    }
-}
-
 impl Assembly {
     /// The reference configuration at rest.
     pub fn rest(&self) -> State {
@@ -107,14 +52,7 @@ impl Assembly {
 
     /// What each joint exerts on its end `a` in a state.
     pub fn reactions<'a>(&'a self, s: &'a State) -> impl Iterator<Item = Wrench> + 'a {
-        self.joints.iter().map(|joint| {
-            let coincide = joint.coincide.iter().map(|c| c.reaction(s));
-            let perpendicular = joint.perpendicular.iter().map(|c| c.reaction(s));
-            coincide.chain(perpendicular).fold(Wrench::default(), |sum, part| Wrench {
-                force: sum.force + part.force,
-                moment: sum.moment + part.moment,
-            })
-        })
+        self.joints.iter().map(|joint| joint.reaction(s))
     }
 
     /// Names and meshes of the bodies.
@@ -125,6 +63,11 @@ impl Assembly {
     /// The mesh of a body by its number, as [`Measure`] has it.
     pub fn mesh_of(&self, body: usize) -> &BeamMesh {
         &self.bodies[body].1
+    }
+
+    /// Times at which loads and drives or their rates jump, in order: steps are best ended there.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
     }
 
     /// The mesh of a body.
@@ -164,20 +107,30 @@ impl Model {
     /// # Errors
     /// If the model is not valid.
     pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
+        self.assembled(Clock::Runs)
+    }
+
+    /// The same for statics: functions of time are 1, so that loads and angles have their full values, times the load factor of
+    /// a state.
+    ///
+    /// # Errors
+    /// If the model is not valid.
+    pub fn assemble_static(&self) -> Result<Assembly, ModelErrors> {
+        self.assembled(Clock::Stands)
+    }
+
+    fn assembled(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
         self.check()?;
         let bodies = self.meshes();
-        let joints = self.joint_equations(&bodies);
-        let point = |place| {
-            let (mesh, s) = self.locate(&bodies, place);
-            mesh.point(s)
-        };
+        let joints = self.joint_equations(&bodies, clock);
         let mut terms: Vec<Box<dyn Term>> = Vec::new();
         for (_, mesh) in &bodies {
             terms.extend(mesh.terms());
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
-        for Load::Force { on, force } in &self.loads {
-            terms.push(Box::new(Force::new(&point(on), Vector3::from(*force))));
+        for load in &self.loads {
+            let (mesh, s) = self.locate(&bodies, load.on());
+            terms.push(load.term(mesh, s, clock));
         }
         let probes =
             self.probes.iter().map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2)).collect();
@@ -191,8 +144,8 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
-        let system = System::new(coordinates, multipliers, terms);
-        Ok(Assembly { system, probes, measures, energy_parts, bodies, joints })
+        let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
+        Ok(Assembly { system, probes, measures, energy_parts, bodies, joints, breaks })
     }
 
     /// Number of the body, arc length and point of a probe.
@@ -203,6 +156,16 @@ impl Model {
         (index, s, meshes[index].1.material_point(s, y, z))
     }
 
+    /// Breaks of all functions of time, in order.
+    fn breaks(&self, clock: Clock) -> Vec<f64> {
+        let of_joints = self.joints.iter().filter_map(Joint::time);
+        let functions = self.loads.iter().map(Load::time).chain(of_joints);
+        let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();
+        breaks.sort_unstable_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
+    }
+
     /// The mesh and the arc length of a place.
     fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
         let index = self.bodies.iter().position(|body| body.name() == place.body);
@@ -211,11 +174,14 @@ impl Model {
     }
 
     /// The equations of the joints, multipliers counted on from joint to joint.
-    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)]) -> Vec<JointEquations> {
+    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)], clock: Clock) -> Vec<JointEquations> {
         let mut first = 0;
         let equations = self.joints.iter().map(|joint| {
-            let equations =
-                equations(joint, self.is_locking(joint), first, &|place| self.locate(meshes, place));
+            let find = |place: &Place| {
+                let (mesh, s) = self.locate(meshes, place);
+                On { mesh, s }
+            };
+            let equations = JointEquations::new(joint, self.is_locking(joint), first, clock, &find);
             first += equations.multipliers();
             equations
         });
@@ -294,103 +260,4 @@ impl Formulation {
             Self::Quadratic => None,
         }
     }
-}
-
-/// A joint as equations between markers, by multipliers from `first` on.
-fn equations<'a>(
-    joint: &Joint,
-    locking: bool,
-    first: usize,
-    find: &impl Fn(&Place) -> (&'a BeamMesh, f64),
-) -> JointEquations {
-    let (a, b) = joint.ends();
-    let (mesh, s) = find(a);
-    let other = |direction: Vector3<f64>| match b {
-        End::Ground => Marker::fixed(direction),
-        End::Place(place) => {
-            let (mesh, s) = find(place);
-            mesh.direction(s, direction)
-        }
-    };
-    let point = mesh.point(s);
-    let opposite = match b {
-        End::Ground => Marker::fixed(point.reference()),
-        End::Place(place) => {
-            let (mesh, s) = find(place);
-            mesh.point(s)
-        }
-    };
-    let place_axes = |place| {
-        let (mesh, s) = find(place);
-        mesh.reference_axes(s)
-    };
-    let mut equations = JointEquations {
-        name: joint.name().to_owned(),
-        coincide: vec![Coincide::points(&point, &opposite, first)],
-        ..JointEquations::default()
-    };
-    match joint {
-        Joint::Spherical { .. } => {}
-        Joint::Clamp { fix, .. } => {
-            let sectional = |end: &End| !matches!(end, End::Place(place) if !find(place).0.has_sections());
-            let fix = fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
-            let axes = mesh.reference_axes(s);
-            let tied = match (mesh.has_sections(), sectional(b), fix) {
-                (true, true, Clamped::All) => axes.as_slice(),
-                (true, true, Clamped::Section) => match b {
-                    End::Place(place) if corner(&axes, &place_axes(place)) => {
-                        let other = find(place);
-                        equations.tie_corner(mesh.axes(s), other.0.axes(other.1), first);
-                        return equations;
-                    }
-                    _ => &axes[1..],
-                },
-                // A line has a tangent only: it stays normal to what the other end has across it.
-                (true, false, Clamped::Section) => {
-                    equations.tie_line(&other, &|x| mesh.direction(s, x), axes[0].normalize(), first);
-                    return equations;
-                }
-                (false, true, Clamped::Section) => {
-                    equations.tie_line(&|x| mesh.direction(s, x), &other, axes[0].normalize(), first);
-                    return equations;
-                }
-                (false, false, _) => match b {
-                    End::Place(place) if lines_corner(&axes, &place_axes(place)) => {
-                        let (other, at) = find(place);
-                        let multiplier = first + equations.multipliers();
-                        let tie = Perpendicular::new(&mesh.axes(s)[0], &other.axes(at)[0], multiplier);
-                        equations.perpendicular.push(tie);
-                        return equations;
-                    }
-                    _ => &axes[..1],
-                },
-                (false, ..) | (_, false, _) => &axes[..1],
-            };
-            for &direction in tied {
-                let multipliers = first + equations.multipliers();
-                let tie = Coincide::directions(&mesh.direction(s, direction), &other(direction), multipliers);
-                equations.coincide.push(tie);
-            }
-        }
-        Joint::Revolute { axis, .. } => {
-            let axis = Vector3::from(*axis).normalize();
-            for normal in across(axis) {
-                let multiplier = first + equations.multipliers();
-                let tie = Perpendicular::new(&mesh.direction(s, axis), &other(normal), multiplier);
-                equations.perpendicular.push(tie);
-            }
-        }
-    }
-    equations
-}
-
-/// Whether the sections of two beams are not parallel.
-fn corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
-    let [a, b] = [a, b].map(|axes| axes[1].cross(&axes[2]).normalize());
-    a.dot(&b).abs() < 0.996
-}
-
-/// Whether two lines are not parallel.
-fn lines_corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
-    a[0].normalize().dot(&b[0].normalize()).abs() < 0.996
 }

@@ -6,7 +6,8 @@ use super::check_bodies::{bodies, cables, formulations};
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
-use super::{Beam, Body, End, Joint, Load, Model, ModelError, Place, ScaleChoice, Section};
+use super::times;
+use super::{Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
@@ -21,7 +22,8 @@ pub(super) const COINCIDENT: f64 = 1e-6;
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
-    rules.iter().flat_map(|rule| rule(model)).collect()
+    let of_times = [times::functions, times::drives, times::ground_points, times::lines];
+    rules.iter().chain(&of_times).flat_map(|rule| rule(model)).collect()
 }
 
 pub(super) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
@@ -132,8 +134,7 @@ fn size(model: &Model) -> Vec<Finding> {
 
 /// Places are on bodies that are there.
 fn places(model: &Model) -> Vec<Finding> {
-    let loads =
-        model.loads.iter().enumerate().map(|(i, Load::Force { on, .. })| (format!("loads[{i}].on"), on));
+    let loads = model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}].on"), load.on()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let ends = joints_of(model).flat_map(|(path, joint)| {
         let (a, b) = joint.ends();
@@ -211,7 +212,7 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
 }
 
 /// The point of an undeformed axis at arc length s, if the axis reaches that far.
-fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
+pub(super) fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
     let curve = body.curve()?;
     (s <= curve.length() * (1.0 + ON_AXIS)).then(|| Vector3::from(body.span()[0]) + curve.at(s).0)
 }

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Place;
+use super::{Place, TimeFunction};
 
 /// A joint between a body and the ground or another body.
 ///
@@ -48,13 +48,41 @@ pub enum Joint {
         #[serde(default)]
         b: End,
     },
+    /// A clamp to a frame that turns about the place as it is told.
+    Drive {
+        /// Name in outputs and messages.
+        #[schemars(length(min = 1))]
+        name: String,
+        /// The end that is turned, and receives the reaction.
+        a: Place,
+        /// Direction of the axis in the global frame; its length does not matter.
+        axis: [f64; 3],
+        /// Angle by which the function of time is multiplied, in radians; 1 by default.
+        #[serde(default = "one")]
+        angle: f64,
+        /// Function of time; statics ignores it and turns with the load.
+        time: TimeFunction,
+        /// Which gradients are tied besides the position, by default as those of a clamp.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fix: Option<Clamped>,
+    },
+}
+
+/// What a drive is tied to.
+static GROUND: End = End::Ground;
+
+fn one() -> f64 {
+    1.0
 }
 
 impl Joint {
     /// Name in outputs and messages.
     pub fn name(&self) -> &str {
         match self {
-            Self::Clamp { name, .. } | Self::Revolute { name, .. } | Self::Spherical { name, .. } => name,
+            Self::Clamp { name, .. }
+            | Self::Revolute { name, .. }
+            | Self::Spherical { name, .. }
+            | Self::Drive { name, .. } => name,
         }
     }
 
@@ -62,6 +90,15 @@ impl Joint {
     pub fn ends(&self) -> (&Place, &End) {
         match self {
             Self::Clamp { a, b, .. } | Self::Revolute { a, b, .. } | Self::Spherical { a, b, .. } => (a, b),
+            Self::Drive { a, .. } => (a, &GROUND),
+        }
+    }
+
+    /// Its function of time, if it has one.
+    pub const fn time(&self) -> Option<&TimeFunction> {
+        match self {
+            Self::Clamp { .. } | Self::Revolute { .. } | Self::Spherical { .. } => None,
+            Self::Drive { time, .. } => Some(time),
         }
     }
 }
@@ -76,6 +113,17 @@ pub enum End {
     /// A place on another body.
     #[serde(untagged)]
     Place(Place),
+    /// A point of the fixed frame, to which statics draws the first end by the load.
+    #[serde(untagged)]
+    Point(Ground),
+}
+
+/// A point of the fixed frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ground {
+    /// The point, length.
+    pub point: [f64; 3],
 }
 
 /// Which gradients a clamp ties besides the position.

@@ -8,6 +8,7 @@ mod check_bodies;
 mod cubature;
 mod equilibrium;
 mod error;
+mod function;
 mod joint;
 mod load;
 mod material;
@@ -23,6 +24,8 @@ mod section;
 mod shape;
 mod survey;
 mod syntax;
+mod ties;
+mod times;
 
 use std::collections::BTreeMap;
 
@@ -34,7 +37,8 @@ pub use assemble::{Assembly, Measure};
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
 pub use error::{ModelError, ModelErrors, Position};
-pub use joint::{Clamped, End, Joint};
+pub use function::{TimeFunction, Varying};
+pub use joint::{Clamped, End, Ground, Joint};
 pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};

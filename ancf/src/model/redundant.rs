@@ -1,5 +1,6 @@
 use std::collections::BTreeMap;
 
+use super::function::Clock;
 use super::survey::Finding;
 use super::{Model, ModelError};
 use crate::system::{LOCAL, Local, LocalMatrix, Term, Weights};
@@ -14,7 +15,7 @@ const INDEPENDENT: f64 = 1e-8;
 pub(super) fn repeated_joints(model: &Model) -> Vec<Finding> {
     let mut independent: Vec<BTreeMap<usize, f64>> = Vec::new();
     let mut findings = Vec::new();
-    for (k, joint) in model.joint_equations(&model.meshes()).iter().enumerate() {
+    for (k, joint) in model.joint_equations(&model.meshes(), Clock::Runs).iter().enumerate() {
         let rows: Vec<_> = joint.terms().flat_map(|term| rows(term.as_ref())).collect();
         let (count, before) = (rows.len(), independent.len());
         for row in rows {

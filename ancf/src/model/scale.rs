@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Joint, Load, Material, Model, Output, Place,
-    Probe, Section, Shape, Step,
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Ground, Joint, Load, Material, Model, Output,
+    Place, Probe, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -227,19 +227,56 @@ impl Joint {
         let end = |b| match b {
             End::Ground => End::Ground,
             End::Place(place) => End::Place(place.scaled(s)),
+            End::Point(Ground { point }) => End::Point(Ground { point: vector(point, Dimension::LENGTH, s) }),
         };
         match self {
             Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: end(b), fix },
             Self::Revolute { name, a, b, axis } => Self::Revolute { name, a: a.scaled(s), b: end(b), axis },
             Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: end(b) },
+            Self::Drive { name, a, axis, angle, time, fix } => {
+                Self::Drive { name, a: a.scaled(s), axis, angle, time: time.scaled(s), fix }
+            }
         }
     }
 }
 
 impl Load {
     fn scaled(self, s: &Scales) -> Self {
-        let Self::Force { on, force } = self;
-        Self::Force { on: on.scaled(s), force: vector(force, Dimension::FORCE, s) }
+        match self {
+            Self::Force { on, force, follower, time } => Self::Force {
+                on: on.scaled(s),
+                force: vector(force, Dimension::FORCE, s),
+                follower,
+                time: time.scaled(s),
+            },
+            Self::Moment { on, moment, follower, time } => Self::Moment {
+                on: on.scaled(s),
+                moment: vector(moment, Dimension::ENERGY, s),
+                follower,
+                time: time.scaled(s),
+            },
+        }
+    }
+}
+
+impl TimeFunction {
+    fn scaled(self, s: &Scales) -> Self {
+        let time = |x| number(x, Dimension::TIME, s);
+        let Self::Varying(varying) = self else { return self };
+        Self::Varying(match varying {
+            Varying::Table { times, values } => {
+                Varying::Table { times: times.into_iter().map(time).collect(), values }
+            }
+            Varying::Ramp { start, end } => Varying::Ramp { start: time(start), end: time(end) },
+            Varying::Step { at, until } => Varying::Step { at: time(at), until: until.map(time) },
+            Varying::Sine { frequency, phase } => {
+                Varying::Sine { frequency: number(frequency, Dimension::RATE, s), phase }
+            }
+            // The text is the user's, in the user's time.
+            Varying::Expression { text, unit } => {
+                Varying::Expression { text, unit: number(unit, Dimension::RATE, s) }
+            }
+        })
     }
 }
 

@@ -133,13 +133,12 @@ fn wanted_table(form: &'static Json) -> String {
 
 /// What any of several forms wants, in words.
 pub(super) fn wanted_of(forms: &[&'static Json]) -> String {
-    match forms {
-        [first, _, ..] if kind(first) == "object" && tag(first).is_some() => {
-            let (key, _) = tag(first).expect("it has just been seen");
-            format!(
-                "a table with `{key}` = {}",
-                listed(forms.iter().filter_map(|form| Some(quoted(tag(form)?.1))), "or")
-            )
+    let tags: Vec<_> = forms.iter().filter_map(|form| tag(form)).collect();
+    match tags.first() {
+        Some((key, _)) if tags.len() > 1 => {
+            let tagged = listed(tags.iter().map(|(_, word)| quoted(word)), "or");
+            let others = forms.iter().filter(|form| tag(form).is_none()).map(|form| wanted(form));
+            listed(others.chain([format!("a table with `{key}` = {tagged}")]), "or")
         }
         _ => listed(forms.iter().map(|form| wanted(form)), "or"),
     }

@@ -167,9 +167,7 @@ impl Survey {
             None => self.missing(key, wanted, &Json::Null, path),
         }
         self.mended.push(join(path, key));
-        let common = |form: &&Json| entries.keys().filter(|key| !form["properties"][**key].is_null()).count();
-        let closest = || forms.iter().copied().rev().max_by_key(common).unwrap_or(forms[0]);
-        near.and_then(named).map_or_else(|| (closest(), forms.len() == 1), |form| (form, true))
+        near.and_then(named).map_or_else(|| (closest(forms, entries), forms.len() == 1), |form| (form, true))
     }
 
     /// Finds the tag under a misspelt key.
@@ -261,6 +259,12 @@ impl Survey {
         error.hint = error.hint.filter(|hint| !hint.is_empty());
         self.findings.push(Finding { absence: true, ..error.into() });
     }
+}
+
+/// The first of the forms that have the most keys of a table.
+fn closest(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+    let common = |form: &&Json| entries.keys().filter(|key| !form["properties"][**key].is_null()).count();
+    forms.iter().copied().rev().max_by_key(common).unwrap_or(forms[0])
 }
 
 /// The error with the suggestion, if there is one.

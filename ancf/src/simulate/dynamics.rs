@@ -18,8 +18,7 @@ impl Run<'_> {
         let (assembly, scales) = (self.assembly, self.summary.scales);
         let mut rows = Rows::new(assembly, scales, "t", &OWN);
         self.sink.begin(rows.columns())?;
-        // The loads of a model are constant so far: none jumps.
-        let mut pace = match Pace::new(model, settings, assembly, Vec::new()) {
+        let mut pace = match Pace::new(model, settings, assembly, assembly.breaks().to_vec()) {
             Ok(pace) => pace,
             Err(error) => return Ok(Err(error.into())),
         };

@@ -9,7 +9,7 @@ use ancf::system::State;
 
 /// The equilibrium of a model under its gravity and its forces, which grow from a first step of this part.
 pub(crate) fn equilibrium(model: &Model, steps: u32) -> (Assembly, State) {
-    let assembly = model.assemble().unwrap();
+    let assembly = model.assemble_static().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 100).unwrap();
     let increments = Increments { first: 1.0 / f64::from(steps), ..Increments::default() };
     let start = State { load: 0.0, ..assembly.rest() };

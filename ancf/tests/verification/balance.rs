@@ -262,7 +262,7 @@ fn long_steps_end_at_the_equilibrium() {
     let with_force = |step: f64, duration: f64| {
         let mut model = rod::cantilever(20);
         let on = Place { body: model.bodies[0].name().to_owned(), at: At::End(AtEnd::End) };
-        model.loads.push(model::Load::Force { on, force: [0.0, -10.0, 0.0] });
+        model.loads.push(model::Load::force(on, [0.0, -10.0, 0.0]));
         let settings = rod::settings(&mut model);
         *settings = model::Dynamics::new(duration, step); // consistent start, halved steps where needed
         model

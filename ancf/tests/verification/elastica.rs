@@ -27,7 +27,7 @@ fn loaded(elements: u32, alpha: f64) -> Model {
     let mut model = rod::cantilever(elements);
     model.gravity = [0.0; 3];
     let force = -alpha * model.materials["steel"].young * model.sections["circle"].moments().yy;
-    model.loads = vec![Load::Force { on: rod::end(), force: [0.0, force, 0.0] }];
+    model.loads = vec![Load::force(rod::end(), [0.0, force, 0.0])];
     model
 }
 

@@ -42,7 +42,7 @@ fn pulled(elements: u32, fix: Clamped, part: f64) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
     let force = part * model.materials["steel"].young * area(&model);
-    model.loads = vec![Load::Force { on: rod::end(), force: [force, 0.0, 0.0] }];
+    model.loads = vec![Load::force(rod::end(), [force, 0.0, 0.0])];
     model
 }
 

@@ -29,6 +29,7 @@ mod kim_scales;
 mod kim_static_tips;
 mod linear_beam;
 mod princeton_beam;
+mod roll_up;
 mod timoshenko_modes;
 mod vibration;
 

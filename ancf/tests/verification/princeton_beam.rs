@@ -21,7 +21,7 @@ fn strip(elements: u32, load: f64, degrees: f64) -> Model {
     model.sections.insert("circle".into(), Section::Rectangle { height: 12.377e-3, width: 3.2024e-3 });
     model.gravity = [0.0; 3];
     let (sin, cos) = degrees.to_radians().sin_cos();
-    model.loads = vec![Load::Force { on: rod::end(), force: [0.0, -load * cos, load * sin] }];
+    model.loads = vec![Load::force(rod::end(), [0.0, -load * cos, load * sin])];
     model
 }
 

@@ -1,0 +1,108 @@
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use super::{Expression, Table};
+
+/// A function f of time t, a pure number.
+///
+/// Where it jumps or kinks, value and rates are those from there on: an integrator that is to see what was before ends its
+/// step at [`f64::next_down`] of a break.
+#[derive(Clone, Debug)]
+pub enum Function {
+    /// The same at all times.
+    Constant(f64),
+    /// Linear between points.
+    Table(Table),
+    /// 0, then linear from `start` to `end`, then 1.
+    Ramp {
+        /// Where it leaves 0.
+        start: f64,
+        /// Where it reaches 1, after the start.
+        end: f64,
+    },
+    /// 0, then 1 from a time on, and 0 again from another.
+    Step {
+        /// Where it becomes 1.
+        at: f64,
+        /// Where it becomes 0 again; never if there is no such time.
+        until: Option<f64>,
+    },
+    /// sin(2π f t + φ).
+    Sine {
+        /// Frequency f, cycles per time.
+        frequency: f64,
+        /// Phase φ in radians.
+        phase: f64,
+    },
+    /// A formula.
+    Expression {
+        /// The formula.
+        formula: Arc<Expression>,
+        /// The t of the formula at time 1.
+        unit: f64,
+    },
+}
+
+/// A function at one time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// f.
+    pub value: f64,
+    /// df/dt, 1/time.
+    pub rate: f64,
+    /// d²f/dt², 1/time².
+    pub acceleration: f64,
+}
+
+impl Function {
+    /// The function that is always 1.
+    pub const ONE: Self = Self::Constant(1.0);
+
+    /// Its value.
+    pub fn value(&self, t: f64) -> f64 {
+        self.at(t).value
+    }
+
+    /// Its value and rates.
+    pub fn at(&self, t: f64) -> Instant {
+        match self {
+            Self::Constant(value) => Instant { value: *value, ..Instant::default() },
+            Self::Table(table) => table.at(t),
+            Self::Ramp { start, end } => ramp(t, *start, *end),
+            Self::Step { at, until } => {
+                let on = t >= *at && until.is_none_or(|until| t < until);
+                Instant { value: f64::from(u8::from(on)), ..Instant::default() }
+            }
+            Self::Sine { frequency, phase } => {
+                let omega = TAU * frequency;
+                let (sin, cos) = (omega * t + phase).sin_cos();
+                Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
+            }
+            Self::Expression { formula, unit } => {
+                let Instant { value, rate, acceleration } = formula.at(t * unit);
+                Instant { value, rate: rate * unit, acceleration: acceleration * unit * unit }
+            }
+        }
+    }
+
+    /// Times at which it or its rate jumps, as far as they are known: a formula does not tell.
+    pub fn breaks(&self) -> Vec<f64> {
+        match self {
+            Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } => Vec::new(),
+            Self::Table(table) => table.breaks(),
+            Self::Ramp { start, end } => vec![*start, *end],
+            Self::Step { at, until } => [Some(*at), *until].into_iter().flatten().collect(),
+        }
+    }
+}
+
+fn ramp(t: f64, start: f64, end: f64) -> Instant {
+    let slope = 1.0 / (end - start);
+    if t < start {
+        Instant::default()
+    } else if t < end {
+        Instant { value: (t - start) * slope, rate: slope, acceleration: 0.0 }
+    } else {
+        Instant { value: 1.0, ..Instant::default() }
+    }
+}

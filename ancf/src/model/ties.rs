@@ -1,0 +1,212 @@
+//! Joints as equations between markers.
+
+use nalgebra::Vector3;
+
+use super::function::Clock;
+use super::{Clamped, End, Ground, Joint, Place};
+use crate::mechanics::{BeamMesh, Coincide, Drive, Marker, Perpendicular, Wrench, across};
+use crate::system::{State, Term};
+
+/// The equations of one joint.
+#[derive(Debug)]
+pub(super) struct JointEquations {
+    pub(super) name: String,
+    /// The next free multiplier.
+    next: usize,
+    first: usize,
+    coincide: Vec<Coincide>,
+    perpendicular: Vec<Perpendicular>,
+    drives: Vec<Drive>,
+}
+
+/// A place on a mesh.
+#[derive(Clone, Copy)]
+pub(super) struct On<'a> {
+    pub(super) mesh: &'a BeamMesh,
+    pub(super) s: f64,
+}
+
+impl On<'_> {
+    fn direction(&self, x: Vector3<f64>) -> Marker {
+        self.mesh.direction(self.s, x)
+    }
+
+    fn axes(&self) -> [Marker; 3] {
+        self.mesh.axes(self.s)
+    }
+
+    fn reference_axes(&self) -> [Vector3<f64>; 3] {
+        self.mesh.reference_axes(self.s)
+    }
+}
+
+/// Cosine of the angle beyond which sections or lines that meet are at a corner: 5°.
+const CORNER: f64 = 0.996;
+
+impl JointEquations {
+    /// The equations of a joint, by multipliers from `first` on. `locking` says whether its end `a` is on a beam of the
+    /// continuum formulation.
+    pub(super) fn new<'a>(
+        joint: &Joint,
+        locking: bool,
+        first: usize,
+        clock: Clock,
+        find: &impl Fn(&Place) -> On<'a>,
+    ) -> Self {
+        let (a, b) = joint.ends();
+        let (here, there) = (find(a), if let End::Place(place) = b { Some(find(place)) } else { None });
+        let mut equations = Self {
+            name: joint.name().to_owned(),
+            next: first,
+            first,
+            coincide: Vec::new(),
+            perpendicular: Vec::new(),
+            drives: Vec::new(),
+        };
+        let point = here.mesh.point(here.s);
+        let place = equations.take(3);
+        equations.coincide.push(match (b, there) {
+            (End::Point(Ground { point: target }), _) => {
+                Coincide::toward(&point, Vector3::from(*target), place)
+            }
+            (_, Some(there)) => Coincide::points(&point, &there.mesh.point(there.s), place),
+            _ => Coincide::points(&point, &Marker::fixed(point.reference()), place),
+        });
+        let fixed =
+            |fix: &Option<Clamped>| fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
+        match joint {
+            Joint::Spherical { .. } => {}
+            Joint::Clamp { fix, .. } => equations.clamp(here, there, fixed(fix)),
+            Joint::Drive { axis, angle, time, fix, .. } => {
+                let (axis, function) = (Vector3::from(*axis).normalize(), clock.function(time));
+                for &direction in fixed(fix).of(&here.reference_axes()) {
+                    let multipliers = equations.take(3);
+                    let a = here.direction(direction);
+                    equations.drives.push(Drive::new(&a, axis, *angle, function.clone(), multipliers));
+                }
+            }
+            Joint::Revolute { axis, .. } => {
+                let axis = Vector3::from(*axis).normalize();
+                for normal in across(axis) {
+                    equations.keep_angle(&here.direction(axis), &opposite(there, normal));
+                }
+            }
+        }
+        equations
+    }
+
+    /// So many multipliers; returns the first.
+    fn take(&mut self, count: usize) -> usize {
+        self.next += count;
+        self.next - count
+    }
+
+    /// Number of multipliers.
+    pub(super) fn multipliers(&self) -> usize {
+        self.next - self.first
+    }
+
+    pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
+        let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
+        let perpendicular = self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
+        let drives = self.drives.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
+        coincide.chain(perpendicular).chain(drives)
+    }
+
+    /// What the joint exerts on its end `a`.
+    pub(super) fn reaction(&self, s: &State) -> Wrench {
+        let coincide = self.coincide.iter().map(|c| c.reaction(s));
+        let perpendicular = self.perpendicular.iter().map(|c| c.reaction(s));
+        let drives = self.drives.iter().map(|c| c.reaction(s));
+        coincide.chain(perpendicular).chain(drives).fold(Wrench::default(), |sum, part| Wrench {
+            force: sum.force + part.force,
+            moment: sum.moment + part.moment,
+        })
+    }
+
+    fn keep_angle(&mut self, a: &Marker, b: &Marker) {
+        let multiplier = self.take(1);
+        self.perpendicular.push(Perpendicular::new(a, b, multiplier));
+    }
+
+    /// Ties orientations, between beams, cables and the ground.
+    fn clamp(&mut self, here: On<'_>, there: Option<On<'_>>, fix: Clamped) {
+        let axes = here.reference_axes();
+        let sections = (here.mesh.has_sections(), there.is_none_or(|there| there.mesh.has_sections()));
+        match (sections, there, fix) {
+            ((true, true), Some(there), Clamped::Section) if corner(&axes, &there.reference_axes()) => {
+                self.tie_corner(here.axes(), there.axes());
+            }
+            ((true, true), ..) => self.tie_directions(here, there, fix.of(&axes)),
+            // A line has a tangent only: it stays normal to what the other end has across it.
+            ((true, false), Some(line), _) => {
+                let tangent = line.reference_axes()[0].normalize();
+                for normal in across(tangent) {
+                    self.keep_angle(&line.direction(tangent), &here.direction(normal));
+                }
+            }
+            ((false, true), _, Clamped::Section) => {
+                let tangent = axes[0].normalize();
+                for normal in across(tangent) {
+                    self.keep_angle(&here.direction(tangent), &opposite(there, normal));
+                }
+            }
+            ((false, false), Some(there), _) if lines_corner(&axes, &there.reference_axes()) => {
+                self.keep_angle(&here.axes()[0], &there.axes()[0]);
+            }
+            _ => self.tie_directions(here, there, &axes[..1]),
+        }
+    }
+
+    fn tie_directions(&mut self, here: On<'_>, there: Option<On<'_>>, directions: &[Vector3<f64>]) {
+        for &direction in directions {
+            let multipliers = self.take(3);
+            let tie =
+                Coincide::directions(&here.direction(direction), &opposite(there, direction), multipliers);
+            self.coincide.push(tie);
+        }
+    }
+
+    /// Keeps the angles between the sections' directions of two beams that meet at an angle: their rotation is the same, and
+    /// each section may change its size.
+    ///
+    /// Of the four products of r_y, r_z of one with r_y, r_z of the other the three whose rates tell rotations apart best.
+    fn tie_corner(&mut self, [_, d, e]: [Marker; 3], [_, y, z]: [Marker; 3]) {
+        let pairs = [(&d, &y), (&d, &z), (&e, &y), (&e, &z)];
+        let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));
+        let volume = |left: usize| {
+            let kept: Vec<_> = (0..4).filter(|&k| k != left).map(|k| turns[k]).collect();
+            kept[0].dot(&kept[1].cross(&kept[2])).abs()
+        };
+        let left = (0..4).max_by(|&i, &j| volume(i).total_cmp(&volume(j))).unwrap_or(0);
+        for (_, (a, b)) in pairs.iter().enumerate().filter(|(k, _)| *k != left) {
+            self.keep_angle(a, b);
+        }
+    }
+}
+
+/// A direction of the other end: of a body, or of the ground.
+fn opposite(there: Option<On<'_>>, direction: Vector3<f64>) -> Marker {
+    there.map_or_else(|| Marker::fixed(direction), |there| there.direction(direction))
+}
+
+/// Whether the sections of two beams are not parallel.
+fn corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
+    let [a, b] = [a, b].map(|axes| axes[1].cross(&axes[2]).normalize());
+    a.dot(&b).abs() < CORNER
+}
+
+/// Whether two lines are not parallel.
+fn lines_corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
+    a[0].normalize().dot(&b[0].normalize()).abs() < CORNER
+}
+
+impl Clamped {
+    /// The directions that are tied, of r_x, r_y and r_z.
+    fn of(self, axes: &[Vector3<f64>; 3]) -> &[Vector3<f64>] {
+        match self {
+            Self::All => axes,
+            Self::Section => &axes[1..],
+        }
+    }
+}

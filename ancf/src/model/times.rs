@@ -1,0 +1,140 @@
+//! The rules of functions of time, of the loads and joints that have them, and of points on the ground.
+
+use nalgebra::Vector3;
+
+use super::check::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, point};
+use super::schema::number;
+use super::survey::Finding;
+use super::{Analysis, Body, End, Joint, Model, TimeFunction, Varying};
+
+/// An angle that is none, in radians.
+const TURNED: f64 = 1e-6;
+
+/// Loads with their paths.
+fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
+    model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
+}
+
+/// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
+pub(super) fn functions(model: &Model) -> Vec<Finding> {
+    let of_loads = loads_of(model).map(|(path, load)| (path, load.time()));
+    let of_joints = joints_of(model).filter_map(|(path, joint)| Some((path, joint.time()?)));
+    of_loads.chain(of_joints).filter_map(|(path, time)| rule_of_function(&path, time)).collect()
+}
+
+fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
+    let TimeFunction::Varying(varying) = time else { return None };
+    let key = |key: &str| format!("{path}.time.{key}");
+    match varying {
+        Varying::Table { times, values } if times.len() != values.len() => {
+            let found = format!("{} for {} times", values.len(), times.len());
+            Some(finding(key("values"), found, "as many values as times").rests_on([key("times")]))
+        }
+        Varying::Table { times, .. } => {
+            let at = times.windows(2).position(|pair| pair[0] > pair[1])?;
+            let found = format!("{} after {}", number(times[at + 1]), number(times[at]));
+            Some(finding(format!("{}[{}]", key("times"), at + 1), found, "times in order"))
+        }
+        Varying::Ramp { start, end } => (start >= end).then(|| {
+            let wanted = format!("a time after the start, {}", number(*start));
+            finding(key("end"), number(*end), wanted).rests_on([key("start")])
+        }),
+        Varying::Step { at, until: Some(until) } => (at >= until).then(|| {
+            let wanted = format!("a time after `at`, {}", number(*at));
+            finding(key("until"), number(*until), wanted).rests_on([key("at")])
+        }),
+        Varying::Step { until: None, .. } | Varying::Sine { .. } => None,
+        Varying::Expression { text, .. } => rule_of_formula(key("text"), text, time),
+    }
+}
+
+fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Finding> {
+    match time.compile() {
+        Err(error) => {
+            let rest: String = text.chars().skip(error.at).collect();
+            let found = match rest.as_str() {
+                "" => "its end".to_owned(),
+                rest => super::schema::quoted(rest),
+            };
+            let found = format!("{found} at character {}", error.at + 1);
+            Some(finding(path, found, error.wanted))
+        }
+        Ok(function) => {
+            let value = function.value(0.0);
+            let found = || format!("a formula that is {value} at t = 0");
+            (!value.is_finite()).then(|| finding(path, found(), "one that is a number"))
+        }
+    }
+}
+
+/// Drives have an axis and start from the undeformed state, without jumps.
+pub(super) fn drives(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let Joint::Drive { axis, angle, time, .. } = joint else { continue };
+        if !is_direction(*axis) {
+            findings.push(no_direction(format!("{path}.axis"), *axis));
+        }
+        let key = format!("{path}.time");
+        let jumps = match time {
+            TimeFunction::Varying(Varying::Step { .. }) => true,
+            TimeFunction::Varying(Varying::Table { times, .. }) => {
+                times.windows(2).any(|pair| pair[0] == pair[1])
+            }
+            _ => false,
+        };
+        let start = time.compile().map_or(0.0, |function| angle * function.value(0.0));
+        if jumps {
+            findings.push(finding(key, "a function that jumps", "one that bodies can follow"));
+        } else if is_dynamic(model) && start.abs() > TURNED {
+            let found = format!("an angle of {} at t = 0", number(start));
+            let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
+            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.angle")]) });
+        }
+    }
+    findings
+}
+
+fn is_dynamic(model: &Model) -> bool {
+    matches!(model.analysis, Analysis::Dynamics(_))
+}
+
+/// In dynamics a joint to a point on the ground starts there.
+pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
+    let rule = |(path, joint): (String, &Joint)| {
+        let (a, End::Point(b)) = joint.ends() else { return None };
+        let (owner, body) = body(model, a)?;
+        let at = point(body, body.arc_length(a.at))?;
+        let apart = (at - Vector3::from(b.point)).norm();
+        (is_dynamic(model) && apart > COINCIDENT * body.length()).then(|| {
+            let found = format!("a point that is {} away from `a`", number(apart));
+            let wanted = "in dynamics, the point of `a` in the undeformed state";
+            let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
+            let rests_on = rests_on.into_iter().chain(["a.body", "a.at"].map(|key| format!("{path}.{key}")));
+            finding(format!("{path}.b.point"), found, wanted).rests_on(rests_on)
+        })
+    };
+    joints_of(model).filter_map(rule).collect()
+}
+
+/// What needs a section that turns is not asked of a cable, which is a line.
+pub(super) fn lines(model: &Model) -> Vec<Finding> {
+    let is_cable = |place| matches!(body(model, place), Some((_, Body::Cable(_))));
+    let loads = loads_of(model).filter_map(|(path, load)| {
+        let what = match load {
+            super::Load::Moment { .. } => "a moment on a cable",
+            super::Load::Force { follower: true, .. } => "a follower on a cable",
+            super::Load::Force { .. } => return None,
+        };
+        is_cable(load.on()).then_some((path, "on", what))
+    });
+    let drives = joints_of(model).filter_map(|(path, joint)| {
+        let driven = matches!(joint, Joint::Drive { .. }) && is_cable(joint.ends().0);
+        driven.then_some((path, "a", "a drive of a cable"))
+    });
+    let unfit = loads.chain(drives).map(|(path, key, what)| {
+        finding(format!("{path}.{key}.body"), what, "a beam, which has sections that turn")
+            .rests_on(["bodies".into()])
+    });
+    unfit.collect()
+}

@@ -1,0 +1,18 @@
+//! The problems, one file each.
+
+mod elastica;
+
+use crate::Problem;
+
+/// All problems, in the order of the report.
+pub const ALL: [Problem; 1] = [elastica::PROBLEM];
+
+/// Asserts that a problem holds, for its test.
+#[cfg(test)]
+fn assert_holds(problem: &Problem) {
+    let findings = (problem.run)().unwrap_or_else(|error| panic!("{}: {error}", problem.name));
+    assert!(!findings.plots.is_empty() && !findings.comparisons.is_empty(), "{}", problem.name);
+    for comparison in &findings.comparisons {
+        assert!(comparison.holds(), "{}: {comparison:?} is {:e} off", problem.name, comparison.error());
+    }
+}

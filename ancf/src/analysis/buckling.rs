@@ -42,18 +42,18 @@ const IDLE: f64 = 1e-12;
 ///
 /// K_g is the stiffness of the stresses and multipliers that the loads at load factor one cause in first order,
 /// [K₀, Φ_qᵀ; Φ_q, 0] (q₁, λ₁) = −∂r/∂(load factor), at the configuration of the state
-/// ([`EquationsOfMotion::stress_stiffness`]). It is the classical theory: stress is linear in the load, and what bodies
-/// deform before they buckle does not matter. About the reference configuration, an equilibrium under load factor zero, that
-/// is Euler's load of a column, less P/EA, and Prandtl's and Michell's load of a strip on edge, which is bent in its plane:
-/// too low by about half the ratio of its bending stiffnesses.
+/// ([`EquationsOfMotion::stress_stiffness`]). The reference configuration is an equilibrium under load factor zero; about it
+/// this is the classical theory, which neglects what bodies deform before they buckle: Euler's load of a column but for
+/// P/EA, Prandtl's and Michell's load of a strip on edge. Such a strip, bent in its plane before, bears more,
+/// about 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) times as much if both ratios are small.
 ///
-/// About an equilibrium under most of the load the state's displacement is in K₀; the factor left over tends to the critical
-/// point of the nonlinear path as it tends to zero. [`Path`](super::Path) finds that point by the inertia of K.
+/// About an equilibrium under load, displacement so far is in K₀, and the factor left over is zero where the nonlinear path
+/// is critical. [`Path`](super::Path) finds that point by the negative pivots of K.
 ///
 /// Fewer than `count` if loads in this sense have no more. `matrix` is any matrix of the pattern of `eom`.
 ///
-/// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6. The
-/// largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
+/// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
+/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
 ///
 /// # Errors
 /// If K₀ is singular or not positive definite, or the iteration does not converge.

@@ -109,6 +109,11 @@ pub trait Term: Send + Sync {
     /// Adds its share of the tangent, the lower triangle.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
+    /// Whether matter can be in this state: not turned inside out.
+    fn is_admissible(&self, _at: &Local<'_>) -> bool {
+        true
+    }
+
     /// Adds the stiffness of initial stresses, the lower triangle: of those stresses, multipliers and loads that come in first
     /// order with the increment `by` of the state's q, λ and load factor, at the configuration of the state.
     ///
@@ -125,11 +130,6 @@ pub trait Term: Send + Sync {
         self.tangent(&Local { lambda, load: 0.0, ..*at }, Weights::STIFFNESS, &mut rest);
         self.tangent(&Local { lambda: by.lambda, load: by.load, ..*at }, Weights::STIFFNESS, k);
         k.subtract(&rest);
-    }
-
-    /// Whether matter can be in this state: not turned inside out.
-    fn is_admissible(&self, _at: &Local<'_>) -> bool {
-        true
     }
 
     /// Its energies.

@@ -194,9 +194,11 @@ fn lateral() {
         ("St. Venant by number", 0.31, polar(Some(STRIP.torsion_constant())), 179.22025978431),
         ("polar", 0.31, polar(None), 930.36586),
     ] {
-        for (formulation, elements, tolerance) in
-            [(Formulation::Linked, 32, 1e-3), (Formulation::Linked, 64, 3e-4), (Formulation::Enhanced, 64, 3e-4)]
-        {
+        for (formulation, elements, tolerance) in [
+            (Formulation::Linked, 32, 1e-3),
+            (Formulation::Linked, 64, 3e-4),
+            (Formulation::Enhanced, 64, 3e-4),
+        ] {
             let assembly = loaded(strip(elements, poisson, formulation, section), [0.0, -1.0, 0.0]);
             let factors = critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either).unwrap();
             let name = format!("{name}, {formulation:?}");

@@ -20,7 +20,7 @@ use ancf::mechanics::{
     Perpendicular, Profile,
 };
 use ancf::model::{Material, Section};
-use ancf::system::{Energy, Term, Weights};
+use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
@@ -260,6 +260,32 @@ fn stress_stiffness_is_a_third_of_the_third_derivative() {
             assert_eq!(dead, 0.0, "{name}: loads are dead");
         }
     }
+}
+
+/// A load that grows with its point's displacement, beside a spring.
+struct Magnet;
+
+impl Term for Magnet {
+    fn coordinates(&self) -> &[usize] {
+        &[0]
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        r[0] += (5.0 - 3.0 * at.load) * at.q[0];
+    }
+
+    fn rounding(&self, _: &Local<'_>, _: &mut [f64]) {}
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        k.add(0, 0, w.q * (5.0 - 3.0 * at.load));
+    }
+}
+
+/// Per load factor, whatever the load so far.
+#[test]
+fn loads_have_their_stiffness_without_being_asked() {
+    let s = Sample::random(&Magnet, &mut Random(1));
+    assert_eq!(stress_stiffness(&Magnet, &s, &scalar(0.2), 2.0)[(0, 0)], -6.0);
 }
 
 #[test]

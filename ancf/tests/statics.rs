@@ -47,7 +47,7 @@ fn pushed(elements: u32, force: [f64; 3]) -> Model {
     let mut model = rod::cantilever(elements);
     let unit = model.materials["steel"].young * model.sections["circle"].moments().yy / rod::LENGTH.powi(2);
     model.gravity = [0.0; 3];
-    model.loads = vec![Load::Force { on: rod::end(), force: force.map(|f| f * unit) }];
+    model.loads = vec![Load::force(rod::end(), force.map(|f| f * unit))];
     model
 }
 

@@ -24,7 +24,7 @@ const EULER: f64 = 3740.132124561166;
 /// A force of one at the end of the rod, nothing else.
 fn loaded(mut model: Model, force: [f64; 3]) -> Assembly {
     model.gravity = [0.0; 3];
-    model.loads = vec![Load::Force { on: rod::end(), force }];
+    model.loads = vec![Load::force(rod::end(), force)];
     model.assemble().unwrap()
 }
 
@@ -148,7 +148,7 @@ fn senses() {
 fn load_on_the_ground() {
     let mut model = rod::cantilever(4);
     model.gravity = [0.0; 3];
-    model.loads = vec![Load::Force { on: rod::start(), force: [-1.0, 2.0, 3.0] }];
+    model.loads = vec![Load::force(rod::start(), [-1.0, 2.0, 3.0])];
     let assembly = model.assemble().unwrap();
     assert_eq!(critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either), Ok(Vec::new()));
 }

@@ -97,7 +97,7 @@ fn column_above_its_critical_load() {
         let mut model = rod::cantilever(16);
         model.gravity = [0.0; 3];
         model.loads =
-            vec![Load::Force { on: rod::end(), force: [-part * 3740.132124561166 * 1.00055907, 0.0, 0.0] }];
+            vec![Load::force(rod::end(), [-part * 3740.132124561166 * 1.00055907, 0.0, 0.0])];
         let (assembly, state) = equilibrium(&model, 1);
         let found = modes(&assembly.system, assembly.system.matrix(), &state, 2).unwrap().modes;
         [found[0].squared, found[1].squared]

@@ -41,7 +41,8 @@ impl Rows {
         for name in assembly.joints() {
             vectors(name, &["f", "m"]);
         }
-        let own = ["iterations", "residual", "increment", "drift", "kinetic", "strain", "potential", "dissipated"];
+        let own =
+            ["iterations", "residual", "increment", "drift", "kinetic", "strain", "potential", "dissipated"];
         columns.extend(own.map(str::to_owned));
         Self { row: Vec::with_capacity(columns.len()), columns, scales, initial: None }
     }

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::schema::{listed, nearest, number, quoted};
-use super::survey::{Finding, did_you_mean};
 use super::scheme::{scheme, time};
+use super::survey::{Finding, did_you_mean};
 use super::{Beam, End, Joint, Load, Model, ModelError, Place, ScaleChoice};
 
 /// Elements beyond which a model is taken for a slip of the pen.

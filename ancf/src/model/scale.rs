@@ -3,7 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Output, Place, Probe, Section, Step,
+    Analysis, At, Beam, Body, Dynamics, End, Joint, Load, Material, Model, Output, Place, Probe, Section,
+    Step,
 };
 use crate::scales::{Dimension, Scales};
 

@@ -43,8 +43,7 @@ pub(super) fn scheme(model: &Model) -> Vec<Finding> {
     let found = |what: &str| if key == "0" { key.clone() } else { format!("{key}, which has {what}") };
     let error = |found: String, wanted: &str, hint: &str| finding(path.into(), found, wanted).hint(hint);
     let rule = if numbers.beta == 0.0 {
-        let reason =
-            "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
+        let reason = "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
         error(found("β = 0"), "β > 0, as in \"average_acceleration\" or \"adams\"", reason)
     } else if numbers.is_newmark() && numbers.gamma < 0.5 {
         let found = number(numbers.gamma);

@@ -33,8 +33,7 @@ impl<'a> Pace<'a> {
         mut jumps: Vec<f64>,
     ) -> Result<Self, SolveError> {
         let duration = settings.duration;
-        let newton =
-            Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
+        let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics = Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.rest());
         if settings.start == Start::Consistent {

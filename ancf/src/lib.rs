@@ -5,7 +5,7 @@
 //!
 //! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0,
 //!
-//! integrates them by Newmark's scheme with Newton's method and the exact tangent, and passes every instant, in the
+//! integrates them by a generalized-α scheme with Newton's method and the exact tangent, and passes every instant, in the
 //! user's units again, to a [`Sink`](record::Sink).
 //!
 //! Floors, arrows pointing downwards only:
@@ -13,8 +13,8 @@
 //! ```text
 //!            simulate              model -> scaled model -> equations -> states -> rows -> sinks
 //!          /    |     \
-//!      model    |    record        what the user states; rows of numbers under names
-//!        |   analysis   |          Newton, Newmark: know equations of motion, no mechanics
+//!      model  --+    record        what the user states, analyses too; rows of numbers under names
+//!        |   analysis   |          Newton, schemes: know equations of motion, no mechanics
 //!    mechanics  |       |          elements, markers, constraints: know terms, no analysis
 //!          \    |       |
 //!  function  system    scales       functions of time; states, terms, assembly, sparse matrices; units

@@ -7,9 +7,16 @@ mod pendulum;
 #[path = "common/rod.rs"]
 mod rod;
 
+#[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/run.rs"]
+mod run;
+
 use ancf::Model;
 use ancf::analysis::{Adaptive, Control, Dynamics, Failure, Newton, Scheme, SolveError, Stop};
+use ancf::model::{self, ScaleChoice, Start, Step};
 use ancf::system::{EquationsOfMotion, Local, LocalMatrix, SparseMatrix, State, System, Term, Weights};
+
+use run::Run;
 
 /// Mass of the rod.
 const MASS: f64 = 8030.0 * std::f64::consts::PI * 1e-4;
@@ -45,7 +52,7 @@ fn dynamics(system: &System, scheme: Scheme, start: State) -> Dynamics<'_, Syste
 type Count = [u32; 2];
 
 /// States at so many equal instants.
-fn run(
+fn integrate(
     dynamics: &mut Dynamics<'_, System>,
     control: Control,
     count: usize,
@@ -85,7 +92,7 @@ fn errors_of_the_rod(model: &Model, duration: f64) -> [f64; 3] {
     let exact: Vec<State> = exact.skip(steps / 20 - 1).step_by(steps / 20).collect();
     [1e-3, 1e-4, 1e-5].map(|tolerance| {
         let control = control(tolerance, rod::LENGTH, MASS, duration);
-        let (states, _) = run(&mut dynamics(system, scheme, assembly.rest()), control, 20).unwrap();
+        let (states, _) = integrate(&mut dynamics(system, scheme, assembly.rest()), control, 20).unwrap();
         error(&mass, control, &states, &exact)
     })
 }
@@ -105,7 +112,7 @@ fn tolerances_of_the_pendulum() {
         let errors = [1e-3, 1e-4, 1e-5].map(|tolerance| {
             let control = control(tolerance, pendulum::ROD, pendulum::MASS, 5.0);
             let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), haul);
-            let (states, steps) = run(&mut dynamics, control, 20).unwrap();
+            let (states, steps) = integrate(&mut dynamics, control, 20).unwrap();
             assert!(steps[1] < 5, "{steps:?}");
             error(&mass, control, &states, &exact[1..])
         });
@@ -176,7 +183,7 @@ fn steps_that_get_too_small() {
     let system = pendulum::system(0.0);
     let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.0);
     let control = Control { smallest: 1e-3, ..control(1e-9, pendulum::ROD, pendulum::MASS, 1.0) };
-    let error = run(&mut dynamics, control, 1).expect_err("steps of 1e-3 are too large");
+    let error = integrate(&mut dynamics, control, 1).expect_err("steps of 1e-3 are too large");
     assert_eq!(error.failure, Failure::StepTooSmall);
 }
 
@@ -192,4 +199,43 @@ fn divided_steps_grow_again() {
         (1..=40).map(|i| dynamics.advance(0.2 * f64::from(i)).unwrap().substeps).collect();
     assert!(substeps.iter().any(|n| *n > 1), "{substeps:?}");
     assert!(substeps.windows(2).all(|n| n[1] >= n[0] / 2), "by a factor of two at most: {substeps:?}");
+}
+
+/// A model by error control: the same motion as in small steps, recorded at intervals or at every step, whatever the units.
+#[test]
+fn models_by_error_control() {
+    let model = |step: Step, interval: Option<f64>| {
+        let mut model = rod::revolute(2);
+        model.output.interval = interval;
+        let settings = rod::settings(&mut model);
+        (settings.duration, settings.step, settings.start) = (0.5, step, Start::Consistent);
+        settings.scheme = model::Scheme::GeneralizedAlpha { spectral_radius: 0.8 };
+        model
+    };
+    let adaptive = Step::Adaptive { tolerance: 1e-4, initial: None, largest: None };
+    let fine = Run::of(&model(Step::Fixed(1e-4), Some(0.04)));
+    let runs = [
+        Run::of(&model(adaptive, Some(0.04))),
+        Run::of(&Model { scales: ScaleChoice::Auto, ..model(adaptive, Some(0.04)) }),
+    ];
+    let times: Vec<f64> = (0..13).map(|i| f64::from(i) * 0.04).chain([0.5]).collect();
+    for run in &runs {
+        let apart = run.column("t").iter().zip(&times).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(run.column("t").len() == times.len() && apart < 1e-15, "{:?}", run.column("t"));
+        assert!(run::distance(&run.vectors("tip."), &fine.vectors("tip.")) < 2e-4);
+    }
+    assert_eq!(runs[0].summary.steps, runs[1].summary.steps);
+    let all = Run::of(&model(adaptive, None));
+    assert_eq!(all.column("t").len() as u64, all.summary.steps + 1);
+    assert_eq!(all.column("t").last(), Some(&0.5));
+}
+
+/// A duration that is no multiple of the step ends with a shorter one.
+#[test]
+fn the_last_step_may_be_shorter() {
+    let mut model = rod::cantilever(1);
+    let settings = rod::settings(&mut model);
+    (settings.duration, settings.step) = (0.01, Step::Fixed(3e-3));
+    let run = Run::of(&model);
+    assert_eq!(run.column("t"), [0.0, 3e-3, 2.0 * 3e-3, 3.0 * 3e-3, 0.01]);
 }

@@ -152,10 +152,13 @@ fn slopes() {
     }
 }
 
+/// Columns in the numbers of the solver.
+const NORMS: [&str; 4] = ["iterations", "residual", "increment", "drift"];
+
 /// Asserts that every column of two runs is the same, but for norms in the numbers of the solver.
 fn same_columns(model: &Model, other: &Model) {
     let (a, b) = (Run::of(model), Run::of(other));
-    for (name, a) in a.columns().filter(|(name, _)| !["iterations", "residual", "increment"].contains(name)) {
+    for (name, a) in a.columns().filter(|(name, _)| !NORMS.contains(name)) {
         let b = b.column(name);
         let size = a.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

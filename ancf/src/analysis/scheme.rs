@@ -11,7 +11,7 @@ use crate::system::{State, Weights};
 /// The unknowns are (v̇ₙ₊₁, λₙ₊₁). aₙ approximates v̇ at tₙ + (αm − αf) h; with αm = αf = 0 the two are one and the scheme
 /// is Newmark's. Second order for γ = ½ + αf − αm, else first; γ beyond that damps strongly.
 ///
-/// Source: Arnold & Brüls (2007), eqs (6)-(8); Chung & Hulbert (1993); Newmark (1959), Kim et al. (2017), eq. (36), where vₙ₊₁
+/// Source: Arnold & Brüls (2007); Chung & Hulbert (1993); Newmark (1959), Kim et al. (2017), eq. (36), where vₙ₊₁
 /// is misprinted for vₙ in the first formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scheme {

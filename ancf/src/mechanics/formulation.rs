@@ -54,8 +54,7 @@ impl SectionLaw {
     /// among the normal strains, acts on the axis only, so that bending is resisted by E I. Mean shear strains have the
     /// stiffnesses k G A, and of the section's shear strains the part that is a twist,
     /// κ = (I_y ε_be − I_z ε_cd)/(I_y + I_z) with I_z = ∫z² dA, I_y = ∫y² dA here, has the stiffness G J.
-    /// Stretch that is quadratic in y and z has no energy, as in a rod: neither does bending at finite thickness stiffen,
-    /// nor twist shorten.
+    /// Fibres stretch by Green's strain: at finite thickness, bending and twist stretch them too.
     ///
     /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for the split of Poisson's
     /// effect and the shear factors; the projection on the twist is the energy-orthogonal one.
@@ -67,7 +66,6 @@ impl SectionLaw {
         for k in [AD, BD, CD, AE, BE, CE, DE] {
             d[k][k] *= ratio;
         }
-        without_thickness(&mut d);
         add_poisson(material, m.area, &mut d);
         let shear = |k: usize| unit(k);
         let polar = m.yy + m.zz;
@@ -113,7 +111,6 @@ impl SectionLaw {
             }
         }
         if enhanced {
-            without_thickness(&mut d);
             let (axis, volume) = local_strains(g0, 0.0, 0.0);
             add_poisson_rows(material, section.moments.area * volume, &axis, &mut d);
             let [y, z] = shear.map(|row| row.map(|x| x / area));
@@ -181,14 +178,6 @@ fn full(material: Lame, m: Moments) -> Form {
         set(i, j, value);
     }
     d
-}
-
-/// Takes the stretch that is quadratic over the section out of an energy.
-fn without_thickness(d: &mut Form) {
-    for k in [BB, BC, CC] {
-        d[k] = [0.0; 17];
-        d.iter_mut().for_each(|row| row[k] = 0.0);
-    }
 }
 
 /// Adds what Poisson's ratio couples on the axis: λ+2G−E of each normal strain and λ between two.

@@ -13,6 +13,8 @@ pub(super) struct Pace<'a> {
     steps: Steps,
     /// Times at which loads jump, the next one last.
     jumps: Vec<f64>,
+    /// Times closer than this are one.
+    sliver: f64,
 }
 
 enum Steps {
@@ -54,9 +56,19 @@ impl<'a> Pace<'a> {
                 (Steps::Adaptive(Box::new(Adaptive::new(&dynamics, control))), None)
             }
         };
-        jumps.retain(|t| *t > 0.0 && *t < duration);
+        let sliver = SLIVER * settings.step.fixed().unwrap_or(duration);
+        jumps.retain(|t| *t > sliver && *t < duration - sliver);
         jumps.sort_by(|a, b| b.total_cmp(a));
-        Ok(Self { dynamics, duration, interval: model.output.interval.or(every), count: 0, steps, jumps })
+        jumps.dedup_by(|a, b| (*a - *b).abs() <= sliver);
+        Ok(Self {
+            dynamics,
+            duration,
+            interval: model.output.interval.or(every),
+            count: 0,
+            steps,
+            jumps,
+            sliver,
+        })
     }
 
     pub(super) fn dynamics(&self) -> &Dynamics<'a, System> {
@@ -88,16 +100,18 @@ impl<'a> Pace<'a> {
         let Some(to) = self.next() else { return Ok(None) };
         let mut report = StepReport::default();
         loop {
-            let jump = self.jumps.last().copied().filter(|jump| *jump <= to);
-            let end = jump.map_or(to, f64::next_down);
+            let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.sliver);
+            // Just before the jump; a jump that but for rounding is at the recorded instant is taken to be there.
+            let end = jump.map_or(to, |jump| jump.min(to).next_down());
             let step = self.step(end)?;
             count(&step);
             report = report.then(&step);
             if let Some(jump) = jump.filter(|_| self.dynamics.state().t == end) {
-                self.dynamics.restart(jump)?;
+                let near = (to - jump).abs() <= self.sliver;
+                self.dynamics.restart(if near { jump.max(to) } else { jump })?;
                 self.jumps.pop();
             }
-            if self.interval.is_none() || self.dynamics.state().t == to {
+            if self.interval.is_none() || self.dynamics.state().t >= to {
                 self.count += 1;
                 return Ok(Some(report));
             }

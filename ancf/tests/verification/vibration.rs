@@ -96,8 +96,7 @@ fn column_above_its_critical_load() {
     let column = |part: f64| {
         let mut model = rod::cantilever(16);
         model.gravity = [0.0; 3];
-        model.loads =
-            vec![Load::force(rod::end(), [-part * 3740.132124561166 * 1.00055907, 0.0, 0.0])];
+        model.loads = vec![Load::force(rod::end(), [-part * 3740.132124561166 * 1.00055907, 0.0, 0.0])];
         let (assembly, state) = equilibrium(&model, 1);
         let found = modes(&assembly.system, assembly.system.matrix(), &state, 2).unwrap().modes;
         [found[0].squared, found[1].squared]

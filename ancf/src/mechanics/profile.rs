@@ -2,10 +2,11 @@ use nalgebra::Vector3;
 
 use super::element::Profile;
 use super::formulation::straight;
+use super::section::strain::{AA, BB, BD, CC, CE, DD, DE, EE};
 use super::station::{Law, Relative, Station};
 use super::{
     BeamShape, CrossSection, Directors, Interpolation, Kind, Lame, Moments, NeoHookean, QuadraticShape,
-    SectionLaw, gauss, gauss2, gauss3,
+    SectionLaw, gauss, gauss2, gauss3, quadrature::lobatto3,
 };
 
 /// What a beam is made of.
@@ -80,7 +81,26 @@ impl Profile<8> {
                 Self::build(&shape, reference, section, medium, &rule)
             }
             Formulation::Linked => {
-                let rule: Vec<Sample<'_>> = gauss3().iter().map(|&(xi, w)| (xi, w, &law as _)).collect();
+                let axial = |g0: &Directors, section: &CrossSection| {
+                    law(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[AA, BB, CC])
+                };
+                let nodal = |g0: &Directors, section: &CrossSection| {
+                    let poisson = SectionLaw::poisson(lame, section, g0);
+                    law(g0, section).minus(&poisson).among(&[DD, EE, DE]).plus(&poisson)
+                };
+                let mid = |g0: &Directors, section: &CrossSection| law(g0, section).among(&[BD, CE]);
+                let rest = |g0: &Directors, section: &CrossSection| {
+                    law(g0, section)
+                        .minus(&axial(g0, section))
+                        .minus(&nodal(g0, section))
+                        .minus(&mid(g0, section))
+                };
+                let mut rule: Vec<Sample<'_>> = gauss3().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
+                rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &axial) }));
+                rule.extend(
+                    [(0.0, 0.5), (1.0, 0.5)].iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }),
+                );
+                rule.push((0.5, 1.0, &mid));
                 let mut profile = Self::build(&shape, reference, section, medium, &rule);
                 profile.stations.iter_mut().for_each(|station| station.link(length));
                 profile
@@ -117,12 +137,12 @@ impl Profile<9> {
             true => SectionLaw::enhanced(lame, section),
             false => SectionLaw::curved(lame, section, g0, true),
         };
-        let poisson = |g0: &Directors, section: &CrossSection| SectionLaw::poisson(lame, section, g0);
-        let reduced = |g0: &Directors, section: &CrossSection| all(g0, section).minus(&poisson(g0, section));
-        let mut rule: Vec<Sample<'_>> = gauss2().iter().map(|&(xi, w)| (xi, w, &reduced as _)).collect();
-        if lame.lambda != 0.0 {
-            rule.extend(gauss3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &poisson) }));
-        }
+        let nodal = |g0: &Directors, section: &CrossSection| {
+            all(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[DD, EE, DE])
+        };
+        let rest = |g0: &Directors, section: &CrossSection| all(g0, section).minus(&nodal(g0, section));
+        let mut rule: Vec<Sample<'_>> = gauss2().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
+        rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }));
         Self::build(&shape, reference, section, medium, &rule)
     }
 }

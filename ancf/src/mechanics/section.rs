@@ -9,6 +9,13 @@ pub struct Lame {
     pub shear: f64,
 }
 
+impl Lame {
+    /// Young's modulus E = G (3λ + 2G)/(λ + G).
+    pub fn young(&self) -> f64 {
+        self.shear * (3.0 * self.lambda + 2.0 * self.shear) / (self.lambda + self.shear)
+    }
+}
+
 /// The vectors that make up the deformation of a cross-section, or increments of them.
 ///
 /// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The sixth, h, is
@@ -100,6 +107,17 @@ impl SectionLaw {
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         Self { entries: self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect() }
+    }
+
+    /// The entries between the given strains.
+    pub(super) fn among(&self, strains: &[usize]) -> Self {
+        let inside = |(k, l, _): &(usize, usize, f64)| strains.contains(k) && strains.contains(l);
+        Self { entries: self.entries.iter().copied().filter(inside).collect() }
+    }
+
+    /// The sum of two laws.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) + other.entry(k, l))))
     }
 
     /// The difference of two laws.

@@ -111,7 +111,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         }
         let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&v));
         for (station, g0, u) in self.states(&q) {
-            let p = station.forces(&g0, &u, &station.directors::<S>(&v));
+            let p = station.forces::<S>(&g0, &u, &v);
             station.spread::<S>(&p, &mut force);
         }
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
@@ -130,7 +130,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         });
         let (q, v) = (Relative::new::<S>(&vectors_q), Relative::new::<S>(&v));
         for (station, g0, u) in self.states(&q) {
-            let p = station.rounding::<S>(&g0, &u, &station.directors::<S>(&v), &vectors_q);
+            let p = station.rounding::<S>(&g0, &u, &v, &vectors_q);
             for (i, bound) in bound.iter_mut().enumerate() {
                 let [first, second] = S::KINDS[i].directors();
                 let [x, y] = station.weights[i];
@@ -147,7 +147,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         if w.q != 0.0 || w.v != 0.0 {
             let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(at.v)));
             for (station, g0, u) in self.states(&q) {
-                let h = station.stiffness(&g0, &u, &station.directors::<S>(&v), [w.q, w.v]);
+                let h = station.stiffness::<S>(&g0, &u, &v, [w.q, w.v]);
                 station.spread_stiffness::<S>(&h, &mut blocks);
             }
         }

@@ -19,16 +19,21 @@ impl Lame {
 /// The vectors that make up the deformation of a cross-section, or increments of them.
 ///
 /// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The sixth, h, is
-/// the quadratic part of a within an element, which only the linked formulation reads (see [`BeamShape`](super::BeamShape)).
+/// the coefficient of the highest power of ξ in a: what makes some strains vary along an element more than they should
+/// ([`Formulation`](super::Formulation)).
 pub type Directors = [Vector3<f64>; 6];
 
-/// Pairs of directors whose products make the section strains; ½ of the product for the first five.
-const PAIRS: [(usize, usize); 17] = [
+/// Number of section strains.
+pub(super) const STRAINS: usize = 18;
+
+/// Pairs of directors whose products make the section strains; ½ of the product for the equal ones.
+const PAIRS: [(usize, usize); STRAINS] = [
     (0, 0),
     (1, 1),
     (2, 2),
     (3, 3),
-    (4, 4), // aa bb cc dd ee
+    (4, 4),
+    (5, 5), // aa bb cc dd ee hh
     (0, 1),
     (0, 2),
     (1, 2),
@@ -43,10 +48,10 @@ const PAIRS: [(usize, usize); 17] = [
     (4, 5), // dh eh
 ];
 /// How many of the pairs are equal ones.
-const EQUAL: usize = 5;
+const EQUAL: usize = 6;
 
 /// Section strains by the pair of directors that they belong to.
-pub(super) type Strains = [f64; 17];
+pub(super) type Strains = [f64; STRAINS];
 
 /// Names of the places in [`Strains`].
 pub(super) mod strain {
@@ -55,18 +60,19 @@ pub(super) mod strain {
     pub(in crate::mechanics) const CC: usize = 2;
     pub(in crate::mechanics) const DD: usize = 3;
     pub(in crate::mechanics) const EE: usize = 4;
-    pub(in crate::mechanics) const AB: usize = 5;
-    pub(in crate::mechanics) const AC: usize = 6;
-    pub(in crate::mechanics) const BC: usize = 7;
-    pub(in crate::mechanics) const AD: usize = 8;
-    pub(in crate::mechanics) const BD: usize = 9;
-    pub(in crate::mechanics) const CD: usize = 10;
-    pub(in crate::mechanics) const AE: usize = 11;
-    pub(in crate::mechanics) const BE: usize = 12;
-    pub(in crate::mechanics) const CE: usize = 13;
-    pub(in crate::mechanics) const DE: usize = 14;
-    pub(in crate::mechanics) const DH: usize = 15;
-    pub(in crate::mechanics) const EH: usize = 16;
+    pub(in crate::mechanics) const HH: usize = 5;
+    pub(in crate::mechanics) const AB: usize = 6;
+    pub(in crate::mechanics) const AC: usize = 7;
+    pub(in crate::mechanics) const BC: usize = 8;
+    pub(in crate::mechanics) const AD: usize = 9;
+    pub(in crate::mechanics) const BD: usize = 10;
+    pub(in crate::mechanics) const CD: usize = 11;
+    pub(in crate::mechanics) const AE: usize = 12;
+    pub(in crate::mechanics) const BE: usize = 13;
+    pub(in crate::mechanics) const CE: usize = 14;
+    pub(in crate::mechanics) const DE: usize = 15;
+    pub(in crate::mechanics) const DH: usize = 16;
+    pub(in crate::mechanics) const EH: usize = 17;
 }
 
 /// Elasticity of a cross-section as a quadratic form ½ εᵀ D ε in the products of directors.
@@ -85,71 +91,83 @@ pub(super) mod strain {
 pub struct SectionLaw {
     /// Entries (k, l, D_kl) that are not zero, with k ≥ l.
     entries: Vec<(usize, usize, f64)>,
+    /// The strains that have entries.
+    used: Vec<usize>,
 }
+
+/// D over the section strains.
+pub(super) type Form = [[f64; STRAINS]; STRAINS];
 
 impl SectionLaw {
     /// The law of a symmetric matrix D; entries that are rounding errors of zero are left out.
-    pub(super) fn new(d: &[[f64; 17]; 17]) -> Self {
-        let lower = (0..17).flat_map(|k| (0..=k).map(move |l| (k, l, d[k][l])));
+    pub(super) fn new(d: &Form) -> Self {
+        let lower = (0..STRAINS).flat_map(|k| (0..=k).map(move |l| (k, l, d[k][l])));
         let counts = |&(k, l, entry): &(usize, usize, f64)| {
-            entry.abs() > 1e-15 * (d[k][k] * d[l][l]).abs().sqrt() && entry != 0.0
+            entry.abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt() && entry != 0.0
         };
-        Self { entries: lower.filter(counts).collect() }
+        let entries: Vec<_> = lower.filter(counts).collect();
+        let used = (0..STRAINS).filter(|&strain| entries.iter().any(|&(k, l, _)| k == strain || l == strain));
+        Self { used: used.collect(), entries }
     }
 
-    /// D_kl.
-    pub(super) fn entry(&self, k: usize, l: usize) -> f64 {
-        let (k, l) = (k.max(l), k.min(l));
-        self.entries.iter().find(|entry| (entry.0, entry.1) == (k, l)).map_or(0.0, |entry| entry.2)
+    /// D.
+    pub(super) fn form(&self) -> Form {
+        let mut d = [[0.0; STRAINS]; STRAINS];
+        for &(k, l, entry) in &self.entries {
+            d[k][l] = entry;
+            d[l][k] = entry;
+        }
+        d
     }
 
     /// The same law, `factor` times as stiff.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        Self { entries: self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect() }
-    }
-
-    /// The entries between the given strains.
-    pub(super) fn among(&self, strains: &[usize]) -> Self {
-        let inside = |(k, l, _): &(usize, usize, f64)| strains.contains(k) && strains.contains(l);
-        Self { entries: self.entries.iter().copied().filter(inside).collect() }
+        let entries = self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect();
+        Self { entries, used: self.used.clone() }
     }
 
     /// The sum of two laws.
-    pub(super) fn plus(&self, other: &Self) -> Self {
-        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) + other.entry(k, l))))
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let (mut d, more) = (self.form(), other.form());
+        d.iter_mut().flatten().zip(more.iter().flatten()).for_each(|(d, more)| *d += more);
+        Self::new(&d)
     }
 
-    /// The difference of two laws.
-    pub(super) fn minus(&self, other: &Self) -> Self {
-        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) - other.entry(k, l))))
+    /// Whether it depends on the sixth director, h.
+    pub(super) fn reads_highest(&self) -> bool {
+        self.used.iter().any(|&k| PAIRS[k].1 == 5)
     }
 
     /// Section strains of the increment u from the reference directors g0, without cancellation:
-    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β.
-    pub(super) fn strains(g0: &Directors, u: &Directors) -> Strains {
-        let mut strains = [0.0; 17];
-        for (k, (strain, (i, j))) in strains.iter_mut().zip(PAIRS).enumerate() {
-            *strain = if k < EQUAL {
-                g0[i].dot(&u[i]) + 0.5 * u[i].dot(&u[i])
+    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Those without stiffness are left at zero.
+    fn strains(&self, g0: &Directors, u: &Directors) -> Strains {
+        let mut strains = [0.0; STRAINS];
+        for &k in &self.used {
+            let (i, j) = PAIRS[k];
+            strains[k] = if k < EQUAL {
+                (g0[i] + u[i] * 0.5).dot(&u[i])
             } else {
-                g0[i].dot(&u[j]) + u[i].dot(&g0[j]) + u[i].dot(&u[j])
+                (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j])
             };
         }
         strains
     }
 
     /// Rates of the section strains of the directors g moving with v.
-    pub(super) fn rates(g: &Directors, v: &Directors) -> Strains {
-        std::array::from_fn(|k| {
+    fn rates(&self, g: &Directors, v: &Directors) -> Strains {
+        let mut rates = [0.0; STRAINS];
+        for &k in &self.used {
             let (i, j) = PAIRS[k];
-            if k < EQUAL { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) }
-        })
+            rates[k] = if k < EQUAL { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) };
+        }
+        rates
     }
 
     /// Stress resultants n = D ε.
-    pub(super) fn resultants(&self, strains: &Strains) -> Strains {
-        let mut n = [0.0; 17];
+    fn resultants(&self, strains: &Strains) -> Strains {
+        let mut n = [0.0; STRAINS];
         for &(k, l, d) in &self.entries {
             n[k] += d * strains[l];
             if k != l {
@@ -159,21 +177,27 @@ impl SectionLaw {
         n
     }
 
+    /// Resultants of the rates of strain, for a law of viscosity.
+    pub(super) fn viscous(&self, g: &Directors, v: &Directors) -> Strains {
+        self.resultants(&self.rates(g, v))
+    }
+
     /// Strain energy per length of the increment u from the reference directors g0.
     pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
-        let strains = Self::strains(g0, u);
+        let strains = self.strains(g0, u);
         0.5 * self.resultants(&strains).iter().zip(&strains).map(|(n, e)| n * e).sum::<f64>()
     }
 
     /// Derivative of the energy by the directors: p_α = Σ_β N_αβ g_β.
     pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
-        Self::of_resultants(&self.resultants(&Self::strains(g0, u)), &sum(g0, u))
+        self.of_resultants(&self.resultants(&self.strains(g0, u)), &sum(g0, u))
     }
 
     /// Σ_k n_k ∂ε_k/∂g_α.
-    pub(super) fn of_resultants(n: &Strains, g: &Directors) -> Directors {
+    pub(super) fn of_resultants(&self, n: &Strains, g: &Directors) -> Directors {
         let mut p = [Vector3::zeros(); 6];
-        for (k, &(i, j)) in PAIRS.iter().enumerate() {
+        for &k in &self.used {
+            let (i, j) = PAIRS[k];
             p[i] += g[j] * n[k];
             if k >= EQUAL {
                 p[j] += g[i] * n[k];
@@ -184,31 +208,49 @@ impl SectionLaw {
 
     /// Adds `factor` times the second derivative of the energy by the directors, blocks H_αβ with α ≥ β.
     pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
-        let (n, g) = (self.resultants(&Self::strains(g0, u)), sum(g0, u));
-        Self::add_geometric(&n, factor, h);
+        let (n, g) = (self.resultants(&self.strains(g0, u)), sum(g0, u));
+        self.add_geometric(&n, factor, h);
         self.add_products(&g, &g, factor, h);
     }
 
     /// Adds `factor` Σ_k n_k ∂²ε_k.
-    pub(super) fn add_geometric(n: &Strains, factor: f64, h: &mut Stiffness) {
-        for (n, &(i, j)) in n.iter().zip(&PAIRS) {
+    pub(super) fn add_geometric(&self, n: &Strains, factor: f64, h: &mut Stiffness) {
+        for &k in &self.used {
+            let (i, j) = PAIRS[k];
             for axis in 0..3 {
-                h[j][i][(axis, axis)] += factor * n;
+                h[j][i][(axis, axis)] += factor * n[k];
             }
         }
     }
 
-    /// Adds `factor` Σ_k≥l D_kl ∂ε_k(g) ⊗ ∂ε_l(f), made symmetric, where ∂ε(g) are the derivatives at directors g.
+    /// Adds `factor` times the symmetric part of B(g)ᵀ D B(f), where B(g) are the derivatives ∂ε_k/∂g_α at directors g.
     ///
-    /// With f = g this is Bᵀ D B; half of it and half of it with f and g exchanged is the symmetric part of B(g)ᵀ D B(f).
+    /// With P_ij = ½(g_i f_jᵀ + f_i g_jᵀ), D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at (i, m), and so on for each
+    /// order of each pair.
     pub(super) fn add_products(&self, g: &Directors, f: &Directors, factor: f64, h: &mut Stiffness) {
+        let half = |i: usize, j: usize| g[i] * f[j].transpose() + f[i] * g[j].transpose();
+        let p: Stiffness = std::array::from_fn(|i| std::array::from_fn(|j| half(i, j) * (0.5 * factor)));
         for &(k, l, d) in &self.entries {
-            // Both orders of (α, β) are added, so that equal strains come twice.
-            let d = if k == l { 0.5 * factor * d } else { factor * d };
-            for (i, x) in gradient(k, g) {
-                let x = x * d;
-                for (j, y) in gradient(l, f) {
-                    add_symmetric(i, j, &x, &y, h);
+            let ((i, j), (m, n)) = (PAIRS[k], PAIRS[l]);
+            if k == l && k < EQUAL {
+                h[i][i] += p[i][i] * d;
+            } else if k == l {
+                h[i][i] += p[j][j] * d;
+                h[j][j] += p[i][i] * d;
+                h[j][i] += p[i][j] * d;
+            } else {
+                let orders =
+                    |k: usize, (i, j)| [(i, j), (j, i)].into_iter().take(if k < EQUAL { 1 } else { 2 });
+                for (row, x) in orders(k, (i, j)) {
+                    for (column, y) in orders(l, (m, n)) {
+                        if row == column {
+                            h[row][row] += (p[x][y] + p[y][x]) * d;
+                        } else if row > column {
+                            h[row][column] += p[x][y] * d;
+                        } else {
+                            h[column][row] += p[y][x] * d;
+                        }
+                    }
                 }
             }
         }
@@ -220,8 +262,8 @@ impl SectionLaw {
     pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
         let size: [f64; 6] = std::array::from_fn(|i| (g0[i] + u[i]).norm());
         let moved: [f64; 6] = std::array::from_fn(|i| du[i] + f64::EPSILON * u[i].norm());
-        let n = self.resultants(&Self::strains(g0, u));
-        let mut dn = [0.0; 17];
+        let n = self.resultants(&self.strains(g0, u));
+        let mut dn = [0.0; STRAINS];
         let error: Strains = std::array::from_fn(|k| {
             let (i, j) = PAIRS[k];
             if k < EQUAL { size[i] * moved[i] } else { size[i] * moved[j] + moved[i] * size[j] }
@@ -233,7 +275,8 @@ impl SectionLaw {
             }
         }
         let mut p = [0.0; 6];
-        for (k, &(i, j)) in PAIRS.iter().enumerate() {
+        for &k in &self.used {
+            let (i, j) = PAIRS[k];
             p[i] += dn[k] * size[j] + n[k].abs() * (moved[j] + f64::EPSILON * size[j]);
             if k >= EQUAL {
                 p[j] += dn[k] * size[i] + n[k].abs() * (moved[i] + f64::EPSILON * size[i]);
@@ -245,23 +288,6 @@ impl SectionLaw {
 
 /// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
 pub type Stiffness = [[Matrix3<f64>; 6]; 6];
-
-/// The derivatives ∂ε_k/∂g_α that are not zero.
-fn gradient(k: usize, g: &Directors) -> impl Iterator<Item = (usize, Vector3<f64>)> {
-    let (i, j) = PAIRS[k];
-    [(i, g[j]), (j, g[i])].into_iter().take(if k < EQUAL { 1 } else { 2 })
-}
-
-/// Adds x yᵀ at (i, j) and y xᵀ at (j, i), of which the lower blocks are kept; both, if i = j.
-fn add_symmetric(i: usize, j: usize, x: &Vector3<f64>, y: &Vector3<f64>, h: &mut Stiffness) {
-    if i == j {
-        h[i][i] += x * y.transpose() + y * x.transpose();
-    } else if i > j {
-        h[i][j] += x * y.transpose();
-    } else {
-        h[j][i] += y * x.transpose();
-    }
-}
 
 /// Reference directors plus increments.
 pub(super) fn sum(g0: &Directors, u: &Directors) -> Directors {

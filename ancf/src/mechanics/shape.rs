@@ -165,7 +165,7 @@ impl Interpolation<9> for QuadraticShape {
     fn directors(&self, xi: f64) -> [[f64; 2]; 9] {
         let (n, slopes) = (Self::values(xi), Self::slopes(xi).map(|slope| slope / self.length));
         std::array::from_fn(|i| match i % 3 {
-            0 => [slopes[i / 3], 0.0],
+            0 => [slopes[i / 3], [4.0, -8.0, 4.0][i / 3] / self.length],
             _ => [n[i / 3] / self.slope, slopes[i / 3] / self.slope],
         })
     }

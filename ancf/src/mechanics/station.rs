@@ -1,6 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::{Directors, SectionLaw, Stiffness, Strains, sum};
+use super::section::{Directors, SectionLaw, Stiffness, sum};
 use super::{Interpolation, Kind, NeoHookean};
 
 /// The elastic law of a cross-section.
@@ -139,17 +139,17 @@ impl<const N: usize> Station<N> {
         self.law.energy(g0, u)
     }
 
-    /// Stress resultants of the viscosity, if there is any.
-    fn viscous(&self, g: &Directors, v: &Directors) -> Option<Strains> {
-        self.viscosity.as_ref().map(|law| law.resultants(&SectionLaw::rates(g, v)))
-    }
-
-    /// Elastic and viscous forces of the directors, per length; `v` are the rates of the directors.
-    pub(super) fn forces(&self, g0: &Directors, u: &Directors, v: &Directors) -> Directors {
+    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors.
+    pub(super) fn forces<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        u: &Directors,
+        v: &Relative<N>,
+    ) -> Directors {
         let mut p = self.law.forces(g0, u);
-        let g = sum(g0, u);
-        if let Some(n) = self.viscous(&g, v) {
-            let viscous = SectionLaw::of_resultants(&n, &g);
+        if let Some(law) = &self.viscosity {
+            let g = sum(g0, u);
+            let viscous = law.of_resultants(&law.viscous(&g, &self.directors::<S>(v)), &g);
             p.iter_mut().zip(viscous).for_each(|(p, viscous)| *p += viscous);
         }
         p
@@ -160,13 +160,14 @@ impl<const N: usize> Station<N> {
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Directors,
+        v: &Relative<N>,
         q: &[Vector3<f64>; N],
     ) -> [f64; 6] {
         let mut bound = self.law.rounding(g0, u, &self.uncertainty::<S>(q));
-        let g = sum(g0, u);
-        if let Some(n) = self.viscous(&g, v) {
-            let sizes = SectionLaw::of_resultants(&n.map(f64::abs), &g.map(|g| g.abs()));
+        if let Some(law) = &self.viscosity {
+            let g = sum(g0, u);
+            let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
+            let sizes = law.of_resultants(&n, &g.map(|g| g.abs()));
             bound.iter_mut().zip(sizes).for_each(|(bound, size)| *bound += 4.0 * f64::EPSILON * size.norm());
         }
         bound
@@ -174,24 +175,22 @@ impl<const N: usize> Station<N> {
 
     /// Derivatives of the forces, w_q by the directors and w_v by their rates; of the unsymmetric part that viscosity has,
     /// w_q B(g)ᵀ D B(v), the symmetric part.
-    pub(super) fn stiffness(
+    pub(super) fn stiffness<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Directors,
+        v: &Relative<N>,
         [wq, wv]: [f64; 2],
     ) -> Stiffness {
         let mut h = [[Matrix3::zeros(); 6]; 6];
         if wq != 0.0 {
             self.law.add_stiffness(g0, u, wq, &mut h);
         }
-        if let Some(viscosity) = &self.viscosity {
-            let g = sum(g0, u);
-            let n = viscosity.resultants(&SectionLaw::rates(&g, v));
-            SectionLaw::add_geometric(&n, wq, &mut h);
-            viscosity.add_products(&g, &g, wv, &mut h);
-            viscosity.add_products(&g, v, 0.5 * wq, &mut h);
-            viscosity.add_products(v, &g, 0.5 * wq, &mut h);
+        if let Some(law) = &self.viscosity {
+            let (g, v) = (sum(g0, u), self.directors::<S>(v));
+            law.add_geometric(&law.viscous(&g, &v), wq, &mut h);
+            law.add_products(&g, &g, wv, &mut h);
+            law.add_products(&g, &v, wq, &mut h);
         }
         h
     }

@@ -114,12 +114,7 @@ impl Specimen {
     }
 
     /// Velocities of a rigid motion with the angular velocity `spin`, from the position `q`.
-    pub(crate) fn spinning(
-        &self,
-        q: &DVector<f64>,
-        spin: Vector3<f64>,
-        drift: Vector3<f64>,
-    ) -> DVector<f64> {
+    pub(crate) fn spinning(&self, q: &DVector<f64>, spin: Vector3<f64>, drift: Vector3<f64>) -> DVector<f64> {
         let mut v = self.field(|e| spin.cross(&e), drift);
         for k in 0..self.vectors.len() {
             let turned = spin.cross(&Vector3::from(q.fixed_rows::<3>(3 * k)));

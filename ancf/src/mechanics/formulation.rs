@@ -68,38 +68,48 @@ impl SectionLaw {
 
     /// Elasticity of a rod in the strains of the continuum: the remedy of Poisson and torsion locking.
     ///
-    /// The sum of [`rod`](Self::rod) and [`transverse`](Self::transverse), for reference directors g0 in any frame.
+    /// The sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference directors g0 in
+    /// any frame.
     ///
     /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on the axis
-    /// only and the shear factors; the split into two parts that are never negative is ours.
+    /// only and the shear factors; the split into parts that are never negative is ours.
     pub fn enhanced(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
-        Self::rod(material, section, g0).plus(&Self::transverse(material, section, g0))
+        let shear = Self::shear(material, section, g0);
+        Self::rod(material, section, g0).plus(&shear).plus(&Self::transverse(material, section, g0))
     }
 
-    /// Tension, bending, shear and torsion of a rod: ½(∫E E₁₁² dA + k_y GA γ_y² + k_z GA γ_z² + GJ κ²).
+    /// Tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
     ///
-    /// The fibres have the modulus E. γ are the means of the shear strains over the section, and κ is the twist in them, their
-    /// energy-orthogonal projection ∫(y 2E₁₃ − z 2E₁₂) dA / (I_y + I_z).
+    /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean of the rates at which the
+    /// section's two directions turn.
     pub fn rod(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
-        let (mut d, mut area) = (NONE, 0.0);
-        let [mut y, mut z, mut twist] = [[0.0; STRAINS]; 3];
+        let (m, mut d, mut area, mut twist) = (section.moments, NONE, 0.0, [0.0; STRAINS]);
         for point in &section.points {
             let (rows, volume) = local_strains(g0, point.y, point.z);
             let weight = point.weight * volume;
             area += weight;
             add_product(&rows[0], &rows[0], weight * material.young(), &mut d);
             for k in 0..STRAINS {
-                y[k] += weight * rows[3][k];
-                z[k] += weight * rows[4][k];
-                twist[k] += weight * (point.y * rows[4][k] - point.z * rows[3][k]);
+                twist[k] += 0.5 * weight * (point.y / m.yy * rows[4][k] - point.z / m.zz * rows[3][k]);
             }
         }
-        // Per length of the material coordinate, of which `stretch` is the length in the reference state.
-        let (m, stretch) = (section.moments, area / section.moments.area);
-        let [ky, kz] = section.shear.map(|k| k * m.area / (area * area));
-        let torsion = section.torsion / (m.yy + m.zz).powi(2) / (stretch * stretch);
-        for (row, stiffness) in [(y, ky), (z, kz), (twist, torsion)] {
-            add_product(&row, &row, stretch * stiffness * material.shear, &mut d);
+        // Per length of the material coordinate, of which area/A is the length in the reference state.
+        add_product(&twist, &twist, material.shear * section.torsion * m.area / area, &mut d);
+        Self::new(&d)
+    }
+
+    /// Shear forces: ½(k_y GA γ_y² + k_z GA γ_z²), where γ are the means of the shear strains over the section.
+    pub fn shear(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (mut d, mut area, mut means) = (NONE, 0.0, [[0.0; STRAINS]; 2]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            area += point.weight * volume;
+            for (mean, row) in means.iter_mut().zip(&rows[3..5]) {
+                mean.iter_mut().zip(row).for_each(|(mean, x)| *mean += point.weight * volume * x);
+            }
+        }
+        for (mean, factor) in means.iter().zip(section.shear) {
+            add_product(mean, mean, factor * material.shear / area, &mut d);
         }
         Self::new(&d)
     }
@@ -127,14 +137,15 @@ impl SectionLaw {
 
     /// The same law under the strains of the linked formulation at ξ of a two-node element of length l.
     ///
-    /// As if the sections' directors had a quadratic part that makes the shear strain linear along the element: with w = ξ − ξ²,
-    /// ε_ad + w ε_hd in the place of ε_ad and ε_ab + w' ε_hd in that of ε_ab, and likewise with e, c.
+    /// Its curvatures are ε_ab + w' ε_hd, with w = ξ − ξ², in the place of ε_ab, and likewise with c, e: as if the sections'
+    /// directors had the quadratic part w h·d that makes the shear strains linear along the element, from their values at the
+    /// nodes.
     ///
     /// Source: linked interpolation as in Jelenic & Papa (2011), here of strains of the fully parameterised element.
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
-        let (value, slope) = (xi - xi * xi, (1.0 - 2.0 * xi) / length);
-        self.mapped(&[(AD, DH, value), (AB, DH, slope), (AE, EH, value), (AC, EH, slope)])
+        let slope = (1.0 - 2.0 * xi) / length;
+        self.mapped(&[(AB, DH, slope), (AC, EH, slope)])
     }
 
     /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:

@@ -83,9 +83,10 @@ impl Profile<8> {
             |_: f64, g0: &Directors, section: &CrossSection| SectionLaw::enhanced(lame, section, g0);
         let linked = |xi: f64, g0: &Directors, section: &CrossSection| {
             let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
+            let shear = SectionLaw::shear(lame, section, g0);
+            let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
             // Simpson's weights are 1/6 at the nodes, those of the trapezoidal rule 1/2.
-            let transverse = SectionLaw::transverse(lame, section, g0).times(3.0);
-            if xi == 0.5 { rod } else { rod.plus(&transverse) }
+            if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
         };
         let rule = match formulation {
             Formulation::Continuum => at(&gauss(), &continuum),
@@ -112,7 +113,9 @@ impl Profile<9> {
         medium: &Medium,
     ) -> Self {
         let lame = medium.lame;
-        let rod = |_: f64, g0: &Directors, section: &CrossSection| SectionLaw::rod(lame, section, g0);
+        let rod = |_: f64, g0: &Directors, section: &CrossSection| {
+            SectionLaw::rod(lame, section, g0).plus(&SectionLaw::shear(lame, section, g0))
+        };
         let transverse = |xi: f64, g0: &Directors, section: &CrossSection| {
             SectionLaw::transverse(lame, section, g0).reduced(xi)
         };

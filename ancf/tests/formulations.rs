@@ -229,6 +229,6 @@ fn curved() {
         (1.0/6.0, 600.0, [47.1504385736, 15.6848005340, 53.4748587918]),
         (0.140577, 600.0, [46.8919247814, 15.5577858240, 53.6073692657]),
     ] {
-        println!("{formulation:?} bend {torsion} {load}: {:?}", [1, 2, 4, 8, 16, 32].map(|n| format!("{:.1e}", (bend(n, formulation, torsion, load) - Vector3::from(limit)).norm() / 70.0)));
+        println!("{formulation:?} bend {torsion} {load}: {:?}", [2, 4, 8, 16, 32].map(|n| std::panic::catch_unwind(|| format!("{:.1e}", (bend(n, formulation, torsion, load) - Vector3::from(limit)).norm() / 70.0)).unwrap_or_default()));
     }}
 }

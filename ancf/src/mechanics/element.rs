@@ -132,9 +132,8 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         for (station, g0, u) in self.states(&q) {
             let p = station.rounding::<S>(&g0, &u, &v, &vectors_q);
             for (i, bound) in bound.iter_mut().enumerate() {
-                let [first, second] = S::KINDS[i].directors();
-                let [x, y] = station.weights[i];
-                *bound += station.weight * (p[first] * x.abs() + p[second] * y.abs());
+                let parts = S::KINDS[i].directors().into_iter().zip(station.weights[i]);
+                *bound += station.weight * parts.map(|(j, weight)| p[j] * weight.abs()).sum::<f64>();
             }
         }
         for (row, floor) in floor.iter_mut().enumerate() {

@@ -145,7 +145,8 @@ impl SectionLaw {
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
         let slope = (1.0 - 2.0 * xi) / length;
-        self.mapped(&[(AB, DH, slope), (AC, EH, slope)])
+        let arm = slope * length;
+        self.mapped(&[(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)])
     }
 
     /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:
@@ -267,5 +268,5 @@ fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
 /// Directors of a straight, undistorted reference section in its own frame.
 pub(super) fn straight() -> Directors {
     let zero = Vector3::zeros();
-    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero]
+    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero, zero]
 }

@@ -144,12 +144,16 @@ impl<const N: usize> Profile<N> {
             let mut g0 = settled(directors, shape.length());
             let section = section(xi);
             let quadratic = law(xi, &g0, &section);
-            if !quadratic.reads_highest() {
-                // What nothing reads costs nothing.
-                for i in (0..N).filter(|&i| S::KINDS[i].directors()[1] == 5) {
-                    weights[i][1] = 0.0;
+            // What nothing reads costs nothing.
+            for unread in [5, 6].into_iter().filter(|&director| !quadratic.reads(director)) {
+                for i in 0..N {
+                    for (director, weight) in S::KINDS[i].directors().into_iter().zip(&mut weights[i]) {
+                        if director == unread {
+                            *weight = 0.0;
+                        }
+                    }
                 }
-                g0[5] = Vector3::zeros();
+                g0[unread] = Vector3::zeros();
             }
             let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
             let law = if medium.neo_hookean {
@@ -184,7 +188,7 @@ impl<const N: usize> Profile<N> {
 
 /// Directors that are straight but for rounding, straight.
 fn settled(g0: Directors, length: f64) -> Directors {
-    let scales = [1.0, length, length, 1.0, 1.0, 1.0];
+    let scales = [1.0, length, length, 1.0, 1.0, 1.0, 1.0];
     let near = g0.iter().zip(straight()).zip(scales).all(|((g, s), scale)| (g - s).amax() * scale < 1e-12);
     if near { straight() } else { g0 }
 }

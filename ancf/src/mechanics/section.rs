@@ -18,13 +18,17 @@ impl Lame {
 
 /// The vectors that make up the deformation of a cross-section, or increments of them.
 ///
-/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The sixth, h, is
-/// the coefficient of the highest power of ξ in a: what makes some strains vary along an element more than they should
+/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The others say
+/// how a varies along an element, whatever the section: h is the coefficient of its highest power of ξ, and
+/// k = a(1) − a(0). Strains that vary along an element more than they should are mended by them
 /// ([`Formulation`](super::Formulation)).
-pub type Directors = [Vector3<f64>; 6];
+pub type Directors = [Vector3<f64>; DIRECTORS];
+
+/// Number of directors.
+pub(super) const DIRECTORS: usize = 7;
 
 /// Number of section strains.
-pub(super) const STRAINS: usize = 18;
+pub(super) const STRAINS: usize = 20;
 
 /// Pairs of directors whose products make the section strains; ½ of the product for the equal ones.
 const PAIRS: [(usize, usize); STRAINS] = [
@@ -45,7 +49,9 @@ const PAIRS: [(usize, usize); STRAINS] = [
     (2, 4),
     (3, 4), // ab ac bc ad bd cd ae be ce de
     (3, 5),
-    (4, 5), // dh eh
+    (4, 5),
+    (1, 6),
+    (2, 6), // dh eh bk ck
 ];
 /// How many of the pairs are equal ones.
 const EQUAL: usize = 6;
@@ -73,6 +79,8 @@ pub(super) mod strain {
     pub(in crate::mechanics) const DE: usize = 15;
     pub(in crate::mechanics) const DH: usize = 16;
     pub(in crate::mechanics) const EH: usize = 17;
+    pub(in crate::mechanics) const BK: usize = 18;
+    pub(in crate::mechanics) const CK: usize = 19;
 }
 
 /// Elasticity of a cross-section as a quadratic form ½ εᵀ D ε in the products of directors.
@@ -135,9 +143,9 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// Whether it depends on the sixth director, h.
-    pub(super) fn reads_highest(&self) -> bool {
-        self.used.iter().any(|&k| PAIRS[k].1 == 5)
+    /// Whether it depends on a director.
+    pub(super) fn reads(&self, director: usize) -> bool {
+        self.used.iter().any(|&k| PAIRS[k].0 == director || PAIRS[k].1 == director)
     }
 
     /// Section strains of the increment u from the reference directors g0, without cancellation:
@@ -195,7 +203,7 @@ impl SectionLaw {
 
     /// Σ_k n_k ∂ε_k/∂g_α.
     pub(super) fn of_resultants(&self, n: &Strains, g: &Directors) -> Directors {
-        let mut p = [Vector3::zeros(); 6];
+        let mut p = [Vector3::zeros(); DIRECTORS];
         for &k in &self.used {
             let (i, j) = PAIRS[k];
             p[i] += g[j] * n[k];
@@ -259,9 +267,9 @@ impl SectionLaw {
     /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u.
     ///
     /// Returns one number per director, for each of its components.
-    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
-        let size: [f64; 6] = std::array::from_fn(|i| (g0[i] + u[i]).norm());
-        let moved: [f64; 6] = std::array::from_fn(|i| du[i] + f64::EPSILON * u[i].norm());
+    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
+        let size: [f64; DIRECTORS] = std::array::from_fn(|i| (g0[i] + u[i]).norm());
+        let moved: [f64; DIRECTORS] = std::array::from_fn(|i| du[i] + f64::EPSILON * u[i].norm());
         let n = self.resultants(&self.strains(g0, u));
         let mut dn = [0.0; STRAINS];
         let error: Strains = std::array::from_fn(|k| {
@@ -274,7 +282,7 @@ impl SectionLaw {
                 dn[l] += d.abs() * error[k];
             }
         }
-        let mut p = [0.0; 6];
+        let mut p = [0.0; DIRECTORS];
         for &k in &self.used {
             let (i, j) = PAIRS[k];
             p[i] += dn[k] * size[j] + n[k].abs() * (moved[j] + f64::EPSILON * size[j]);
@@ -287,7 +295,7 @@ impl SectionLaw {
 }
 
 /// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
-pub type Stiffness = [[Matrix3<f64>; 6]; 6];
+pub type Stiffness = [[Matrix3<f64>; DIRECTORS]; DIRECTORS];
 
 /// Reference directors plus increments.
 pub(super) fn sum(g0: &Directors, u: &Directors) -> Directors {

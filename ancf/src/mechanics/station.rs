@@ -1,6 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::{Directors, SectionLaw, Stiffness, sum};
+use super::section::{DIRECTORS, Directors, SectionLaw, Stiffness, sum};
 use super::{Interpolation, Kind, NeoHookean};
 
 /// The elastic law of a cross-section.
@@ -41,7 +41,7 @@ impl Law {
         }
     }
 
-    fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
+    fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
         match self {
             Self::Quadratic(law) => law.rounding(g0, u, du),
             Self::Hyperelastic(law) => law.rounding(g0, u, du),
@@ -56,8 +56,8 @@ pub struct Station<const N: usize> {
     pub(super) xi: f64,
     /// Gauss weight times the element's length.
     pub(super) weight: f64,
-    /// Weights of the element's vectors in the two directors that each enters.
-    pub(super) weights: [[f64; 2]; N],
+    /// Weights of the element's vectors in the directors that each enters.
+    pub(super) weights: [[f64; 3]; N],
     /// Directors of the reference state in the element's frame.
     pub(super) reference: Directors,
     /// Elasticity.
@@ -94,13 +94,15 @@ impl<const N: usize> Station<N> {
     }
 
     /// The directors that vectors make with given weights.
-    pub(super) fn sum<S: Interpolation<N>>(weights: &[[f64; 2]; N], q: &Relative<N>) -> Directors {
-        let mut u = [Vector3::zeros(); 6];
+    pub(super) fn sum<S: Interpolation<N>>(weights: &[[f64; 3]; N], q: &Relative<N>) -> Directors {
+        let mut u = [Vector3::zeros(); DIRECTORS];
         let (mut d, mut e) = (0.0, 0.0);
         for i in 0..N {
-            let [first, second] = S::KINDS[i].directors();
-            u[first] += q.difference[i] * weights[i][0];
-            u[second] += q.difference[i] * weights[i][1];
+            for (director, weight) in S::KINDS[i].directors().into_iter().zip(weights[i]) {
+                if weight != 0.0 {
+                    u[director] += q.difference[i] * weight;
+                }
+            }
             match S::KINDS[i] {
                 Kind::Y => d += weights[i][0],
                 Kind::Z => e += weights[i][0],
@@ -113,8 +115,8 @@ impl<const N: usize> Station<N> {
     }
 
     /// Bounds of the rounding errors of [`directors`](Self::directors).
-    fn uncertainty<S: Interpolation<N>>(&self, q: &[Vector3<f64>; N]) -> [f64; 6] {
-        let mut du = [0.0; 6];
+    fn uncertainty<S: Interpolation<N>>(&self, q: &[Vector3<f64>; N]) -> [f64; DIRECTORS] {
+        let mut du = [0.0; DIRECTORS];
         for (i, q) in q.iter().enumerate() {
             for (director, weight) in S::KINDS[i].directors().into_iter().zip(self.weights[i]) {
                 du[director] += f64::EPSILON * weight.abs() * q.norm();
@@ -162,7 +164,7 @@ impl<const N: usize> Station<N> {
         u: &Directors,
         v: &Relative<N>,
         q: &[Vector3<f64>; N],
-    ) -> [f64; 6] {
+    ) -> [f64; DIRECTORS] {
         let mut bound = self.law.rounding(g0, u, &self.uncertainty::<S>(q));
         if let Some(law) = &self.viscosity {
             let g = sum(g0, u);
@@ -182,7 +184,7 @@ impl<const N: usize> Station<N> {
         v: &Relative<N>,
         [wq, wv]: [f64; 2],
     ) -> Stiffness {
-        let mut h = [[Matrix3::zeros(); 6]; 6];
+        let mut h = [[Matrix3::zeros(); DIRECTORS]; DIRECTORS];
         if wq != 0.0 {
             self.law.add_stiffness(g0, u, wq, &mut h);
         }
@@ -198,8 +200,11 @@ impl<const N: usize> Station<N> {
     /// Adds p to the vectors that the directors are made of.
     pub(super) fn spread<S: Interpolation<N>>(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
         for (i, force) in force.iter_mut().enumerate() {
-            let [first, second] = S::KINDS[i].directors();
-            *force += (p[first] * self.weights[i][0] + p[second] * self.weights[i][1]) * self.weight;
+            for (director, weight) in S::KINDS[i].directors().into_iter().zip(self.weights[i]) {
+                if weight != 0.0 {
+                    *force += p[director] * (weight * self.weight);
+                }
+            }
         }
     }
 
@@ -211,18 +216,20 @@ impl<const N: usize> Station<N> {
     ) {
         let of = |i: usize, j: usize| if i >= j { h[i][j] } else { h[j][i].transpose() };
         for a in 0..N {
-            let [first, second] = S::KINDS[a].directors();
-            let [x, y] = self.weights[a].map(|w| w * self.weight);
-            let row =
-                |j: usize| if y == 0.0 { of(first, j) * x } else { of(first, j) * x + of(second, j) * y };
-            // The directors of axis vectors, of y vectors and of z vectors: the row is the same for all of a kind.
-            let rows: [Matrix3<f64>; 6] = std::array::from_fn(row);
+            // Rows of the vector against the directors, for those that the station has.
+            let mut rows = [Matrix3::zeros(); DIRECTORS];
+            for (director, weight) in S::KINDS[a].directors().into_iter().zip(self.weights[a]) {
+                if weight != 0.0 {
+                    for j in 0..DIRECTORS {
+                        rows[j] += of(director, j) * (weight * self.weight);
+                    }
+                }
+            }
             for b in 0..=a {
-                let [first, second] = S::KINDS[b].directors();
-                let [x, y] = self.weights[b];
-                k[a][b] += rows[first] * x;
-                if y != 0.0 {
-                    k[a][b] += rows[second] * y;
+                for (director, weight) in S::KINDS[b].directors().into_iter().zip(self.weights[b]) {
+                    if weight != 0.0 {
+                        k[a][b] += rows[director] * weight;
+                    }
                 }
             }
         }

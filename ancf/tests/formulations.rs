@@ -87,7 +87,8 @@ fn tip_force() {
         }
         for formulation in RODS {
             for fix in [Clamped::Section, Clamped::All] {
-                let parts = [1, 2, 4, 8].map(|n| format!("{:.2e}", deflections(n, formulation, section, fix)[0] - 1.0));
+                let parts = [1, 2, 4, 8]
+                    .map(|n| format!("{:.2e}", deflections(n, formulation, section, fix)[0] - 1.0));
                 println!("{formulation:?}, {fix:?}, {section:?}: {parts:.2?}");
             }
         }
@@ -101,7 +102,8 @@ fn torsion() {
         for formulation in RODS {
             for elements in [1, 3] {
                 let model = cantilever(elements, formulation, section, 0.3, Clamped::Section);
-                let exact = rod::LENGTH / (model.materials["steel"].lame().shear * section.torsion_constant());
+                let exact =
+                    rod::LENGTH / (model.materials["steel"].lame().shear * section.torsion_constant());
                 let assembly = model.assemble().unwrap();
                 let vectors: Vec<_> = assembly.mesh("rod").unwrap().vectors().collect();
                 let last = |kind| vectors.iter().rfind(|v| v.kind == kind).unwrap().first;
@@ -175,41 +177,76 @@ fn own_weight(elements: u32, formulation: Formulation) -> f64 {
 /// −1/(3n²) of the bending part in the elements that lock in shear; the others are exact in it at the nodes.
 #[test]
 fn order_under_own_weight() {
-    for formulation in [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic] {
+    for formulation in
+        [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic]
+    {
         let errors = [1, 2, 4, 8, 16].map(|n| own_weight(n, formulation));
         println!("{formulation:?}: {}", errors.map(|e| format!("{e:.2e}")).join(" "));
     }
 }
 
 /// Distance of the tip from Reissner's rod under P = α EI/L², kGA = EA/2, over the length of the rod.
-fn bent(elements: u32, formulation: Formulation, poisson: f64, alpha: f64, [x, y]: [f64; 2], diameter: f64, steps: u32) -> Result<f64, ()> {
+fn bent(
+    elements: u32,
+    formulation: Formulation,
+    poisson: f64,
+    alpha: f64,
+    [x, y]: [f64; 2],
+    diameter: f64,
+    steps: u32,
+) -> Result<f64, ()> {
     let m = Section::Circle { diameter }.moments();
     let k = 1.0 + poisson;
-    let rod =
-        Section::General { area: m.area, iy: m.zz, iz: m.yy, j: None, ky: k, kz: k, mass_iy: None, mass_iz: None };
+    let rod = Section::General {
+        area: m.area,
+        iy: m.zz,
+        iz: m.yy,
+        j: None,
+        ky: k,
+        kz: k,
+        mass_iy: None,
+        mass_iz: None,
+    };
     let section = if formulation == Formulation::Continuum { Section::Circle { diameter } } else { rod };
     let model = cantilever(elements, formulation, section, poisson, Clamped::Section);
     let force = -alpha * model.materials["steel"].young * m.yy;
     let model = pulled(model, [0.0, force, 0.0]);
-    let t = std::panic::catch_unwind(|| { let (assembly, state) = equilibrium(&model, steps);
-    (assembly.probes[0].1.value(&state) - Vector3::new(x, y, 0.0)).norm() });
+    let t = std::panic::catch_unwind(|| {
+        let (assembly, state) = equilibrium(&model, steps);
+        (assembly.probes[0].1.value(&state) - Vector3::new(x, y, 0.0)).norm()
+    });
     t.map_err(|_| ())
 }
 
 #[test]
 fn slender() {
     for formulation in [Formulation::Linked, Formulation::Quadratic] {
-        for (alpha, limit) in [(1.0, [0.943566763716623, -0.301720773799814]),
+        for (alpha, limit) in [
+            (1.0, [0.943566763716623, -0.301720773799814]),
             (5.0, [0.61237163927557, -0.713791523611913]),
-            (10.0, [0.445004402246249, -0.810609024880296])] {
-            println!("{formulation:?} {alpha}: {:?}", [4, 8, 16, 32].map(|n| bent(n, formulation, 0.3, alpha, limit, 0.002, 60).map(|e| format!("{e:.1e}"))));
+            (10.0, [0.445004402246249, -0.810609024880296]),
+        ] {
+            println!(
+                "{formulation:?} {alpha}: {:?}",
+                [4, 8, 16, 32]
+                    .map(|n| bent(n, formulation, 0.3, alpha, limit, 0.002, 60).map(|e| format!("{e:.1e}")))
+            );
         }
     }
 }
 
 /// 45° bend of Bathe and Bolourchi
 fn bend(elements: u32, formulation: Formulation, torsion: f64, load: f64) -> Vector3<f64> {
-    let section = Section::General { area: 1.0, iy: 1.0/12.0, iz: 1.0/12.0, j: Some(torsion), ky: 1.0, kz: 1.0, mass_iy: None, mass_iz: None };
+    let section = Section::General {
+        area: 1.0,
+        iy: 1.0 / 12.0,
+        iz: 1.0 / 12.0,
+        j: Some(torsion),
+        ky: 1.0,
+        kz: 1.0,
+        mass_iy: None,
+        mass_iz: None,
+    };
     let mut model = cantilever(elements, formulation, section, 0.0, Clamped::Section);
     let half = std::f64::consts::PI / 8.0;
     let beam = rod::beam(&mut model);
@@ -224,11 +261,19 @@ fn bend(elements: u32, formulation: Formulation, torsion: f64, load: f64) -> Vec
 #[test]
 fn curved() {
     for formulation in RODS {
-    for (torsion, load, limit) in [
-        (1.0/6.0, 300.0, [58.7791224897, 22.2447809454, 40.1918916701]),
-        (1.0/6.0, 600.0, [47.1504385736, 15.6848005340, 53.4748587918]),
-        (0.140577, 600.0, [46.8919247814, 15.5577858240, 53.6073692657]),
-    ] {
-        println!("{formulation:?} bend {torsion} {load}: {:?}", [2, 4, 8, 16, 32].map(|n| std::panic::catch_unwind(|| format!("{:.1e}", (bend(n, formulation, torsion, load) - Vector3::from(limit)).norm() / 70.0)).unwrap_or_default()));
-    }}
+        for (torsion, load, limit) in [
+            (1.0 / 6.0, 300.0, [58.7791224897, 22.2447809454, 40.1918916701]),
+            (1.0 / 6.0, 600.0, [47.1504385736, 15.6848005340, 53.4748587918]),
+            (0.140577, 600.0, [46.8919247814, 15.5577858240, 53.6073692657]),
+        ] {
+            println!(
+                "{formulation:?} bend {torsion} {load}: {:?}",
+                [2, 4, 8, 16, 32].map(|n| std::panic::catch_unwind(|| format!(
+                    "{:.1e}",
+                    (bend(n, formulation, torsion, load) - Vector3::from(limit)).norm() / 70.0
+                ))
+                .unwrap_or_default())
+            );
+        }
+    }
 }

@@ -3,6 +3,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::section::NO_STIFFNESS;
 use super::station::{Relative, Station};
 use super::{BeamShape, Directors, Interpolation, QuadraticShape};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
@@ -78,14 +79,10 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
         })
     }
 
-    /// The stations with their reference directors and the increments of these.
-    pub(super) fn states<'a>(
-        &'a self,
-        q: &'a Relative<N>,
-    ) -> impl Iterator<Item = (&'a Station<N>, Directors, Directors)> + 'a {
-        let of =
-            |station: &'a Station<N>| (station, station.reference(&self.frame), station.directors::<S>(q));
-        self.profile.stations.iter().map(of)
+    /// The velocities of the vectors, if there is anything that they strain.
+    fn moving(&self, at: &Local<'_>) -> Option<Relative<N>> {
+        let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
+        viscous.then(|| Relative::new::<S>(&vectors(at.v)))
     }
 }
 
@@ -100,19 +97,21 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let (v, profile) = (vectors::<N>(at.v), &self.profile);
+        let profile = &self.profile;
         let mut force = self.mass_times(&vectors(at.a));
         if profile.drag != 0.0 {
-            let drag = self.mass_times(&v);
+            let drag = self.mass_times(&vectors(at.v));
             force.iter_mut().zip(drag).for_each(|(force, drag)| *force += drag * profile.drag);
         }
         for (force, first) in force.iter_mut().zip(&profile.first) {
             *force -= profile.gravity * (at.load * first);
         }
-        let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&v));
-        for (station, g0, u) in self.states(&q) {
-            let p = station.forces::<S>(&g0, &u, &v);
-            station.spread::<S>(&p, &mut force);
+        let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.forces::<S>(&g0, &u, v.as_ref());
+            station.spread(&p, &mut force);
         }
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
             *row += force;
@@ -128,12 +127,15 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
             f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
         });
-        let (q, v) = (Relative::new::<S>(&vectors_q), Relative::new::<S>(&v));
-        for (station, g0, u) in self.states(&q) {
-            let p = station.rounding::<S>(&g0, &u, &v, &vectors_q);
+        let (q, v, sizes) = (Relative::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.rounding::<S>(&g0, &u, v.as_ref(), &sizes);
             for (i, bound) in bound.iter_mut().enumerate() {
-                let parts = S::KINDS[i].directors().into_iter().zip(station.weights[i]);
-                *bound += station.weight * parts.map(|(j, weight)| p[j] * weight.abs()).sum::<f64>();
+                for &(director, weight) in station.parts[i].as_slice() {
+                    *bound += station.weight * p[director] * weight.abs();
+                }
             }
         }
         for (row, floor) in floor.iter_mut().enumerate() {
@@ -144,10 +146,13 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let mut blocks = [[Matrix3::zeros(); N]; N];
         if w.q != 0.0 || w.v != 0.0 {
-            let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(at.v)));
-            for (station, g0, u) in self.states(&q) {
-                let h = station.stiffness::<S>(&g0, &u, &v, [w.q, w.v]);
-                station.spread_stiffness::<S>(&h, &mut blocks);
+            let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+            let mut h = NO_STIFFNESS;
+            for station in &self.profile.stations {
+                let g0 = station.reference(&self.frame);
+                let u = station.directors::<S>(&q);
+                station.stiffness::<S>(&g0, &u, v.as_ref(), [w.q, w.v], &mut h);
+                station.spread_stiffness(&h, &mut blocks);
             }
         }
         let inertia = w.a + self.profile.drag * w.v;
@@ -167,7 +172,10 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         let q = Relative::new::<S>(&vectors(at.q));
-        self.states(&q).all(|(station, g0, u)| station.is_admissible(&g0, &u))
+        self.profile
+            .stations
+            .iter()
+            .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)))
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
@@ -175,7 +183,9 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
         let relative = Relative::new::<S>(&q);
-        let strain = self.states(&relative).map(|(s, g0, u)| s.weight * s.energy(&g0, &u)).sum();
+        let of =
+            |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
+        let strain = self.profile.stations.iter().map(of).sum();
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
             strain,

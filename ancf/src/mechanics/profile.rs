@@ -2,7 +2,8 @@ use nalgebra::Vector3;
 
 use super::element::Profile;
 use super::formulation::straight;
-use super::station::{Law, Relative, Station};
+use super::section::DIRECTORS;
+use super::station::{Law, Parts, Relative, Station};
 use super::{
     BeamShape, CrossSection, Directors, Interpolation, Kind, Lame, Moments, NeoHookean, QuadraticShape,
     SectionLaw, gauss, gauss2, quadrature::lobatto3,
@@ -139,29 +140,23 @@ impl<const N: usize> Profile<N> {
     ) -> Self {
         let relative = Relative::new::<S>(reference);
         let stations = rule.iter().map(|&(xi, w, law)| {
-            let mut weights = shape.directors(xi);
-            let directors = Station::<N>::sum::<S>(&weights, &relative);
-            let mut g0 = settled(directors, shape.length());
+            let weights = shape.directors(xi);
+            let parts = |reach: usize| -> [Parts; N] {
+                std::array::from_fn(|i| Parts::new(S::KINDS[i].directors(), weights[i], reach))
+            };
+            let mut g0 = settled(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
             let section = section(xi);
             let quadratic = law(xi, &g0, &section);
             // What nothing reads costs nothing.
-            for unread in [5, 6].into_iter().filter(|&director| !quadratic.reads(director)) {
-                for i in 0..N {
-                    for (director, weight) in S::KINDS[i].directors().into_iter().zip(&mut weights[i]) {
-                        if director == unread {
-                            *weight = 0.0;
-                        }
-                    }
-                }
-                g0[unread] = Vector3::zeros();
-            }
+            let reach = quadratic.reach().max(5);
+            g0[reach..].fill(Vector3::zeros());
             let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
             let law = if medium.neo_hookean {
                 Law::Hyperelastic(NeoHookean::new(medium.lame, section.points))
             } else {
                 Law::Quadratic(quadratic)
             };
-            Station { xi, weight: w * shape.length(), weights, reference: g0, law, viscosity }
+            Station { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
         });
         let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
         for (xi, w) in gauss() {

@@ -53,9 +53,6 @@ const PAIRS: [(usize, usize); STRAINS] = [
     (1, 6),
     (2, 6), // dh eh bk ck
 ];
-/// How many of the pairs are equal ones.
-const EQUAL: usize = 6;
-
 /// Section strains by the pair of directors that they belong to.
 pub(super) type Strains = [f64; STRAINS];
 
@@ -97,31 +94,35 @@ pub(super) mod strain {
 /// Units: D force·lengthᵏ; energies per length of the axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionLaw {
-    /// Entries (k, l, D_kl) that are not zero, with k ≥ l.
-    entries: Vec<(usize, usize, f64)>,
-    /// The strains that have entries.
-    used: Vec<usize>,
+    /// Entries (k, l, D_kl) that are not zero, with k > l.
+    coupled: Vec<(usize, usize, f64)>,
+    /// The strains that have stiffness, each with its pair of directors and D_kk.
+    used: Vec<(usize, (usize, usize), f64)>,
+    /// One more than the last director that it depends on.
+    reach: usize,
 }
 
 /// D over the section strains.
 pub(super) type Form = [[f64; STRAINS]; STRAINS];
 
 impl SectionLaw {
-    /// The law of a symmetric matrix D; entries that are rounding errors of zero are left out.
+    /// The law of a symmetric matrix D that is not negative; entries that are rounding errors of zero are left out.
     pub(super) fn new(d: &Form) -> Self {
-        let lower = (0..STRAINS).flat_map(|k| (0..=k).map(move |l| (k, l, d[k][l])));
-        let counts = |&(k, l, entry): &(usize, usize, f64)| {
-            entry.abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt() && entry != 0.0
-        };
-        let entries: Vec<_> = lower.filter(counts).collect();
-        let used = (0..STRAINS).filter(|&strain| entries.iter().any(|&(k, l, _)| k == strain || l == strain));
-        Self { used: used.collect(), entries }
+        let counts = |k: usize, l: usize| d[k][l].abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt();
+        let used: Vec<_> = (0..STRAINS).filter(|&k| counts(k, k)).map(|k| (k, PAIRS[k], d[k][k])).collect();
+        let lower = (0..STRAINS).flat_map(|k| (0..k).map(move |l| (k, l)));
+        let coupled = lower.filter(|&(k, l)| counts(k, l)).map(|(k, l)| (k, l, d[k][l]));
+        let reach = used.iter().map(|(_, (i, j), _)| i.max(j) + 1).max().unwrap_or(0);
+        Self { coupled: coupled.collect(), used, reach }
     }
 
     /// D.
     pub(super) fn form(&self) -> Form {
         let mut d = [[0.0; STRAINS]; STRAINS];
-        for &(k, l, entry) in &self.entries {
+        for &(k, _, entry) in &self.used {
+            d[k][k] = entry;
+        }
+        for &(k, l, entry) in &self.coupled {
             d[k][l] = entry;
             d[l][k] = entry;
         }
@@ -131,8 +132,10 @@ impl SectionLaw {
     /// The same law, `factor` times as stiff.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        let entries = self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect();
-        Self { entries, used: self.used.clone() }
+        let mut law = self.clone();
+        law.used.iter_mut().for_each(|(_, _, d)| *d *= factor);
+        law.coupled.iter_mut().for_each(|(_, _, d)| *d *= factor);
+        law
     }
 
     /// The sum of two laws.
@@ -143,18 +146,17 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// Whether it depends on a director.
-    pub(super) fn reads(&self, director: usize) -> bool {
-        self.used.iter().any(|&k| PAIRS[k].0 == director || PAIRS[k].1 == director)
+    /// One more than the last director that it depends on.
+    pub(super) fn reach(&self) -> usize {
+        self.reach
     }
 
     /// Section strains of the increment u from the reference directors g0, without cancellation:
     /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Those without stiffness are left at zero.
     fn strains(&self, g0: &Directors, u: &Directors) -> Strains {
         let mut strains = [0.0; STRAINS];
-        for &k in &self.used {
-            let (i, j) = PAIRS[k];
-            strains[k] = if k < EQUAL {
+        for &(k, (i, j), _) in &self.used {
+            strains[k] = if i == j {
                 (g0[i] + u[i] * 0.5).dot(&u[i])
             } else {
                 (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j])
@@ -166,9 +168,8 @@ impl SectionLaw {
     /// Rates of the section strains of the directors g moving with v.
     fn rates(&self, g: &Directors, v: &Directors) -> Strains {
         let mut rates = [0.0; STRAINS];
-        for &k in &self.used {
-            let (i, j) = PAIRS[k];
-            rates[k] = if k < EQUAL { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) };
+        for &(k, (i, j), _) in &self.used {
+            rates[k] = if i == j { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) };
         }
         rates
     }
@@ -176,11 +177,12 @@ impl SectionLaw {
     /// Stress resultants n = D ε.
     fn resultants(&self, strains: &Strains) -> Strains {
         let mut n = [0.0; STRAINS];
-        for &(k, l, d) in &self.entries {
+        for &(k, _, d) in &self.used {
+            n[k] = d * strains[k];
+        }
+        for &(k, l, d) in &self.coupled {
             n[k] += d * strains[l];
-            if k != l {
-                n[l] += d * strains[k];
-            }
+            n[l] += d * strains[k];
         }
         n
     }
@@ -204,10 +206,9 @@ impl SectionLaw {
     /// Σ_k n_k ∂ε_k/∂g_α.
     pub(super) fn of_resultants(&self, n: &Strains, g: &Directors) -> Directors {
         let mut p = [Vector3::zeros(); DIRECTORS];
-        for &k in &self.used {
-            let (i, j) = PAIRS[k];
+        for &(k, (i, j), _) in &self.used {
             p[i] += g[j] * n[k];
-            if k >= EQUAL {
+            if i != j {
                 p[j] += g[i] * n[k];
             }
         }
@@ -218,46 +219,64 @@ impl SectionLaw {
     pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
         let (n, g) = (self.resultants(&self.strains(g0, u)), sum(g0, u));
         self.add_geometric(&n, factor, h);
-        self.add_products(&g, &g, factor, h);
+        self.add_squares(&g, factor, h);
     }
 
     /// Adds `factor` Σ_k n_k ∂²ε_k.
     pub(super) fn add_geometric(&self, n: &Strains, factor: f64, h: &mut Stiffness) {
-        for &k in &self.used {
-            let (i, j) = PAIRS[k];
+        for &(k, (i, j), _) in &self.used {
             for axis in 0..3 {
                 h[j][i][(axis, axis)] += factor * n[k];
             }
         }
     }
 
-    /// Adds `factor` times the symmetric part of B(g)ᵀ D B(f), where B(g) are the derivatives ∂ε_k/∂g_α at directors g.
-    ///
-    /// With P_ij = ½(g_i f_jᵀ + f_i g_jᵀ), D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at (i, m), and so on for each
-    /// order of each pair.
+    /// Adds `factor` B(g)ᵀ D B(g), where B(g) are the derivatives ∂ε_k/∂g_α at directors g.
+    pub(super) fn add_squares(&self, g: &Directors, factor: f64, h: &mut Stiffness) {
+        let mut p = NO_STIFFNESS;
+        for i in 0..self.reach {
+            let x = g[i] * factor;
+            for j in 0..=i {
+                p[i][j] = x * g[j].transpose();
+                p[j][i] = p[i][j].transpose();
+            }
+        }
+        self.add_form(&p, h);
+    }
+
+    /// Adds `factor` times the symmetric part of B(g)ᵀ D B(f).
     pub(super) fn add_products(&self, g: &Directors, f: &Directors, factor: f64, h: &mut Stiffness) {
         let half = |i: usize, j: usize| g[i] * f[j].transpose() + f[i] * g[j].transpose();
-        let p: Stiffness = std::array::from_fn(|i| std::array::from_fn(|j| half(i, j) * (0.5 * factor)));
-        for &(k, l, d) in &self.entries {
-            let ((i, j), (m, n)) = (PAIRS[k], PAIRS[l]);
-            if k == l && k < EQUAL {
-                h[i][i] += p[i][i] * d;
-            } else if k == l {
-                h[i][i] += p[j][j] * d;
-                h[j][j] += p[i][i] * d;
-                h[j][i] += p[i][j] * d;
-            } else {
-                let orders =
-                    |k: usize, (i, j)| [(i, j), (j, i)].into_iter().take(if k < EQUAL { 1 } else { 2 });
-                for (row, x) in orders(k, (i, j)) {
-                    for (column, y) in orders(l, (m, n)) {
-                        if row == column {
-                            h[row][row] += (p[x][y] + p[y][x]) * d;
-                        } else if row > column {
-                            h[row][column] += p[x][y] * d;
-                        } else {
-                            h[column][row] += p[y][x] * d;
-                        }
+        let p = std::array::from_fn(|i| std::array::from_fn(|j| half(i, j) * (0.5 * factor)));
+        self.add_form(&p, h);
+    }
+
+    /// Adds what D makes of the products P_ij = ½(g_i f_jᵀ + f_i g_jᵀ): D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at
+    /// (i, m), and so on for each order of each pair.
+    fn add_form(&self, p: &Stiffness, h: &mut Stiffness) {
+        for &(_, (i, j), d) in &self.used {
+            add(&mut h[i][i], &p[j][j], d);
+            if i != j {
+                add(&mut h[j][j], &p[i][i], d);
+                add(&mut h[j][i], &p[i][j], d);
+            }
+        }
+        for &(k, l, d) in &self.coupled {
+            if let ((i, j), (m, n)) = (PAIRS[k], PAIRS[l])
+                && i == j
+                && m == n
+            {
+                // Of equal pairs, k > l is i > m.
+                add(&mut h[i][m], &p[i][m], d);
+                continue;
+            }
+            for (row, x) in orders(PAIRS[k]) {
+                for (column, y) in orders(PAIRS[l]) {
+                    if row >= column {
+                        add(&mut h[row][column], &p[x][y], d);
+                    }
+                    if row <= column {
+                        add(&mut h[column][row], &p[y][x], d);
                     }
                 }
             }
@@ -268,25 +287,24 @@ impl SectionLaw {
     ///
     /// Returns one number per director, for each of its components.
     pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
-        let size: [f64; DIRECTORS] = std::array::from_fn(|i| (g0[i] + u[i]).norm());
-        let moved: [f64; DIRECTORS] = std::array::from_fn(|i| du[i] + f64::EPSILON * u[i].norm());
-        let n = self.resultants(&self.strains(g0, u));
-        let mut dn = [0.0; STRAINS];
-        let error: Strains = std::array::from_fn(|k| {
-            let (i, j) = PAIRS[k];
-            if k < EQUAL { size[i] * moved[i] } else { size[i] * moved[j] + moved[i] * size[j] }
-        });
-        for &(k, l, d) in &self.entries {
-            dn[k] += d.abs() * error[l];
-            if k != l {
-                dn[l] += d.abs() * error[k];
-            }
+        let [mut size, mut moved, mut p] = [[0.0; DIRECTORS]; 3];
+        for i in 0..self.reach {
+            size[i] = (g0[i] + u[i]).norm();
+            moved[i] = du[i] + f64::EPSILON * u[i].norm();
         }
-        let mut p = [0.0; DIRECTORS];
-        for &k in &self.used {
-            let (i, j) = PAIRS[k];
+        let n = self.resultants(&self.strains(g0, u));
+        let [mut error, mut dn] = [[0.0; STRAINS]; 2];
+        for &(k, (i, j), d) in &self.used {
+            error[k] = if i == j { size[i] * moved[i] } else { size[i] * moved[j] + moved[i] * size[j] };
+            dn[k] = d.abs() * error[k];
+        }
+        for &(k, l, d) in &self.coupled {
+            dn[k] += d.abs() * error[l];
+            dn[l] += d.abs() * error[k];
+        }
+        for &(k, (i, j), _) in &self.used {
             p[i] += dn[k] * size[j] + n[k].abs() * (moved[j] + f64::EPSILON * size[j]);
-            if k >= EQUAL {
+            if i != j {
                 p[j] += dn[k] * size[i] + n[k].abs() * (moved[i] + f64::EPSILON * size[i]);
             }
         }
@@ -294,8 +312,25 @@ impl SectionLaw {
     }
 }
 
+/// A pair of directors in both orders; in one, if they are the same.
+fn orders((i, j): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    [(i, j), (j, i)].into_iter().take(if i == j { 1 } else { 2 })
+}
+
 /// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
 pub type Stiffness = [[Matrix3<f64>; DIRECTORS]; DIRECTORS];
+
+/// All of them zero.
+pub(super) const NO_STIFFNESS: Stiffness =
+    [[Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0); DIRECTORS]; DIRECTORS];
+
+/// Adds `factor` times a matrix.
+#[inline]
+pub(super) fn add(sum: &mut Matrix3<f64>, matrix: &Matrix3<f64>, factor: f64) {
+    for (sum, x) in sum.as_mut_slice().iter_mut().zip(matrix.as_slice()) {
+        *sum += factor * x;
+    }
+}
 
 /// Reference directors plus increments.
 pub(super) fn sum(g0: &Directors, u: &Directors) -> Directors {

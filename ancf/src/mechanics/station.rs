@@ -1,6 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::{DIRECTORS, Directors, SectionLaw, Stiffness, sum};
+use super::section::{DIRECTORS, Directors, SectionLaw, Stiffness, add, sum};
 use super::{Interpolation, Kind, NeoHookean};
 
 /// The elastic law of a cross-section.
@@ -41,6 +41,14 @@ impl Law {
         }
     }
 
+    /// One more than the last director that it depends on.
+    fn reach(&self) -> usize {
+        match self {
+            Self::Quadratic(law) => law.reach(),
+            Self::Hyperelastic(_) => 5,
+        }
+    }
+
     fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
         match self {
             Self::Quadratic(law) => law.rounding(g0, u, du),
@@ -52,18 +60,40 @@ impl Law {
 /// One quadrature point of the axis: where it is, what it weighs, what its section is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Station<const N: usize> {
-    /// Where in the element, 0 ≤ ξ ≤ 1.
-    pub(super) xi: f64,
     /// Gauss weight times the element's length.
     pub(super) weight: f64,
-    /// Weights of the element's vectors in the directors that each enters.
-    pub(super) weights: [[f64; 3]; N],
+    /// What each of the element's vectors is in the directors.
+    pub(super) parts: [Parts; N],
     /// Directors of the reference state in the element's frame.
     pub(super) reference: Directors,
     /// Elasticity.
     pub(super) law: Law,
     /// Viscosity: resultants of strain rates.
     pub(super) viscosity: Option<SectionLaw>,
+}
+
+/// The directors that a vector enters, each with its weight there.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Parts {
+    count: usize,
+    items: [(usize, f64); 3],
+}
+
+impl Parts {
+    /// Those below `reach` with a weight.
+    pub(super) fn new(directors: [usize; 3], weights: [f64; 3], reach: usize) -> Self {
+        let mut parts = Self::default();
+        for part in directors.into_iter().zip(weights).filter(|&(i, weight)| i < reach && weight != 0.0) {
+            parts.items[parts.count] = part;
+            parts.count += 1;
+        }
+        parts
+    }
+
+    /// Director and weight of each.
+    pub(super) fn as_slice(&self) -> &[(usize, f64)] {
+        &self.items[..self.count]
+    }
 }
 
 /// The vectors of an element, each less the first of its kind, and these first ones of kind Y and Z: what depends on
@@ -85,41 +115,39 @@ impl<const N: usize> Relative<N> {
         });
         Self { difference, base: [y, z] }
     }
+
+    /// The directors that the vectors make.
+    pub(super) fn directors<S: Interpolation<N>>(&self, parts: &[Parts; N]) -> Directors {
+        let mut u = [Vector3::zeros(); DIRECTORS];
+        let (mut d, mut e) = (0.0, 0.0);
+        for i in 0..N {
+            for &(director, weight) in parts[i].as_slice() {
+                u[director] += self.difference[i] * weight;
+                match (S::KINDS[i], director) {
+                    (Kind::Y, 3) => d += weight,
+                    (Kind::Z, 4) => e += weight,
+                    _ => {}
+                }
+            }
+        }
+        u[3] += self.base[0] * d;
+        u[4] += self.base[1] * e;
+        u
+    }
 }
 
 impl<const N: usize> Station<N> {
     /// Increments of the directors.
     pub(super) fn directors<S: Interpolation<N>>(&self, q: &Relative<N>) -> Directors {
-        Self::sum::<S>(&self.weights, q)
+        q.directors::<S>(&self.parts)
     }
 
-    /// The directors that vectors make with given weights.
-    pub(super) fn sum<S: Interpolation<N>>(weights: &[[f64; 3]; N], q: &Relative<N>) -> Directors {
-        let mut u = [Vector3::zeros(); DIRECTORS];
-        let (mut d, mut e) = (0.0, 0.0);
-        for i in 0..N {
-            for (director, weight) in S::KINDS[i].directors().into_iter().zip(weights[i]) {
-                if weight != 0.0 {
-                    u[director] += q.difference[i] * weight;
-                }
-            }
-            match S::KINDS[i] {
-                Kind::Y => d += weights[i][0],
-                Kind::Z => e += weights[i][0],
-                Kind::Position | Kind::Slope => {}
-            }
-        }
-        u[3] += q.base[0] * d;
-        u[4] += q.base[1] * e;
-        u
-    }
-
-    /// Bounds of the rounding errors of [`directors`](Self::directors).
-    fn uncertainty<S: Interpolation<N>>(&self, q: &[Vector3<f64>; N]) -> [f64; DIRECTORS] {
+    /// Bounds of the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
+    fn uncertainty(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
         let mut du = [0.0; DIRECTORS];
-        for (i, q) in q.iter().enumerate() {
-            for (director, weight) in S::KINDS[i].directors().into_iter().zip(self.weights[i]) {
-                du[director] += f64::EPSILON * weight.abs() * q.norm();
+        for (i, size) in sizes.iter().enumerate() {
+            for &(director, weight) in self.parts[i].as_slice() {
+                du[director] += f64::EPSILON * weight.abs() * size;
             }
         }
         du
@@ -127,7 +155,11 @@ impl<const N: usize> Station<N> {
 
     /// The reference directors in the global frame.
     pub(super) fn reference(&self, frame: &Matrix3<f64>) -> Directors {
-        self.reference.map(|g| frame * g)
+        let mut g0 = self.reference;
+        for g in g0.iter_mut().filter(|g| **g != Vector3::zeros()) {
+            *g = frame * *g;
+        }
+        g0
     }
 
     /// det J > 0 on the axis, and wherever its law wants it.
@@ -141,15 +173,15 @@ impl<const N: usize> Station<N> {
         self.law.energy(g0, u)
     }
 
-    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors.
+    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors; without these, elastic ones.
     pub(super) fn forces<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Relative<N>,
+        v: Option<&Relative<N>>,
     ) -> Directors {
         let mut p = self.law.forces(g0, u);
-        if let Some(law) = &self.viscosity {
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
             let g = sum(g0, u);
             let viscous = law.of_resultants(&law.viscous(&g, &self.directors::<S>(v)), &g);
             p.iter_mut().zip(viscous).for_each(|(p, viscous)| *p += viscous);
@@ -157,16 +189,16 @@ impl<const N: usize> Station<N> {
         p
     }
 
-    /// A bound of the rounding errors of the forces at vectors q, for each component.
+    /// A bound of the rounding errors of the forces, for each component, given the norms of the vectors.
     pub(super) fn rounding<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Relative<N>,
-        q: &[Vector3<f64>; N],
+        v: Option<&Relative<N>>,
+        sizes: &[f64; N],
     ) -> [f64; DIRECTORS] {
-        let mut bound = self.law.rounding(g0, u, &self.uncertainty::<S>(q));
-        if let Some(law) = &self.viscosity {
+        let mut bound = self.law.rounding(g0, u, &self.uncertainty(sizes));
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
             let g = sum(g0, u);
             let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
             let sizes = law.of_resultants(&n, &g.map(|g| g.abs()));
@@ -175,61 +207,67 @@ impl<const N: usize> Station<N> {
         bound
     }
 
-    /// Derivatives of the forces, w_q by the directors and w_v by their rates; of the unsymmetric part that viscosity has,
-    /// w_q B(g)ᵀ D B(v), the symmetric part.
+    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks; of the unsymmetric part that
+    /// viscosity has, w_q B(g)ᵀ D B(v), the symmetric part.
     pub(super) fn stiffness<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Relative<N>,
+        v: Option<&Relative<N>>,
         [wq, wv]: [f64; 2],
-    ) -> Stiffness {
-        let mut h = [[Matrix3::zeros(); DIRECTORS]; DIRECTORS];
+        h: &mut Stiffness,
+    ) {
+        let reach = self.law.reach();
+        for i in 0..reach {
+            h[i][..=i].fill(Matrix3::zeros());
+        }
         if wq != 0.0 {
-            self.law.add_stiffness(g0, u, wq, &mut h);
+            self.law.add_stiffness(g0, u, wq, h);
         }
-        if let Some(law) = &self.viscosity {
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
             let (g, v) = (sum(g0, u), self.directors::<S>(v));
-            law.add_geometric(&law.viscous(&g, &v), wq, &mut h);
-            law.add_products(&g, &g, wv, &mut h);
-            law.add_products(&g, &v, wq, &mut h);
+            law.add_geometric(&law.viscous(&g, &v), wq, h);
+            law.add_squares(&g, wv, h);
+            law.add_products(&g, &v, wq, h);
         }
-        h
+        for i in 0..reach {
+            for j in 0..i {
+                h[j][i] = h[i][j].transpose();
+            }
+        }
     }
 
     /// Adds p to the vectors that the directors are made of.
-    pub(super) fn spread<S: Interpolation<N>>(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
-        for (i, force) in force.iter_mut().enumerate() {
-            for (director, weight) in S::KINDS[i].directors().into_iter().zip(self.weights[i]) {
-                if weight != 0.0 {
-                    *force += p[director] * (weight * self.weight);
-                }
+    pub(super) fn spread(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
+        for (force, parts) in force.iter_mut().zip(&self.parts) {
+            for &(director, weight) in parts.as_slice() {
+                *force += p[director] * (weight * self.weight);
             }
         }
     }
 
     /// Adds H to the lower blocks of the element's matrix.
-    pub(super) fn spread_stiffness<S: Interpolation<N>>(
-        &self,
-        h: &Stiffness,
-        k: &mut [[Matrix3<f64>; N]; N],
-    ) {
-        let of = |i: usize, j: usize| if i >= j { h[i][j] } else { h[j][i].transpose() };
+    pub(super) fn spread_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
+        let reach = self.law.reach();
         for a in 0..N {
-            // Rows of the vector against the directors, for those that the station has.
-            let mut rows = [Matrix3::zeros(); DIRECTORS];
-            for (director, weight) in S::KINDS[a].directors().into_iter().zip(self.weights[a]) {
-                if weight != 0.0 {
-                    for j in 0..DIRECTORS {
-                        rows[j] += of(director, j) * (weight * self.weight);
+            if let [(director, own)] = *self.parts[a].as_slice() {
+                for b in 0..=a {
+                    for &(other, weight) in self.parts[b].as_slice() {
+                        add(&mut k[a][b], &h[director][other], own * weight * self.weight);
                     }
+                }
+                continue;
+            }
+            // The row of the vector against the directors.
+            let mut row = [Matrix3::zeros(); DIRECTORS];
+            for &(director, weight) in self.parts[a].as_slice() {
+                for j in 0..reach {
+                    add(&mut row[j], &h[director][j], weight * self.weight);
                 }
             }
             for b in 0..=a {
-                for (director, weight) in S::KINDS[b].directors().into_iter().zip(self.weights[b]) {
-                    if weight != 0.0 {
-                        k[a][b] += rows[director] * weight;
-                    }
+                for &(director, weight) in self.parts[b].as_slice() {
+                    add(&mut k[a][b], &row[director], weight);
                 }
             }
         }

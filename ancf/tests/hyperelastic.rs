@@ -43,12 +43,12 @@ fn law(lame: Lame, section: Section) -> NeoHookean {
 
 fn straight() -> Directors {
     let zero = Vector3::zeros();
-    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero]
+    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero, zero]
 }
 
 /// The second derivative of an energy of directors, by the law's own sum.
 fn stiffness(add: impl Fn(&mut Stiffness)) -> Stiffness {
-    let mut h = [[Matrix3::zeros(); 6]; 6];
+    let mut h = [[Matrix3::zeros(); 7]; 7];
     add(&mut h);
     h
 }
@@ -99,7 +99,7 @@ fn derivative<T>(f: impl Fn(f64) -> T, combine: impl Fn([(T, f64); 4]) -> T) -> 
 #[test]
 fn nothing_happens_in_the_reference() {
     for (section, g0, _) in samples() {
-        let (law, rest) = (law(LAME, section), [Vector3::zeros(); 6]);
+        let (law, rest) = (law(LAME, section), [Vector3::zeros(); 7]);
         assert_eq!(law.energy(&g0, &rest), 0.0);
         assert_eq!(law.forces(&g0, &rest), rest);
         assert!(law.is_admissible(&g0, &rest));
@@ -129,58 +129,16 @@ fn stiffness_is_the_slope_of_the_forces_and_symmetric() {
         let slope = derivative(
             |h| law.forces(&g0, &sum(&u, &way, h)),
             |terms| {
-                terms.iter().fold([Vector3::zeros(); 6], |slope, (value, weight)| sum(&slope, value, *weight))
+                terms.iter().fold([Vector3::zeros(); 7], |slope, (value, weight)| sum(&slope, value, *weight))
             },
         );
         let h = stiffness(|h| law.add_stiffness(&g0, &u, 1.0, h));
         let of = |i: usize, j: usize| if i >= j { h[i][j] } else { h[j][i].transpose() };
-        let product: Directors = std::array::from_fn(|i| (0..6).map(|j| of(i, j) * way[j]).sum());
+        let product: Directors = std::array::from_fn(|i| (0..7).map(|j| of(i, j) * way[j]).sum());
         let error = distance(&product, &slope) / size(&slope);
         assert!(error < 1e-9, "{section:?}: {error:e}");
         for (i, row) in h.iter().enumerate() {
             assert!((row[i] - row[i].transpose()).amax() <= 1e-13 * row[i].amax(), "{section:?}: block {i}");
-        }
-    }
-}
-
-/// J(y, z) of directors.
-fn gradient(g: &Directors, p: &SectionPoint) -> Matrix3<f64> {
-    Matrix3::from_columns(&[g[0] + g[1] * p.y + g[2] * p.z, g[3], g[4]])
-}
-
-/// Of one point: the stress by components along the directors is J⁻¹ ∂W/∂J, here differentiated. Of a section in the
-/// reference state: that of St. Venant-Kirchhoff.
-#[test]
-fn stress_stiffness_is_that_of_the_slope_of_the_stress() {
-    let mut random = Random(8);
-    for (section, g0, u) in samples() {
-        let (point, way) = (points(section)[1], random.directors(1.0));
-        let law = NeoHookean::new(LAME, vec![point]);
-        let stress = |h: f64| {
-            let u = sum(&u, &way, h);
-            let p = law.forces(&g0, &u);
-            let j = gradient(&sum(&g0, &u, 1.0), &point);
-            j.try_inverse().unwrap() * Matrix3::from_columns(&[p[0], p[3], p[4]])
-        };
-        let slope = derivative(stress, |terms| terms.iter().map(|(stress, weight)| stress * *weight).sum());
-        let h = stiffness(|h| law.add_stress_stiffness(&g0, &u, &way, h));
-        for (i, factor, column) in [(0, 1.0, 0), (1, point.y, 0), (2, point.z, 0), (3, 1.0, 1), (4, 1.0, 2)] {
-            let wanted = Matrix3::from_diagonal_element(factor * slope[(column, 0)]);
-            assert!((h[i][0] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block {i}");
-        }
-        let wanted = Matrix3::from_diagonal_element(slope[(2, 1)]);
-        assert!((h[4][3] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block 4, 3");
-    }
-    for section in SECTIONS {
-        let g0 = turned(Rotation3::new(random.vector() * 3.0), &straight());
-        let (rest, way) = ([Vector3::zeros(); 6], random.directors(1.0));
-        let plain = SectionLaw::continuum(LAME, section.moments());
-        let a = stiffness(|h| law(LAME, section).add_stress_stiffness(&g0, &rest, &way, h));
-        let b = stiffness(|h| plain.add_stress_stiffness(&g0, &rest, &way, h));
-        for (i, row) in a.iter().enumerate().take(5) {
-            for (j, a) in row.iter().enumerate().take(i + 1) {
-                assert!((a - b[i][j]).amax() < 1e-14 * b[0][0].amax(), "{section:?}: block {i}, {j}");
-            }
         }
     }
 }
@@ -208,6 +166,9 @@ fn rotations_cost_nothing() {
 #[test]
 fn energy_is_as_defined() {
     for (section, g0, u) in samples() {
+        let gradient = |g: &Directors, p: &SectionPoint| {
+            Matrix3::from_columns(&[g[0] + g[1] * p.y + g[2] * p.z, g[3], g[4]])
+        };
         let density = |p: &SectionPoint| {
             let (j, j0) = (gradient(&sum(&g0, &u, 1.0), p), gradient(&g0, p));
             let f = j * j0.try_inverse().unwrap();
@@ -239,7 +200,7 @@ fn small_strains_are_those_of_st_venant_kirchhoff() {
             let (p, q) = (soft.forces(&g0, &u), plain.forces(&g0, &u));
             assert!(distance(&p, &q) < bound * size(&q), "{section:?}, {strain:e}: forces");
         }
-        let rest = [Vector3::zeros(); 6];
+        let rest = [Vector3::zeros(); 7];
         let a = stiffness(|h| soft.add_stiffness(&g0, &rest, 1.0, h));
         let b = stiffness(|h| plain.add_stiffness(&g0, &rest, 1.0, h));
         let largest = b[0][0].amax();
@@ -266,11 +227,11 @@ fn uniaxial_stretch_is_that_of_its_root() {
                     if side(middle) > 0.0 { high = middle } else { low = middle }
                 }
                 let m = 0.5 * (low + high);
-                let [x, zero, _, y, z, _] = straight();
-                let u = [x * (s - 1.0), zero, zero, y * (m - 1.0), z * (m - 1.0), zero];
+                let [x, zero, _, y, z, ..] = straight();
+                let u = [x * (s - 1.0), zero, zero, y * (m - 1.0), z * (m - 1.0), zero, zero];
                 let p = law(lame, section).forces(&straight(), &u);
                 let axial = shear * (s - 1.0 / s) + lambda * (s * m * m).ln() / s;
-                let mut wanted = [zero; 6];
+                let mut wanted = [zero; 7];
                 wanted[0] = x * (axial * section.moments().area);
                 let error = distance(&p, &wanted) / (section.moments().area * (shear + lambda));
                 assert!(error < 1e-14, "{section:?}, {lame:?}, stretch {s}: {error:e}");
@@ -283,8 +244,8 @@ fn uniaxial_stretch_is_that_of_its_root() {
 /// is the line of centroids.
 #[test]
 fn a_curved_reference_has_its_volume() {
-    let [x, _, _, y, z, zero] = straight();
-    let bent: Directors = [x, x * 1.3, x * -0.7, y, z, zero];
+    let [x, _, _, y, z, _, zero] = straight();
+    let bent: Directors = [x, x * 1.3, x * -0.7, y, z, zero, zero];
     for section in SECTIONS {
         for s in [0.5, 0.99, 1.1, 2.0_f64] {
             let log = 3.0 * s.ln();
@@ -321,11 +282,11 @@ fn rounding_is_within_its_bound() {
 
 #[test]
 fn a_section_turned_inside_out_is_refused() {
-    let [x, _, _, y, _, zero] = straight();
-    let flat = [zero, zero, zero, -y, zero, zero];
-    let out = [x * -1.5, zero, zero, zero, zero, zero];
+    let [x, _, _, y, _, _, zero] = straight();
+    let flat = [zero, zero, zero, -y, zero, zero, zero];
+    let out = [x * -1.5, zero, zero, zero, zero, zero, zero];
     // The axis is sound, the concave side is not.
-    let bent = [zero, x * 20.0, zero, zero, zero, zero];
+    let bent = [zero, x * 20.0, zero, zero, zero, zero, zero];
     for section in SECTIONS {
         let law = law(LAME, section);
         for u in [flat, out, bent] {
@@ -333,7 +294,7 @@ fn a_section_turned_inside_out_is_refused() {
             assert_eq!(law.energy(&straight(), &u), f64::INFINITY);
             assert!(law.forces(&straight(), &u).iter().all(|p| p.iter().all(|p| p.is_nan())));
             assert!(stiffness(|h| law.add_stiffness(&straight(), &u, 1.0, h))[4][0][(0, 0)].is_nan());
-            assert_eq!(law.rounding(&straight(), &u, &[0.0; 6]), [f64::INFINITY; 6]);
+            assert_eq!(law.rounding(&straight(), &u, &[0.0; 7]), [f64::INFINITY; 7]);
         }
     }
 }
@@ -343,7 +304,7 @@ fn a_section_turned_inside_out_is_refused() {
 fn squeezing_flat_takes_infinite_energy() {
     let law = law(LAME, SECTIONS[0]);
     let energy = |gap: f64| {
-        let mut u = [Vector3::zeros(); 6];
+        let mut u = [Vector3::zeros(); 7];
         u[3] = Vector3::y() * (gap - 1.0);
         law.energy(&straight(), &u)
     };
@@ -362,11 +323,53 @@ fn sixteen_points_are_enough() {
         let moved = move |k| points(part).into_iter().map(move |p| SectionPoint { y: p.y + shift(k), ..p });
         NeoHookean::new(LAME, (0..n).flat_map(moved).collect())
     };
-    let mut u = [Vector3::zeros(); 6];
+    let mut u = [Vector3::zeros(); 7];
     u[1] = Vector3::x() * -(0.5 / 0.3);
     let fine = cells(16).energy(&straight(), &u);
     let error = law(LAME, section).energy(&straight(), &u) / fine - 1.0;
     let coarse = cells(8).energy(&straight(), &u) / fine - 1.0;
     assert!(coarse.abs() < 1e-12, "{coarse:e}");
     assert!(error.abs() < 1e-5, "{error:e}");
+}
+
+/// J(y, z) of directors.
+fn gradient(g: &Directors, p: &SectionPoint) -> Matrix3<f64> {
+    Matrix3::from_columns(&[g[0] + g[1] * p.y + g[2] * p.z, g[3], g[4]])
+}
+
+/// Of one point: the stress by components along the directors is J⁻¹ ∂W/∂J, here differentiated. Of a section in the
+/// reference state: that of St. Venant-Kirchhoff.
+#[test]
+fn stress_stiffness_is_that_of_the_slope_of_the_stress() {
+    let mut random = Random(8);
+    for (section, g0, u) in samples() {
+        let (point, way) = (points(section)[1], random.directors(1.0));
+        let law = NeoHookean::new(LAME, vec![point]);
+        let stress = |h: f64| {
+            let u = sum(&u, &way, h);
+            let p = law.forces(&g0, &u);
+            let j = gradient(&sum(&g0, &u, 1.0), &point);
+            j.try_inverse().unwrap() * Matrix3::from_columns(&[p[0], p[3], p[4]])
+        };
+        let slope = derivative(stress, |terms| terms.iter().map(|(stress, weight)| stress * *weight).sum());
+        let h = stiffness(|h| law.add_stress_stiffness(&g0, &u, &way, h));
+        for (i, factor, column) in [(0, 1.0, 0), (1, point.y, 0), (2, point.z, 0), (3, 1.0, 1), (4, 1.0, 2)] {
+            let wanted = Matrix3::from_diagonal_element(factor * slope[(column, 0)]);
+            assert!((h[i][0] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block {i}");
+        }
+        let wanted = Matrix3::from_diagonal_element(slope[(2, 1)]);
+        assert!((h[4][3] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block 4, 3");
+    }
+    for section in SECTIONS {
+        let g0 = turned(Rotation3::new(random.vector() * 3.0), &straight());
+        let (rest, way) = ([Vector3::zeros(); 7], random.directors(1.0));
+        let plain = SectionLaw::continuum(LAME, section.moments());
+        let a = stiffness(|h| law(LAME, section).add_stress_stiffness(&g0, &rest, &way, h));
+        let b = stiffness(|h| plain.add_stress_stiffness(&g0, &rest, &way, h));
+        for (i, row) in a.iter().enumerate().take(5) {
+            for (j, a) in row.iter().enumerate().take(i + 1) {
+                assert!((a - b[i][j]).amax() < 1e-14 * b[0][0].amax(), "{section:?}: block {i}, {j}");
+            }
+        }
+    }
 }

@@ -6,22 +6,25 @@
 #![cfg(test)]
 
 #[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/beams.rs"]
+mod beams;
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/cables.rs"]
 mod cables;
-#[path = "common/continuum.rs"]
-mod continuum;
+#[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/rod.rs"]
+mod rod;
 #[path = "common/sample.rs"]
 mod sample;
 
-use std::sync::Arc;
-
 use ancf::function::Function;
 use ancf::mechanics::{
-    Beam24, BeamMesh, BeamShape, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker,
-    Medium, Node, Perpendicular, Profile,
+    BeamMesh, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker, Medium, Node,
+    Perpendicular,
 };
-use ancf::model::{Material, Section};
+use ancf::model::{Damping, Material, MaterialLaw, Section};
 use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
+use beams::Make;
 use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
@@ -108,7 +111,7 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
     let (here, bound) = (residual(term, &s), rounding(term, &s));
     for _ in 0..20 {
         let mut ulp = |x: &DVector<f64>| x.map(|x| x * (1.0 + 0.5 * f64::EPSILON * random.number().signum()));
-        let near = Sample { q: ulp(&s.q), v: s.v.clone(), a: ulp(&s.a), lambda: ulp(&s.lambda) };
+        let near = Sample { q: ulp(&s.q), v: ulp(&s.v), a: ulp(&s.a), lambda: ulp(&s.lambda) };
         let moved = (residual(term, &near) - &here).abs();
         assert!(moved <= &bound * 2.0, "{name}: rounding {} beyond its bound {}", moved.amax(), bound.amax());
     }
@@ -116,54 +119,6 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
 }
 
 const LENGTH: f64 = 0.7;
-
-/// An element with its reference coordinates.
-struct Element {
-    name: String,
-    term: Beam24,
-    reference: [Vector3<f64>; 8],
-    slope: f64,
-    section: Section,
-    material: Material,
-}
-
-/// One element for every choice of section, Poisson's ratio, slope length and frame.
-fn elements(gravity: Vector3<f64>) -> Vec<Element> {
-    let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
-    let mut elements = Vec::new();
-    let sections = [
-        Section::Circle { diameter: 0.3 },
-        Section::Tube { outer: 0.3, inner: 0.2 },
-        Section::Rectangle { height: 0.3, width: 0.2 },
-        Section::Ellipse { height: 0.2, width: 0.3 },
-    ];
-    for section in sections {
-        for poisson in [0.0, 0.3] {
-            for slope in [1.0, LENGTH] {
-                for rotation in [Rotation3::identity(), tilted] {
-                    elements.push(element(section, poisson, slope, rotation, gravity));
-                }
-            }
-        }
-    }
-    elements
-}
-
-fn element(section: Section, poisson: f64, slope: f64, r: Rotation3<f64>, gravity: Vector3<f64>) -> Element {
-    let material = Material::elastic(2.0, 30.0, poisson);
-    let shape = BeamShape { length: LENGTH, slope };
-    let profile = Profile::new(shape, material.lame(), material.density, section.moments(), gravity);
-    let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| r * axis);
-    let [x, y, z] = frame.map(|axis| axis * slope);
-    Element {
-        name: format!("{section:?}, nu = {poisson}, slope length {slope}, frame {:.1}", frame[0].transpose()),
-        term: Beam24::new(0..24, frame, Arc::new(profile)),
-        reference: [Vector3::zeros(), x, y, z, frame[0] * LENGTH, x, y, z],
-        slope,
-        section,
-        material,
-    }
-}
 
 /// Constraints and loads on two tilted bodies of two elements each, at nodes and between them.
 fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
@@ -203,6 +158,11 @@ fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
         ("point and ground", Box::new(Coincide::points(&point_a, &ground, 5))),
         ("points of one body", Box::new(Coincide::points(&point_a, &a.point(0.0), 5))),
         ("directions", Box::new(Coincide::directions(&direction_a, &direction_b, 5))),
+        ("toward a point", Box::new(Coincide::toward(&point_a, across, 5))),
+        (
+            "drive",
+            Box::new(Drive::new(&direction_a, Vector3::z(), 2.0, Function::Ramp { start: 0.0, end: 2.0 }, 5)),
+        ),
         ("direction and ground", Box::new(Coincide::directions(&direction_a, &ground, 5))),
         ("perpendicular", Box::new(Perpendicular::new(&direction_a, &direction_b, 5))),
         ("perpendicular to the ground", Box::new(Perpendicular::new(&direction_a, &ground, 5))),
@@ -210,27 +170,40 @@ fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
             "perpendicular within a body",
             Box::new(Perpendicular::new(&direction_a, &a.direction(0.0, across), 5)),
         ),
-        ("toward a point", Box::new(Coincide::toward(&point_a, across, 5))),
-        (
-            "drive",
-            Box::new(Drive::new(&direction_a, Vector3::z(), 2.0, Function::Ramp { start: 0.0, end: 2.0 }, 5)),
-        ),
         ("force", Box::new(Force::new(&point_a, Vector3::new(0.3, -2.0, 0.7)))),
     ]
+}
+
+/// Beams of every formulation, without and with damping.
+fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = Case> {
+    let damped = |make: &Make| Make { damping: Damping { strain: 0.2, mass: 0.7 }, ..*make };
+    let makes = beams::makes();
+    let damped: Vec<Make> = makes.iter().filter(|make| make.tilted).map(damped).collect();
+    makes.into_iter().chain(damped).map(move |make| {
+        let kind = match (make.damping == Damping::default(), make.law) {
+            (true, MaterialLaw::StVenantKirchhoff) => Kind::Polynomial,
+            (true, MaterialLaw::NeoHookean) => Kind::Smooth,
+            (false, _) => Kind::Damped,
+        };
+        let specimen = make.specimen(gravity);
+        Case { name: specimen.name, term: specimen.term, kind }
+    })
 }
 
 /// Every kind of term there is.
 fn terms() -> Vec<Case> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
-    let beams = elements(gravity).into_iter().map(|e| (e.name, Box::new(e.term) as Box<dyn Term>));
-    let others = constraints_and_loads().into_iter().map(|(name, term)| (name.to_owned(), term));
-    let polynomials = beams.chain(others).map(|(name, term)| Case { name, term, kind: Kind::Polynomial });
+    let others = constraints_and_loads().into_iter().map(|(name, term)| Case {
+        name: name.to_owned(),
+        term,
+        kind: Kind::Polynomial,
+    });
     let cables = [(CableDamping::default(), Kind::Smooth), (cables::DAMPING, Kind::Damped)];
     let cables = cables.into_iter().flat_map(|(damping, kind)| {
         let case = move |cable: cables::Cable| Case { name: cable.name, term: Box::new(cable.term), kind };
         cables::cables(damping, gravity).into_iter().map(case)
     });
-    polynomials.chain(cables).collect()
+    beams(gravity).chain(others).chain(cables).collect()
 }
 
 #[test]
@@ -240,6 +213,16 @@ fn every_term_obeys_the_laws() {
         for _ in 0..10 {
             obeys_laws(&case, &mut random);
         }
+    }
+}
+
+#[test]
+fn every_term_names_its_coordinates_once() {
+    for Case { name, term, .. } in terms() {
+        let mut coordinates = term.coordinates().to_vec();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        assert_eq!(coordinates.len(), term.coordinates().len(), "{name}");
     }
 }
 
@@ -294,108 +277,17 @@ fn loads_have_their_stiffness_without_being_asked() {
     assert_eq!(stress_stiffness(&Magnet, &s, &scalar(0.2), 2.0)[(0, 0)], -6.0);
 }
 
-#[test]
-fn every_term_names_its_coordinates_once() {
-    for Case { name, term, .. } in terms() {
-        let mut coordinates = term.coordinates().to_vec();
-        coordinates.sort_unstable();
-        coordinates.dedup();
-        assert_eq!(coordinates.len(), term.coordinates().len(), "{name}");
-    }
-}
-
-/// Translation and rotation of any size: no energy, no elastic force.
-#[test]
-fn rigid_motion_costs_nothing() {
-    let mut random = Random(24);
-    for Element { name, term, reference, slope, section, material, .. } in elements(Vector3::zeros()) {
-        let stiffness = material.young * section.moments().area;
-        for _ in 0..10 {
-            let (turn, shift) = (Rotation3::new(random.vector3() * 3.0), random.vector3() * 10.0);
-            let mut at = Sample::rest(&term);
-            for (k, e) in reference.iter().enumerate() {
-                let moved = turn * e - e + if k % 4 == 0 { shift } else { Vector3::zeros() };
-                at.q.rows_mut(3 * k, 3).copy_from(&moved);
-            }
-            let force = residual(&term, &at).amax() / slope;
-            assert!(force < 1e-10 * stiffness, "{name}: force {force:e}");
-            let strain = energy(&term, &at).strain;
-            assert!(strain < 1e-20 * stiffness * LENGTH, "{name}: energy {strain:e}");
-        }
-    }
-}
-
 /// A small translation and rotation of a deformed element causes no stress.
 #[test]
 fn rigid_motion_adds_no_stress() {
     let mut random = Random(25);
-    for Element { name, term, reference, .. } in elements(Vector3::zeros()) {
-        let (s, shift, spin) = (Sample::random(&term, &mut random), random.vector3(), random.vector3());
-        let mut z = DVector::zeros(24);
-        for (k, e) in reference.iter().enumerate() {
-            let moved = spin.cross(&(e + s.q.fixed_rows::<3>(3 * k)));
-            z.rows_mut(3 * k, 3).copy_from(&(moved + if k % 4 == 0 { shift } else { Vector3::zeros() }));
-        }
-        let size = stress_stiffness(&term, &s, &random.vector(24), 0.0).amax();
-        let rigid = stress_stiffness(&term, &s, &z, 0.0).amax();
-        assert!(rigid < 1e-13 * size, "{name}: {rigid:e} of {size:e}");
-    }
-}
-
-/// A free element has six motions without stiffness, three translations and three rotations, and no other.
-#[test]
-fn stiffness_has_six_free_motions_and_mass_none() {
-    for Element { name, term, .. } in elements(Vector3::zeros()) {
-        let rest = Sample::rest(&term);
-        let eigenvalues = |w| {
-            let mut values = SymmetricEigen::new(tangent(&term, &rest, w)).eigenvalues.data.as_vec().clone();
-            values.sort_unstable_by(f64::total_cmp);
-            values
-        };
-        let (stiffness, mass) = (eigenvalues(Weights::STIFFNESS), eigenvalues(Weights::MASS));
-        assert!(stiffness[0] > -1e-13 * stiffness[23], "{name}: {stiffness:?}");
-        assert!(stiffness[5] < 1e-13 * stiffness[23], "{name}: {stiffness:?}");
-        assert!(stiffness[6] > 1e-5 * stiffness[23], "{name}: {stiffness:?}");
-        assert!(mass[0] > 1e-5 * mass[23], "{name}: {mass:?}");
-    }
-}
-
-/// ½∫(λ tr² E + 2G E:E) dV over the volume, by 125 points and more, is what the element makes of moments of area.
-#[test]
-fn strain_energy_is_that_of_the_continuum() {
-    let mut random = Random(31);
-    for Element { name, term, reference, slope, section, material, .. } in elements(Vector3::zeros()) {
-        let lame = material.lame();
-        for _ in 0..5 {
-            let at = Sample::random(&term, &mut random);
-            let e = std::array::from_fn(|k| reference[k] + at.q.fixed_rows::<3>(3 * k));
-            let density = |x: [f64; 3]| {
-                let gradients = continuum::shape_gradients(LENGTH, slope, x);
-                let strain = continuum::green_strain(&continuum::deformation_gradient(&e, &gradients));
-                0.5 * lame.lambda * strain.trace().powi(2) + lame.shear * strain.norm_squared()
-            };
-            let (brute, exact) = (continuum::integrate(LENGTH, section, density), energy(&term, &at).strain);
-            assert!((exact / brute - 1.0).abs() < 1e-13, "{name}: {exact} and {brute}");
-        }
-    }
-}
-
-/// ½∫ρ v·v dV and −∫ρ g·u dV likewise.
-#[test]
-fn kinetic_and_potential_energy_are_those_of_the_continuum() {
-    let (mut random, gravity) = (Random(18), Vector3::new(0.3, -2.0, 0.7));
-    for Element { name, term, slope, section, material, .. } in elements(gravity) {
-        let at = Sample::random(&term, &mut random);
-        let field = |nodes: &DVector<f64>, x| -> Vector3<f64> {
-            let values = continuum::shape_values(LENGTH, slope, x);
-            values.iter().enumerate().map(|(k, s)| nodes.fixed_rows::<3>(3 * k) * *s).sum()
-        };
-        let kinetic = |x| 0.5 * material.density * field(&at.v, x).norm_squared();
-        let potential = |x| -at.local().load * material.density * gravity.dot(&field(&at.q, x));
-        let exact = energy(&term, &at);
-        let brute = continuum::integrate(LENGTH, section, kinetic);
-        assert!((exact.kinetic / brute - 1.0).abs() < 1e-13, "{name}: {} and {brute}", exact.kinetic);
-        let brute = continuum::integrate(LENGTH, section, potential);
-        assert!((exact.potential - brute).abs() < 1e-14, "{name}: {} and {brute}", exact.potential);
+    for make in beams::makes().into_iter().filter(|make| make.law == MaterialLaw::StVenantKirchhoff) {
+        let specimen = make.specimen(Vector3::zeros());
+        let (name, term) = (&specimen.name, specimen.term.as_ref());
+        let (s, shift, spin) = (Sample::random(term, &mut random), random.vector3(), random.vector3());
+        let z = specimen.spinning(&s.q, spin, shift);
+        let size = stress_stiffness(term, &s, &random.vector(z.len()), 0.0).amax();
+        let rigid = stress_stiffness(term, &s, &z, 0.0).amax();
+        assert!(rigid < 1e-12 * size, "{name}: {rigid:e} of {size:e}");
     }
 }

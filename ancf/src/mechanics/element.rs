@@ -3,15 +3,14 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::section::NO_STIFFNESS;
 use super::station::{Relative, Station, StrainEnergy};
-use super::{BeamShape, Directors, Interpolation, QuadraticShape};
+use super::{BeamShape, Interpolation, QuadraticShape};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
 /// What congruent elements share: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<const N: usize> {
-    /// Length of the element.
-    pub(super) length: f64,
     pub(super) stations: Vec<Station<N>>,
     /// M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
     pub(super) mass: [[f64; N]; N],
@@ -84,20 +83,17 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
     pub fn parts(&self, q: &[f64]) -> StrainEnergy {
         let q = Relative::new::<S>(&vectors(q));
         let mut sum = StrainEnergy::default();
-        for (station, g0, u) in self.states(&q) {
-            sum += station.parts(&g0, &u, self.profile.length) * station.weight;
+        for station in &self.profile.stations {
+            let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
+            sum += station.strain_energy(&g0, &u) * station.weight;
         }
         sum
     }
 
-    /// The stations with their reference directors and the increments of these.
-    pub(super) fn states<'a>(
-        &'a self,
-        q: &'a Relative<N>,
-    ) -> impl Iterator<Item = (&'a Station<N>, Directors, Directors)> + 'a {
-        let of =
-            |station: &'a Station<N>| (station, station.reference(&self.frame), station.directors::<S>(q));
-        self.profile.stations.iter().map(of)
+    /// The velocities of the vectors, if there is anything that they strain.
+    fn moving(&self, at: &Local<'_>) -> Option<Relative<N>> {
+        let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
+        viscous.then(|| Relative::new::<S>(&vectors(at.v)))
     }
 }
 
@@ -106,38 +102,27 @@ pub(super) fn vectors<const N: usize>(x: &[f64]) -> [Vector3<f64>; N] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
-/// Adds lower blocks, one for each pair of vectors.
-pub(super) fn add_blocks<const N: usize>(blocks: &[[Matrix3<f64>; N]; N], k: &mut LocalMatrix<'_>) {
-    for (a, row) in blocks.iter().enumerate() {
-        for (b, block) in row[..=a].iter().enumerate() {
-            for i in 0..3 {
-                for j in 0..if a == b { i + 1 } else { 3 } {
-                    k.add(3 * a + i, 3 * b + j, block[(i, j)]);
-                }
-            }
-        }
-    }
-}
-
 impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let (v, profile) = (vectors::<N>(at.v), &self.profile);
+        let profile = &self.profile;
         let mut force = self.mass_times(&vectors(at.a));
         if profile.drag != 0.0 {
-            let drag = self.mass_times(&v);
+            let drag = self.mass_times(&vectors(at.v));
             force.iter_mut().zip(drag).for_each(|(force, drag)| *force += drag * profile.drag);
         }
         for (force, first) in force.iter_mut().zip(&profile.first) {
             *force -= profile.gravity * (at.load * first);
         }
-        let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&v));
-        for (station, g0, u) in self.states(&q) {
-            let p = station.forces(&g0, &u, &station.directors::<S>(&v));
-            station.spread::<S>(&p, &mut force);
+        let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.forces::<S>(&g0, &u, v.as_ref());
+            station.spread(&p, &mut force);
         }
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
             *row += force;
@@ -153,13 +138,15 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
             f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
         });
-        let (q, v) = (Relative::new::<S>(&vectors_q), Relative::new::<S>(&v));
-        for (station, g0, u) in self.states(&q) {
-            let p = station.rounding::<S>(&g0, &u, &station.directors::<S>(&v), &vectors_q);
+        let (q, v, sizes) = (Relative::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.rounding::<S>(&g0, &u, v.as_ref(), &sizes);
             for (i, bound) in bound.iter_mut().enumerate() {
-                let [first, second] = S::KINDS[i].directors();
-                let [x, y] = station.weights[i];
-                *bound += station.weight * (p[first] * x.abs() + p[second] * y.abs());
+                for &(director, weight) in station.parts[i].as_slice() {
+                    *bound += station.weight * p[director] * weight.abs();
+                }
             }
         }
         for (row, floor) in floor.iter_mut().enumerate() {
@@ -170,16 +157,19 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let mut blocks = [[Matrix3::zeros(); N]; N];
         if w.q != 0.0 || w.v != 0.0 {
-            let (q, v) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(at.v)));
-            for (station, g0, u) in self.states(&q) {
-                let h = station.stiffness(&g0, &u, &station.directors::<S>(&v), [w.q, w.v]);
-                station.spread_stiffness::<S>(&h, &mut blocks);
+            let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+            let mut h = NO_STIFFNESS;
+            for station in &self.profile.stations {
+                let g0 = station.reference(&self.frame);
+                let u = station.directors::<S>(&q);
+                station.stiffness::<S>(&g0, &u, v.as_ref(), [w.q, w.v], &mut h);
+                station.spread_stiffness(&h, &mut blocks);
             }
         }
         let inertia = w.a + self.profile.drag * w.v;
-        for (a, row) in blocks.iter_mut().enumerate() {
-            for (block, mass) in row[..=a].iter_mut().zip(&self.profile.mass[a]) {
-                *block += Matrix3::from_diagonal_element(inertia * mass);
+        for a in 0..N {
+            for b in 0..=a {
+                blocks[a][b] += Matrix3::from_diagonal_element(inertia * self.profile.mass[a][b]);
             }
         }
         add_blocks(&blocks, k);
@@ -188,9 +178,10 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let (q, dq) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(by.q)));
         let mut blocks = [[Matrix3::zeros(); N]; N];
-        for (station, g0, u) in self.states(&q) {
+        for station in &self.profile.stations {
+            let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
             let h = station.stress_stiffness(&g0, &u, &station.directors::<S>(&dq));
-            station.spread_stiffness::<S>(&h, &mut blocks);
+            station.spread_stiffness(&h, &mut blocks);
         }
         add_blocks(&blocks, k);
     }
@@ -198,7 +189,10 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         let q = Relative::new::<S>(&vectors(at.q));
-        self.states(&q).all(|(station, g0, u)| station.is_admissible(&g0, &u))
+        self.profile
+            .stations
+            .iter()
+            .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)))
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
@@ -206,11 +200,27 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
         let relative = Relative::new::<S>(&q);
-        let strain = self.states(&relative).map(|(s, g0, u)| s.weight * s.energy(&g0, &u)).sum();
+        let of =
+            |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
+        let strain = self.profile.stations.iter().map(of).sum();
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
             strain,
             potential: -at.load * self.profile.gravity.dot(&moved),
+        }
+    }
+}
+
+/// Adds the lower blocks to a matrix.
+pub(super) fn add_blocks<const N: usize>(blocks: &[[Matrix3<f64>; N]; N], k: &mut LocalMatrix<'_>) {
+    for a in 0..N {
+        for b in 0..=a {
+            for i in 0..3 {
+                let columns = if a == b { 0..=i } else { 0..=2 };
+                for j in columns {
+                    k.add(3 * a + i, 3 * b + j, blocks[a][b][(i, j)]);
+                }
+            }
         }
     }
 }

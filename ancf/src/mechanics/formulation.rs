@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::SectionPoint;
-use super::section::{Directors, Lame, SectionLaw, strain::*};
+use super::section::{Directors, Form, Lame, STRAINS, SectionLaw, strain::*};
 
 /// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,9 +35,6 @@ pub struct CrossSection {
     pub points: Vec<SectionPoint>,
 }
 
-/// D over the section strains, before and while it is built.
-type Form = [[f64; 17]; 17];
-
 impl SectionLaw {
     /// Three-dimensional St. Venant-Kirchhoff elasticity ½∫(λ tr² E + 2G E:E) dA of a straight beam, exactly.
     ///
@@ -48,102 +45,141 @@ impl SectionLaw {
         Self::new(&full(material, m))
     }
 
-    /// Elasticity of a rod in the strains of the continuum: the remedy of Poisson, shear and torsion locking.
-    ///
-    /// Over the section each normal strain has modulus E and each shear strain G; what Poisson's ratio adds, λ and λ+2G−E
-    /// among the normal strains, acts on the axis only, so that bending is resisted by E I. Mean shear strains have the
-    /// stiffnesses k G A, and of the section's shear strains the part that is a twist,
-    /// κ = (I_y ε_be − I_z ε_cd)/(I_y + I_z) with I_z = ∫z² dA, I_y = ∫y² dA here, has the stiffness G J.
-    /// Fibres stretch by Green's strain: at finite thickness, bending and twist stretch them too.
-    ///
-    /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for the split of Poisson's
-    /// effect and the shear factors; the projection on the twist is the energy-orthogonal one.
-    pub fn enhanced(material: Lame, section: &CrossSection) -> Self {
-        let (young, m) = (material.young(), section.moments);
-        // E and G without coupling: Lamé's constants λ = 0, 2G' = E for normal strains, G for shear strains.
-        let mut d = full(Lame { lambda: 0.0, shear: 0.5 * young }, m);
-        let ratio = material.shear / (0.5 * young);
-        for k in [AD, BD, CD, AE, BE, CE, DE] {
-            d[k][k] *= ratio;
-        }
-        add_poisson(material, m.area, &mut d);
-        let shear = |k: usize| unit(k);
-        let polar = m.yy + m.zz;
-        let mut twist = [0.0; 17];
-        twist[BE] = m.yy / polar;
-        twist[CD] = -m.zz / polar;
-        correct(material, section, [&shear(AD), &shear(AE), &twist], &mut d);
-        Self::new(&d)
-    }
-
-    /// The part of [`SectionLaw::enhanced`] that is Poisson's effect on the axis, for reference directors g0.
-    pub(super) fn poisson(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
-        let mut d = [[0.0; 17]; 17];
-        let (axis, volume) = local_strains(g0, 0.0, 0.0);
-        add_poisson_rows(material, section.moments.area * volume, &axis, &mut d);
-        Self::new(&d)
-    }
-
-    /// Either of them for a beam that is curved or twisted in its reference state, with directors g0 in the local frame.
+    /// The same for a beam that is curved or twisted in its reference state, with directors g0 in any frame.
     ///
     /// The strains that have energy are those in the orthonormal frame of the reference section, E = F₀⁻ᵀ Ẽ F₀⁻¹ with
     /// F₀ = [g₁ g₂ g₃], which varies over the section; integrated by points.
-    pub fn curved(material: Lame, section: &CrossSection, g0: &Directors, enhanced: bool) -> Self {
-        let mut d = [[0.0; 17]; 17];
-        let lambda = if enhanced { 0.0 } else { material.lambda };
-        let normal = if enhanced { material.young() } else { material.lambda + 2.0 * material.shear };
-        let (mut area, mut shear, mut twist) = (0.0, [[0.0; 17]; 2], [0.0; 17]);
+    pub fn curved(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let Lame { lambda, shear } = material;
+        let mut d = NONE;
         for point in &section.points {
             let (rows, volume) = local_strains(g0, point.y, point.z);
             let weight = point.weight * volume;
             for i in 0..3 {
                 for j in 0..3 {
-                    add_product(&rows[i], &rows[j], weight * if i == j { normal } else { lambda }, &mut d);
+                    let stiffness = if i == j { lambda + 2.0 * shear } else { lambda };
+                    add_product(&rows[i], &rows[j], weight * stiffness, &mut d);
                 }
-                add_product(&rows[3 + i], &rows[3 + i], weight * material.shear, &mut d);
+                add_product(&rows[3 + i], &rows[3 + i], weight * shear, &mut d);
             }
-            area += weight;
-            let polar = section.moments.yy + section.moments.zz;
-            for k in 0..17 {
-                shear[0][k] += weight * rows[3][k];
-                shear[1][k] += weight * rows[4][k];
-                twist[k] += weight / polar * (point.y * rows[4][k] - point.z * rows[3][k]);
-            }
-        }
-        if enhanced {
-            let (axis, volume) = local_strains(g0, 0.0, 0.0);
-            add_poisson_rows(material, section.moments.area * volume, &axis, &mut d);
-            let [y, z] = shear.map(|row| row.map(|x| x / area));
-            correct(material, section, [&y, &z, &twist], &mut d);
         }
         Self::new(&d)
     }
 
-    /// The same law under the strains of the linked formulation at ξ of an element of length l.
+    /// Elasticity of a rod in the strains of the continuum: the remedy of Poisson and torsion locking.
     ///
-    /// ε_ad + w ε_hd in the place of ε_ad and ε_ab + w' ε_hd in that of ε_ab, with w = ξ − ξ², and likewise with e, c: what
-    /// the sections' directors would add if they were quadratic, so that the shear strain is linear along the element.
+    /// The sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference directors g0 in
+    /// any frame.
+    ///
+    /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on the axis
+    /// only and the shear factors; the split into parts that are never negative is ours.
+    pub fn enhanced(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let shear = Self::shear(material, section, g0);
+        Self::rod(material, section, g0).plus(&shear).plus(&Self::transverse(material, section, g0))
+    }
+
+    /// Tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
+    ///
+    /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean of the rates at which the
+    /// section's two directions turn.
+    pub fn rod(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (m, mut d, mut area, mut twist) = (section.moments, NONE, 0.0, [0.0; STRAINS]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            let weight = point.weight * volume;
+            area += weight;
+            add_product(&rows[0], &rows[0], weight * material.young(), &mut d);
+            for k in 0..STRAINS {
+                twist[k] += 0.5 * weight * (point.y / m.yy * rows[4][k] - point.z / m.zz * rows[3][k]);
+            }
+        }
+        // Per length of the material coordinate, of which area/A is the length in the reference state.
+        add_product(&twist, &twist, material.shear * section.torsion * m.area / area, &mut d);
+        Self::new(&d)
+    }
+
+    /// Shear forces: ½(k_y GA γ_y² + k_z GA γ_z²), where γ are the means of the shear strains over the section.
+    pub fn shear(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (mut d, mut area, mut means) = (NONE, 0.0, [[0.0; STRAINS]; 2]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            area += point.weight * volume;
+            for (mean, row) in means.iter_mut().zip(&rows[3..5]) {
+                mean.iter_mut().zip(row).for_each(|(mean, x)| *mean += point.weight * volume * x);
+            }
+        }
+        for (mean, factor) in means.iter().zip(section.shear) {
+            add_product(mean, mean, factor * material.shear / area, &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// The section's own change of size and shape, ½A ((λ+2G)(y² + z²) + 2λ y z + G (2E₂₃)²) with y = E₂₂ + ν E₁₁,
+    /// z = E₃₃ + ν E₁₁ on the axis: none where it contracts as it does under tension.
+    pub fn transverse(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let Lame { lambda, shear } = material;
+        let poisson = 0.5 * lambda / (lambda + shear);
+        let (rows, volume) = local_strains(g0, 0.0, 0.0);
+        let area = section.moments.area * volume;
+        let of = |i: usize| std::array::from_fn(|k| rows[i][k] + poisson * rows[0][k]);
+        let (y, z, mut d): (Row, Row, Form) = (of(1), of(2), NONE);
+        for (x, y, stiffness) in [
+            (&y, &y, lambda + 2.0 * shear),
+            (&z, &z, lambda + 2.0 * shear),
+            (&y, &z, lambda),
+            (&z, &y, lambda),
+            (&rows[5], &rows[5], shear),
+        ] {
+            add_product(x, y, area * stiffness, &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// The same law under the strains of the linked formulation at ξ of a two-node element of length l.
+    ///
+    /// Its curvatures are ε_ab + w' ε_hd, with w = ξ − ξ², in the place of ε_ab, and likewise with c, e: as if the sections'
+    /// directors had the quadratic part w h·d that makes the shear strains linear along the element, from their values at the
+    /// nodes.
     ///
     /// Source: linked interpolation as in Jelenic & Papa (2011), here of strains of the fully parameterised element.
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
-        let (value, slope) = (xi - xi * xi, (1.0 - 2.0 * xi) / length);
-        let mut map: SMatrix<f64, 17, 17> = SMatrix::identity();
-        map[(AD, DH)] = value;
-        map[(AB, DH)] = slope;
-        map[(AE, EH)] = value;
-        map[(AC, EH)] = slope;
-        let d = SMatrix::<f64, 17, 17>::from_fn(|k, l| self.entry(k, l));
-        let d = map.transpose() * d * map;
+        let slope = (1.0 - 2.0 * xi) / length;
+        let arm = slope * length;
+        self.mapped(&[(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)])
+    }
+
+    /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:
+    /// ε_aa − (η² − 1/12) ε_hh in the place of ε_aa, with η = ξ − ½ and a = a(½) + η h.
+    #[must_use]
+    pub fn reduced(&self, xi: f64) -> Self {
+        let eta = xi - 0.5;
+        self.mapped(&[(AA, HH, 1.0 / 12.0 - eta * eta)])
+    }
+
+    /// The law in which each strain of the list has a factor of another one added to it.
+    fn mapped(&self, list: &[(usize, usize, f64)]) -> Self {
+        let mut map: SMatrix<f64, STRAINS, STRAINS> = SMatrix::identity();
+        for &(strain, added, factor) in list {
+            map[(strain, added)] = factor;
+        }
+        let form = self.form();
+        let d = map.transpose() * SMatrix::from_fn(|k, l| form[k][l]) * map;
         Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| 0.5 * (d[(k, l)] + d[(l, k)]))))
     }
 }
+
+/// A strain as a combination of section strains.
+type Row = [f64; STRAINS];
+
+/// No stiffness.
+const NONE: Form = [[0.0; STRAINS]; STRAINS];
 
 /// D of λ tr² E + 2G E:E over a straight section.
 fn full(material: Lame, m: Moments) -> Form {
     let Lame { lambda: l, shear: g } = material;
     let p = l + 2.0 * g;
-    let mut d = [[0.0; 17]; 17];
+    let mut d = NONE;
     let mut set = |i: usize, j: usize, value: f64| {
         d[i][j] = value;
         d[j][i] = value;
@@ -180,37 +216,9 @@ fn full(material: Lame, m: Moments) -> Form {
     d
 }
 
-/// Adds what Poisson's ratio couples on the axis: λ+2G−E of each normal strain and λ between two.
-fn add_poisson(material: Lame, area: f64, d: &mut Form) {
-    add_poisson_rows(material, area, &[unit(AA), unit(DD), unit(EE), unit(AD), unit(AE), unit(DE)], d);
-}
-
-fn add_poisson_rows(material: Lame, area: f64, rows: &[[f64; 17]; 6], d: &mut Form) {
-    let own = material.lambda + 2.0 * material.shear - material.young();
-    for i in 0..3 {
-        for j in 0..3 {
-            add_product(&rows[i], &rows[j], area * if i == j { own } else { material.lambda }, d);
-        }
-    }
-}
-
-/// Brings the mean shear strains and the twist from G A and G (I_y + I_z) to k_y G A, k_z G A and G J.
-fn correct(material: Lame, section: &CrossSection, [y, z, twist]: [&[f64; 17]; 3], d: &mut Form) {
-    let (g, m) = (material.shear, section.moments);
-    add_product(y, y, (section.shear[0] - 1.0) * g * m.area, d);
-    add_product(z, z, (section.shear[1] - 1.0) * g * m.area, d);
-    add_product(twist, twist, g * (section.torsion - m.yy - m.zz), d);
-}
-
-fn unit(k: usize) -> [f64; 17] {
-    let mut row = [0.0; 17];
-    row[k] = 1.0;
-    row
-}
-
-fn add_product(x: &[f64; 17], y: &[f64; 17], factor: f64, d: &mut Form) {
-    for k in 0..17 {
-        for l in 0..17 {
+fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
+    for k in 0..STRAINS {
+        for l in 0..STRAINS {
             d[k][l] += factor * x[k] * y[l];
         }
     }
@@ -218,7 +226,7 @@ fn add_product(x: &[f64; 17], y: &[f64; 17], factor: f64, d: &mut Form) {
 
 /// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ at (y, z) in the orthonormal frame of the reference section as rows over the section
 /// strains, and det F₀.
-pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], f64) {
+pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
     let n = g0[3].cross(&g0[4]).normalize();
     let second = g0[3].normalize();
     let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
@@ -227,7 +235,7 @@ pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], 
     let inverse = f0.try_inverse().unwrap_or_else(Matrix3::identity);
     // Ẽ in the basis of the reference directors: each entry a combination of section strains.
     let of = |terms: &[(usize, f64)]| {
-        let mut row = [0.0; 17];
+        let mut row = [0.0; STRAINS];
         terms.iter().for_each(|&(k, x)| row[k] = x);
         row
     };
@@ -236,8 +244,8 @@ pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], 
     let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
     let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
     let strains = [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]];
-    let rotated = |i: usize, j: usize, factor: f64| -> [f64; 17] {
-        let mut row = [0.0; 17];
+    let rotated = |i: usize, j: usize, factor: f64| -> Row {
+        let mut row = [0.0; STRAINS];
         for (k, strains) in strains.iter().enumerate() {
             for (l, strain) in strains.iter().enumerate() {
                 let weight = factor * inverse[(k, i)] * inverse[(l, j)];
@@ -260,5 +268,5 @@ pub(super) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([[f64; 17]; 6], 
 /// Directors of a straight, undistorted reference section in its own frame.
 pub(super) fn straight() -> Directors {
     let zero = Vector3::zeros();
-    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero]
+    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero, zero]
 }

@@ -1,5 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
+use super::section::DIRECTORS;
 use super::{Directors, Lame, Stiffness};
 
 /// A point of a cross-section and the area that it stands for.
@@ -145,10 +146,10 @@ impl NeoHookean {
     ///
     /// ∂W/∂F = G(F − F⁻ᵀ) + λ ln det F F⁻ᵀ = F⁻ᵀ (2G E + λ ln det F I), and ∂W/∂J = ∂W/∂F J₀⁻ᵀ.
     pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
-        let mut p = [Vector3::zeros(); 6];
+        let mut p = [Vector3::zeros(); DIRECTORS];
         for point in &self.points {
             let Some(d) = Deformation::new(point, g0, u) else {
-                return [Vector3::repeat(f64::NAN); 6];
+                return [Vector3::repeat(f64::NAN); DIRECTORS];
             };
             let stress = d.dual * d.stress(self.lame) * d.inverse.transpose() * d.volume;
             for ((p, column), factor) in p.iter_mut().zip(COLUMN).zip(point.factors()) {
@@ -167,7 +168,7 @@ impl NeoHookean {
         let Lame { lambda, shear } = self.lame;
         for point in &self.points {
             let Some(d) = Deformation::new(point, g0, u) else {
-                *h = [[Matrix3::repeat(f64::NAN); 6]; 6];
+                *h = [[Matrix3::repeat(f64::NAN); DIRECTORS]; DIRECTORS];
                 return;
             };
             let (metric, basis) = (d.inverse * d.inverse.transpose(), d.dual * d.inverse.transpose());
@@ -198,7 +199,7 @@ impl NeoHookean {
         let Lame { lambda, shear } = self.lame;
         for point in &self.points {
             let Some(d) = Deformation::new(point, g0, u) else {
-                *h = [[Matrix3::repeat(f64::NAN); 6]; 6];
+                *h = [[Matrix3::repeat(f64::NAN); DIRECTORS]; DIRECTORS];
                 return;
             };
             let (inverse, rate) = (d.dual.transpose() * d.dual, point.gradient(du) * d.inverse);
@@ -222,12 +223,12 @@ impl NeoHookean {
     ///
     /// Returns one number per director, for each of its components. By norms: dH = dJ J₀⁻¹, dE = Fᵀ dH,
     /// d ln det F = C⁻¹:dE, dF⁻¹ = −F⁻¹ dF F⁻¹.
-    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
-        let moved: [f64; 6] = std::array::from_fn(|i| du[i] + 2.0 * f64::EPSILON * u[i].norm());
-        let mut p = [0.0; 6];
+    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
+        let moved: [f64; DIRECTORS] = std::array::from_fn(|i| du[i] + 2.0 * f64::EPSILON * u[i].norm());
+        let mut p = [0.0; DIRECTORS];
         for point in &self.points {
             let Some(d) = Deformation::new(point, g0, u) else {
-                return [f64::INFINITY; 6];
+                return [f64::INFINITY; DIRECTORS];
             };
             let factors = point.factors().map(f64::abs);
             let mut columns = Vector3::<f64>::zeros();

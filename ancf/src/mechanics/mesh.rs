@@ -255,9 +255,9 @@ impl BeamMesh {
         self.axes(s).map(|axis| axis.reference())
     }
 
-    /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the two directors that each enters.
-    pub(super) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 2])> {
-        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 2])> {
+    /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the directors that each enters.
+    pub(super) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
+        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
             let (values, directors) = (shape.values(xi), shape.directors(xi));
             (0..N).map(|i| (S::KINDS[i], values[i], directors[i])).collect()
         }
@@ -316,7 +316,7 @@ impl BeamMesh {
         })
     }
 
-    fn marker(&self, s: f64, weight: impl Fn(Kind, f64, [f64; 2]) -> f64) -> Marker {
+    fn marker(&self, s: f64, weight: impl Fn(Kind, f64, [f64; 3]) -> f64) -> Marker {
         let (element, xi) = self.locate(s);
         let offset = element * self.stride();
         let of = self.weights(xi);

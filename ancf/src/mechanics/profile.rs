@@ -2,11 +2,11 @@ use nalgebra::Vector3;
 
 use super::element::Profile;
 use super::formulation::straight;
-use super::section::strain::{AA, BB, BD, CC, CE, DD, DE, EE};
-use super::station::{Law, Relative, Station};
+use super::section::DIRECTORS;
+use super::station::{Law, Parts, Relative, Station};
 use super::{
     BeamShape, CrossSection, Directors, Interpolation, Kind, Lame, Moments, NeoHookean, QuadraticShape,
-    SectionLaw, gauss, gauss2, gauss3, quadrature::lobatto3,
+    SectionLaw, gauss, gauss2, quadrature::lobatto3,
 };
 
 /// What a beam is made of.
@@ -33,12 +33,19 @@ pub enum Formulation {
     Continuum,
     /// [`SectionLaw::enhanced`] at five points.
     Enhanced,
-    /// [`SectionLaw::enhanced`] under linked strains ([`SectionLaw::linked`]) at three points.
+    /// [`SectionLaw::rod`] under linked strains ([`SectionLaw::linked`]) at the nodes and the middle, by Simpson's rule, and
+    /// [`SectionLaw::transverse`] at the nodes, where r_x, r_y and r_z are coordinates and free to fit each other: neither
+    /// the axis' length nor the sections' size and shape lock when the element bends.
     Linked,
 }
 
-/// A quadrature point and its elasticity at the section there.
-type Sample<'a> = (f64, f64, &'a dyn Fn(&Directors, &CrossSection) -> SectionLaw);
+/// A quadrature point and its elasticity there: at ξ, by reference directors and section.
+type Sample<'a> = (f64, f64, &'a Elasticity<'a>);
+type Elasticity<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
+
+fn at<'a>(rule: &[(f64, f64)], law: &'a Elasticity<'a>) -> Vec<Sample<'a>> {
+    rule.iter().map(|&(xi, w)| (xi, w, law)).collect()
+}
 
 impl Profile<8> {
     /// Elements of a straight prismatic beam in the continuum formulation.
@@ -69,63 +76,37 @@ impl Profile<8> {
         formulation: Formulation,
     ) -> Self {
         let (lame, length) = (medium.lame, shape.length);
-        let enhanced = formulation != Formulation::Continuum;
-        let law = |g0: &Directors, section: &CrossSection| match (is_straight(g0), enhanced) {
-            (true, false) => SectionLaw::continuum(lame, section.moments),
-            (true, true) => SectionLaw::enhanced(lame, section),
-            (false, enhanced) => SectionLaw::curved(lame, section, g0, enhanced),
+        let continuum = |_: f64, g0: &Directors, section: &CrossSection| match is_straight(g0) {
+            true => SectionLaw::continuum(lame, section.moments),
+            false => SectionLaw::curved(lame, section, g0),
         };
-        let mut profile = match formulation {
-            Formulation::Continuum | Formulation::Enhanced => {
-                let rule: Vec<Sample<'_>> = gauss().iter().map(|&(xi, w)| (xi, w, &law as _)).collect();
-                Self::build(&shape, reference, section, medium, &rule)
-            }
-            Formulation::Linked => {
-                let axial = |g0: &Directors, section: &CrossSection| {
-                    law(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[AA, BB, CC])
-                };
-                let nodal = |g0: &Directors, section: &CrossSection| {
-                    let poisson = SectionLaw::poisson(lame, section, g0);
-                    law(g0, section).minus(&poisson).among(&[DD, EE, DE]).plus(&poisson)
-                };
-                let mid = |g0: &Directors, section: &CrossSection| law(g0, section).among(&[BD, CE]);
-                let rest = |g0: &Directors, section: &CrossSection| {
-                    law(g0, section)
-                        .minus(&axial(g0, section))
-                        .minus(&nodal(g0, section))
-                        .minus(&mid(g0, section))
-                };
-                let mut rule: Vec<Sample<'_>> = gauss3().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
-                rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &axial) }));
-                rule.extend(
-                    [(0.0, 0.5), (1.0, 0.5)].iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }),
-                );
-                rule.push((0.5, 1.0, &mid));
-                let mut profile = Self::build(&shape, reference, section, medium, &rule);
-                profile.stations.iter_mut().for_each(|station| station.link(length));
-                profile
-            }
+        let enhanced =
+            |_: f64, g0: &Directors, section: &CrossSection| SectionLaw::enhanced(lame, section, g0);
+        let linked = |xi: f64, g0: &Directors, section: &CrossSection| {
+            let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
+            let shear = SectionLaw::shear(lame, section, g0);
+            let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
+            // Simpson's weights are 1/6 at the nodes, those of the trapezoidal rule 1/2.
+            if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
         };
-        if formulation != Formulation::Linked {
-            // Nothing reads h: what is zero costs nothing.
-            for station in &mut profile.stations {
-                for i in [0, 1, 4, 5] {
-                    station.weights[i][1] = 0.0;
-                }
-                station.reference[5] = Vector3::zeros();
-            }
-        }
-        profile
+        let rule = match formulation {
+            Formulation::Continuum => at(&gauss(), &continuum),
+            Formulation::Enhanced => at(&gauss(), &enhanced),
+            Formulation::Linked => at(&lobatto3(), &linked),
+        };
+        Self::build(&shape, reference, section, medium, &rule)
     }
 }
 
 impl Profile<9> {
     /// Three-node elements with the given reference vectors, in any frame, and the section at ξ.
     ///
-    /// [`SectionLaw::enhanced`] without Poisson's effect at two points, which frees the element from shear locking;
-    /// Poisson's effect on the axis at three.
+    /// [`SectionLaw::rod`] at two Gauss points, which frees the element from shear and membrane locking, and
+    /// [`SectionLaw::transverse`] at the nodes, by Simpson's rule, with the axial strain of the Gauss points
+    /// ([`SectionLaw::reduced`]).
     ///
-    /// Source: Nachbagauer, Gruber & Gerstmayr (2013).
+    /// Source: Nachbagauer, Gruber & Gerstmayr (2013) for the element and the two points; the change of the section at the nodes is
+    /// ours: at the Gauss points, motions without or with negative energy are left, at more points the element locks.
     pub fn three_node(
         shape: QuadraticShape,
         reference: &[Vector3<f64>; 9],
@@ -133,16 +114,14 @@ impl Profile<9> {
         medium: &Medium,
     ) -> Self {
         let lame = medium.lame;
-        let all = |g0: &Directors, section: &CrossSection| match is_straight(g0) {
-            true => SectionLaw::enhanced(lame, section),
-            false => SectionLaw::curved(lame, section, g0, true),
+        let rod = |_: f64, g0: &Directors, section: &CrossSection| {
+            SectionLaw::rod(lame, section, g0).plus(&SectionLaw::shear(lame, section, g0))
         };
-        let nodal = |g0: &Directors, section: &CrossSection| {
-            all(g0, section).minus(&SectionLaw::poisson(lame, section, g0)).among(&[DD, EE, DE])
+        let transverse = |xi: f64, g0: &Directors, section: &CrossSection| {
+            SectionLaw::transverse(lame, section, g0).reduced(xi)
         };
-        let rest = |g0: &Directors, section: &CrossSection| all(g0, section).minus(&nodal(g0, section));
-        let mut rule: Vec<Sample<'_>> = gauss2().iter().map(|&(xi, w)| (xi, w, &rest as _)).collect();
-        rule.extend(lobatto3().iter().map(|&(xi, w)| -> Sample<'_> { (xi, w, &nodal) }));
+        let mut rule = at(&gauss2(), &rod);
+        rule.extend(at(&lobatto3(), &transverse));
         Self::build(&shape, reference, section, medium, &rule)
     }
 }
@@ -162,17 +141,22 @@ impl<const N: usize> Profile<N> {
         let relative = Relative::new::<S>(reference);
         let stations = rule.iter().map(|&(xi, w, law)| {
             let weights = shape.directors(xi);
-            let directors = Station::<N>::sum::<S>(&weights, &relative);
-            let g0 = settled(directors, shape.length());
+            let parts = |reach: usize| -> [Parts; N] {
+                std::array::from_fn(|i| Parts::new(S::KINDS[i].directors(), weights[i], reach))
+            };
+            let mut g0 = settled(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
             let section = section(xi);
-            let quadratic = law(&g0, &section);
+            let quadratic = law(xi, &g0, &section);
+            // What nothing reads costs nothing.
+            let reach = quadratic.reach().max(5);
+            g0[reach..].fill(Vector3::zeros());
             let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
             let law = if medium.neo_hookean {
                 Law::Hyperelastic(NeoHookean::new(medium.lame, section.points))
             } else {
                 Law::Quadratic(quadratic)
             };
-            Station { xi, weight: w * shape.length(), weights, reference: g0, law, viscosity }
+            Station { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
         });
         let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
         for (xi, w) in gauss() {
@@ -193,30 +177,13 @@ impl<const N: usize> Profile<N> {
                 }
             }
         }
-        Self {
-            length: shape.length(),
-            stations: stations.collect(),
-            mass,
-            first,
-            gravity: medium.gravity,
-            drag: medium.drag,
-        }
-    }
-}
-
-impl Station<8> {
-    /// Brings its laws under linked strains.
-    fn link(&mut self, length: f64) {
-        if let Law::Quadratic(law) = &mut self.law {
-            *law = law.linked(self.xi, length);
-        }
-        self.viscosity = self.viscosity.as_ref().map(|law| law.linked(self.xi, length));
+        Self { stations: stations.collect(), mass, first, gravity: medium.gravity, drag: medium.drag }
     }
 }
 
 /// Directors that are straight but for rounding, straight.
 fn settled(g0: Directors, length: f64) -> Directors {
-    let scales = [1.0, length, length, 1.0, 1.0, 1.0];
+    let scales = [1.0, length, length, 1.0, 1.0, 1.0, 1.0];
     let near = g0.iter().zip(straight()).zip(scales).all(|((g, s), scale)| (g - s).amax() * scale < 1e-12);
     if near { straight() } else { g0 }
 }

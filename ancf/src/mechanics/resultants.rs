@@ -2,8 +2,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::formulation::local_strains;
 use super::mesh::Elasticity;
-use super::station::link;
-use super::{BeamMesh, Directors, Kind, SectionLaw, Wrench};
+use super::section::strain::{AB, AC, BK, CK, DH, EH};
+use super::section::{DIRECTORS, all_strains};
+use super::{BeamMesh, Directors, Kind, Wrench};
 use crate::system::{LOCAL, Local, State};
 
 impl BeamMesh {
@@ -86,9 +87,11 @@ impl BeamMesh {
             let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
             return [along, along * self.lame.young()];
         }
-        let mut products = SectionLaw::strains(&g0, &u);
+        let mut products = all_strains(&g0, &u);
         if self.elasticity == (Elasticity::Rod { linked: true }) {
-            link(&mut products, xi, self.length);
+            let arm = 1.0 - 2.0 * xi;
+            products[AB] += arm * (products[DH] / self.length + products[BK]);
+            products[AC] += arm * (products[EH] / self.length + products[CK]);
         }
         let at = |y: f64, z: f64| {
             let (rows, _) = local_strains(&g0, y, z);
@@ -125,7 +128,7 @@ impl BeamMesh {
         let (element, xi) = self.locate(s);
         let offset = element * self.stride();
         let base = [self.reference[offset], self.displacement(state, offset)];
-        let (mut g0, mut u) = ([Vector3::zeros(); 6], [Vector3::zeros(); 6]);
+        let (mut g0, mut u) = ([Vector3::zeros(); DIRECTORS], [Vector3::zeros(); DIRECTORS]);
         for (i, (kind, _, weights)) in self.weights(xi).into_iter().enumerate() {
             let mut vectors = [self.reference[offset + i], self.displacement(state, offset + i)];
             if kind == Kind::Position {

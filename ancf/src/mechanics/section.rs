@@ -18,17 +18,26 @@ impl Lame {
 
 /// The vectors that make up the deformation of a cross-section, or increments of them.
 ///
-/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The sixth, h, is
-/// the quadratic part of a within an element, which only the linked formulation reads (see [`BeamShape`](super::BeamShape)).
-pub type Directors = [Vector3<f64>; 6];
+/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The others say
+/// how a varies along an element, whatever the section: h is the coefficient of its highest power of ξ, and
+/// k = a(1) − a(0). Strains that vary along an element more than they should are mended by them
+/// ([`Formulation`](super::Formulation)).
+pub type Directors = [Vector3<f64>; DIRECTORS];
 
-/// Pairs of directors whose products make the section strains; ½ of the product for the first five.
-const PAIRS: [(usize, usize); 17] = [
+/// Number of directors.
+pub(super) const DIRECTORS: usize = 7;
+
+/// Number of section strains.
+pub(super) const STRAINS: usize = 20;
+
+/// Pairs of directors whose products make the section strains; ½ of the product for the equal ones.
+const PAIRS: [(usize, usize); STRAINS] = [
     (0, 0),
     (1, 1),
     (2, 2),
     (3, 3),
-    (4, 4), // aa bb cc dd ee
+    (4, 4),
+    (5, 5), // aa bb cc dd ee hh
     (0, 1),
     (0, 2),
     (1, 2),
@@ -40,13 +49,12 @@ const PAIRS: [(usize, usize); 17] = [
     (2, 4),
     (3, 4), // ab ac bc ad bd cd ae be ce de
     (3, 5),
-    (4, 5), // dh eh
+    (4, 5),
+    (1, 6),
+    (2, 6), // dh eh bk ck
 ];
-/// How many of the pairs are equal ones.
-const EQUAL: usize = 5;
-
 /// Section strains by the pair of directors that they belong to.
-pub(super) type Strains = [f64; 17];
+pub(super) type Strains = [f64; STRAINS];
 
 /// Names of the places in [`Strains`].
 pub(super) mod strain {
@@ -55,18 +63,21 @@ pub(super) mod strain {
     pub(in crate::mechanics) const CC: usize = 2;
     pub(in crate::mechanics) const DD: usize = 3;
     pub(in crate::mechanics) const EE: usize = 4;
-    pub(in crate::mechanics) const AB: usize = 5;
-    pub(in crate::mechanics) const AC: usize = 6;
-    pub(in crate::mechanics) const BC: usize = 7;
-    pub(in crate::mechanics) const AD: usize = 8;
-    pub(in crate::mechanics) const BD: usize = 9;
-    pub(in crate::mechanics) const CD: usize = 10;
-    pub(in crate::mechanics) const AE: usize = 11;
-    pub(in crate::mechanics) const BE: usize = 12;
-    pub(in crate::mechanics) const CE: usize = 13;
-    pub(in crate::mechanics) const DE: usize = 14;
-    pub(in crate::mechanics) const DH: usize = 15;
-    pub(in crate::mechanics) const EH: usize = 16;
+    pub(in crate::mechanics) const HH: usize = 5;
+    pub(in crate::mechanics) const AB: usize = 6;
+    pub(in crate::mechanics) const AC: usize = 7;
+    pub(in crate::mechanics) const BC: usize = 8;
+    pub(in crate::mechanics) const AD: usize = 9;
+    pub(in crate::mechanics) const BD: usize = 10;
+    pub(in crate::mechanics) const CD: usize = 11;
+    pub(in crate::mechanics) const AE: usize = 12;
+    pub(in crate::mechanics) const BE: usize = 13;
+    pub(in crate::mechanics) const CE: usize = 14;
+    pub(in crate::mechanics) const DE: usize = 15;
+    pub(in crate::mechanics) const DH: usize = 16;
+    pub(in crate::mechanics) const EH: usize = 17;
+    pub(in crate::mechanics) const BK: usize = 18;
+    pub(in crate::mechanics) const CK: usize = 19;
 }
 
 /// Elasticity of a cross-section as a quadratic form ½ εᵀ D ε in the products of directors.
@@ -83,99 +94,121 @@ pub(super) mod strain {
 /// Units: D force·lengthᵏ; energies per length of the axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionLaw {
-    /// Entries (k, l, D_kl) that are not zero, with k ≥ l.
-    entries: Vec<(usize, usize, f64)>,
+    /// Entries (k, l, D_kl) that are not zero, with k > l.
+    coupled: Vec<(usize, usize, f64)>,
+    /// The strains that have stiffness, each with its pair of directors and D_kk.
+    used: Vec<(usize, (usize, usize), f64)>,
+    /// One more than the last director that it depends on.
+    reach: usize,
 }
 
+/// D over the section strains.
+pub(super) type Form = [[f64; STRAINS]; STRAINS];
+
 impl SectionLaw {
-    /// The law of a symmetric matrix D; entries that are rounding errors of zero are left out.
-    pub(super) fn new(d: &[[f64; 17]; 17]) -> Self {
-        let lower = (0..17).flat_map(|k| (0..=k).map(move |l| (k, l, d[k][l])));
-        let counts = |&(k, l, entry): &(usize, usize, f64)| {
-            entry.abs() > 1e-15 * (d[k][k] * d[l][l]).abs().sqrt() && entry != 0.0
-        };
-        Self { entries: lower.filter(counts).collect() }
+    /// The law of a symmetric matrix D that is not negative; entries that are rounding errors of zero are left out.
+    pub(super) fn new(d: &Form) -> Self {
+        let counts = |k: usize, l: usize| d[k][l].abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt();
+        let used: Vec<_> = (0..STRAINS).filter(|&k| counts(k, k)).map(|k| (k, PAIRS[k], d[k][k])).collect();
+        let lower = (0..STRAINS).flat_map(|k| (0..k).map(move |l| (k, l)));
+        let coupled = lower.filter(|&(k, l)| counts(k, l)).map(|(k, l)| (k, l, d[k][l]));
+        let reach = used.iter().map(|(_, (i, j), _)| i.max(j) + 1).max().unwrap_or(0);
+        Self { coupled: coupled.collect(), used, reach }
     }
 
-    /// D_kl.
-    pub(super) fn entry(&self, k: usize, l: usize) -> f64 {
-        let (k, l) = (k.max(l), k.min(l));
-        self.entries.iter().find(|entry| (entry.0, entry.1) == (k, l)).map_or(0.0, |entry| entry.2)
+    /// D.
+    pub(super) fn form(&self) -> Form {
+        let mut d = [[0.0; STRAINS]; STRAINS];
+        for &(k, _, entry) in &self.used {
+            d[k][k] = entry;
+        }
+        for &(k, l, entry) in &self.coupled {
+            d[k][l] = entry;
+            d[l][k] = entry;
+        }
+        d
     }
 
     /// The same law, `factor` times as stiff.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        Self { entries: self.entries.iter().map(|&(k, l, d)| (k, l, factor * d)).collect() }
-    }
-
-    /// The entries between the given strains.
-    pub(super) fn among(&self, strains: &[usize]) -> Self {
-        let inside = |(k, l, _): &(usize, usize, f64)| strains.contains(k) && strains.contains(l);
-        Self { entries: self.entries.iter().copied().filter(inside).collect() }
+        let mut law = self.clone();
+        law.used.iter_mut().for_each(|(_, _, d)| *d *= factor);
+        law.coupled.iter_mut().for_each(|(_, _, d)| *d *= factor);
+        law
     }
 
     /// The sum of two laws.
-    pub(super) fn plus(&self, other: &Self) -> Self {
-        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) + other.entry(k, l))))
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let (mut d, more) = (self.form(), other.form());
+        d.iter_mut().flatten().zip(more.iter().flatten()).for_each(|(d, more)| *d += more);
+        Self::new(&d)
     }
 
-    /// The difference of two laws.
-    pub(super) fn minus(&self, other: &Self) -> Self {
-        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| self.entry(k, l) - other.entry(k, l))))
+    /// One more than the last director that it depends on.
+    pub(super) fn reach(&self) -> usize {
+        self.reach
     }
 
     /// Section strains of the increment u from the reference directors g0, without cancellation:
-    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β.
-    pub(super) fn strains(g0: &Directors, u: &Directors) -> Strains {
-        let mut strains = [0.0; 17];
-        for (k, (strain, (i, j))) in strains.iter_mut().zip(PAIRS).enumerate() {
-            *strain = if k < EQUAL {
-                g0[i].dot(&u[i]) + 0.5 * u[i].dot(&u[i])
+    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Those without stiffness are left at zero.
+    fn strains(&self, g0: &Directors, u: &Directors) -> Strains {
+        let mut strains = [0.0; STRAINS];
+        for &(k, (i, j), _) in &self.used {
+            strains[k] = if i == j {
+                (g0[i] + u[i] * 0.5).dot(&u[i])
             } else {
-                g0[i].dot(&u[j]) + u[i].dot(&g0[j]) + u[i].dot(&u[j])
+                (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j])
             };
         }
         strains
     }
 
     /// Rates of the section strains of the directors g moving with v.
-    pub(super) fn rates(g: &Directors, v: &Directors) -> Strains {
-        std::array::from_fn(|k| {
-            let (i, j) = PAIRS[k];
-            if k < EQUAL { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) }
-        })
+    fn rates(&self, g: &Directors, v: &Directors) -> Strains {
+        let mut rates = [0.0; STRAINS];
+        for &(k, (i, j), _) in &self.used {
+            rates[k] = if i == j { g[i].dot(&v[i]) } else { g[i].dot(&v[j]) + v[i].dot(&g[j]) };
+        }
+        rates
     }
 
     /// Stress resultants n = D ε.
-    pub(super) fn resultants(&self, strains: &Strains) -> Strains {
-        let mut n = [0.0; 17];
-        for &(k, l, d) in &self.entries {
+    fn resultants(&self, strains: &Strains) -> Strains {
+        let mut n = [0.0; STRAINS];
+        for &(k, _, d) in &self.used {
+            n[k] = d * strains[k];
+        }
+        for &(k, l, d) in &self.coupled {
             n[k] += d * strains[l];
-            if k != l {
-                n[l] += d * strains[k];
-            }
+            n[l] += d * strains[k];
         }
         n
     }
 
+    /// Resultants of the rates of strain, for a law of viscosity.
+    pub(super) fn viscous(&self, g: &Directors, v: &Directors) -> Strains {
+        self.resultants(&self.rates(g, v))
+    }
+
     /// Strain energy per length of the increment u from the reference directors g0.
     pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
-        let strains = Self::strains(g0, u);
+        let strains = self.strains(g0, u);
         0.5 * self.resultants(&strains).iter().zip(&strains).map(|(n, e)| n * e).sum::<f64>()
     }
 
     /// Derivative of the energy by the directors: p_α = Σ_β N_αβ g_β.
     pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
-        Self::of_resultants(&self.resultants(&Self::strains(g0, u)), &sum(g0, u))
+        self.of_resultants(&self.resultants(&self.strains(g0, u)), &sum(g0, u))
     }
 
     /// Σ_k n_k ∂ε_k/∂g_α.
-    pub(super) fn of_resultants(n: &Strains, g: &Directors) -> Directors {
-        let mut p = [Vector3::zeros(); 6];
-        for (k, &(i, j)) in PAIRS.iter().enumerate() {
+    pub(super) fn of_resultants(&self, n: &Strains, g: &Directors) -> Directors {
+        let mut p = [Vector3::zeros(); DIRECTORS];
+        for &(k, (i, j), _) in &self.used {
             p[i] += g[j] * n[k];
-            if k >= EQUAL {
+            if i != j {
                 p[j] += g[i] * n[k];
             }
         }
@@ -184,37 +217,80 @@ impl SectionLaw {
 
     /// Adds `factor` times the second derivative of the energy by the directors, blocks H_αβ with α ≥ β.
     pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
-        let (n, g) = (self.resultants(&Self::strains(g0, u)), sum(g0, u));
-        Self::add_geometric(&n, factor, h);
-        self.add_products(&g, &g, factor, h);
+        let (n, g) = (self.resultants(&self.strains(g0, u)), sum(g0, u));
+        self.add_geometric(&n, factor, h);
+        self.add_squares(&g, factor, h);
     }
 
     /// Adds the stiffness Σ_k n_k ∂²ε_k of the stresses n = D ∂ε/∂g `du` that an increment of the directors causes in first
     /// order.
     pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
-        Self::add_geometric(&self.resultants(&Self::rates(&sum(g0, u), du)), 1.0, h);
+        self.add_geometric(&self.resultants(&self.rates(&sum(g0, u), du)), 1.0, h);
+    }
+
+    /// Strain energy per length that belongs to each section strain; what couples two of them is shared between them.
+    pub(super) fn shares(&self, g0: &Directors, u: &Directors) -> Strains {
+        let strains = self.strains(g0, u);
+        let n = self.resultants(&strains);
+        std::array::from_fn(|k| 0.5 * n[k] * strains[k])
     }
 
     /// Adds `factor` Σ_k n_k ∂²ε_k.
-    pub(super) fn add_geometric(n: &Strains, factor: f64, h: &mut Stiffness) {
-        for (n, &(i, j)) in n.iter().zip(&PAIRS) {
+    pub(super) fn add_geometric(&self, n: &Strains, factor: f64, h: &mut Stiffness) {
+        for &(k, (i, j), _) in &self.used {
             for axis in 0..3 {
-                h[j][i][(axis, axis)] += factor * n;
+                h[j][i][(axis, axis)] += factor * n[k];
             }
         }
     }
 
-    /// Adds `factor` Σ_k≥l D_kl ∂ε_k(g) ⊗ ∂ε_l(f), made symmetric, where ∂ε(g) are the derivatives at directors g.
-    ///
-    /// With f = g this is Bᵀ D B; half of it and half of it with f and g exchanged is the symmetric part of B(g)ᵀ D B(f).
+    /// Adds `factor` B(g)ᵀ D B(g), where B(g) are the derivatives ∂ε_k/∂g_α at directors g.
+    pub(super) fn add_squares(&self, g: &Directors, factor: f64, h: &mut Stiffness) {
+        let mut p = NO_STIFFNESS;
+        for i in 0..self.reach {
+            let x = g[i] * factor;
+            for j in 0..=i {
+                p[i][j] = x * g[j].transpose();
+                p[j][i] = p[i][j].transpose();
+            }
+        }
+        self.add_form(&p, h);
+    }
+
+    /// Adds `factor` times the symmetric part of B(g)ᵀ D B(f).
     pub(super) fn add_products(&self, g: &Directors, f: &Directors, factor: f64, h: &mut Stiffness) {
-        for &(k, l, d) in &self.entries {
-            // Both orders of (α, β) are added, so that equal strains come twice.
-            let d = if k == l { 0.5 * factor * d } else { factor * d };
-            for (i, x) in gradient(k, g) {
-                let x = x * d;
-                for (j, y) in gradient(l, f) {
-                    add_symmetric(i, j, &x, &y, h);
+        let half = |i: usize, j: usize| g[i] * f[j].transpose() + f[i] * g[j].transpose();
+        let p = std::array::from_fn(|i| std::array::from_fn(|j| half(i, j) * (0.5 * factor)));
+        self.add_form(&p, h);
+    }
+
+    /// Adds what D makes of the products P_ij = ½(g_i f_jᵀ + f_i g_jᵀ): D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at
+    /// (i, m), and so on for each order of each pair.
+    fn add_form(&self, p: &Stiffness, h: &mut Stiffness) {
+        for &(_, (i, j), d) in &self.used {
+            add(&mut h[i][i], &p[j][j], d);
+            if i != j {
+                add(&mut h[j][j], &p[i][i], d);
+                add(&mut h[j][i], &p[i][j], d);
+            }
+        }
+        for &(k, l, d) in &self.coupled {
+            if let ((i, j), (m, n)) = (PAIRS[k], PAIRS[l])
+                && i == j
+                && m == n
+            {
+                // Of equal pairs, k > l is i > m.
+                add(&mut h[i][m], &p[i][m], d);
+                continue;
+            }
+            for (row, x) in orders(PAIRS[k]) {
+                for (column, y) in orders(PAIRS[l]) {
+                    if row >= column {
+                        add(&mut h[row][column], &p[x][y], d);
+                    }
+                    if row <= column {
+                        add(&mut h[column][row], &p[y][x], d);
+                    }
                 }
             }
         }
@@ -223,25 +299,25 @@ impl SectionLaw {
     /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u.
     ///
     /// Returns one number per director, for each of its components.
-    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
-        let size: [f64; 6] = std::array::from_fn(|i| (g0[i] + u[i]).norm());
-        let moved: [f64; 6] = std::array::from_fn(|i| du[i] + f64::EPSILON * u[i].norm());
-        let n = self.resultants(&Self::strains(g0, u));
-        let mut dn = [0.0; 17];
-        let error: Strains = std::array::from_fn(|k| {
-            let (i, j) = PAIRS[k];
-            if k < EQUAL { size[i] * moved[i] } else { size[i] * moved[j] + moved[i] * size[j] }
-        });
-        for &(k, l, d) in &self.entries {
-            dn[k] += d.abs() * error[l];
-            if k != l {
-                dn[l] += d.abs() * error[k];
-            }
+    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
+        let [mut size, mut moved, mut p] = [[0.0; DIRECTORS]; 3];
+        for i in 0..self.reach {
+            size[i] = (g0[i] + u[i]).norm();
+            moved[i] = du[i] + f64::EPSILON * u[i].norm();
         }
-        let mut p = [0.0; 6];
-        for (k, &(i, j)) in PAIRS.iter().enumerate() {
+        let n = self.resultants(&self.strains(g0, u));
+        let [mut error, mut dn] = [[0.0; STRAINS]; 2];
+        for &(k, (i, j), d) in &self.used {
+            error[k] = if i == j { size[i] * moved[i] } else { size[i] * moved[j] + moved[i] * size[j] };
+            dn[k] = d.abs() * error[k];
+        }
+        for &(k, l, d) in &self.coupled {
+            dn[k] += d.abs() * error[l];
+            dn[l] += d.abs() * error[k];
+        }
+        for &(k, (i, j), _) in &self.used {
             p[i] += dn[k] * size[j] + n[k].abs() * (moved[j] + f64::EPSILON * size[j]);
-            if k >= EQUAL {
+            if i != j {
                 p[j] += dn[k] * size[i] + n[k].abs() * (moved[i] + f64::EPSILON * size[i]);
             }
         }
@@ -249,23 +325,30 @@ impl SectionLaw {
     }
 }
 
-/// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
-pub type Stiffness = [[Matrix3<f64>; 6]; 6];
-
-/// The derivatives ∂ε_k/∂g_α that are not zero.
-fn gradient(k: usize, g: &Directors) -> impl Iterator<Item = (usize, Vector3<f64>)> {
-    let (i, j) = PAIRS[k];
-    [(i, g[j]), (j, g[i])].into_iter().take(if k < EQUAL { 1 } else { 2 })
+/// All section strains of the increment u from the reference directors g0.
+pub(super) fn all_strains(g0: &Directors, u: &Directors) -> Strains {
+    PAIRS.map(|(i, j)| {
+        if i == j { (g0[i] + u[i] * 0.5).dot(&u[i]) } else { (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j]) }
+    })
 }
 
-/// Adds x yᵀ at (i, j) and y xᵀ at (j, i), of which the lower blocks are kept; both, if i = j.
-fn add_symmetric(i: usize, j: usize, x: &Vector3<f64>, y: &Vector3<f64>, h: &mut Stiffness) {
-    if i == j {
-        h[i][i] += x * y.transpose() + y * x.transpose();
-    } else if i > j {
-        h[i][j] += x * y.transpose();
-    } else {
-        h[j][i] += y * x.transpose();
+/// A pair of directors in both orders; in one, if they are the same.
+fn orders((i, j): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    [(i, j), (j, i)].into_iter().take(if i == j { 1 } else { 2 })
+}
+
+/// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
+pub type Stiffness = [[Matrix3<f64>; DIRECTORS]; DIRECTORS];
+
+/// All of them zero.
+pub(super) const NO_STIFFNESS: Stiffness =
+    [[Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0); DIRECTORS]; DIRECTORS];
+
+/// Adds `factor` times a matrix.
+#[inline]
+pub(super) fn add(sum: &mut Matrix3<f64>, matrix: &Matrix3<f64>, factor: f64) {
+    for (sum, x) in sum.as_mut_slice().iter_mut().zip(matrix.as_slice()) {
+        *sum += factor * x;
     }
 }
 

@@ -67,12 +67,12 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The directors that it enters: a and h, or d and b, or e and c.
-    pub(super) const fn directors(self) -> [usize; 2] {
+    /// The directors that it enters: a, h and k, or d and b, or e and c; only the axis has a third.
+    pub(super) const fn directors(self) -> [usize; 3] {
         match self {
-            Self::Position | Self::Slope => [0, 5],
-            Self::Y => [3, 1],
-            Self::Z => [4, 2],
+            Self::Position | Self::Slope => [0, 5, 6],
+            Self::Y => [3, 1, 1],
+            Self::Z => [4, 2, 2],
         }
     }
 }
@@ -88,8 +88,8 @@ pub trait Interpolation<const N: usize> {
     /// Weights of the vectors in r, r_y or r_z, whichever they belong to, at ξ.
     fn values(&self, xi: f64) -> [f64; N];
 
-    /// Weights of the vectors in the two directors that they enter ([`Kind`]) at ξ.
-    fn directors(&self, xi: f64) -> [[f64; 2]; N];
+    /// Weights of the vectors in the directors that they enter ([`Kind`]) at ξ: a, h and k, or d and b, or e and c.
+    fn directors(&self, xi: f64) -> [[f64; 3]; N];
 }
 
 impl Interpolation<8> for BeamShape {
@@ -105,12 +105,13 @@ impl Interpolation<8> for BeamShape {
         [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
     }
 
-    fn directors(&self, xi: f64) -> [[f64; 2]; 8] {
+    fn directors(&self, xi: f64) -> [[f64; 3]; 8] {
         let (axis, section, twist) = (self.axis_gradient(xi), self.section(xi), self.section_gradient());
         // The part of a that is quadratic in ξ: 3 (r_x₁ + r_x₂) − 6 (r₂ − r₁)/l.
         let quadratic = [6.0 / self.length, 3.0 / self.slope, -6.0 / self.length, 3.0 / self.slope];
-        let axis: [[f64; 2]; 4] = std::array::from_fn(|i| [axis[i], quadratic[i]]);
-        let section: [[f64; 2]; 2] = std::array::from_fn(|i| [section[i], twist[i]]);
+        let change = [0.0, -1.0 / self.slope, 0.0, 1.0 / self.slope];
+        let axis: [[f64; 3]; 4] = std::array::from_fn(|i| [axis[i], quadratic[i], change[i]]);
+        let section: [[f64; 3]; 2] = std::array::from_fn(|i| [section[i], twist[i], 0.0]);
         [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
     }
 }
@@ -162,11 +163,13 @@ impl Interpolation<9> for QuadraticShape {
         std::array::from_fn(|i| if i % 3 == 0 { n[i / 3] } else { n[i / 3] / self.slope })
     }
 
-    fn directors(&self, xi: f64) -> [[f64; 2]; 9] {
+    fn directors(&self, xi: f64) -> [[f64; 3]; 9] {
         let (n, slopes) = (Self::values(xi), Self::slopes(xi).map(|slope| slope / self.length));
+        // a is linear in ξ: h = k.
+        let change = [4.0, -8.0, 4.0].map(|change| change / self.length);
         std::array::from_fn(|i| match i % 3 {
-            0 => [slopes[i / 3], 0.0],
-            _ => [n[i / 3] / self.slope, slopes[i / 3] / self.slope],
+            0 => [slopes[i / 3], change[i / 3], change[i / 3]],
+            _ => [n[i / 3] / self.slope, slopes[i / 3] / self.slope, 0.0],
         })
     }
 }

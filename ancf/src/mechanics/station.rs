@@ -2,9 +2,10 @@ use std::ops::{AddAssign, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::strain::{AA, AB, AC, AD, AE, BB, BC, BD, BE, CC, CD, CE, DD, DE, DH, EE, EH};
-
-use super::section::{Directors, SectionLaw, Stiffness, Strains, sum};
+use super::section::strain::{
+    AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, EE, EH, HH,
+};
+use super::section::{DIRECTORS, Directors, NO_STIFFNESS, SectionLaw, Stiffness, add, sum};
 use super::{Interpolation, Kind, NeoHookean};
 
 /// The elastic law of a cross-section.
@@ -52,7 +53,15 @@ impl Law {
         }
     }
 
-    fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
+    /// One more than the last director that it depends on.
+    fn reach(&self) -> usize {
+        match self {
+            Self::Quadratic(law) => law.reach(),
+            Self::Hyperelastic(_) => 5,
+        }
+    }
+
+    fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
         match self {
             Self::Quadratic(law) => law.rounding(g0, u, du),
             Self::Hyperelastic(law) => law.rounding(g0, u, du),
@@ -63,12 +72,10 @@ impl Law {
 /// One quadrature point of the axis: where it is, what it weighs, what its section is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Station<const N: usize> {
-    /// Where in the element, 0 ≤ ξ ≤ 1.
-    pub(super) xi: f64,
     /// Gauss weight times the element's length.
     pub(super) weight: f64,
-    /// Weights of the element's vectors in the two directors that each enters.
-    pub(super) weights: [[f64; 2]; N],
+    /// What each of the element's vectors is in the directors.
+    pub(super) parts: [Parts; N],
     /// Directors of the reference state in the element's frame.
     pub(super) reference: Directors,
     /// Elasticity.
@@ -122,13 +129,28 @@ impl Mul<f64> for StrainEnergy {
     }
 }
 
-/// Adds to section strains at ξ what linked directors have besides ([`SectionLaw::linked`]).
-pub(super) fn link(strains: &mut Strains, xi: f64, length: f64) {
-    let (value, slope) = (xi - xi * xi, (1.0 - 2.0 * xi) / length);
-    strains[AD] += value * strains[DH];
-    strains[AE] += value * strains[EH];
-    strains[AB] += slope * strains[DH];
-    strains[AC] += slope * strains[EH];
+/// The directors that a vector enters, each with its weight there.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Parts {
+    count: usize,
+    items: [(usize, f64); 3],
+}
+
+impl Parts {
+    /// Those below `reach` with a weight.
+    pub(super) fn new(directors: [usize; 3], weights: [f64; 3], reach: usize) -> Self {
+        let mut parts = Self::default();
+        for part in directors.into_iter().zip(weights).filter(|&(i, weight)| i < reach && weight != 0.0) {
+            parts.items[parts.count] = part;
+            parts.count += 1;
+        }
+        parts
+    }
+
+    /// Director and weight of each.
+    pub(super) fn as_slice(&self) -> &[(usize, f64)] {
+        &self.items[..self.count]
+    }
 }
 
 /// The vectors of an element, each less the first of its kind, and these first ones of kind Y and Z: what depends on
@@ -150,39 +172,39 @@ impl<const N: usize> Relative<N> {
         });
         Self { difference, base: [y, z] }
     }
+
+    /// The directors that the vectors make.
+    pub(super) fn directors<S: Interpolation<N>>(&self, parts: &[Parts; N]) -> Directors {
+        let mut u = [Vector3::zeros(); DIRECTORS];
+        let (mut d, mut e) = (0.0, 0.0);
+        for i in 0..N {
+            for &(director, weight) in parts[i].as_slice() {
+                u[director] += self.difference[i] * weight;
+                match (S::KINDS[i], director) {
+                    (Kind::Y, 3) => d += weight,
+                    (Kind::Z, 4) => e += weight,
+                    _ => {}
+                }
+            }
+        }
+        u[3] += self.base[0] * d;
+        u[4] += self.base[1] * e;
+        u
+    }
 }
 
 impl<const N: usize> Station<N> {
     /// Increments of the directors.
     pub(super) fn directors<S: Interpolation<N>>(&self, q: &Relative<N>) -> Directors {
-        Self::sum::<S>(&self.weights, q)
+        q.directors::<S>(&self.parts)
     }
 
-    /// The directors that vectors make with given weights.
-    pub(super) fn sum<S: Interpolation<N>>(weights: &[[f64; 2]; N], q: &Relative<N>) -> Directors {
-        let mut u = [Vector3::zeros(); 6];
-        let (mut d, mut e) = (0.0, 0.0);
-        for i in 0..N {
-            let [first, second] = S::KINDS[i].directors();
-            u[first] += q.difference[i] * weights[i][0];
-            u[second] += q.difference[i] * weights[i][1];
-            match S::KINDS[i] {
-                Kind::Y => d += weights[i][0],
-                Kind::Z => e += weights[i][0],
-                Kind::Position | Kind::Slope => {}
-            }
-        }
-        u[3] += q.base[0] * d;
-        u[4] += q.base[1] * e;
-        u
-    }
-
-    /// Bounds of the rounding errors of [`directors`](Self::directors).
-    fn uncertainty<S: Interpolation<N>>(&self, q: &[Vector3<f64>; N]) -> [f64; 6] {
-        let mut du = [0.0; 6];
-        for (i, q) in q.iter().enumerate() {
-            for (director, weight) in S::KINDS[i].directors().into_iter().zip(self.weights[i]) {
-                du[director] += f64::EPSILON * weight.abs() * q.norm();
+    /// Bounds of the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
+    fn uncertainty(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
+        let mut du = [0.0; DIRECTORS];
+        for (i, size) in sizes.iter().enumerate() {
+            for &(director, weight) in self.parts[i].as_slice() {
+                du[director] += f64::EPSILON * weight.abs() * size;
             }
         }
         du
@@ -190,7 +212,11 @@ impl<const N: usize> Station<N> {
 
     /// The reference directors in the global frame.
     pub(super) fn reference(&self, frame: &Matrix3<f64>) -> Directors {
-        self.reference.map(|g| frame * g)
+        let mut g0 = self.reference;
+        for g in g0.iter_mut().filter(|g| **g != Vector3::zeros()) {
+            *g = frame * *g;
+        }
+        g0
     }
 
     /// det J > 0 on the axis, and wherever its law wants it.
@@ -204,119 +230,130 @@ impl<const N: usize> Station<N> {
         self.law.energy(g0, u)
     }
 
-    /// Strain energy per length by part ([`StrainEnergy`]).
-    pub(super) fn parts(&self, g0: &Directors, u: &Directors, length: f64) -> StrainEnergy {
+    /// Strain energy per length by part.
+    pub(super) fn strain_energy(&self, g0: &Directors, u: &Directors) -> StrainEnergy {
         let Law::Quadratic(law) = &self.law else {
             return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
         };
-        let mut strains = SectionLaw::strains(g0, u);
-        let n = law.resultants(&strains);
-        if self.weights[0][1] != 0.0 {
-            link(&mut strains, self.xi, length);
-        }
-        let sum = |of: &[usize]| 0.5 * of.iter().map(|&k| n[k] * strains[k]).sum::<f64>();
+        let shares = law.shares(g0, u);
+        let sum = |of: &[usize]| of.iter().map(|&k| shares[k]).sum::<f64>();
         StrainEnergy {
             axial: sum(&[AA]),
-            bending: sum(&[AB, AC, BB, BC, CC]),
+            bending: sum(&[AB, AC, BB, BC, CC, DH, EH, BK, CK]),
             shear: sum(&[AD, AE]),
             torsion: sum(&[BE, CD]),
-            section: sum(&[BD, CE, DD, DE, EE]),
+            section: sum(&[BD, CE, DD, DE, EE, HH]),
             volume: 0.0,
         }
     }
 
-    /// Stress resultants of the viscosity, if there is any.
-    fn viscous(&self, g: &Directors, v: &Directors) -> Option<Strains> {
-        self.viscosity.as_ref().map(|law| law.resultants(&SectionLaw::rates(g, v)))
-    }
-
-    /// Elastic and viscous forces of the directors, per length; `v` are the rates of the directors.
-    pub(super) fn forces(&self, g0: &Directors, u: &Directors, v: &Directors) -> Directors {
+    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors; without these, elastic ones.
+    pub(super) fn forces<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        u: &Directors,
+        v: Option<&Relative<N>>,
+    ) -> Directors {
         let mut p = self.law.forces(g0, u);
-        let g = sum(g0, u);
-        if let Some(n) = self.viscous(&g, v) {
-            let viscous = SectionLaw::of_resultants(&n, &g);
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let g = sum(g0, u);
+            let viscous = law.of_resultants(&law.viscous(&g, &self.directors::<S>(v)), &g);
             p.iter_mut().zip(viscous).for_each(|(p, viscous)| *p += viscous);
         }
         p
     }
 
-    /// A bound of the rounding errors of the forces at vectors q, for each component.
+    /// A bound of the rounding errors of the forces, for each component, given the norms of the vectors.
     pub(super) fn rounding<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Directors,
-        q: &[Vector3<f64>; N],
-    ) -> [f64; 6] {
-        let mut bound = self.law.rounding(g0, u, &self.uncertainty::<S>(q));
-        let g = sum(g0, u);
-        if let Some(n) = self.viscous(&g, v) {
-            let sizes = SectionLaw::of_resultants(&n.map(f64::abs), &g.map(|g| g.abs()));
+        v: Option<&Relative<N>>,
+        sizes: &[f64; N],
+    ) -> [f64; DIRECTORS] {
+        let mut bound = self.law.rounding(g0, u, &self.uncertainty(sizes));
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let g = sum(g0, u);
+            let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
+            let sizes = law.of_resultants(&n, &g.map(|g| g.abs()));
             bound.iter_mut().zip(sizes).for_each(|(bound, size)| *bound += 4.0 * f64::EPSILON * size.norm());
         }
         bound
     }
 
-    /// Derivatives of the forces, w_q by the directors and w_v by their rates; of the unsymmetric part that viscosity has,
-    /// w_q B(g)ᵀ D B(v), the symmetric part.
-    pub(super) fn stiffness(
+    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks; of the unsymmetric part that
+    /// viscosity has, w_q B(g)ᵀ D B(v), the symmetric part.
+    pub(super) fn stiffness<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: &Directors,
+        v: Option<&Relative<N>>,
         [wq, wv]: [f64; 2],
-    ) -> Stiffness {
-        let mut h = [[Matrix3::zeros(); 6]; 6];
+        h: &mut Stiffness,
+    ) {
+        let reach = self.law.reach();
+        for i in 0..reach {
+            h[i][..=i].fill(Matrix3::zeros());
+        }
         if wq != 0.0 {
-            self.law.add_stiffness(g0, u, wq, &mut h);
+            self.law.add_stiffness(g0, u, wq, h);
         }
-        if let Some(viscosity) = &self.viscosity {
-            let g = sum(g0, u);
-            let n = viscosity.resultants(&SectionLaw::rates(&g, v));
-            SectionLaw::add_geometric(&n, wq, &mut h);
-            viscosity.add_products(&g, &g, wv, &mut h);
-            viscosity.add_products(&g, v, 0.5 * wq, &mut h);
-            viscosity.add_products(v, &g, 0.5 * wq, &mut h);
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let (g, v) = (sum(g0, u), self.directors::<S>(v));
+            law.add_geometric(&law.viscous(&g, &v), wq, h);
+            law.add_squares(&g, wv, h);
+            law.add_products(&g, &v, wq, h);
         }
-        h
+        for i in 0..reach {
+            for j in 0..i {
+                h[j][i] = h[i][j].transpose();
+            }
+        }
     }
 
-    /// The stiffness of the elastic stresses that the increment `du` of the directors causes in first order.
+    /// The stiffness of the elastic stresses that the increment `du` of the directors causes in first order, all blocks.
     pub(super) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
-        let mut h = [[Matrix3::zeros(); 6]; 6];
+        let mut h = NO_STIFFNESS;
         self.law.add_stress_stiffness(g0, u, du, &mut h);
+        for i in 0..DIRECTORS {
+            for j in 0..i {
+                h[j][i] = h[i][j].transpose();
+            }
+        }
         h
     }
 
     /// Adds p to the vectors that the directors are made of.
-    pub(super) fn spread<S: Interpolation<N>>(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
-        for (i, force) in force.iter_mut().enumerate() {
-            let [first, second] = S::KINDS[i].directors();
-            *force += (p[first] * self.weights[i][0] + p[second] * self.weights[i][1]) * self.weight;
+    pub(super) fn spread(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
+        for (force, parts) in force.iter_mut().zip(&self.parts) {
+            for &(director, weight) in parts.as_slice() {
+                *force += p[director] * (weight * self.weight);
+            }
         }
     }
 
     /// Adds H to the lower blocks of the element's matrix.
-    pub(super) fn spread_stiffness<S: Interpolation<N>>(
-        &self,
-        h: &Stiffness,
-        k: &mut [[Matrix3<f64>; N]; N],
-    ) {
-        let of = |i: usize, j: usize| if i >= j { h[i][j] } else { h[j][i].transpose() };
+    pub(super) fn spread_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
+        let reach = self.law.reach();
         for a in 0..N {
-            let [first, second] = S::KINDS[a].directors();
-            let [x, y] = self.weights[a].map(|w| w * self.weight);
-            let row =
-                |j: usize| if y == 0.0 { of(first, j) * x } else { of(first, j) * x + of(second, j) * y };
-            // The directors of axis vectors, of y vectors and of z vectors: the row is the same for all of a kind.
-            let rows: [Matrix3<f64>; 6] = std::array::from_fn(row);
+            if let [(director, own)] = *self.parts[a].as_slice() {
+                for b in 0..=a {
+                    for &(other, weight) in self.parts[b].as_slice() {
+                        add(&mut k[a][b], &h[director][other], own * weight * self.weight);
+                    }
+                }
+                continue;
+            }
+            // The row of the vector against the directors.
+            let mut row = [Matrix3::zeros(); DIRECTORS];
+            for &(director, weight) in self.parts[a].as_slice() {
+                for j in 0..reach {
+                    add(&mut row[j], &h[director][j], weight * self.weight);
+                }
+            }
             for b in 0..=a {
-                let [first, second] = S::KINDS[b].directors();
-                let [x, y] = self.weights[b];
-                k[a][b] += rows[first] * x;
-                if y != 0.0 {
-                    k[a][b] += rows[second] * y;
+                for &(director, weight) in self.parts[b].as_slice() {
+                    add(&mut k[a][b], &row[director], weight);
                 }
             }
         }

@@ -10,28 +10,11 @@
 
 use ancf::Model;
 use ancf::analysis::consistent_start;
-use ancf::model::{Assembly, Clamped, Load};
-use ancf::system::{EquationsOfMotion, Factor, State, Weights};
+use ancf::model::{Clamped, Load};
 
 use crate::equilibrium::equilibrium;
+use crate::linear::linear;
 use crate::{assert_near, rod};
-
-/// The linear static answer to the loads of an assembly and to forces on coordinates besides.
-fn linear(assembly: &Assembly, forces: &[(usize, f64)]) -> State {
-    let (system, mut state) = (&assembly.system, assembly.rest());
-    let (mut matrix, mut x) = (system.matrix(), vec![0.0; system.coordinates() + system.multipliers()]);
-    system.residual(&state, &mut x);
-    x.iter_mut().for_each(|x| *x = -*x);
-    for &(coordinate, force) in forces {
-        x[coordinate] += force;
-    }
-    system.tangent(&state, Weights::STIFFNESS, &mut matrix);
-    let mut factor = Factor::new(matrix.pattern()).unwrap();
-    factor.factorise(&matrix).unwrap();
-    factor.solve(&matrix, &mut x).unwrap();
-    state.add(&x, Weights::STIFFNESS);
-    state
-}
 
 fn area(model: &Model) -> f64 {
     model.sections["circle"].moments().area

@@ -10,6 +10,8 @@ mod chain;
 mod continuum;
 #[path = "../common/equilibrium.rs"]
 mod equilibrium;
+#[path = "../common/linear.rs"]
+mod linear;
 #[path = "../common/rod.rs"]
 mod rod;
 #[expect(dead_code, reason = "other test binaries use the rest")]

@@ -1,0 +1,279 @@
+//! The formulations of the beam against closed forms and limits: what each is exact in, and how fast it converges.
+#![cfg(test)]
+
+#[path = "common/equilibrium.rs"]
+mod equilibrium;
+#[path = "common/linear.rs"]
+mod linear;
+#[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/rod.rs"]
+mod rod;
+
+use ancf::Model;
+use ancf::mechanics::Kind;
+use ancf::model::{Assembly, Clamped, Formulation, Load, Section, Shape};
+use ancf::system::{EquationsOfMotion, State};
+use nalgebra::Vector3;
+
+use equilibrium::equilibrium;
+use linear::linear;
+
+const RODS: [Formulation; 3] = [Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic];
+
+const SECTIONS: [Section; 3] = [
+    Section::Circle { diameter: 0.02 },
+    Section::Rectangle { height: 0.03, width: 0.004 },
+    Section::General {
+        area: 3e-4,
+        iy: 5e-9,
+        iz: 8e-9,
+        j: Some(6e-9),
+        ky: 0.7,
+        kz: 0.9,
+        mass_iy: None,
+        mass_iz: None,
+    },
+];
+
+/// A metre of steel, clamped at its start, without weight.
+fn cantilever(
+    elements: u32,
+    formulation: Formulation,
+    section: Section,
+    poisson: f64,
+    fix: Clamped,
+) -> Model {
+    let mut model = rod::clamped(elements, fix);
+    model.gravity = [0.0; 3];
+    rod::beam(&mut model).formulation = formulation;
+    rod::material(&mut model).poisson = poisson;
+    model.sections.insert("circle".into(), section);
+    model
+}
+
+fn pulled(mut model: Model, force: [f64; 3]) -> Model {
+    model.loads = vec![Load::Force { on: rod::end(), force }];
+    model
+}
+
+fn tip(assembly: &Assembly, state: &State) -> Vector3<f64> {
+    assembly.probes[0].1.sum(&state.q)
+}
+
+/// Deflections along y and z over PL³/3EI + PL/kGA.
+fn deflections(elements: u32, formulation: Formulation, section: Section, fix: Clamped) -> [f64; 2] {
+    let poisson = 0.3;
+    let model = cantilever(elements, formulation, section, poisson, fix);
+    let (material, m) = (model.materials["steel"], section.moments());
+    let [ky, kz] = section.shear_factors(poisson);
+    let [along_y, along_z] = [(m.yy, ky), (m.zz, kz)].map(|(second, k)| {
+        1.0 / (3.0 * material.young * second) + 1.0 / (k * material.lame().shear * m.area)
+    });
+    let assembly = pulled(model, [0.0, 1.0, 1.0]).assemble().unwrap();
+    let moved = tip(&assembly, &linear(&assembly, &[]));
+    [moved.y / along_y, moved.z / along_z]
+}
+
+/// EI and kGA, not (λ+2G)I and GA. One element is exact, but for an axis that is not to shear at the clamp.
+#[test]
+fn tip_force() {
+    for section in SECTIONS {
+        for formulation in [Formulation::Linked, Formulation::Quadratic] {
+            for elements in [1, 2, 5] {
+                for part in deflections(elements, formulation, section, Clamped::Section) {
+                    assert!((part - 1.0).abs() < 1e-9, "{formulation:?}, {section:?}, {elements}: {part}");
+                }
+            }
+        }
+        for formulation in RODS {
+            for fix in [Clamped::Section, Clamped::All] {
+                let parts = [1, 2, 4, 8]
+                    .map(|n| format!("{:.2e}", deflections(n, formulation, section, fix)[0] - 1.0));
+                println!("{formulation:?}, {fix:?}, {section:?}: {parts:.2?}");
+            }
+        }
+    }
+}
+
+/// TL/GJ with St. Venant's J, for a couple half on r_y and half on r_z.
+#[test]
+fn torsion() {
+    for section in SECTIONS {
+        for formulation in RODS {
+            for elements in [1, 3] {
+                let model = cantilever(elements, formulation, section, 0.3, Clamped::Section);
+                let exact =
+                    rod::LENGTH / (model.materials["steel"].lame().shear * section.torsion_constant());
+                let assembly = model.assemble().unwrap();
+                let vectors: Vec<_> = assembly.mesh("rod").unwrap().vectors().collect();
+                let last = |kind| vectors.iter().rfind(|v| v.kind == kind).unwrap().first;
+                let (y, z) = (last(Kind::Y) + 2, last(Kind::Z) + 1);
+                let state = linear(&assembly, &[(y, 0.5), (z, -0.5)]);
+                for turn in [state.q[y], -state.q[z]] {
+                    let part = turn / exact;
+                    assert!((part - 1.0).abs() < 1e-9, "{formulation:?}, {section:?}, {elements}: {part}");
+                }
+            }
+        }
+    }
+}
+
+/// Stretch s with the contraction of free sides, c² = 1 − ν (s² − 1), is held by a force EA s (s² − 1)/2 at each end and by nothing
+/// else: E, not λ+2G, resists.
+#[test]
+fn tension_with_free_contraction() {
+    for formulation in RODS {
+        for (poisson, stretch) in [(0.0, 1.1), (0.3, 1.1), (0.45, 0.8), (-0.3, 1.3)] {
+            let mut model =
+                cantilever(3, formulation, Section::Circle { diameter: 0.02 }, poisson, Clamped::Section);
+            model.joints.clear();
+            let assembly = model.assemble().unwrap();
+            let (system, mut state) = (&assembly.system, assembly.rest());
+            let contraction = (1.0 - poisson * (stretch * stretch - 1.0_f64)).sqrt();
+            let mesh = assembly.mesh("rod").unwrap();
+            for vector in mesh.vectors() {
+                let size = match vector.kind {
+                    Kind::Position | Kind::Slope => stretch,
+                    Kind::Y | Kind::Z => contraction,
+                };
+                for axis in 0..3 {
+                    state.q[vector.first + axis] = vector.reference[axis] * (size - 1.0);
+                }
+            }
+            let mut forces = vec![0.0; system.coordinates()];
+            system.residual(&state, &mut forces);
+            let rigidity = model.materials["steel"].young * model.sections["circle"].moments().area;
+            let force = rigidity * stretch * (stretch * stretch - 1.0) / 2.0;
+            for vector in mesh.vectors() {
+                for axis in 0..3 {
+                    let end = vector.kind == Kind::Position && axis == 0;
+                    let wanted = match vector.reference.x {
+                        x if end && x == 0.0 => -force,
+                        x if end && x == rod::LENGTH => force,
+                        _ => 0.0,
+                    };
+                    let error = (forces[vector.first + axis] - wanted).abs();
+                    assert!(error < 1e-12 * rigidity, "{formulation:?}, nu = {poisson}: {vector:?}, {error}");
+                }
+            }
+        }
+    }
+}
+
+/// Relative error of the linear tip under own weight, qL⁴/8EI + qL²/2kGA.
+fn own_weight(elements: u32, formulation: Formulation) -> f64 {
+    let section = Section::Circle { diameter: 0.02 };
+    let poisson = if formulation == Formulation::Continuum { 0.0 } else { 0.3 };
+    let mut model = cantilever(elements, formulation, section, poisson, Clamped::Section);
+    model.gravity = [0.0, -rod::GRAVITY, 0.0];
+    let (material, m) = (model.materials["steel"], section.moments());
+    let k = if formulation == Formulation::Continuum { 1.0 } else { section.shear_factors(poisson)[0] };
+    let exact = 1.0 / (8.0 * material.young * m.yy) + 1.0 / (2.0 * k * material.lame().shear * m.area);
+    let assembly = model.assemble().unwrap();
+    let load = material.density * m.area * rod::GRAVITY;
+    tip(&assembly, &linear(&assembly, &[])).y / (-load * exact) - 1.0
+}
+
+/// −1/(3n²) of the bending part in the elements that lock in shear; the others are exact in it at the nodes.
+#[test]
+fn order_under_own_weight() {
+    for formulation in
+        [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic]
+    {
+        let errors = [1, 2, 4, 8, 16].map(|n| own_weight(n, formulation));
+        println!("{formulation:?}: {}", errors.map(|e| format!("{e:.2e}")).join(" "));
+    }
+}
+
+/// Distance of the tip from Reissner's rod under P = α EI/L², kGA = EA/2, over the length of the rod.
+fn bent(
+    elements: u32,
+    formulation: Formulation,
+    poisson: f64,
+    alpha: f64,
+    [x, y]: [f64; 2],
+    diameter: f64,
+    steps: u32,
+) -> Result<f64, ()> {
+    let m = Section::Circle { diameter }.moments();
+    let k = 1.0 + poisson;
+    let rod = Section::General {
+        area: m.area,
+        iy: m.zz,
+        iz: m.yy,
+        j: None,
+        ky: k,
+        kz: k,
+        mass_iy: None,
+        mass_iz: None,
+    };
+    let section = if formulation == Formulation::Continuum { Section::Circle { diameter } } else { rod };
+    let model = cantilever(elements, formulation, section, poisson, Clamped::Section);
+    let force = -alpha * model.materials["steel"].young * m.yy;
+    let model = pulled(model, [0.0, force, 0.0]);
+    let t = std::panic::catch_unwind(|| {
+        let (assembly, state) = equilibrium(&model, steps);
+        (assembly.probes[0].1.value(&state) - Vector3::new(x, y, 0.0)).norm()
+    });
+    t.map_err(|_| ())
+}
+
+#[test]
+fn slender() {
+    for formulation in [Formulation::Linked, Formulation::Quadratic] {
+        for (alpha, limit) in [
+            (1.0, [0.943566763716623, -0.301720773799814]),
+            (5.0, [0.61237163927557, -0.713791523611913]),
+            (10.0, [0.445004402246249, -0.810609024880296]),
+        ] {
+            println!(
+                "{formulation:?} {alpha}: {:?}",
+                [4, 8, 16, 32]
+                    .map(|n| bent(n, formulation, 0.3, alpha, limit, 0.002, 60).map(|e| format!("{e:.1e}")))
+            );
+        }
+    }
+}
+
+/// 45° bend of Bathe and Bolourchi
+fn bend(elements: u32, formulation: Formulation, torsion: f64, load: f64) -> Vector3<f64> {
+    let section = Section::General {
+        area: 1.0,
+        iy: 1.0 / 12.0,
+        iz: 1.0 / 12.0,
+        j: Some(torsion),
+        ky: 1.0,
+        kz: 1.0,
+        mass_iy: None,
+        mass_iz: None,
+    };
+    let mut model = cantilever(elements, formulation, section, 0.0, Clamped::Section);
+    let half = std::f64::consts::PI / 8.0;
+    let beam = rod::beam(&mut model);
+    beam.to = [70.71067811865476, 29.28932188134524, 0.0];
+    beam.shape = Shape::Arc { through: [100.0 * half.sin(), 100.0 * (1.0 - half.cos()), 0.0] };
+    rod::material(&mut model).young = 1e7;
+    let model = pulled(model, [0.0, 0.0, load]);
+    let (assembly, state) = equilibrium(&model, 10);
+    assembly.probes[0].1.value(&state)
+}
+
+#[test]
+fn curved() {
+    for formulation in RODS {
+        for (torsion, load, limit) in [
+            (1.0 / 6.0, 300.0, [58.7791224897, 22.2447809454, 40.1918916701]),
+            (1.0 / 6.0, 600.0, [47.1504385736, 15.6848005340, 53.4748587918]),
+            (0.140577, 600.0, [46.8919247814, 15.5577858240, 53.6073692657]),
+        ] {
+            println!(
+                "{formulation:?} bend {torsion} {load}: {:?}",
+                [2, 4, 8, 16, 32].map(|n| std::panic::catch_unwind(|| format!(
+                    "{:.1e}",
+                    (bend(n, formulation, torsion, load) - Vector3::from(limit)).norm() / 70.0
+                ))
+                .unwrap_or_default())
+            );
+        }
+    }
+}

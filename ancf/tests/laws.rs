@@ -14,6 +14,7 @@ mod cables;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/rod.rs"]
 mod rod;
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/sample.rs"]
 mod sample;
 

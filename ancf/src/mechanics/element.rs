@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::section::NO_STIFFNESS;
 use super::station::{Relative, Station};
-use super::{BeamShape, Directors, Interpolation, QuadraticShape};
+use super::{BeamShape, Interpolation, QuadraticShape};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
 /// What congruent elements share: quadrature points with their elasticity, inertia and body force.

@@ -77,11 +77,12 @@ impl Make {
 
     pub(crate) fn specimen(&self, gravity: Vector3<f64>) -> Specimen {
         let model = self.model(gravity);
-        let slope = model.bodies[0].slope_length();
+        let (slope, length) = (model.bodies[0].slope_length(), model.bodies[0].length());
         let assembly = model.assemble().unwrap();
         let mesh = assembly.mesh("rod").unwrap();
         let term = mesh.terms().remove(0);
-        Specimen { name: self.to_string(), make: *self, term, vectors: mesh.vectors().collect(), slope }
+        let vectors = mesh.vectors().collect();
+        Specimen { name: self.to_string(), make: *self, term, vectors, slope, length }
     }
 }
 
@@ -99,7 +100,10 @@ pub(crate) struct Specimen {
     pub(crate) make: Make,
     pub(crate) term: Box<dyn Term>,
     pub(crate) vectors: Vec<MeshVector>,
+    /// Slope length.
     pub(crate) slope: f64,
+    /// Length of its axis.
+    pub(crate) length: f64,
 }
 
 impl Specimen {

@@ -1,6 +1,7 @@
 //! The plain two-node element against the three-dimensional continuum that it stands for, integrated by brute force.
 #![cfg(test)]
 
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/continuum.rs"]
 mod continuum;
 #[expect(dead_code, reason = "other test binaries use the rest")]

@@ -4,13 +4,16 @@
 #[path = "common/beams.rs"]
 mod beams;
 #[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/continuum.rs"]
+mod continuum;
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/rod.rs"]
 mod rod;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/sample.rs"]
 mod sample;
 
-use ancf::model::{Damping, MaterialLaw, Section};
+use ancf::model::{Damping, Formulation, Material, MaterialLaw, Section};
 use ancf::system::Weights;
 use beams::{LENGTH, Make, Specimen, makes};
 use nalgebra::{Cholesky, DVector, Rotation3, SymmetricEigen, Vector3};
@@ -111,5 +114,64 @@ fn damping_dissipates() {
                 assert!(power > 1e-6 * size, "{name}: {power} of {size}");
             }
         }
+    }
+}
+
+/// Straight beams of the continuum, and bent ones that are thin enough for the rule of the sections.
+fn continua(gravity: Vector3<f64>) -> impl Iterator<Item = Specimen> {
+    let shaped = |make: &Make| {
+        make.formulation == Formulation::Continuum
+            && make.law == MaterialLaw::StVenantKirchhoff
+            && make.section_end.is_none()
+            && !matches!(make.section, Section::General { .. })
+    };
+    let thin = |make: Make| {
+        let rectangle = Section::Rectangle { height: 0.04, width: 0.03 };
+        Make { section: if make.bent { rectangle } else { make.section }, ..make }
+    };
+    makes().into_iter().filter(shaped).map(move |make| thin(make).specimen(gravity))
+}
+
+/// ½∫(λ tr² E + 2G E:E) dV over the volume by 125 points and more, with E of F = J J₀⁻¹, is what the element makes of moments
+/// of area or of points of the section.
+#[test]
+fn strain_energy_is_that_of_the_continuum() {
+    let mut random = Random(31);
+    for Specimen { name, make, term, vectors, slope, length } in continua(Vector3::zeros()) {
+        let lame = Material::elastic(2.0, 30.0, make.poisson).lame();
+        for _ in 0..5 {
+            let at = Sample::random(term.as_ref(), &mut random);
+            let reference = std::array::from_fn(|k| vectors[k].reference);
+            let e = std::array::from_fn(|k| reference[k] + at.q.fixed_rows::<3>(3 * k));
+            let density = |x: [f64; 3]| {
+                let gradients = continuum::shape_gradients(length, slope, x);
+                let [j, j0] = [e, reference].map(|e| continuum::deformation_gradient(&e, &gradients));
+                continuum::energy_density(lame, &j, &j0)
+            };
+            let brute = continuum::integrate(length, make.section, density);
+            let (exact, tolerance) =
+                (energy(term.as_ref(), &at).strain, if make.bent { 1e-9 } else { 1e-13 });
+            assert!((exact / brute - 1.0).abs() < tolerance, "{name}: {exact} and {brute}");
+        }
+    }
+}
+
+/// ½∫ρ v·v dV and −∫ρ g·u dV likewise; the mass of a bent beam is that of its length.
+#[test]
+fn kinetic_and_potential_energy_are_those_of_the_continuum() {
+    let (mut random, gravity, density) = (Random(18), Vector3::new(0.3, -2.0, 0.7), 2.0);
+    for Specimen { name, make, term, slope, length, .. } in continua(gravity) {
+        let at = Sample::random(term.as_ref(), &mut random);
+        let field = |nodes: &DVector<f64>, x| -> Vector3<f64> {
+            let values = continuum::shape_values(length, slope, x);
+            values.iter().enumerate().map(|(k, s)| nodes.fixed_rows::<3>(3 * k) * *s).sum()
+        };
+        let kinetic = |x| 0.5 * density * field(&at.v, x).norm_squared();
+        let potential = |x| -at.local().load * density * gravity.dot(&field(&at.q, x));
+        let exact = energy(term.as_ref(), &at);
+        let brute = continuum::integrate(length, make.section, kinetic);
+        assert!((exact.kinetic / brute - 1.0).abs() < 1e-13, "{name}: {} and {brute}", exact.kinetic);
+        let brute = continuum::integrate(length, make.section, potential);
+        assert!((exact.potential - brute).abs() < 1e-14, "{name}: {} and {brute}", exact.potential);
     }
 }

@@ -55,8 +55,8 @@ pub struct BeamMesh {
 pub struct NodalVector {
     /// The first of its three coordinates.
     pub first: usize,
-    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
-    pub is_position: bool,
+    /// What it is.
+    pub kind: Kind,
     /// Its value in a state.
     pub value: Vector3<f64>,
 }
@@ -85,6 +85,13 @@ impl fmt::Debug for Blueprint<'_> {
             .field("first", &self.first)
             .field("length", &self.length)
             .finish_non_exhaustive()
+    }
+}
+
+impl NodalVector {
+    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    pub fn is_position(&self) -> bool {
+        self.kind == Kind::Position
     }
 }
 
@@ -234,13 +241,9 @@ impl BeamMesh {
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let kinds = self.node_kinds();
         self.reference.iter().enumerate().map(move |(i, &reference)| {
-            let (first, is_position) = (self.first + 3 * i, i % kinds.len() == 0);
-            let reference = if is_position { reference + self.origin } else { reference };
-            NodalVector {
-                first,
-                is_position,
-                value: reference + Vector3::from_column_slice(&s.q[first..first + 3]),
-            }
+            let (first, kind) = (self.first + 3 * i, kinds[i % kinds.len()]);
+            let reference = if kind == Kind::Position { reference + self.origin } else { reference };
+            NodalVector { first, kind, value: reference + Vector3::from_column_slice(&s.q[first..first + 3]) }
         })
     }
 

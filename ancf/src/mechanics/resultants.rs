@@ -8,8 +8,9 @@ use super::{BeamMesh, Directors, Kind, Wrench};
 use crate::system::{LOCAL, Local, State};
 
 impl BeamMesh {
-    /// What is transmitted through the section at an arc length in the global frame, force and moment, as the part beyond
-    /// exerts it on the part before; with the section's directions.
+    /// What is transmitted through the section at an arc length: force, and moment about the section's centre, that the
+    /// part beyond (greater arc length) exerts on the part before, in the global frame. Resolved in
+    /// [`section_frame`](Self::section_frame), a positive first component is tension.
     ///
     /// At nodes these are the forces that hold an element in equilibrium with its own inertia, body force and
     /// damping: exact where an element has no other loads, whatever the mesh. Between the nodes of an element they are

@@ -140,7 +140,7 @@ impl Rigid {
         for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
             for (b, k) in term.coordinates().iter().filter_map(|&c| owner[c]) {
                 let vector = bodies[b].vectors[k];
-                if vector.is_position {
+                if vector.is_position() {
                     joint[b].get_or_insert(vector.value);
                 }
             }
@@ -241,7 +241,7 @@ impl Rigid {
 
 impl RigidBody {
     fn positions(&self) -> impl Iterator<Item = Vector3<f64>> {
-        self.vectors.iter().filter(|vector| vector.is_position).map(|vector| vector.value)
+        self.vectors.iter().filter(|vector| vector.is_position()).map(|vector| vector.value)
     }
 
     /// Sets origin and length.
@@ -250,13 +250,13 @@ impl RigidBody {
         self.origin = joint.unwrap_or(centre);
         let reach = self.positions().map(|r| (r - self.origin).norm()).fold(0.0, f64::max);
         let vector =
-            self.vectors.iter().filter(|v| !v.is_position).map(|v| v.value.norm()).fold(0.0, f64::max);
+            self.vectors.iter().filter(|v| !v.is_position()).map(|v| v.value.norm()).fold(0.0, f64::max);
         self.length = [reach, vector, 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0);
     }
 
     /// What rotations act on: r from the origin, or the direction itself.
     fn arm(&self, vector: &NodalVector) -> Vector3<f64> {
-        if vector.is_position { vector.value - self.origin } else { vector.value }
+        if vector.is_position() { vector.value - self.origin } else { vector.value }
     }
 
     /// What the six motions do to a vector.
@@ -265,7 +265,7 @@ impl RigidBody {
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         std::array::from_fn(|j| match j {
             3.. => axes[j - 3].cross(&arm),
-            _ if vector.is_position => axes[j],
+            _ if vector.is_position() => axes[j],
             _ => Vector3::zeros(),
         })
     }
@@ -273,8 +273,8 @@ impl RigidBody {
     /// Axes about which a rotation moves nothing.
     fn idle_spins(&self) -> Vec<Vector3<f64>> {
         let arms = self.vectors.iter().map(|vector| {
-            let (arm, size) = (self.arm(vector), if vector.is_position { self.length } else { 1.0 });
-            if vector.is_position { arm / size } else { arm.try_normalize(0.0).unwrap_or(arm) }
+            let (arm, size) = (self.arm(vector), if vector.is_position() { self.length } else { 1.0 });
+            if vector.is_position() { arm / size } else { arm.try_normalize(0.0).unwrap_or(arm) }
         });
         let inertia: Matrix3<f64> =
             arms.map(|arm| Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()).sum();

@@ -77,12 +77,12 @@ impl Make {
 
     pub(crate) fn specimen(&self, gravity: Vector3<f64>) -> Specimen {
         let model = self.model(gravity);
-        let slope = model.bodies[0].slope_length();
+        let (slope, length) = (model.bodies[0].slope_length(), model.bodies[0].length());
         let assembly = model.assemble().unwrap();
         let mesh = assembly.mesh("rod").unwrap();
         let term = mesh.terms().remove(0);
         let vectors = mesh.vectors(&assembly.rest()).collect();
-        Specimen { name: self.to_string(), make: *self, term, vectors, slope }
+        Specimen { name: self.to_string(), make: *self, term, vectors, slope, length }
     }
 }
 
@@ -100,7 +100,10 @@ pub(crate) struct Specimen {
     pub(crate) make: Make,
     pub(crate) term: Box<dyn Term>,
     pub(crate) vectors: Vec<NodalVector>,
+    /// Slope length.
     pub(crate) slope: f64,
+    /// Length of its axis.
+    pub(crate) length: f64,
 }
 
 impl Specimen {
@@ -128,7 +131,7 @@ impl Specimen {
         let vectors = self
             .vectors
             .iter()
-            .map(|vector| of(vector.value) + if vector.is_position { shift } else { Vector3::zeros() });
+            .map(|vector| of(vector.value) + if vector.is_position() { shift } else { Vector3::zeros() });
         DVector::from_vec(vectors.flat_map(|v| <[f64; 3]>::from(v)).collect())
     }
 }

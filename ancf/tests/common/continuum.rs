@@ -3,9 +3,20 @@
 
 use std::f64::consts::TAU;
 
-use ancf::mechanics::gauss;
+use ancf::mechanics::{Lame, gauss};
 use ancf::model::Section;
 use nalgebra::{Matrix3, Vector3};
+
+/// ∫ f dA over a section.
+pub(crate) fn integrate_section(section: Section, f: impl Fn([f64; 2]) -> f64) -> f64 {
+    points(section).iter().map(|&(at, w)| w * f(at)).sum()
+}
+
+/// ½λ tr² E + G E:E times det J₀, with E = ½(FᵀF − I) of F = J J₀⁻¹: energy per volume of material coordinates.
+pub(crate) fn energy_density(lame: Lame, j: &Matrix3<f64>, j0: &Matrix3<f64>) -> f64 {
+    let strain = green_strain(&(j * j0.try_inverse().unwrap()));
+    j0.determinant() * (0.5 * lame.lambda * strain.trace().powi(2) + lame.shear * strain.norm_squared())
+}
 
 /// ∫ f dV over an element of length l, exact for polynomials of degree nine along x and four across.
 pub(crate) fn integrate(length: f64, section: Section, f: impl Fn([f64; 3]) -> f64) -> f64 {
@@ -80,4 +91,9 @@ pub(crate) fn deformation_gradient(e: &[Vector3<f64>; 8], gradients: &[Vector3<f
 /// E = ½(JᵀJ − I).
 pub(crate) fn green_strain(j: &Matrix3<f64>) -> Matrix3<f64> {
     (j.transpose() * j - Matrix3::identity()) * 0.5
+}
+
+/// J(x, y, z) of five directors r_x, ∂r_y/∂x, ∂r_z/∂x, r_y, r_z.
+pub(crate) fn gradient_of_directors(g: &[Vector3<f64>], [y, z]: [f64; 2]) -> Matrix3<f64> {
+    Matrix3::from_columns(&[g[0] + g[1] * y + g[2] * z, g[3], g[4]])
 }

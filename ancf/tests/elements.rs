@@ -141,7 +141,7 @@ fn strain_energy_is_that_of_the_continuum() {
         let lame = Material::elastic(2.0, 30.0, make.poisson).lame();
         for _ in 0..5 {
             let at = Sample::random(term.as_ref(), &mut random);
-            let reference = std::array::from_fn(|k| vectors[k].reference);
+            let reference = std::array::from_fn(|k| vectors[k].value);
             let e = std::array::from_fn(|k| reference[k] + at.q.fixed_rows::<3>(3 * k));
             let density = |x: [f64; 3]| {
                 let gradients = continuum::shape_gradients(length, slope, x);

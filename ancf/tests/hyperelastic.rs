@@ -143,6 +143,48 @@ fn stiffness_is_the_slope_of_the_forces_and_symmetric() {
     }
 }
 
+/// J(y, z) of directors.
+fn gradient(g: &Directors, p: &SectionPoint) -> Matrix3<f64> {
+    Matrix3::from_columns(&[g[0] + g[1] * p.y + g[2] * p.z, g[3], g[4]])
+}
+
+/// Of one point: the stress by components along the directors is J⁻¹ ∂W/∂J, here differentiated. Of a section in the
+/// reference state: that of St. Venant-Kirchhoff.
+#[test]
+fn stress_stiffness_is_that_of_the_slope_of_the_stress() {
+    let mut random = Random(8);
+    for (section, g0, u) in samples() {
+        let (point, way) = (points(section)[1], random.directors(1.0));
+        let law = NeoHookean::new(LAME, vec![point]);
+        let stress = |h: f64| {
+            let u = sum(&u, &way, h);
+            let p = law.forces(&g0, &u);
+            let j = gradient(&sum(&g0, &u, 1.0), &point);
+            j.try_inverse().unwrap() * Matrix3::from_columns(&[p[0], p[3], p[4]])
+        };
+        let slope = derivative(stress, |terms| terms.iter().map(|(stress, weight)| stress * *weight).sum());
+        let h = stiffness(|h| law.add_stress_stiffness(&g0, &u, &way, h));
+        for (i, factor, column) in [(0, 1.0, 0), (1, point.y, 0), (2, point.z, 0), (3, 1.0, 1), (4, 1.0, 2)] {
+            let wanted = Matrix3::from_diagonal_element(factor * slope[(column, 0)]);
+            assert!((h[i][0] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block {i}");
+        }
+        let wanted = Matrix3::from_diagonal_element(slope[(2, 1)]);
+        assert!((h[4][3] - wanted).amax() < 1e-9 * slope.amax(), "{section:?}: block 4, 3");
+    }
+    for section in SECTIONS {
+        let g0 = turned(Rotation3::new(random.vector() * 3.0), &straight());
+        let (rest, way) = ([Vector3::zeros(); 6], random.directors(1.0));
+        let plain = SectionLaw::continuum(LAME, section.moments());
+        let a = stiffness(|h| law(LAME, section).add_stress_stiffness(&g0, &rest, &way, h));
+        let b = stiffness(|h| plain.add_stress_stiffness(&g0, &rest, &way, h));
+        for (i, row) in a.iter().enumerate().take(5) {
+            for (j, a) in row.iter().enumerate().take(i + 1) {
+                assert!((a - b[i][j]).amax() < 1e-14 * b[0][0].amax(), "{section:?}: block {i}, {j}");
+            }
+        }
+    }
+}
+
 /// The energy is that of the deformation, however the body is turned; forces turn with it.
 #[test]
 fn rotations_cost_nothing() {
@@ -166,9 +208,6 @@ fn rotations_cost_nothing() {
 #[test]
 fn energy_is_as_defined() {
     for (section, g0, u) in samples() {
-        let gradient = |g: &Directors, p: &SectionPoint| {
-            Matrix3::from_columns(&[g[0] + g[1] * p.y + g[2] * p.z, g[3], g[4]])
-        };
         let density = |p: &SectionPoint| {
             let (j, j0) = (gradient(&sum(&g0, &u, 1.0), p), gradient(&g0, p));
             let f = j * j0.try_inverse().unwrap();

@@ -21,10 +21,11 @@ use ancf::mechanics::{
     Medium, Node, Perpendicular, Profile,
 };
 use ancf::model::{Material, Section};
-use ancf::system::{Energy, Term, Weights};
+use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
 use sample::{
-    Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, tangent,
+    Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
+    tangent,
 };
 
 fn assert_close(what: &str, a: &DVector<f64>, b: &DVector<f64>, tolerance: f64) {
@@ -242,6 +243,57 @@ fn every_term_obeys_the_laws() {
     }
 }
 
+/// The third derivative of the energy and of λ·Φ is what stresses and what displacements add to the stiffness. With T the
+/// stiffness of initial stresses, D³(x, y, z) = x·T(z)y + y·T(x)z + z·T(y)x, if the strains are quadratic; those of other terms,
+/// in the reference state.
+#[test]
+fn stress_stiffness_is_a_third_of_the_third_derivative() {
+    let mut random = Random(1961);
+    for Case { name, term, kind } in terms() {
+        let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
+        for _ in 0..5 {
+            let mut s = Sample::rest(term);
+            if kind == Kind::Polynomial {
+                s = Sample { v: s.v, a: s.a, ..Sample::random(term, &mut random) };
+            }
+            let [x, y, z] = std::array::from_fn(|_| random.vector(n + m));
+            let k = |h: f64| tangent(term, &s.moved(&z, h, Weights::STIFFNESS), Weights::STIFFNESS);
+            let third = kind.derivative(|h| scalar(x.dot(&(k(h) * &y))));
+            let of = |z, x: &DVector<f64>, y| x.dot(&(stress_stiffness(term, &s, z, 0.0) * y));
+            let sum = scalar(of(&z, &x, &y) + of(&x, &y, &z) + of(&y, &z, &x));
+            assert_close(&format!("{name}: stress stiffness"), &sum, &third, 1e-11);
+            let dead = stress_stiffness(term, &s, &DVector::zeros(n + m), 1.0).amax();
+            assert_eq!(dead, 0.0, "{name}: loads are dead");
+        }
+    }
+}
+
+/// A load that grows with its point's displacement, beside a spring.
+struct Magnet;
+
+impl Term for Magnet {
+    fn coordinates(&self) -> &[usize] {
+        &[0]
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        r[0] += (5.0 - 3.0 * at.load) * at.q[0];
+    }
+
+    fn rounding(&self, _: &Local<'_>, _: &mut [f64]) {}
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        k.add(0, 0, w.q * (5.0 - 3.0 * at.load));
+    }
+}
+
+/// Per load factor, whatever the load so far.
+#[test]
+fn loads_have_their_stiffness_without_being_asked() {
+    let s = Sample::random(&Magnet, &mut Random(1));
+    assert_eq!(stress_stiffness(&Magnet, &s, &scalar(0.2), 2.0)[(0, 0)], -6.0);
+}
+
 #[test]
 fn every_term_names_its_coordinates_once() {
     for Case { name, term, .. } in terms() {
@@ -270,6 +322,23 @@ fn rigid_motion_costs_nothing() {
             let strain = energy(&term, &at).strain;
             assert!(strain < 1e-20 * stiffness * LENGTH, "{name}: energy {strain:e}");
         }
+    }
+}
+
+/// A small translation and rotation of a deformed element causes no stress.
+#[test]
+fn rigid_motion_adds_no_stress() {
+    let mut random = Random(25);
+    for Element { name, term, reference, .. } in elements(Vector3::zeros()) {
+        let (s, shift, spin) = (Sample::random(&term, &mut random), random.vector3(), random.vector3());
+        let mut z = DVector::zeros(24);
+        for (k, e) in reference.iter().enumerate() {
+            let moved = spin.cross(&(e + s.q.fixed_rows::<3>(3 * k)));
+            z.rows_mut(3 * k, 3).copy_from(&(moved + if k % 4 == 0 { shift } else { Vector3::zeros() }));
+        }
+        let size = stress_stiffness(&term, &s, &random.vector(24), 0.0).amax();
+        let rigid = stress_stiffness(&term, &s, &z, 0.0).amax();
+        assert!(rigid < 1e-13 * size, "{name}: {rigid:e} of {size:e}");
     }
 }
 

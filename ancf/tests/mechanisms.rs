@@ -168,3 +168,23 @@ fn in_other_units() {
     rod::beam(&mut other).slopes = ancf::model::Slopes::Length;
     assert_eq!(words(&model), words(&other));
 }
+
+/// A hundred rods in a row, each hinged to the one before: a motion for each hinge, that moves all rods beyond.
+#[test]
+fn a_long_chain() {
+    let mut model = rod::revolute(1);
+    let first = rod::beam(&mut model).clone();
+    for k in 1..100_u32 {
+        let (x, before) = (f64::from(k), model.bodies[k as usize - 1].name().to_owned());
+        let name = format!("link {k}");
+        let link = Beam { name: name.clone(), from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..first.clone() };
+        model.bodies.push(Body::Beam(link));
+        let a = Place { body: name, at: At::End(AtEnd::Start) };
+        let b = End::Place(Place { body: before, at: At::End(AtEnd::End) });
+        model.joints.push(Joint::Revolute { name: format!("hinge {k}"), a, b, axis: [0.0, 0.0, 1.0] });
+    }
+    let assembly = model.assemble().unwrap();
+    let motions = assembly.free_motions(&assembly.rest());
+    let moving: Vec<usize> = motions.iter().map(|motion| motion.moves.len()).collect();
+    assert_eq!(moving, (1..=100).rev().collect::<Vec<_>>());
+}

@@ -1,6 +1,6 @@
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Operator, Random, Search, krylov};
+use super::krylov::{EigenError, Operator, Search, krylov};
 use super::modes::modes;
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
@@ -35,25 +35,25 @@ const DEPTH: usize = 16;
 const PASSES: usize = 8;
 /// Eigenvalues 1/s smaller than this part of the largest are those of an unloaded rest.
 const LOADED: f64 = 1e-6;
-/// How much the stiffness changes over a step along the path.
-const CHANGE: f64 = 1e-3;
+/// Loads do nothing if their work is less than this part of the sum of what they would do on each coordinate alone.
+const IDLE: f64 = 1e-12;
 
 /// The `count` lowest critical load factors of a stable equilibrium by linear buckling: K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
 ///
-/// K_g = dK/ds is the derivative of the stiffness along the path of equilibria, (q + s q₁, λ + s λ₁) with
-/// [K₀, Φ_qᵀ; Φ_q, 0] (q₁, λ₁) = −∂r/∂(load factor). It holds all that depends on stress, displacement, multipliers and
-/// load factor; directions that joints leave free stay those of the state. The reference configuration is an equilibrium
-/// under load factor zero.
+/// K_g is the stiffness of the stresses and multipliers that the loads at load factor one cause in first order,
+/// [K₀, Φ_qᵀ; Φ_q, 0] (q₁, λ₁) = −∂r/∂(load factor), at the configuration of the state
+/// ([`EquationsOfMotion::stress_stiffness`]). The reference configuration is an equilibrium under load factor zero; about it
+/// this is the classical theory, which neglects what bodies deform before they buckle: Euler's load of a column but for
+/// P/EA, Prandtl's and Michell's load of a strip on edge. Such a strip, bent in its plane before, bears more,
+/// about 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) times as much if both ratios are small.
 ///
-/// Straight on along that path, good are only the loads of bodies that do not turn before they buckle, such as columns.
-/// Where a beam bends first, as in lateral buckling, sections that turn seem to stretch, and a stiffness linear in s
-/// vanishes far too early. The remedy is a state nearer to the critical one: an equilibrium under most of the load, about
-/// which the rest is small.
+/// About an equilibrium under load, displacement so far is in K₀, and the factor left over is zero where the nonlinear path
+/// is critical. [`Path`](super::Path) finds that point by the negative pivots of K.
 ///
 /// Fewer than `count` if loads in this sense have no more. `matrix` is any matrix of the pattern of `eom`.
 ///
-/// Source: Brendel & Ramm (1980), the accompanying linear eigenproblem; the largest 1/s of −K₀⁻¹ K_g, self-adjoint in
-/// the inner product of K₀, by block Krylov spaces.
+/// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
+/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
 ///
 /// # Errors
 /// If K₀ is singular or not positive definite, or the iteration does not converge.
@@ -75,8 +75,10 @@ pub fn buckling(
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
-    let path = Path::new(eom, s, &stiffness, &mut factor)?;
-    let Some(softening) = path.softening(matrix.clone()) else { return Ok(Vec::new()) };
+    let Some(increment) = first_order(eom, s, &stiffness, &mut factor)? else { return Ok(Vec::new()) };
+    let mut softening = matrix.clone();
+    eom.stress_stiffness(s, &increment, &mut softening);
+    softening.values_mut().iter_mut().for_each(|value| *value = -*value);
     let inner = &stiffness;
     let mut op = Operator { factor: &mut factor, left: inner, right: &softening, inner, coordinates: n };
     let key: fn(f64) -> f64 = match sense {
@@ -115,93 +117,31 @@ fn critical(
     Critical { factor: product(stiffness) / product(softening), shape }
 }
 
-/// The linear path of equilibria on which a state starts.
-struct Path<'a> {
-    eom: &'a dyn EquationsOfMotion,
-    s: &'a State,
-    stiffness: &'a SparseMatrix,
-    /// (q₁, λ₁).
-    direction: Vec<f64>,
-    /// Whether the loads move anything.
-    moves: bool,
-}
-
-impl<'a> Path<'a> {
-    fn new(
-        eom: &'a dyn EquationsOfMotion,
-        s: &'a State,
-        stiffness: &'a SparseMatrix,
-        factor: &mut Factor,
-    ) -> Result<Self, EigenError> {
-        let n = eom.coordinates();
-        let residual = |load| {
-            let (mut moved, mut r) = (s.clone(), vec![0.0; n + eom.multipliers()]);
-            moved.load = load;
-            eom.residual(&moved, &mut r);
-            r
-        };
-        // The residual is affine in the load factor.
-        let (here, there) = (residual(s.load), residual(s.load + 1.0));
-        let force: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
-        let mut direction = force.clone();
-        factor.solve(stiffness, &mut direction)?;
-        let held = |i: usize| match stiffness.diagonal_of(i).abs() {
-            0.0 => 0.0,
-            stiffness => force[i].powi(2) / stiffness,
-        };
-        let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
-        let moves = work.abs() > 1e-12 * (0..n).map(held).sum::<f64>();
-        Ok(Self { eom, s, stiffness, direction, moves })
-    }
-
-    /// −K_g by central differences of order four over a step that changes the stiffness by a thousandth.
-    ///
-    /// For stiffness quadratic in the coordinates, that of St. Venant-Kirchhoff elements, they are exact but for
-    /// rounding; otherwise their error is of the order of 10⁻¹².
-    fn softening(&self, mut matrix: SparseMatrix) -> Option<SparseMatrix> {
-        let h = self.step()?;
-        let mut negative = vec![0.0; matrix.values().len()];
-        for (times, weight) in [(1.0, -8.0), (-1.0, 8.0), (2.0, 1.0), (-2.0, -1.0)] {
-            self.stiffness_at(times * h, &mut matrix);
-            for (sum, value) in negative.iter_mut().zip(matrix.values()) {
-                *sum += weight / (12.0 * h) * value;
-            }
-        }
-        matrix.values_mut().copy_from_slice(&negative);
-        Some(matrix)
-    }
-
-    fn stiffness_at(&self, h: f64, matrix: &mut SparseMatrix) {
-        let (mut moved, z) = (self.s.clone(), self.direction.iter().map(|z| h * z).collect::<Vec<_>>());
-        moved.add(&z, Weights::STIFFNESS);
-        moved.load += h;
-        self.eom.tangent(&moved, Weights::STIFFNESS, matrix);
-    }
-
-    /// The step over which the stiffness changes by about [`CHANGE`]; `None` if the loads change nothing.
-    ///
-    /// The change is that of D K D ξ with D one over the root of K's diagonal and ξ random: free of units.
-    fn step(&self) -> Option<f64> {
-        let (mut random, n) = (Random(2), self.eom.coordinates());
-        let scale = |i| match self.stiffness.diagonal_of(i).abs() {
-            0.0 => 0.0,
-            diagonal => 1.0 / diagonal.sqrt(),
-        };
-        let scale: Vec<f64> = (0..n).map(scale).collect();
-        let mut x = vec![0.0; self.direction.len()];
-        x.iter_mut().zip(&scale).for_each(|(x, scale)| *x = random.number() * scale);
-        let image = |k: &SparseMatrix| -> DVector<f64> {
-            DVector::from_iterator(n, k.times(&x).iter().zip(&scale).map(|(y, scale)| y * scale))
-        };
-        let (here, mut matrix, mut h) = (image(self.stiffness), self.stiffness.clone(), 1.0);
-        for _ in 0..if self.moves { 100 } else { 0 } {
-            self.stiffness_at(h, &mut matrix);
-            let change = (image(&matrix) - &here).norm() / (CHANGE * here.norm());
-            if (0.2..5.0).contains(&change) {
-                return Some(h);
-            }
-            h *= if change.is_finite() { (1.0 / change).clamp(1e-4, 1e4) } else { 1e-4 };
-        }
-        None
-    }
+/// What the loads at load factor one do in first order, (q₁, λ₁); `None` if they move nothing.
+fn first_order(
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+    stiffness: &SparseMatrix,
+    factor: &mut Factor,
+) -> Result<Option<State>, EigenError> {
+    let (n, m) = (eom.coordinates(), eom.multipliers());
+    let residual = |load| {
+        let (mut moved, mut r) = (s.clone(), vec![0.0; n + m]);
+        moved.load = load;
+        eom.residual(&moved, &mut r);
+        r
+    };
+    // The residual is affine in the load factor.
+    let (here, there) = (residual(s.load), residual(s.load + 1.0));
+    let force: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
+    let mut direction = force.clone();
+    factor.solve(stiffness, &mut direction)?;
+    let held = |i: usize| match stiffness.diagonal_of(i).abs() {
+        0.0 => 0.0,
+        stiffness => force[i].powi(2) / stiffness,
+    };
+    let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
+    let mut increment = State::rest(n, m);
+    increment.add(&direction, Weights::STIFFNESS);
+    Ok((work.abs() > IDLE * (0..n).map(held).sum::<f64>()).then_some(increment))
 }

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::CableProfile;
 use super::cable_profile::Station;
+use super::element::add_blocks;
 use super::line::{Bend, Blocks, Stretch};
 use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
 
@@ -173,22 +174,28 @@ impl Term for Cable12 {
             each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
         }
         for station in profile.bending() {
-            let h = self.bending_stiffness(station, &q, &v, w).scaled(station.weight);
-            let (s, c) = (&station.first, &station.second);
-            let ab = h.ba.transpose();
-            each_pair(|i, j| {
-                blocks[i][j] += (h.aa * s[j] + ab * c[j]) * s[i] + (h.ba * s[j] + h.bb * c[j]) * c[i];
-            });
+            add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
         }
         let inertia = w.a + w.v * profile.damping().mass;
-        each_pair(|i, j| {
-            let block = blocks[i][j] + Matrix3::from_diagonal_element(inertia * profile.mass()[i][j]);
-            for row in 0..3 {
-                for column in 0..if i == j { row + 1 } else { 3 } {
-                    k.add(3 * i + row, 3 * j + column, block[(row, column)]);
-                }
-            }
-        });
+        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * profile.mass()[i][j]));
+        add_blocks(&blocks, k);
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (profile, q, dq) = (&*self.profile, vectors(at.q), vectors(by.q));
+        let (section, mut blocks) = (profile.section(), [[Matrix3::zeros(); 4]; 4]);
+        for station in profile.axial() {
+            let stretch = self.stretch(station, &q);
+            let n = section.axial * stretch.tangent.dot(&station.first(&dq));
+            let h = stretch.stiffness(0.0, n) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        for station in profile.bending() {
+            let bend = self.bend(station, &q);
+            let m = bend.rate(&station.both(&dq)) * section.bending;
+            add_bending(station, &bend.stress_stiffness(&m), &mut blocks);
+        }
+        add_blocks(&blocks, k);
     }
 
     /// |r′| > 0.01 at the points of integration: a line has no inside to turn out, but its strains fail at a point.
@@ -217,6 +224,15 @@ fn each_pair(mut visit: impl FnMut(usize, usize)) {
             visit(i, j);
         }
     }
+}
+
+/// Adds what a station has by r′ and r″, times its weight.
+fn add_bending(station: &Station, h: &Blocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+    let h = h.scaled(station.weight);
+    let (s, c, ab) = (&station.first, &station.second, h.ba.transpose());
+    each_pair(|i, j| {
+        blocks[i][j] += (h.aa * s[j] + ab * c[j]) * s[i] + (h.ba * s[j] + h.bb * c[j]) * c[i];
+    });
 }
 
 impl Cable12 {

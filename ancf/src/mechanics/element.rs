@@ -106,6 +106,19 @@ pub(super) fn vectors<const N: usize>(x: &[f64]) -> [Vector3<f64>; N] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
+/// Adds lower blocks, one for each pair of vectors.
+pub(super) fn add_blocks<const N: usize>(blocks: &[[Matrix3<f64>; N]; N], k: &mut LocalMatrix<'_>) {
+    for (a, row) in blocks.iter().enumerate() {
+        for (b, block) in row[..=a].iter().enumerate() {
+            for i in 0..3 {
+                for j in 0..if a == b { i + 1 } else { 3 } {
+                    k.add(3 * a + i, 3 * b + j, block[(i, j)]);
+                }
+            }
+        }
+    }
+}
+
 impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -164,17 +177,22 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             }
         }
         let inertia = w.a + self.profile.drag * w.v;
-        for a in 0..N {
-            for b in 0..=a {
-                for i in 0..3 {
-                    let columns = if a == b { 0..=i } else { 0..=2 };
-                    for j in columns {
-                        let mass = if i == j { inertia * self.profile.mass[a][b] } else { 0.0 };
-                        k.add(3 * a + i, 3 * b + j, blocks[a][b][(i, j)] + mass);
-                    }
-                }
+        for (a, row) in blocks.iter_mut().enumerate() {
+            for (block, mass) in row[..=a].iter_mut().zip(&self.profile.mass[a]) {
+                *block += Matrix3::from_diagonal_element(inertia * mass);
             }
         }
+        add_blocks(&blocks, k);
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (q, dq) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(by.q)));
+        let mut blocks = [[Matrix3::zeros(); N]; N];
+        for (station, g0, u) in self.states(&q) {
+            let h = station.stress_stiffness(&g0, &u, &station.directors::<S>(&dq));
+            station.spread_stiffness::<S>(&h, &mut blocks);
+        }
+        add_blocks(&blocks, k);
     }
 
     /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.

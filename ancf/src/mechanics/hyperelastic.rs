@@ -189,6 +189,34 @@ impl NeoHookean {
         }
     }
 
+    /// Adds the stiffness of the stresses that an increment `du` of the directors causes in first order; not numbers where
+    /// det F ≤ 0.
+    ///
+    /// With the second Piola-Kirchhoff stress S = G (I − C⁻¹) + λ ln det F C⁻¹ and dE = sym(Fᵀ dF),
+    /// dS = λ (C⁻¹:dE) C⁻¹ + 2 (G − λ ln det F) C⁻¹ dE C⁻¹; column i of J against column j has (J₀⁻¹ dS J₀⁻ᵀ)_ij I.
+    pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
+        let Lame { lambda, shear } = self.lame;
+        for point in &self.points {
+            let Some(d) = Deformation::new(point, g0, u) else {
+                *h = [[Matrix3::repeat(f64::NAN); 6]; 6];
+                return;
+            };
+            let (inverse, rate) = (d.dual.transpose() * d.dual, point.gradient(du) * d.inverse);
+            let product = d.gradient.transpose() * rate;
+            let strain = (product + product.transpose()) * 0.5;
+            let stress = inverse * (lambda * inverse.dot(&strain))
+                + inverse * strain * inverse * (2.0 * (shear - lambda * d.log));
+            let blocks = d.inverse * stress * d.inverse.transpose() * d.volume;
+            let factors = point.factors();
+            for i in 0..5 {
+                for j in 0..=i {
+                    let entry = blocks[(COLUMN[i], COLUMN[j])] * (factors[i] * factors[j]);
+                    h[i][j] += Matrix3::from_diagonal_element(entry);
+                }
+            }
+        }
+    }
+
     /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u; infinite where
     /// det F ≤ 0.
     ///

@@ -109,6 +109,23 @@ impl Bend {
         }
     }
 
+    /// The second derivative of m·β at constant m across the tangent, m·a = 0:
+    ///
+    /// by b, a: −(m aᵀ + a mᵀ)/|a|³;
+    ///
+    /// by a, a: −((m·b) I + b mᵀ + m bᵀ)/|a|³ + 3 ((m·b) a aᵀ + C (m aᵀ + a mᵀ))/|a|⁵.
+    pub fn stress_stiffness(&self, m: &Vector3<f64>) -> Blocks {
+        let (a, b, cube) = (&self.a, &self.b, self.aa * self.length);
+        let (m_a, m_b, work) = (m * a.transpose(), m * b.transpose(), m.dot(b));
+        let m_a = m_a + m_a.transpose();
+        Blocks {
+            aa: -(Matrix3::from_diagonal_element(work) + m_b + m_b.transpose()) / cube
+                + (a * a.transpose() * work + m_a * self.ab) * (3.0 / (self.aa * cube)),
+            ba: -m_a / cube,
+            bb: Matrix3::zeros(),
+        }
+    }
+
     /// LᵀL.
     pub fn damping(&self) -> Blocks {
         let [of_a, of_b] = self.operator();

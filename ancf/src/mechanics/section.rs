@@ -189,6 +189,12 @@ impl SectionLaw {
         self.add_products(&g, &g, factor, h);
     }
 
+    /// Adds the stiffness Σ_k n_k ∂²ε_k of the stresses n = D ∂ε/∂g `du` that an increment of the directors causes in first
+    /// order.
+    pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
+        Self::add_geometric(&self.resultants(&Self::rates(&sum(g0, u), du)), 1.0, h);
+    }
+
     /// Adds `factor` Σ_k n_k ∂²ε_k.
     pub(super) fn add_geometric(n: &Strains, factor: f64, h: &mut Stiffness) {
         for (n, &(i, j)) in n.iter().zip(&PAIRS) {

@@ -45,6 +45,13 @@ impl Law {
         }
     }
 
+    fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
+        match self {
+            Self::Quadratic(law) => law.add_stress_stiffness(g0, u, du, h),
+            Self::Hyperelastic(law) => law.add_stress_stiffness(g0, u, du, h),
+        }
+    }
+
     fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; 6]) -> [f64; 6] {
         match self {
             Self::Quadratic(law) => law.rounding(g0, u, du),
@@ -272,6 +279,13 @@ impl<const N: usize> Station<N> {
             viscosity.add_products(&g, v, 0.5 * wq, &mut h);
             viscosity.add_products(v, &g, 0.5 * wq, &mut h);
         }
+        h
+    }
+
+    /// The stiffness of the elastic stresses that the increment `du` of the directors causes in first order.
+    pub(super) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
+        let mut h = [[Matrix3::zeros(); 6]; 6];
+        self.law.add_stress_stiffness(g0, u, du, &mut h);
         h
     }
 

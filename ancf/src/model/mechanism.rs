@@ -72,18 +72,23 @@ impl Assembly {
         self.system.tangent(s, Weights::STIFFNESS, &mut stiffness);
         let size = stiffness.pattern().size();
         let mut rows = vec![Sparse::new(); motions.len()];
-        let moved: Vec<Vec<(usize, f64)>> = motions.iter().map(|(_, y)| rigid.moved(y)).collect();
+        // By coordinate: the motions that move it, and how far.
+        let mut movers = vec![Vec::new(); size];
+        for (i, (_, y)) in motions.iter().enumerate() {
+            rigid.moved(y).into_iter().for_each(|(c, x)| movers[c].push((i, x)));
+        }
         let mut scale = Vec::with_capacity(motions.len());
-        for (j, x) in moved.iter().enumerate() {
+        for (j, (_, y)) in motions.iter().enumerate() {
             let mut full = vec![0.0; size];
-            x.iter().for_each(|&(c, value)| full[c] = value);
-            let rounding = ROUNDING * f64::EPSILON * stiffness.magnitude(&full);
-            scale.push(if rounding > 0.0 { 1.0 / rounding.sqrt() } else { 0.0 });
-            let force = stiffness.times(&full);
-            for (row, x) in rows.iter_mut().zip(&moved) {
-                let product: f64 = x.iter().map(|&(c, value)| value * force[c]).sum();
-                if product != 0.0 {
-                    row.insert(j, product);
+            rigid.moved(y).into_iter().for_each(|(c, x)| full[c] = x);
+            let (force, sizes) = (stiffness.times(&full), stiffness.magnitudes(&full));
+            let rounding = |c: usize| ROUNDING * f64::EPSILON * sizes[c];
+            let of_all: f64 = (0..size).map(|c| rounding(c) * full[c].abs()).sum();
+            scale.push(if of_all > 0.0 { 1.0 / of_all.sqrt() } else { 0.0 });
+            // Bodies that turn without stress exert rounding errors only: not to be multiplied out.
+            for c in (0..size).filter(|&c| force[c].abs() > rounding(c)) {
+                for &(i, x) in &movers[c] {
+                    *rows[i].entry(j).or_default() += x * force[c];
                 }
             }
         }

@@ -106,6 +106,22 @@ impl System {
             }
         }
     }
+
+    /// Sums a matrix over the terms: `share` adds to the lower triangle of the local one.
+    fn sum_matrix(&self, k: &mut SparseMatrix, mut share: impl FnMut(&dyn Term, &mut LocalMatrix<'_>)) {
+        let values = k.values_mut();
+        values.fill(0.0);
+        let (mut storage, mut slots) = ([0.0; LOCAL * LOCAL], self.slots.iter());
+        for term in &self.terms {
+            let term = term.as_ref();
+            let size = term.coordinates().len() + term.multipliers().len();
+            let mut block = LocalMatrix::zero(size, &mut storage);
+            share(term, &mut block);
+            for (value, &slot) in block.lower().zip(&mut slots) {
+                values[slot as usize] += value;
+            }
+        }
+    }
 }
 
 /// Rows of a term's multipliers at q + sign × v.
@@ -172,18 +188,15 @@ impl EquationsOfMotion for System {
     }
 
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
-        let values = k.values_mut();
-        values.fill(0.0);
-        let (mut gathered, mut storage) = (Gathered::EMPTY, [0.0; LOCAL * LOCAL]);
-        let mut slots = self.slots.iter();
-        for term in &self.terms {
-            let local = gathered.gather(s, term.as_ref());
-            let mut block = LocalMatrix::zero(local.q.len() + local.lambda.len(), &mut storage);
-            term.tangent(&local, w, &mut block);
-            for (value, &slot) in block.lower().zip(&mut slots) {
-                values[slot as usize] += value;
-            }
-        }
+        let mut gathered = Gathered::EMPTY;
+        self.sum_matrix(k, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
+        let (mut at, mut increment) = (Gathered::EMPTY, Gathered::EMPTY);
+        self.sum_matrix(k, |term, block| {
+            term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
+        });
     }
 
     fn inadmissible(&self, s: &State) -> Option<usize> {

@@ -74,6 +74,12 @@ pub trait EquationsOfMotion {
     /// The symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
 
+    /// The stiffness of initial stresses: of those stresses, multipliers and loads that come in first order with the increment
+    /// `by` of a state's q, λ and load factor, at the configuration of the state ([`Term::stress_stiffness`]).
+    ///
+    /// [`Term::stress_stiffness`]: super::Term::stress_stiffness
+    fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix);
+
     /// A coordinate of a term that cannot be in this state, if there is one: equations of motion have such solutions too.
     fn inadmissible(&self, _s: &State) -> Option<usize> {
         None

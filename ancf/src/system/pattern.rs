@@ -320,15 +320,23 @@ impl SparseMatrix {
         product
     }
 
+    /// |A| |x|, in the order of the unknowns: ε times this bounds the rounding errors of A x.
+    pub fn magnitudes(&self, x: &[f64]) -> Vec<f64> {
+        let order = &self.pattern.order;
+        let mut sums = vec![0.0; x.len()];
+        self.visit(|i, j, value| {
+            let (i, j) = (order[i] as usize, order[j] as usize);
+            sums[i] += (value * x[j]).abs();
+            if i != j {
+                sums[j] += (value * x[i]).abs();
+            }
+        });
+        sums
+    }
+
     /// |x|ᵀ |A| |x|: ε times this bounds the rounding error of xᵀ A x.
     pub fn magnitude(&self, x: &[f64]) -> f64 {
-        let order = &self.pattern.order;
-        let mut sum = 0.0;
-        self.visit(|i, j, value| {
-            let entry = (value * x[order[i] as usize] * x[order[j] as usize]).abs();
-            sum += if i == j { entry } else { 2.0 * entry };
-        });
-        sum
+        self.magnitudes(x).iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()
     }
 
     /// The matrix as dense rows in the order of the unknowns; for small systems and tests.

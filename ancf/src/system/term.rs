@@ -48,6 +48,11 @@ impl<'a> LocalMatrix<'a> {
         self.values[j * self.size + i]
     }
 
+    /// Subtracts another matrix of its size.
+    fn subtract(&mut self, other: &LocalMatrix<'_>) {
+        self.values.iter_mut().zip(&*other.values).for_each(|(value, other)| *value -= other);
+    }
+
     /// The lower triangle by columns, column j starting with its diagonal.
     pub fn lower(&self) -> impl Iterator<Item = f64> {
         (0..self.size).flat_map(move |j| self.values[j * self.size + j..(j + 1) * self.size].iter().copied())
@@ -112,6 +117,24 @@ pub trait Term: Send + Sync {
     /// Whether matter can be in this state: not turned inside out.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
         true
+    }
+
+    /// Adds the stiffness of initial stresses, the lower triangle: of those stresses, multipliers and loads that come in first
+    /// order with the increment `by` of the state's q, λ and load factor, at the configuration of the state.
+    ///
+    /// With stresses n = ∂U/∂ε of strains ε(q) the entries are Σ n₁ ∂²ε/∂q², n₁ = ∂n/∂ε ∂ε/∂q q₁; with multipliers
+    /// Σ λ₁ ∂²Φ/∂q²; with loads their own stiffness, times the increment of the load factor. What a displacement changes
+    /// besides, Σ ∂ε/∂q ∂n/∂ε ∂²ε/∂q² q₁, has no part in it.
+    ///
+    /// A term that has strain energy of strains not linear in q tells its own. By default, that of multipliers and loads:
+    /// the tangent is affine in them, and its part without them is subtracted.
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (zeros, mut storage) = ([0.0; LOCAL], [0.0; LOCAL * LOCAL]);
+        let mut rest = LocalMatrix::zero(at.q.len() + at.lambda.len(), &mut storage);
+        let lambda = &zeros[..at.lambda.len()];
+        self.tangent(&Local { lambda, load: 0.0, ..*at }, Weights::STIFFNESS, &mut rest);
+        self.tangent(&Local { lambda: by.lambda, load: by.load, ..*at }, Weights::STIFFNESS, k);
+        k.subtract(&rest);
     }
 
     /// Its energies.

@@ -91,6 +91,18 @@ pub(crate) fn tangent(term: &dyn Term, at: &Sample, w: Weights) -> DMatrix<f64> 
     DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
 }
 
+/// The stiffness of what the increment z = (dq, dλ) causes, and of so much more load.
+pub(crate) fn stress_stiffness(term: &dyn Term, at: &Sample, z: &DVector<f64>, load: f64) -> DMatrix<f64> {
+    let (n, size) = (at.q.len(), z.len());
+    let zeros = DVector::zeros(n);
+    let (q, lambda) = z.as_slice().split_at(n);
+    let by = Local { q, v: zeros.as_slice(), a: zeros.as_slice(), lambda, t: 0.0, load };
+    let mut storage = [0.0; LOCAL * LOCAL];
+    let mut k = LocalMatrix::zero(size, &mut storage);
+    term.stress_stiffness(&at.local(), &by, &mut k);
+    DMatrix::from_fn(size, size, |i, j| k.get(i.max(j), i.min(j)))
+}
+
 pub(crate) fn energy(term: &dyn Term, at: &Sample) -> Energy {
     term.energy(&at.local())
 }

@@ -2,6 +2,7 @@
 
 mod elastica;
 mod euler_column;
+mod princeton;
 
 use crate::Problem;
 
@@ -9,6 +10,7 @@ use crate::Problem;
 pub const ALL: &[Problem] = &[
     elastica::PROBLEM,
     euler_column::PROBLEM,
+    princeton::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

@@ -1,5 +1,6 @@
 //! The problems, one file each.
 
+mod bathe_bolourchi;
 mod elastica;
 mod euler_column;
 mod princeton;
@@ -11,6 +12,7 @@ pub const ALL: &[Problem] = &[
     elastica::PROBLEM,
     euler_column::PROBLEM,
     princeton::PROBLEM,
+    bathe_bolourchi::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

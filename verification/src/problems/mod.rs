@@ -3,6 +3,7 @@
 mod bathe_bolourchi;
 mod elastica;
 mod euler_column;
+mod lees_frame;
 mod princeton;
 
 use crate::Problem;
@@ -13,6 +14,7 @@ pub const ALL: &[Problem] = &[
     euler_column::PROBLEM,
     princeton::PROBLEM,
     bathe_bolourchi::PROBLEM,
+    lees_frame::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

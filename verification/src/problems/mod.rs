@@ -3,6 +3,7 @@
 mod bathe_bolourchi;
 mod elastica;
 mod euler_column;
+mod lateral_buckling;
 mod lees_frame;
 mod princeton;
 
@@ -15,6 +16,7 @@ pub const ALL: &[Problem] = &[
     princeton::PROBLEM,
     bathe_bolourchi::PROBLEM,
     lees_frame::PROBLEM,
+    lateral_buckling::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

@@ -3,6 +3,7 @@
 mod bathe_bolourchi;
 mod elastica;
 mod euler_column;
+mod invariance;
 mod lateral_buckling;
 mod lees_frame;
 mod princeton;
@@ -17,6 +18,7 @@ pub const ALL: &[Problem] = &[
     bathe_bolourchi::PROBLEM,
     lees_frame::PROBLEM,
     lateral_buckling::PROBLEM,
+    invariance::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

@@ -1,11 +1,25 @@
 //! The problems, one file each.
 
+mod bathe_bolourchi;
 mod elastica;
+mod euler_column;
+mod invariance;
+mod lateral_buckling;
+mod lees_frame;
+mod princeton;
 
 use crate::Problem;
 
 /// All problems, in the order of the report.
-pub const ALL: [Problem; 1] = [elastica::PROBLEM];
+pub const ALL: &[Problem] = &[
+    elastica::PROBLEM,
+    euler_column::PROBLEM,
+    princeton::PROBLEM,
+    bathe_bolourchi::PROBLEM,
+    lees_frame::PROBLEM,
+    lateral_buckling::PROBLEM,
+    invariance::PROBLEM,
+];
 
 /// Asserts that a problem holds, for its test.
 #[cfg(test)]

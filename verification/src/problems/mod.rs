@@ -1,11 +1,28 @@
 //! The problems, one file each.
 
+mod cantilever;
+mod catenary;
 mod elastica;
+mod gerstmayr_irschik;
+mod heavy_elastica;
+mod locking;
+mod roll_up;
+mod self_weight;
+mod single_element;
 
 use crate::Problem;
 
 /// All problems, in the order of the report.
-pub const ALL: [Problem; 1] = [elastica::PROBLEM];
+pub const ALL: [Problem; 8] = [
+    single_element::PROBLEM,
+    locking::PROBLEM,
+    elastica::PROBLEM,
+    heavy_elastica::PROBLEM,
+    roll_up::PROBLEM,
+    gerstmayr_irschik::PROBLEM,
+    catenary::PROBLEM,
+    self_weight::PROBLEM,
+];
 
 /// Asserts that a problem holds, for its test.
 #[cfg(test)]

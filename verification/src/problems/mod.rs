@@ -1,12 +1,20 @@
 //! The problems, one file each.
 
 mod bathe_bolourchi;
+mod cantilever;
+mod catenary;
 mod elastica;
 mod euler_column;
+mod gerstmayr_irschik;
+mod heavy_elastica;
 mod invariance;
 mod lateral_buckling;
 mod lees_frame;
+mod locking;
 mod princeton;
+mod roll_up;
+mod self_weight;
+mod single_element;
 
 use crate::Problem;
 
@@ -19,6 +27,13 @@ pub const ALL: &[Problem] = &[
     lees_frame::PROBLEM,
     lateral_buckling::PROBLEM,
     invariance::PROBLEM,
+    single_element::PROBLEM,
+    locking::PROBLEM,
+    heavy_elastica::PROBLEM,
+    roll_up::PROBLEM,
+    gerstmayr_irschik::PROBLEM,
+    catenary::PROBLEM,
+    self_weight::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

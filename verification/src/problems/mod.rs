@@ -1,11 +1,15 @@
 //! The problems, one file each.
 
 mod elastica;
+mod frequencies;
 
 use crate::Problem;
 
 /// All problems, in the order of the report.
-pub const ALL: [Problem; 1] = [elastica::PROBLEM];
+pub const ALL: &[Problem] = &[
+    elastica::PROBLEM,
+    frequencies::PROBLEM,
+];
 
 /// Asserts that a problem holds, for its test.
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 mod elastica;
 mod frequencies;
+mod instants;
+mod spin_up;
 
 use crate::Problem;
 
@@ -9,6 +11,7 @@ use crate::Problem;
 pub const ALL: &[Problem] = &[
     elastica::PROBLEM,
     frequencies::PROBLEM,
+    spin_up::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

@@ -1,5 +1,6 @@
 //! The problems, one file each.
 
+mod compound_pendulum;
 mod elastica;
 mod frequencies;
 mod instants;
@@ -11,6 +12,7 @@ use crate::Problem;
 pub const ALL: &[Problem] = &[
     elastica::PROBLEM,
     frequencies::PROBLEM,
+    compound_pendulum::PROBLEM,
     spin_up::PROBLEM,
 ];
 

@@ -2,8 +2,10 @@
 
 mod compound_pendulum;
 mod elastica;
+mod flying_spaghetti;
 mod frequencies;
 mod instants;
+mod motion;
 mod spin_up;
 
 use crate::Problem;
@@ -14,6 +16,7 @@ pub const ALL: &[Problem] = &[
     frequencies::PROBLEM,
     compound_pendulum::PROBLEM,
     spin_up::PROBLEM,
+    flying_spaghetti::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

@@ -6,6 +6,7 @@ mod flying_spaghetti;
 mod frequencies;
 mod instants;
 mod motion;
+mod right_angle_frame;
 mod spin_up;
 
 use crate::Problem;
@@ -17,6 +18,7 @@ pub const ALL: &[Problem] = &[
     compound_pendulum::PROBLEM,
     spin_up::PROBLEM,
     flying_spaghetti::PROBLEM,
+    right_angle_frame::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

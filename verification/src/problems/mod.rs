@@ -8,6 +8,7 @@ mod instants;
 mod motion;
 mod right_angle_frame;
 mod spin_up;
+mod spinning_rod;
 
 use crate::Problem;
 
@@ -19,6 +20,7 @@ pub const ALL: &[Problem] = &[
     spin_up::PROBLEM,
     flying_spaghetti::PROBLEM,
     right_angle_frame::PROBLEM,
+    spinning_rod::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

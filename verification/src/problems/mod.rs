@@ -5,6 +5,7 @@ mod elastica;
 mod flying_spaghetti;
 mod frequencies;
 mod instants;
+mod integrators;
 mod motion;
 mod right_angle_frame;
 mod spin_up;
@@ -21,6 +22,7 @@ pub const ALL: &[Problem] = &[
     flying_spaghetti::PROBLEM,
     right_angle_frame::PROBLEM,
     spinning_rod::PROBLEM,
+    integrators::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

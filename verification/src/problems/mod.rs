@@ -3,18 +3,27 @@
 mod bathe_bolourchi;
 mod cantilever;
 mod catenary;
+mod compound_pendulum;
 mod elastica;
 mod euler_column;
+mod flying_spaghetti;
+mod frequencies;
 mod gerstmayr_irschik;
 mod heavy_elastica;
+mod instants;
+mod integrators;
 mod invariance;
 mod lateral_buckling;
 mod lees_frame;
 mod locking;
+mod motion;
 mod princeton;
+mod right_angle_frame;
 mod roll_up;
 mod self_weight;
 mod single_element;
+mod spin_up;
+mod spinning_rod;
 
 use crate::Problem;
 
@@ -34,6 +43,13 @@ pub const ALL: &[Problem] = &[
     gerstmayr_irschik::PROBLEM,
     catenary::PROBLEM,
     self_weight::PROBLEM,
+    frequencies::PROBLEM,
+    compound_pendulum::PROBLEM,
+    spin_up::PROBLEM,
+    flying_spaghetti::PROBLEM,
+    right_angle_frame::PROBLEM,
+    spinning_rod::PROBLEM,
+    integrators::PROBLEM,
 ];
 
 /// Asserts that a problem holds, for its test.

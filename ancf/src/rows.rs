@@ -42,7 +42,7 @@ impl Rows {
             let of = |names: [&str; 6]| names.map(|column| format!("{name}.{column}"));
             match probe.quantity {
                 Quantity::Motion => {
-                    columns.extend(["", "v", "a"].iter().flat_map(|prefix| vectors(name, prefix)))
+                    columns.extend(["", "v", "a"].iter().flat_map(|prefix| vectors(name, prefix)));
                 }
                 Quantity::SectionForces => columns.extend(of(["N", "Qy", "Qz", "T", "My", "Mz"])),
                 Quantity::Strain => columns.extend(of(["exx", "eyy", "ezz", "exy", "exz", "eyz"])),

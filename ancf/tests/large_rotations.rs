@@ -31,7 +31,7 @@ fn cantilever(
     rod::beam(&mut model).formulation = formulation;
     rod::material(&mut model).poisson = poisson;
     model.sections.insert("circle".into(), section);
-    model.loads = vec![Load::Force { on: rod::end(), force }];
+    model.loads = vec![Load::force(rod::end(), force)];
     model
 }
 

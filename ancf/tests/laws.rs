@@ -11,9 +11,9 @@ mod beams;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/cables.rs"]
 mod cables;
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/rod.rs"]
 mod rod;
-#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/sample.rs"]
 mod sample;
 

@@ -50,7 +50,7 @@ impl<'a> Inertia<'a> {
         let zero = Momenta { linear: Vector3::zeros(), angular: Vector3::zeros(), first: Vector3::zeros() };
         vectors.iter().fold(zero, |sum, vector| {
             let (p, m) = (at(&momentum, vector.first), at(&moment, vector.first));
-            let is_position = f64::from(u8::from(vector.is_position));
+            let is_position = f64::from(u8::from(vector.is_position()));
             Momenta {
                 linear: sum.linear + p * is_position,
                 angular: sum.angular + vector.value.cross(&p),

@@ -127,7 +127,7 @@ fn tumbling(findings: &mut Findings) -> Result<(), Error> {
     let centre = Vector3::new(0.5, 0.0, 0.0);
     let vectors: Vec<_> = assembly.bodies().flat_map(|(_, mesh)| mesh.vectors(&start)).collect();
     for vector in vectors {
-        let velocity = if vector.is_position {
+        let velocity = if vector.is_position() {
             SPEEDS + SPIN.cross(&(vector.value - centre))
         } else {
             SPIN.cross(&vector.value)

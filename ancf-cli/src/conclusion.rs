@@ -64,7 +64,7 @@ impl<'a> Conclusion<'a> {
                     Analysis::Modes(_) | Analysis::Buckling(_) if *time == 0.0 => String::new(),
                     _ => format!(" at load factor {}", short(*time)),
                 };
-                format!("failed{place}: {reason}; worst: {at}\n{did}; results so far in {folder}")
+                format!("failed{place}: {reason}; at: {at}\n{did}; results so far in {folder}")
             }
         }
     }

@@ -63,8 +63,8 @@ fn line(verdict: &Verdict) -> Markup {
     let problem = verdict.problem;
     html! {
         tr {
-            th.text scope="row" { a href={ "#" (problem.name) } { (problem.title) } }
-            td.text { (problem.source) }
+            th.text.title scope="row" { a href={ "#" (problem.name) } { (problem.title) } }
+            td.text.source { (problem.source) }
             td { (verdict.comparisons().len()) }
             @match verdict.worst() {
                 Some(worst) => { td { (error(worst)) } td { (tolerance(worst)) } }
@@ -162,14 +162,21 @@ fn value(comparison: &Comparison, x: f64) -> String {
 }
 
 fn error(comparison: &Comparison) -> String {
-    let error = comparison.error();
-    if error == 0.0 { "0".to_owned() } else { scientific(error, 2) }
+    relative(comparison.error())
 }
 
 fn tolerance(comparison: &Comparison) -> String {
-    let tolerance = comparison.tolerance;
-    let digits = if scientific(tolerance, 2).contains(".0") { 1 } else { 2 };
-    if tolerance == 0.0 { "0".to_owned() } else { scientific(tolerance, digits) }
+    relative(comparison.tolerance)
+}
+
+/// A part of a size, with at most two digits.
+fn relative(x: f64) -> String {
+    let two = scientific(x, 2);
+    match x {
+        _ if x == 0.0 || (0.1..100.0).contains(&x) => significant(x, 2),
+        _ if two.contains(".0") => scientific(x, 1),
+        _ => two,
+    }
 }
 
 #[cfg(test)]
@@ -183,6 +190,7 @@ mod tests {
         findings.compare("y", 3e-13, 0.0, 2.0, 2.5e-6);
         let [x, y] = &findings.comparisons[..] else { panic!("two") };
         assert_eq!([value(x, x.ours), error(x), tolerance(x)], ["0.9435668", "6.4×10⁻⁷", "10⁻⁵"]);
+        assert_eq!([2.0, 0.25, 1e-3, 2e-8, f64::NAN].map(relative), ["2.0", "0.25", "10⁻³", "2×10⁻⁸", "NaN"]);
         assert_eq!([value(y, y.ours), value(y, 0.0), tolerance(y)], ["3.0×10⁻¹³", "0", "2.5×10⁻⁶"]);
     }
 

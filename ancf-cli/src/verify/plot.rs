@@ -7,7 +7,7 @@ const SIGNS: [Marker; 5] = [Marker::Circle, Marker::Square, Marker::Triangle, Ma
 /// Points of a reference that stand apart in a figure; of more, only some are shown.
 const MOST_POINTS: usize = 60;
 
-/// A plot as a figure: lines for ours, points for references, the nth points in the colour of the nth line.
+/// A plot as a figure: lines for ours, points for references; if they are pairs, in one colour.
 pub fn figure(plot: &Plot) -> Figure {
     let [x, y] = &plot.axes;
     let mut figure = Figure::new(x, y);
@@ -19,23 +19,32 @@ pub fn figure(plot: &Plot) -> Figure {
     let scale = |logarithmic| if logarithmic { Scale::Log } else { Scale::Linear };
     (figure.x.scale, figure.y.scale) = (scale(plot.logarithmic[0]), scale(plot.logarithmic[1]));
     // Points lie over lines, whatever their order.
-    for mark in [Mark::Line, Mark::Points] {
-        let curves = plot.curves.iter().filter(|curve| curve.mark == mark);
-        figure.series.extend(curves.enumerate().map(|(k, curve)| series(k, curve)));
-    }
+    let [lines, points] = [Mark::Line, Mark::Points]
+        .map(|mark| plot.curves.iter().filter(|curve| curve.mark == mark).collect::<Vec<_>>());
+    let pairs = lines.len() == points.len();
+    let ours = lines.iter().enumerate().map(|(k, curve)| series(curve, line(k, lines.len())));
+    figure.series.extend(ours);
+    let references = points.iter().enumerate().map(|(k, curve)| series(curve, sign(k, curve, pairs)));
+    figure.series.extend(references);
     figure
 }
 
-fn series(k: usize, curve: &Curve) -> Series {
+fn series(curve: &Curve, style: Style) -> Series {
     let [x, y] = [0, 1].map(|axis| curve.points.iter().map(|point| point[axis]).collect());
-    let style = match curve.mark {
-        Mark::Line => Style::nth(colour(k)).dashed(Style::nth(k).dash),
-        Mark::Points => {
-            let every = curve.points.len().div_ceil(MOST_POINTS).max(1);
-            Style::nth(colour(k)).dashed(Dash::None).marked(SIGNS[k % SIGNS.len()], every)
-        }
-    };
     Series::new(&curve.name, x, y).style(style)
+}
+
+/// The line number `k` of so many: each is wider than the next, which may hide it.
+fn line(k: usize, count: usize) -> Style {
+    let above = (count - 1 - k).min(4) as f64;
+    Style { width: 1.4 + 0.5 * above, ..Style::nth(colour(k)) }.dashed(Style::nth(k).dash)
+}
+
+/// The reference number `k`: in the colour of its line, or black if lines and references are no pairs.
+fn sign(k: usize, curve: &Curve, pairs: bool) -> Style {
+    let every = curve.points.len().div_ceil(MOST_POINTS).max(1);
+    let colour = if pairs { colour(k) } else { 0 };
+    Style { colour, ..Style::default() }.dashed(Dash::None).marked(SIGNS[k % SIGNS.len()], every)
 }
 
 /// Blue first, black last.

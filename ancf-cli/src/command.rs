@@ -11,9 +11,11 @@ use clap::Subcommand;
 use serde::Serialize;
 
 use crate::check;
+use crate::conclusion::Conclusion;
 use crate::folder::Folder;
 use crate::paper;
-use crate::progress::{Interrupt, Progress, say};
+use crate::progress::{Interrupt, Progress, print, say};
+use crate::verify;
 
 /// What to do.
 #[derive(Subcommand)]
@@ -23,8 +25,8 @@ pub enum Command {
         /// The model file (TOML).
         file: PathBuf,
     },
-    /// Run a model file and write its results.
-    #[command(after_help = "Example: ancf run models/cantilever.toml -o out")]
+    /// Run a model file and write its results: motion, equilibrium, path of equilibria, modes or critical loads.
+    #[command(after_help = RUN_EXAMPLES)]
     Run {
         /// The model file (TOML).
         file: PathBuf,
@@ -51,7 +53,32 @@ pub enum Command {
         #[arg(long, default_value_t = 3)]
         repeats: usize,
     },
+    /// Solve problems with known answers and report ours beside the references.
+    #[command(after_help = VERIFY_EXAMPLES)]
+    Verify {
+        /// The folder for index.html and results.json.
+        #[arg(short, long, value_name = "DIR", default_value = "out/verify")]
+        output: PathBuf,
+        /// The problems; all if there is none.
+        #[arg(value_name = "NAME", value_parser = verify::names())]
+        names: Vec<String>,
+    },
 }
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  ancf run models/cantilever.toml -o out          a motion
+  ancf run models/elastica.toml -o out            an equilibrium
+  ancf run models/lees_frame.toml -o out          a path through snap-through and snap-back
+  ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
+  ancf run models/column.toml -o out              critical loads, also printed";
+
+const VERIFY_EXAMPLES: &str = "\
+Examples:
+  ancf verify                         all problems, report in out/verify/index.html
+  ancf verify elastica -o /tmp/look   one of them
+
+Exit code 0 if all hold, 1 if one does not.";
 
 /// How a command ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +115,10 @@ impl Command {
             Self::Paper { output, repeats } => {
                 paper::reproduce(&output, repeats)?;
                 Ok(Ended::Done)
+            }
+            Self::Verify { output, names } => {
+                let holds = verify::verify(&names, &output)?;
+                Ok(if holds { Ended::Done } else { Ended::Failed })
             }
         }
     }
@@ -132,9 +163,15 @@ fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Resu
         Some(settings) if !quiet => Progress::until(settings.duration),
         _ => Progress::hidden(),
     };
-    let mut sinks: Vec<Box<dyn Sink>> =
-        vec![Box::new(Folder::new(output, model.output)), Box::new(progress), Box::new(interrupt)];
+    let mut conclusion = Conclusion::of(&model.analysis);
+    let mut sinks: Vec<Box<dyn Sink + '_>> = vec![
+        Box::new(Folder::new(output, model.output)),
+        Box::new(&mut conclusion),
+        Box::new(progress),
+        Box::new(interrupt),
+    ];
     let summary = simulate(model, &mut sinks)?;
+    drop(sinks);
     let report = Report {
         program: concat!("ancf ", env!("CARGO_PKG_VERSION")),
         model: file.display().to_string(),
@@ -144,31 +181,11 @@ fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Resu
     let path = output.join("summary.json");
     fs::write(&path, serde_json::to_string_pretty(&report)? + "\n")
         .with_context(|| format!("cannot write {}", path.display()))?;
-    conclude(&summary, output, report.wall_seconds)
-}
-
-fn conclude(summary: &Summary, output: &Path, seconds: f64) -> Result<Ended> {
-    let Summary { time, steps, iterations, .. } = summary;
-    let did = format!("{steps} steps to t = {time}, {iterations} Newton iterations, {seconds:.3} s");
-    let folder = output.display();
-    Ok(match &summary.outcome {
-        Outcome::Finished => {
-            say(&format!("done: {did}; results in {folder}"));
-            Ended::Done
-        }
-        Outcome::Stopped => {
-            say(&format!("stopped: {did}; results so far in {folder}"));
-            Ended::Stopped
-        }
-        Outcome::Failed { time, reason, at } => {
-            say(&format!("failed at t = {time}: {reason}; worst: {at}\n{did}; results so far in {folder}"));
-            Ended::Failed
-        }
+    print(&conclusion.table());
+    say(&conclusion.sentence(&summary, report.wall_seconds, &output.display().to_string()));
+    Ok(match summary.outcome {
+        Outcome::Finished => Ended::Done,
+        Outcome::Stopped => Ended::Stopped,
+        Outcome::Failed { .. } => Ended::Failed,
     })
-}
-
-/// Prints what was asked for to standard output; a closed pipe is no error.
-fn print(text: &str) {
-    use std::io::Write;
-    let _ = std::io::stdout().write_all(text.as_bytes());
 }

@@ -1,11 +1,14 @@
-//! `ancf`: checks and runs model files, and reproduces the paper.
+//! `ancf`: checks and runs model files, verifies itself, and reproduces the paper.
 
 mod check;
 mod command;
+mod conclusion;
 mod figure;
 mod folder;
 mod paper;
 mod progress;
+mod report;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -17,7 +20,7 @@ use command::{Command, Ended};
 #[derive(Parser)]
 #[command(
     version,
-    after_help = "Exit codes: 0 done, 1 the analysis failed, 2 bad input, 130 stopped by Ctrl-C."
+    after_help = "Exit codes: 0 done, 1 the analysis or a verification failed, 2 bad input, 130 stopped by Ctrl-C."
 )]
 struct Arguments {
     #[command(subcommand)]

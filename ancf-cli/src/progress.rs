@@ -16,6 +16,11 @@ pub fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
+/// Prints what was asked for to standard output; a closed pipe is no error.
+pub fn print(text: &str) {
+    let _ = io::stdout().write_all(text.as_bytes());
+}
+
 /// A bar with the time reached and the Newton iterations of the last step.
 pub struct Progress {
     bar: ProgressBar,

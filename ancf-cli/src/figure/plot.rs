@@ -112,9 +112,8 @@ impl Ruler {
         drawn.into_iter().map(|v| (v / self.unit, self.format.format(v))).collect()
     }
 
-    /// The short ticks between the long ones.
-    fn minor(&self) -> Vec<f64> {
-        let (lo, hi) = self.range;
+    /// The short ticks between the long ones, from `lo` to `hi` in the numbers that are drawn.
+    fn minor(&self, (lo, hi): Point) -> Vec<f64> {
         let (long, parts) = match self.step {
             Some(step) => {
                 let two = (step.log10().rem_euclid(1.0) - 2f64.log10()).abs() < 1e-6;
@@ -246,9 +245,9 @@ impl<'a> Plot<'a> {
 
     fn minor_ticks(&self) -> Vec<Vec<Point>> {
         let ([left, top, right, bottom], long) = (self.rect(), self.frame.tick_mark_minor);
-        let across = self.x.minor().into_iter().map(|v| self.frame.map_x(v));
+        let across = self.x.minor(self.frame.x_range).into_iter().map(|v| self.frame.map_x(v));
         let across = across.flat_map(|x| [[(x, bottom), (x, bottom - long)], [(x, top), (x, top + long)]]);
-        let up = self.y.minor().into_iter().map(|v| self.frame.map_y(v));
+        let up = self.y.minor(self.frame.y_range).into_iter().map(|v| self.frame.map_y(v));
         let up = up.flat_map(|y| [[(left, y), (left + long, y)], [(right, y), (right - long, y)]]);
         across.chain(up).map(|tick| tick.to_vec()).collect()
     }

@@ -11,9 +11,6 @@
 pub mod cases;
 pub mod conditioning;
 pub mod figures;
-pub mod machine;
-pub mod number;
-pub mod output;
 pub mod published;
 pub mod report;
 pub mod results;
@@ -29,8 +26,9 @@ use anyhow::Result;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::progress::say;
+use crate::report::Output;
 use figures::Drawing;
-use output::Output;
+
 use results::Results;
 use study::Study;
 use tables::Tables;

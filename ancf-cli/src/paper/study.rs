@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::cases::{Case, ELEMENTS, Form, STEP, time_unit};
 use super::conditioning::{self, Row};
-use super::machine::Machine;
+use crate::report::Machine;
 
 /// Everything that the report shows.
 #[derive(Debug)]

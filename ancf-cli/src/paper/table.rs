@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use anyhow::{Context, Result};
 
-use super::number;
+use crate::report::number;
 
 /// A table with named columns.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 use super::{DIM, Drawing, NONDIM, dim, elements, nondim, pale, stack, times};
 use crate::figure::{Dash, Figure, Legend, Marker, Series, Style};
 use crate::paper::cases::DURATION;
-use crate::paper::number::{fixed, significant};
 use crate::paper::results::{Forms, Results};
 use crate::paper::study::{Run, Study};
+use crate::report::number::{fixed, significant};
 
 /// Figures 3, 4 and 5.
 pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {

@@ -3,10 +3,10 @@
 use super::{DIM, Drawing, NONDIM, RIGID, dim, nondim, pale, stack};
 use crate::figure::{Dash, Figure, Legend, Scale, Series, Style};
 use crate::paper::cases::{DIAMETER, GRAVITY, LENGTH};
-use crate::paper::number::{fixed, scientific};
 use crate::paper::results::{Figure7, Results, StepCounts};
 use crate::paper::rigid::{CompoundPendulum, Tip};
 use crate::paper::study::{Run, Study};
+use crate::report::number::{fixed, scientific};
 
 /// Figures 7, 8a, 8b and 9.
 pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {

@@ -2,9 +2,9 @@
 
 use super::{DIM, Drawing, NONDIM, cantilever, dim, nondim};
 use crate::figure::{Dash, Figure, Legend, Panels, Series, SpaceFigure, SpaceSeries, Style};
-use crate::paper::number::scientific;
 use crate::paper::results::{Results, Table7};
 use crate::paper::study::{Comparison, Run, Study};
+use crate::report::number::scientific;
 
 /// Figures 11, 12a, 12b, 13a and 13b.
 pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {

@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Report, table, unit};
-use crate::paper::number::{fixed, significant};
 use crate::paper::published;
 use crate::paper::results::Problem;
+use crate::report::number::{fixed, significant};
 
 impl Report<'_> {
     pub(super) fn cantilever(&self) -> Markup {

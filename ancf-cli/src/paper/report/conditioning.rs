@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::{Report, table};
 use crate::paper::conditioning::Row;
-use crate::paper::number::{scientific, significant};
+use crate::report::number::{scientific, significant};
 
 /// The step at which writings are compared in words, s.
 const STEP: f64 = 1e-3;

@@ -4,9 +4,9 @@ use maud::{Markup, html};
 
 use super::{Report, between, table, unit};
 use crate::paper::cases::time_unit;
-use crate::paper::number::{fixed, scientific};
 use crate::paper::published;
 use crate::paper::results::{Gain, Problem};
+use crate::report::number::{fixed, scientific};
 
 impl Report<'_> {
     pub(super) fn gain(&self) -> Markup {

@@ -4,10 +4,10 @@ use maud::{Markup, html};
 
 use super::{Report, table, unit};
 use crate::paper::cases::{DENSITY, GRAVITY, LENGTH, YOUNG};
-use crate::paper::number::{fixed, scientific, significant};
 use crate::paper::published;
 use crate::paper::results::area;
 use crate::paper::study::MOST_ITERATIONS;
+use crate::report::number::{fixed, scientific, significant};
 
 impl Report<'_> {
     pub(super) fn iterations(&self) -> Markup {

@@ -1,4 +1,4 @@
-//! The report as one self-contained HTML page.
+//! The report as a page.
 
 mod cantilever;
 mod conditioning;
@@ -9,36 +9,18 @@ mod recovered;
 mod sources;
 mod summary;
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use super::figures::Drawing;
 use super::results::Results;
 use super::table::{Table, Value};
 use super::tables::Tables;
+use crate::report::{Page, Section, figure};
 
 /// The page.
 pub fn page(results: &Results, tables: &Tables, drawings: &[Drawing]) -> String {
-    let report = Report { results, tables, drawings };
-    let sections = report.sections();
-    let title = "Kim et al. (2017), reproduced";
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(include_str!("../../../assets/report.css"))) }
-            }
-            body {
-                header { h1 { (title) } p { (subtitle()) } }
-                nav aria-label="Contents" { h2 { "Contents" } (contents(&sections)) }
-                main { @for section in &sections { (section.markup()) } }
-            }
-        }
-    };
-    page.into_string()
+    let sections = Report { results, tables, drawings }.sections();
+    Page { title: "Kim et al. (2017), reproduced", subtitle: subtitle(), sections }.into_text()
 }
 
 fn subtitle() -> Markup {
@@ -50,23 +32,6 @@ fn subtitle() -> Markup {
     }
 }
 
-/// A part of the page with an entry in the table of contents.
-struct Section {
-    id: &'static str,
-    title: &'static str,
-    body: Markup,
-}
-
-impl Section {
-    fn markup(&self) -> Markup {
-        html! { section id=(self.id) { h2 { (self.title) } (self.body) } }
-    }
-}
-
-fn contents(sections: &[Section]) -> Markup {
-    html! { ol { @for section in sections { li { a href={ "#" (section.id) } { (section.title) } } } } }
-}
-
 /// What the page is made of.
 struct Report<'a> {
     results: &'a Results,
@@ -76,7 +41,7 @@ struct Report<'a> {
 
 impl Report<'_> {
     fn sections(&self) -> Vec<Section> {
-        let section = |id, title, body| Section { id, title, body };
+        let section = |id: &str, title: &str, body| Section::new(id, title, body);
         vec![
             section("summary", "Summary", self.summary()),
             section("cantilever", "Cantilever", self.cantilever()),
@@ -96,15 +61,11 @@ impl Report<'_> {
         let Some(drawing) = self.drawings.iter().find(|drawing| drawing.file == file) else {
             return html! {};
         };
-        html! {
-            figure id=(file) {
-                div.card tabindex="0" { (PreEscaped(drawing.svg())) }
-                figcaption {
-                    strong { (number) ". " } (drawing.caption) " "
-                    span.files { a href={ (file) ".svg" } { "SVG" } " " a href={ (file) ".png" } { "PNG" } }
-                }
-            }
-        }
+        let caption = html! {
+            strong { (number) ". " } (drawing.caption) " "
+            span.files { a href={ (file) ".svg" } { "SVG" } " " a href={ (file) ".png" } { "PNG" } }
+        };
+        figure(file, drawing.svg(), &caption)
     }
 }
 

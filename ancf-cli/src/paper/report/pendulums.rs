@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Report, table};
-use crate::paper::number::fixed;
 use crate::paper::published;
 use crate::paper::results::Problem;
+use crate::report::number::fixed;
 
 impl Report<'_> {
     pub(super) fn revolute(&self) -> Markup {

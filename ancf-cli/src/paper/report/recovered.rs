@@ -4,8 +4,8 @@ use maud::{Markup, html};
 
 use super::{Report, table, unit};
 use crate::paper::cases::{DIAMETER, GRAVITY};
-use crate::paper::number::fixed;
 use crate::paper::results::Agreement;
+use crate::report::number::fixed;
 
 impl Report<'_> {
     pub(super) fn gravity(&self) -> Markup {

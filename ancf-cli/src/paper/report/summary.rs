@@ -4,9 +4,9 @@ use maud::{Markup, html};
 
 use super::{Report, table};
 use crate::paper::cases::GRAVITY;
-use crate::paper::number::{fixed, scientific, significant};
 use crate::paper::published;
 use crate::paper::results::{Gain, Problem};
+use crate::report::number::{fixed, scientific, significant};
 
 impl Report<'_> {
     pub(super) fn summary(&self) -> Markup {
@@ -41,13 +41,9 @@ impl Report<'_> {
 
     fn machine(&self) -> Markup {
         let results = self.results;
-        let machine = &results.machine;
         html! {
             dl {
-                dt { "Program" } dd {
-                    "ancf " (machine.version) @if !machine.optimised { ", not optimised: times mean little" }
-                }
-                dt { "Machine" } dd { (machine.processor) ", " (machine.cores) " cores, " (machine.system) }
+                (results.machine.entries())
                 dt { "Times" } dd {
                     @if results.repeats > 1 { "medians of " (results.repeats) " runs" }
                     @else { "one run each" }

@@ -16,9 +16,9 @@ pub use verdict::{Check, Verdict};
 
 use super::cases::{DIAMETER, ELEMENTS, GRAVITY, time_unit};
 use super::conditioning::{Row, Writing};
-use super::machine::Machine;
 use super::published;
 use super::study::{Comparison, Run, Study};
+use crate::report::Machine;
 
 /// All numbers of the report.
 #[derive(Debug, Serialize)]

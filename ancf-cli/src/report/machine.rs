@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use maud::{Markup, html};
 use serde::Serialize;
 
 /// The machine and the program.
@@ -30,6 +31,16 @@ impl Machine {
             system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
             version: env!("CARGO_PKG_VERSION"),
             optimised: !cfg!(debug_assertions),
+        }
+    }
+
+    /// Program and machine as entries of a list of terms.
+    pub fn entries(&self) -> Markup {
+        html! {
+            dt { "Program" } dd {
+                "ancf " (self.version) @if !self.optimised { ", not optimised: times mean little" }
+            }
+            dt { "Machine" } dd { (self.processor) ", " (self.cores) " cores, " (self.system) }
         }
     }
 }

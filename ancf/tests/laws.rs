@@ -234,6 +234,9 @@ fn stress_stiffness_is_a_third_of_the_third_derivative() {
     let mut random = Random(1961);
     for Case { name, term, kind } in terms() {
         let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
+        if name.contains("NeoHookean") {
+            continue; // Its stress is not linear in the strain: tests/hyperelastic.rs has it.
+        }
         for _ in 0..5 {
             let mut s = Sample::rest(term);
             if kind == Kind::Polynomial {

@@ -9,8 +9,8 @@ pub const PROBLEM: Problem = Problem {
     source: "Euler (1744); Engesser (1889); Reissner (1972): P(1 − P/EA + P/GA) = P_E; the elastica beyond, by elliptic integrals",
     sketch: r"
   |/|=================== <- P      L = 1 m, d = 20 mm, E = 193 GPa; or inextensible",
-    goal: "Linear buckling: a slender column within 1e-4 of Euler; with shear, within 1e-6 of Engesser's P_E/(1 + P_E/GA), \
-           what is left of Reissner's law where compression before buckling is neglected: within 2 P/EA of the law itself. Beyond, tip within 1e-4 of the elastica, with 32 cable elements and a \
+    goal: "Linear buckling: a slender column within 1e-4 of Euler; with shear, within 1e-6 of Engesser's P_E/(1 + P_E/GA + P_E/EA), \
+           whose last term is Green's strain of fibres: within 3 P/EA of Reissner's law. Beyond, tip within 1e-4 of the elastica, with 32 cable elements and a \
            disturbance across of 1e-7 of the load",
     run,
 };
@@ -93,9 +93,9 @@ fn critical(findings: &mut Findings) -> Result<(), Error> {
     for (poisson, reissner) in REISSNER {
         let solved = solve(&column(&beam("linked", 32), &section, [YOUNG, poisson], PUSH, BUCKLING))?;
         let ours = solved.last("factor")?;
-        let linear = EULER / (1.0 + strain * 2.0 * (1.0 + poisson));
+        let linear = EULER / (1.0 + strain * (1.0 + 2.0 * (1.0 + poisson)));
         findings.compare(format!("Engesser's load in N, ν = {poisson}"), ours, linear, linear, 1e-6);
-        let tolerance = 2.0 * strain;
+        let tolerance = 3.0 * strain;
         findings.compare(format!("Reissner's load in N, ν = {poisson}"), ours, reissner, reissner, tolerance);
     }
     Ok(())

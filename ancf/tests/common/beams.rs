@@ -132,7 +132,7 @@ impl Specimen {
             .vectors
             .iter()
             .map(|vector| of(vector.value) + if vector.is_position() { shift } else { Vector3::zeros() });
-        DVector::from_vec(vectors.flat_map(|v| <[f64; 3]>::from(v)).collect())
+        DVector::from_vec(vectors.flat_map(<[f64; 3]>::from).collect())
     }
 }
 

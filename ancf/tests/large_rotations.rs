@@ -3,6 +3,7 @@
 //! What is left on fine meshes is of the order of (curvature × thickness)²: Green's strain of a fibre that a curved axis
 //! stretches is not that of Reissner's rod.
 #![cfg(test)]
+#![expect(clippy::print_stdout, reason = "the tables of decision 0011 are printed by `--nocapture`")]
 
 #[path = "common/equilibrium.rs"]
 mod equilibrium;

@@ -77,6 +77,13 @@ impl Scales {
         Self { length, time: length * (line_mass / force).sqrt(), force }
     }
 
+    /// The nearest powers of two: numbers then change their exponents only, not a bit else.
+    #[must_use]
+    pub fn rounded(&self) -> Self {
+        let near = |x: f64| x.log2().round().exp2();
+        Self { length: near(self.length), time: near(self.time), force: near(self.force) }
+    }
+
     /// The unit of a quantity of dimension `of`, Lˡ Tᵗ Fᶠ.
     pub fn unit(&self, of: Dimension) -> f64 {
         self.length.powi(of.length) * self.time.powi(of.time) * self.force.powi(of.force)

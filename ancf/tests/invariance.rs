@@ -352,3 +352,18 @@ proptest! {
 fn beam(body: &mut Body) -> Option<&mut ancf::model::Beam> {
     if let Body::Beam(beam) = body { Some(beam) } else { None }
 }
+
+/// In units that differ by powers of two, the same bits, since the chosen scales are powers of two as well.
+#[test]
+fn powers_of_two() {
+    for model in every_system() {
+        let model = Model { scales: ScaleChoice::Auto, ..model };
+        let units = Scales { length: 1024.0, time: 0.125, force: 32.0 };
+        let other = Model { scales: ScaleChoice::Auto, ..model.scaled(&units) };
+        let (here, there) = (Run::of(&model), Run::of(&other));
+        assert_eq!(here.summary.iterations, there.summary.iterations);
+        for (a, b) in here.vectors("tip.").iter().zip(there.vectors("tip.")) {
+            assert_eq!(*a, b * units.length);
+        }
+    }
+}

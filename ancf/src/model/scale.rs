@@ -17,7 +17,8 @@ pub enum ScaleChoice {
     None,
     /// Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7). For one beam under gravity.
     Paper,
-    /// The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq. (7).
+    /// The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq. (7); each rounded to a
+    /// power of two, so that nothing is lost on the way to these units and back.
     Auto,
     /// Given by number.
     Given {
@@ -65,12 +66,14 @@ impl Model {
                 format!("length of `{name}`, weight of one element, time by eq. (7)"),
             ),
             ScaleChoice::Auto | ScaleChoice::None if weight > 0.0 => (
-                Scales::from_force(length, weight, line_mass),
-                format!("length and weight of the longest body, `{name}`, time by eq. (7)"),
+                Scales::from_force(length, weight, line_mass).rounded(),
+                format!("length and weight of the longest body, `{name}`, time by eq. (7), as powers of two"),
             ),
             ScaleChoice::Auto | ScaleChoice::None => (
-                Scales::from_force(length, bending / length.powi(2), line_mass),
-                format!("length L and E I/L2 of the longest body, `{name}`, time by eq. (7)"),
+                Scales::from_force(length, bending / length.powi(2), line_mass).rounded(),
+                format!(
+                    "length L and E I/L2 of the longest body, `{name}`, time by eq. (7), as powers of two"
+                ),
             ),
         };
         Chosen { scales, reason }

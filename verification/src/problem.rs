@@ -126,6 +126,18 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
 }
 
+impl Curve {
+    /// A line: ours.
+    pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), mark: Mark::Line, points }
+    }
+
+    /// Points: a reference.
+    pub fn points(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), mark: Mark::Points, points }
+    }
+}
+
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {

@@ -161,15 +161,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.state.t = to;
         let done = self.newton.solve(self.eom, &mut self.state, self.scheme.weights(h))?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
-            let Report { iterations, residual, increment, .. } = done;
-            return Err(SolveError {
-                failure: Failure::Inverted,
-                t: to,
-                iterations,
-                residual,
-                increment,
-                worst,
-            });
+            return Err(SolveError::after(done, to, Failure::Inverted, worst));
         }
         for i in 0..next.len() {
             next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.state.a[i]);

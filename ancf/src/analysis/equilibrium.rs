@@ -35,7 +35,7 @@ impl Equilibrium {
             report = Report { iterations: 1 + again.iterations, ..again };
         }
         if let Some(worst) = eom.inadmissible(s) {
-            return Err(refusal(Failure::Inverted, s, report, worst));
+            return Err(SolveError::after(report, s.t, Failure::Inverted, worst));
         }
         let Report { iterations, residual, increment, floor } = report;
         let unstable = newton.unstable(eom);
@@ -45,7 +45,7 @@ impl Equilibrium {
     /// The error that refuses this equilibrium.
     pub(super) fn refuse(&self, failure: Failure, s: &State) -> SolveError {
         let Self { iterations, residual, increment, floor, .. } = *self;
-        refusal(failure, s, Report { iterations, residual, increment, floor }, 0)
+        SolveError::after(Report { iterations, residual, increment, floor }, s.t, failure, 0)
     }
 
     /// Takes over the last attempt and adds up its cost.
@@ -62,9 +62,4 @@ impl Equilibrium {
         self.iterations += cause.iterations;
         self.attempts += 1;
     }
-}
-
-fn refusal(failure: Failure, s: &State, report: Report, worst: usize) -> SolveError {
-    let Report { iterations, residual, increment, .. } = report;
-    SolveError { failure, t: s.t, iterations, residual, increment, worst }
 }

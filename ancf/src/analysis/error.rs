@@ -1,5 +1,7 @@
 use thiserror::Error;
 
+use super::Report;
+
 /// Why a Newton iteration failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum Failure {
@@ -54,6 +56,12 @@ impl SolveError {
     /// A failure before any iteration.
     pub(super) const fn at_start(failure: Failure) -> Self {
         Self::at(0.0, failure)
+    }
+
+    /// The failure of an iteration that went as reported, whose worst equation is `worst`.
+    pub(super) const fn after(report: Report, t: f64, failure: Failure, worst: usize) -> Self {
+        let Report { iterations, residual, increment, .. } = report;
+        Self { failure, t, iterations, residual, increment, worst }
     }
 
     /// A failure at a time, outside any iteration.

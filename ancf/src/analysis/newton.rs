@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use super::floor::raise_to_achievable;
-use super::mover::{Linear, Mover, Whole};
+use super::mover::{Linear, Mover, Whole, dot};
 use super::{Failure, SolveError};
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
@@ -145,7 +145,6 @@ impl Newton {
         self.factor.solve(&self.matrix, &mut self.z).map_err(|_| Failure::Singular)?;
         let Self { matrix, factor, r, z, .. } = self;
         mover.go(Linear { eom, matrix, factor, r, z }, s, w)?;
-        let dot = |z: &[f64], r: &[f64]| z.iter().zip(r).map(|(z, r)| z * r).sum::<f64>();
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
@@ -242,9 +241,7 @@ impl Newton {
         s: &State,
         last: Report,
     ) -> SolveError {
-        let worst = self.excess(eom, s).0;
-        let Report { iterations, residual, increment, .. } = last;
-        SolveError { failure, t: s.t, iterations, residual, increment, worst }
+        SolveError::after(last, s.t, failure, self.excess(eom, s).0)
     }
 }
 

@@ -144,9 +144,7 @@ impl SectionLaw {
     /// Source: linked interpolation as in Jelenic & Papa (2011), here of strains of the fully parameterised element.
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
-        let slope = (1.0 - 2.0 * xi) / length;
-        let arm = slope * length;
-        self.mapped(&[(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)])
+        self.mapped(&linking(xi, length))
     }
 
     /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:
@@ -167,6 +165,13 @@ impl SectionLaw {
         let d = map.transpose() * SMatrix::from_fn(|k, l| form[k][l]) * map;
         Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| 0.5 * (d[(k, l)] + d[(l, k)]))))
     }
+}
+
+/// What linked curvatures have besides their own section strain at ξ: the strain, what is added to it, and its factor.
+pub(super) fn linking(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
+    let slope = (1.0 - 2.0 * xi) / length;
+    let arm = slope * length;
+    [(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)]
 }
 
 /// A strain as a combination of section strains.

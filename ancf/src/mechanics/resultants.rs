@@ -1,8 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::formulation::local_strains;
+use super::formulation::{linking, local_strains};
 use super::mesh::Elasticity;
-use super::section::strain::{AB, AC, BK, CK, DH, EH};
 use super::section::{DIRECTORS, all_strains};
 use super::{BeamMesh, Directors, Kind, Wrench};
 use crate::system::{LOCAL, Local, State};
@@ -90,9 +89,9 @@ impl BeamMesh {
         }
         let mut products = all_strains(&g0, &u);
         if self.elasticity == (Elasticity::Rod { linked: true }) {
-            let arm = 1.0 - 2.0 * xi;
-            products[AB] += arm * (products[DH] / self.length + products[BK]);
-            products[AC] += arm * (products[EH] / self.length + products[CK]);
+            for (strain, added, factor) in linking(xi, self.length) {
+                products[strain] += factor * products[added];
+            }
         }
         let at = |y: f64, z: f64| {
             let (rows, _) = local_strains(&g0, y, z);

@@ -155,12 +155,8 @@ impl SectionLaw {
     /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Those without stiffness are left at zero.
     fn strains(&self, g0: &Directors, u: &Directors) -> Strains {
         let mut strains = [0.0; STRAINS];
-        for &(k, (i, j), _) in &self.used {
-            strains[k] = if i == j {
-                (g0[i] + u[i] * 0.5).dot(&u[i])
-            } else {
-                (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j])
-            };
+        for &(k, pair, _) in &self.used {
+            strains[k] = strain_of(pair, g0, u);
         }
         strains
     }
@@ -327,9 +323,13 @@ impl SectionLaw {
 
 /// All section strains of the increment u from the reference directors g0.
 pub(super) fn all_strains(g0: &Directors, u: &Directors) -> Strains {
-    PAIRS.map(|(i, j)| {
-        if i == j { (g0[i] + u[i] * 0.5).dot(&u[i]) } else { (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j]) }
-    })
+    PAIRS.map(|pair| strain_of(pair, g0, u))
+}
+
+/// The section strain of a pair of directors.
+#[inline]
+fn strain_of((i, j): (usize, usize), g0: &Directors, u: &Directors) -> f64 {
+    if i == j { (g0[i] + u[i] * 0.5).dot(&u[i]) } else { (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j]) }
 }
 
 /// A pair of directors in both orders; in one, if they are the same.

@@ -150,8 +150,7 @@ impl Model {
 
     /// Number of the body, arc length and point of a probe.
     fn probed(&self, meshes: &[(String, BeamMesh)], probe: &Probe) -> (usize, f64, Marker) {
-        let index = self.bodies.iter().position(|body| body.name() == probe.on.body);
-        let index = index.expect("a checked model names bodies that are there");
+        let index = self.body_of(&probe.on);
         let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
         (index, s, meshes[index].1.material_point(s, y, z))
     }
@@ -166,10 +165,15 @@ impl Model {
         breaks
     }
 
+    /// Number of the body of a place.
+    fn body_of(&self, place: &Place) -> usize {
+        let index = self.bodies.iter().position(|body| body.name() == place.body);
+        index.expect("a checked model names bodies that are there")
+    }
+
     /// The mesh and the arc length of a place.
     fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
-        let index = self.bodies.iter().position(|body| body.name() == place.body);
-        let index = index.expect("a checked model names bodies that are there");
+        let index = self.body_of(place);
         (&meshes[index].1, self.bodies[index].arc_length(place.at))
     }
 
@@ -190,8 +194,8 @@ impl Model {
 
     /// Whether the first end of a joint is on a beam of the continuum formulation.
     fn is_locking(&self, joint: &Joint) -> bool {
-        let body = self.bodies.iter().find(|body| body.name() == joint.ends().0.body);
-        matches!(body, Some(Body::Beam(Beam { formulation: Formulation::Continuum, .. })))
+        let body = &self.bodies[self.body_of(joint.ends().0)];
+        matches!(body, Body::Beam(Beam { formulation: Formulation::Continuum, .. }))
     }
 
     /// The meshes of the bodies, coordinates counted on from body to body.

@@ -47,9 +47,7 @@ impl Run<'_> {
         });
         match found {
             Ok(found) => {
-                let row = |critical: &Critical| (vec![critical.factor], critical.shape.clone());
-                let found: Vec<_> = found.iter().map(row).collect();
-                self.shapes(found.iter().map(|(own, shape)| (own.clone(), shape.as_slice())))
+                self.shapes(found.iter().map(|Critical { factor, shape }| (vec![*factor], shape.as_slice())))
             }
             Err(reason) => Ok(Err(reason)),
         }

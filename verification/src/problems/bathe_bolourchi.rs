@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A bend of 45° under a dead load across its plane.
 pub const PROBLEM: Problem = Problem {
@@ -109,11 +109,11 @@ fn run() -> Result<Findings, Error> {
                 )?;
                 way = solved.points("tip.x", "tip.z")?;
             }
-            curves.push(Curve { name: format!("{formulation}, J = {name}"), mark: Mark::Line, points: way });
+            curves.push(Curve::line(format!("{formulation}, J = {name}"), way));
         }
     }
     let exact = POLAR.iter().chain(&ST_VENANT).map(|&(_, [x, _, z])| [x, z]).collect();
-    curves.push(Curve { name: "exact rod".into(), mark: Mark::Points, points: exact });
+    curves.push(Curve::points("exact rod", exact));
     findings.plots.push(Plot {
         title: "Way of the tip as the load grows, seen along y".into(),
         axes: ["x".into(), "z".into()],

@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A cable hung between two points.
 pub const PROBLEM: Problem = Problem {
@@ -80,7 +80,7 @@ fn hung(axial: f64) -> Result<Solved, Error> {
 fn catenary(a: f64) -> Curve {
     let y = |x: f64| a * (((x - 0.5 * SPAN) / a).cosh() - (0.5 * SPAN / a).cosh());
     let points = (0..=20).map(|k| 0.5 * f64::from(k)).map(|x| [x, y(x)]).collect();
-    Curve { name: "catenary".into(), mark: Mark::Points, points }
+    Curve::points("catenary", points)
 }
 
 fn run() -> Result<Findings, Error> {
@@ -107,7 +107,7 @@ fn run() -> Result<Findings, Error> {
         let points = (0..=ELEMENTS)
             .map(|node| Ok([solved.last(&format!("p{node}.x"))?, solved.last(&format!("p{node}.y"))?]))
             .collect::<Result<_, Error>>()?;
-        curves.push(Curve { name, mark: Mark::Line, points });
+        curves.push(Curve::line(name, points));
     }
     findings.plots.push(Plot {
         title: "Shapes".into(),

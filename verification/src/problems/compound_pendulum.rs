@@ -1,5 +1,5 @@
 use super::instants::row_at;
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// A steel rod on a hinge, released from the horizontal.
 pub const PROBLEM: Problem = Problem {
@@ -85,14 +85,13 @@ fn run() -> Result<Findings, Error> {
     }
     let drift = lost.iter().fold(0.0, |drift: f64, lost| drift.max(lost.abs()));
     findings.compare("largest change of energy, J", drift, 0.0, ENERGY, 1e-6);
-    let curve = |name: &str, mark, points| Curve { name: name.into(), mark, points };
     findings.plots.push(Plot {
         title: "Way of the tip".into(),
         axes: ["x, m".into(), "y, m".into()],
         equal: true,
         curves: vec![
-            curve("ours", Mark::Line, free.points("tip.x", "tip.y")?),
-            curve("rigid rod", Mark::Points, RIGID.map(|[_, x, y, ..]| [x, y]).to_vec()),
+            Curve::line("ours", free.points("tip.x", "tip.y")?),
+            Curve::points("rigid rod", RIGID.map(|[_, x, y, ..]| [x, y]).to_vec()),
         ],
         ..Plot::default()
     });
@@ -100,10 +99,10 @@ fn run() -> Result<Findings, Error> {
         title: "Force of the hinge".into(),
         axes: ["t, s".into(), "force along x and y, N".into()],
         curves: vec![
-            curve("ours, x", Mark::Line, damped.points("t", "hinge.fx")?),
-            curve("rigid rod, x", Mark::Points, RIGID.map(|[t, _, _, x, _]| [t, x]).to_vec()),
-            curve("ours, y", Mark::Line, damped.points("t", "hinge.fy")?),
-            curve("rigid rod, y", Mark::Points, RIGID.map(|[t, .., y]| [t, y]).to_vec()),
+            Curve::line("ours, x", damped.points("t", "hinge.fx")?),
+            Curve::points("rigid rod, x", RIGID.map(|[t, _, _, x, _]| [t, x]).to_vec()),
+            Curve::line("ours, y", damped.points("t", "hinge.fy")?),
+            Curve::points("rigid rod, y", RIGID.map(|[t, .., y]| [t, y]).to_vec()),
         ],
         ..Plot::default()
     });

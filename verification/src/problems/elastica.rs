@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// The elastica: a cantilever under a dead load at its tip.
 pub const PROBLEM: Problem = Problem {
@@ -75,12 +75,8 @@ fn run() -> Result<Findings, Error> {
         axes: ["x/L".into(), "y/L".into()],
         equal: true,
         curves: vec![
-            Curve { name: "ours".into(), mark: Mark::Line, points: ours },
-            Curve {
-                name: "elastica".into(),
-                mark: Mark::Points,
-                points: TIPS.map(|(_, x, y)| [x, -y]).to_vec(),
-            },
+            Curve::line("ours", ours),
+            Curve::points("elastica", TIPS.map(|(_, x, y)| [x, -y]).to_vec()),
         ],
         ..Plot::default()
     });

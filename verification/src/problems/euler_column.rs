@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// A column that buckles, and what it does then.
 pub const PROBLEM: Problem = Problem {
@@ -127,10 +127,7 @@ fn run() -> Result<Findings, Error> {
         title: "Way of the tip beyond the critical load".into(),
         axes: ["x/L".into(), "y/L".into()],
         equal: true,
-        curves: vec![
-            Curve { name: "ours".into(), mark: Mark::Line, points: way },
-            Curve { name: "elastica".into(), mark: Mark::Points, points: elastica },
-        ],
+        curves: vec![Curve::line("ours", way), Curve::points("elastica", elastica)],
         ..Plot::default()
     });
     Ok(findings)

@@ -2,7 +2,7 @@ use ancf::system::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
 use super::motion::{Inertia, advance, assemble, dynamics};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem};
+use crate::{Curve, Error, Findings, Plot, Problem};
 
 /// A flexible rod that is kicked and flies on.
 pub const PROBLEM: Problem = Problem {
@@ -136,16 +136,15 @@ fn run() -> Result<Findings, Error> {
     let Flight { ends: [loaded, other], changes: [angular, energy] } = fly(&mut findings)?;
     findings.compare("largest change of angular momentum after the kick, relative", angular, 0.0, 1.0, 1e-5);
     findings.compare("largest change of energy after the kick, relative", energy, 0.0, 1.0, 1e-3);
-    let curve = |name: &str, mark, points| Curve { name: name.into(), mark, points };
     findings.plots.push(Plot {
         title: "Ways of the ends until t = 10".into(),
         axes: ["x".into(), "y".into()],
         equal: true,
         curves: vec![
-            curve("loaded end", Mark::Line, loaded),
-            curve("loaded end, spectral rod", Mark::Points, ENDS.map(|[_, x, y, ..]| [x, y]).to_vec()),
-            curve("other end", Mark::Line, other),
-            curve("other end, spectral rod", Mark::Points, ENDS.map(|[.., x, y]| [x, y]).to_vec()),
+            Curve::line("loaded end", loaded),
+            Curve::points("loaded end, spectral rod", ENDS.map(|[_, x, y, ..]| [x, y]).to_vec()),
+            Curve::line("other end", other),
+            Curve::points("other end, spectral rod", ENDS.map(|[.., x, y]| [x, y]).to_vec()),
         ],
         ..Plot::default()
     });

@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// Natural frequencies of a cantilever, and of the same rod in free space.
 pub const PROBLEM: Problem = Problem {
@@ -152,10 +152,10 @@ fn run() -> Result<Findings, Error> {
         axes: ["mode".into(), "frequency, Hz".into()],
         logarithmic: [false, true],
         curves: vec![
-            Curve { name: "quadratic, ν = 0".into(), mark: Mark::Line, points: numbered(&bending[..4]) },
-            Curve { name: "Timoshenko".into(), mark: Mark::Points, points: numbered(&BENDING) },
-            Curve { name: "continuum, ν = 0.3".into(), mark: Mark::Line, points: numbered(&limit) },
-            Curve { name: "its limit".into(), mark: Mark::Points, points: numbered(&LOCKED) },
+            Curve::line("quadratic, ν = 0", numbered(&bending[..4])),
+            Curve::points("Timoshenko", numbered(&BENDING)),
+            Curve::line("continuum, ν = 0.3", numbered(&limit)),
+            Curve::points("its limit", numbered(&LOCKED)),
         ],
         ..Plot::default()
     });

@@ -1,5 +1,5 @@
 use super::cantilever::Cantilever;
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// The cable element under a large load at the tip.
 pub const PROBLEM: Problem = Problem {
@@ -55,12 +55,11 @@ fn run() -> Result<Findings, Error> {
         axes: ["elements".into(), "error / L".into()],
         logarithmic: [true, true],
         curves: vec![
-            Curve {
-                name: "ours".into(),
-                mark: Mark::Line,
-                points: MESHES.iter().zip(&tips).map(|(&n, tip)| [f64::from(n), error(tip)]).collect(),
-            },
-            Curve { name: "fourth order".into(), mark: Mark::Points, points: MESHES.map(fourth).to_vec() },
+            Curve::line(
+                "ours",
+                MESHES.iter().zip(&tips).map(|(&n, tip)| [f64::from(n), error(tip)]).collect(),
+            ),
+            Curve::points("fourth order", MESHES.map(fourth).to_vec()),
         ],
         ..Plot::default()
     });

@@ -1,5 +1,5 @@
 use super::cantilever::{Cantilever, KIM};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// The heavy elastica: a cantilever under its own weight.
 pub const PROBLEM: Problem = Problem {
@@ -97,12 +97,8 @@ fn run() -> Result<Findings, Error> {
         axes: ["x/L".into(), "y/L".into()],
         equal: true,
         curves: vec![
-            Curve { name: "ours".into(), mark: Mark::Line, points: way },
-            Curve {
-                name: "heavy elastica".into(),
-                mark: Mark::Points,
-                points: TIPS.map(|(_, x, drop)| [x, -drop]).to_vec(),
-            },
+            Curve::line("ours", way),
+            Curve::points("heavy elastica", TIPS.map(|(_, x, drop)| [x, -drop]).to_vec()),
         ],
         ..Plot::default()
     });

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// Orders of the integrators, and what a tolerance of adaptive steps promises.
 pub const PROBLEM: Problem = Problem {
@@ -81,7 +81,7 @@ fn orders(findings: &mut Findings, name: &str, scheme: &str, plot: &mut Plot) ->
         let order = (differences[0] / differences[1]).log2();
         findings.compare(format!("{name}, order in {what}"), order, 2.0, 1.0, 0.1);
         let points = vec![[steps[0], differences[0]], [steps[1], differences[1]]];
-        plot.curves.push(Curve { name: format!("{name}, {what}"), mark: Mark::Line, points });
+        plot.curves.push(Curve::line(format!("{name}, {what}"), points));
     }
     Ok(())
 }
@@ -151,10 +151,7 @@ fn run() -> Result<Findings, Error> {
         title: "Errors of adaptive steps over a second, by tolerance".into(),
         axes: ["tolerance".into(), "root mean square error over the length".into()],
         logarithmic: [true, true],
-        curves: vec![
-            Curve { name: "ours".into(), mark: Mark::Line, points: errors },
-            Curve { name: "promised at most".into(), mark: Mark::Points, points: promised },
-        ],
+        curves: vec![Curve::line("ours", errors), Curve::points("promised at most", promised)],
         ..Plot::default()
     });
     Ok(findings)

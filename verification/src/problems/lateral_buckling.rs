@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A strip on edge that turns over under the load at its tip.
 pub const PROBLEM: Problem = Problem {
@@ -82,13 +82,9 @@ fn run() -> Result<Findings, Error> {
         let solved = solve(&strip(&section, &path))?;
         let ours = loss_of_stability(&solved)?;
         findings.compare(format!("load of the exact rod in N, {name}"), ours, exact, exact, 1e-3);
-        curves.push(Curve {
-            name: name.into(),
-            mark: Mark::Line,
-            points: solved.points("load", "unstable")?,
-        });
+        curves.push(Curve::line(name, solved.points("load", "unstable")?));
         let points = vec![[exact, 0.0], [exact, 1.0]];
-        curves.push(Curve { name: format!("exact rod, {name}"), mark: Mark::Points, points });
+        curves.push(Curve::points(format!("exact rod, {name}"), points));
     }
     findings.plots.push(Plot {
         title: "Unstable directions of the strip that stays in its plane".into(),

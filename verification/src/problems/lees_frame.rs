@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A frame that snaps through and back.
 pub const PROBLEM: Problem = Problem {
@@ -179,11 +179,11 @@ fn run() -> Result<Findings, Error> {
             }
         }
         let points = ours.iter().map(|&[_, p, w]| [w, p]).collect();
-        curves.push(Curve { name: name.into(), mark: Mark::Line, points });
+        curves.push(Curve::line(name, points));
     }
     let limits = NO_SHEAR.iter().map(|&[p, w, _]| [w, p]);
     let points = PATH.iter().map(|&[_, p, w]| [w, p]).chain(limits).collect();
-    curves.push(Curve { name: "exact rod, without shear".into(), mark: Mark::Points, points });
+    curves.push(Curve::points("exact rod, without shear", points));
     findings.plots.push(Plot {
         title: "Load over the descent of its point".into(),
         axes: ["w".into(), "P".into()],

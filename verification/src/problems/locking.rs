@@ -1,5 +1,5 @@
 use super::cantilever::{Cantilever, KIM, KIM_BENDING, KIM_BY_NUMBERS};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// How fast the elements converge.
 pub const PROBLEM: Problem = Problem {
@@ -52,7 +52,7 @@ fn error(tip: &[f64; 3], limit: &[f64; 3]) -> f64 {
 
 fn curve(name: &str, tips: &[[f64; 3]], limit: &[f64; 3]) -> Curve {
     let points = MESHES.iter().zip(tips).map(|(&n, tip)| [f64::from(n), error(tip, limit)]).collect();
-    Curve { name: name.into(), mark: Mark::Line, points }
+    Curve::line(name, points)
 }
 
 fn plot(title: &str, curves: Vec<Curve>) -> Plot {

@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// A strip bent about both of its axes and twisted.
 pub const PROBLEM: Problem = Problem {
@@ -81,11 +81,11 @@ fn run() -> Result<Findings, Error> {
             }
             let way = solved.points("tip.z", "tip.y")?;
             let name = format!("{formulation}, {load} N at {degrees}°");
-            curves.push(Curve { name, mark: Mark::Line, points: way });
+            curves.push(Curve::line(name, way));
         }
     }
     let points = TIPS.map(|(_, _, [_, y, z])| [z, y]).to_vec();
-    curves.push(Curve { name: "Reissner's rod".into(), mark: Mark::Points, points });
+    curves.push(Curve::points("Reissner's rod", points));
     findings.plots.push(Plot {
         title: "Way of the tip as the load grows, seen along the axis".into(),
         axes: ["soft direction in m".into(), "stiff direction in m".into()],

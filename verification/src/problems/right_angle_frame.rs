@@ -1,4 +1,4 @@
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// Two legs at a right angle, struck out of their plane.
 pub const PROBLEM: Problem = Problem {
@@ -115,9 +115,9 @@ fn run() -> Result<Findings, Error> {
     };
     for point in ["tip", "elbow"] {
         let ours = solved.points("t", &format!("{point}.z"))?;
-        plot.curves.push(Curve { name: point.into(), mark: Mark::Line, points: ours });
+        plot.curves.push(Curve::line(point, ours));
         let name = format!("{point}, geometrically exact beam");
-        plot.curves.push(Curve { name, mark: Mark::Points, points: of(point) });
+        plot.curves.push(Curve::points(name, of(point)));
     }
     findings.plots.push(plot);
     Ok(findings)

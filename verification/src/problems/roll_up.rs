@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// Rolled up by a moment at the end.
 pub const PROBLEM: Problem = Problem {
@@ -152,11 +152,7 @@ fn run() -> Result<Findings, Error> {
                         Ok([solved.last(&format!("p{tenth}.x"))?, solved.last(&format!("p{tenth}.y"))?])
                     })
                     .collect::<Result<_, Error>>()?;
-                curves.push(Curve {
-                    name: format!("ours, φ = {}π", quarters / 4.0),
-                    mark: Mark::Line,
-                    points,
-                });
+                curves.push(Curve::line(format!("ours, φ = {}π", quarters / 4.0), points));
             }
         }
     }
@@ -165,7 +161,7 @@ fn run() -> Result<Findings, Error> {
         let (angle, phi) = (2.0 * PI * f64::from(tenth) / 10.0, 2.0 * PI);
         [angle.sin() / phi, (1.0 - angle.cos()) / phi]
     };
-    curves.push(Curve { name: "circle".into(), mark: Mark::Points, points: (1..=10).map(circle).collect() });
+    curves.push(Curve::points("circle", (1..=10).map(circle).collect()));
     findings.plots.push(Plot {
         title: "Shapes under growing moments".into(),
         axes: ["x/L".into(), "y/L".into()],

@@ -1,5 +1,5 @@
 use super::cantilever::{Cantilever, KIM, KIM_BY_NUMBERS};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// Many elements under their own weight, all at once.
 pub const PROBLEM: Problem = Problem {
@@ -54,7 +54,7 @@ fn run() -> Result<Findings, Error> {
                 );
             }
         }
-        curves.push(Curve { name: element.into(), mark: Mark::Line, points });
+        curves.push(Curve::line(element, points));
     }
     findings.plots.push(Plot {
         title: "Newton iterations against the number of elements".into(),

@@ -6,7 +6,7 @@ use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
 
 use super::cantilever::{Cantilever, KIM};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, solve};
 
 /// What one element is.
 pub const PROBLEM: Problem = Problem {
@@ -144,13 +144,9 @@ fn stretch(findings: &mut Findings) -> Result<(), Error> {
             findings.compare(what, solved.last("tip.x")?, s, 1.0, 1e-10);
             ours = solved.points("tip.x", "load")?.into_iter().map(|[s, load]| [s, load * force]).collect();
         }
-        curves.push(Curve { name: element.into(), mark: Mark::Line, points: ours });
+        curves.push(Curve::line(element, ours));
     }
-    curves.push(Curve {
-        name: "s³ − s = 2P/EA".into(),
-        mark: Mark::Points,
-        points: STRETCHES.map(|(force, s)| [s, force]).to_vec(),
-    });
+    curves.push(Curve::points("s³ − s = 2P/EA", STRETCHES.map(|(force, s)| [s, force]).to_vec()));
     findings.plots.push(Plot {
         title: "Force on one element against its stretch".into(),
         axes: ["s".into(), "P/EA".into()],

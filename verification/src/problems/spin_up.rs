@@ -1,7 +1,7 @@
 use std::f64::consts::PI;
 
 use super::instants::row_at;
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A flexible arm that is spun up about its root.
 pub const PROBLEM: Problem = Problem {
@@ -119,12 +119,12 @@ fn run() -> Result<Findings, Error> {
         findings.compare(format!("{formulation}, steady stretch, m"), mean, STEADY, 1.0, 1e-6);
         for (column, name) in [(1, "along"), (2, "across")] {
             let points = seen.iter().map(|row| [row[0], row[column]]).collect();
-            plot.curves.push(Curve { name: format!("{formulation}, {name}"), mark: Mark::Line, points });
+            plot.curves.push(Curve::line(format!("{formulation}, {name}"), points));
         }
     }
     for (column, name) in [(1, "along"), (2, "across")] {
         let points = TIP.map(|row| [row[0], row[column]]).to_vec();
-        plot.curves.push(Curve { name: format!("spectral rod, {name}"), mark: Mark::Points, points });
+        plot.curves.push(Curve::points(format!("spectral rod, {name}"), points));
     }
     findings.plots.push(plot);
     Ok(findings)

@@ -2,7 +2,7 @@ use ancf::system::{EquationsOfMotion, State};
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 
 use super::motion::{Inertia, advance, assemble, dynamics};
-use crate::{Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
 
 /// A rod that turns: stretched on a hub, and tumbling in free flight.
 pub const PROBLEM: Problem = Problem {
@@ -105,16 +105,8 @@ fn on_a_hub(findings: &mut Findings) -> Result<(), Error> {
         title: "Distance of the tip from the hub, less the length".into(),
         axes: ["t, s".into(), "m".into()],
         curves: vec![
-            Curve {
-                name: "ours".into(),
-                mark: Mark::Line,
-                points: radial.iter().map(|row| [row[0], row[1]]).collect(),
-            },
-            Curve {
-                name: "steady".into(),
-                mark: Mark::Points,
-                points: vec![[1.25, STRETCH], [1.5, STRETCH]],
-            },
+            Curve::line("ours", radial.iter().map(|row| [row[0], row[1]]).collect()),
+            Curve::points("steady", vec![[1.25, STRETCH], [1.5, STRETCH]]),
         ],
         ..Plot::default()
     });
@@ -172,10 +164,7 @@ fn tumbling(findings: &mut Findings) -> Result<(), Error> {
         title: "Tumbling: way of an end, seen along x".into(),
         axes: ["y, m".into(), "z, m".into()],
         equal: true,
-        curves: vec![
-            Curve { name: "ours".into(), mark: Mark::Line, points: thin(0, 20) },
-            Curve { name: "rigid top".into(), mark: Mark::Points, points: thin(1, 500) },
-        ],
+        curves: vec![Curve::line("ours", thin(0, 20)), Curve::points("rigid top", thin(1, 500))],
         ..Plot::default()
     });
     Ok(())

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::mechanics::StrainEnergy;
 use crate::model::{Assembly, Quantity};
 use crate::scales::{Dimension, Scales};
-use crate::system::{EquationsOfMotion, State};
+use crate::system::{EquationsOfMotion, Power, State};
 
 /// The columns of a run, and their values in one state, in the user's units.
 ///
@@ -18,7 +18,9 @@ use crate::system::{EquationsOfMotion, State};
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
 /// | `iterations`, ... | what the analysis says of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
-/// | `dissipated` | total energy at the start less that of the state |
+/// | `work` | supplied since the start by prescribed motions and by loads without potential |
+/// | `dissipated` | lost since the start by damping, drag and friction |
+/// | `balance` | total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
 #[derive(Debug)]
 pub struct Rows {
     columns: Vec<String>,
@@ -58,7 +60,9 @@ impl Rows {
                 .extend(assembly.bodies().flat_map(|(body, _)| parts.map(|part| format!("{body}.{part}"))));
         }
         columns.extend(
-            own.iter().chain(&["kinetic", "strain", "potential", "dissipated"]).map(|&own| own.to_owned()),
+            own.iter()
+                .chain(&["kinetic", "strain", "potential", "work", "dissipated", "balance"])
+                .map(|&own| own.to_owned()),
         );
         let row = Vec::with_capacity(columns.len());
         Self { row, columns, scales, parts: assembly.energy_parts, initial: None }
@@ -69,8 +73,16 @@ impl Rows {
         &self.columns
     }
 
-    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units.
-    pub fn fill(&mut self, assembly: &Assembly, s: &State, first: f64, own: &[f64]) -> &[f64] {
+    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `exchanged` is
+    /// what was supplied and dissipated so far, in those of the solver.
+    pub fn fill(
+        &mut self,
+        assembly: &Assembly,
+        s: &State,
+        first: f64,
+        own: &[f64],
+        exchanged: Power,
+    ) -> &[f64] {
         self.row.clear();
         self.row.push(first);
         self.measure(assembly, s);
@@ -89,7 +101,9 @@ impl Rows {
         self.row.extend(own);
         let energy = assembly.system.energy(s);
         let initial = *self.initial.get_or_insert(energy.total());
-        for energy in [energy.kinetic, energy.strain, energy.potential, initial - energy.total()] {
+        let Power { work, dissipation } = exchanged;
+        let balance = initial + work - dissipation - energy.total();
+        for energy in [energy.kinetic, energy.strain, energy.potential, work, dissipation, balance] {
             self.push(energy, Dimension::ENERGY);
         }
         &self.row

@@ -1,7 +1,7 @@
 use super::consistent::{accelerations, velocities};
 use super::launch::launch;
 use super::{Failure, Newton, Report, Scheme, SolveError};
-use crate::system::{Energy, EquationsOfMotion, Level, State};
+use crate::system::{Energy, EquationsOfMotion, Level, Power, State};
 
 /// How a step went.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,6 +57,9 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     /// aₙ and aₙ₊₁ of the current attempt.
     pub(super) attempted: [Vec<f64>; 2],
     drift: Vec<f64>,
+    /// The power of the current state.
+    power: Power,
+    exchanged: Power,
 }
 
 impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
@@ -76,6 +79,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             h: 0.0,
             fresh: false,
             drift: vec![0.0; start.lambda.len()],
+            power: eom.power(&start),
+            exchanged: Power::default(),
             state: start,
         }
     }
@@ -88,6 +93,11 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// The energies of the current state.
     pub fn energy(&self) -> Energy {
         self.eom.energy(&self.state)
+    }
+
+    /// Work supplied and energy dissipated since the start, by the trapezoidal rule over the steps.
+    pub fn exchanged(&self) -> Power {
+        self.exchanged
     }
 
     /// Begins anew at a time t, at q and v as they are: at the start, and where loads or prescribed motions jump.
@@ -103,6 +113,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         velocities(self.eom, matrix, factor, &mut self.state, z)?;
         accelerations(self.eom, matrix, factor, &mut self.state, z)?;
         self.auxiliary.copy_from_slice(&self.state.a);
+        self.power = self.eom.power(&self.state);
         self.h = 0.0;
         self.fresh = true;
         Ok(())
@@ -180,6 +191,10 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.fresh = false;
         std::mem::swap(&mut self.auxiliary, &mut self.attempted[1]);
         self.newton.met(self.eom.energy(&self.state).largest());
+        let power = self.eom.power(&self.state);
+        self.exchanged.work += 0.5 * self.h * (self.power.work + power.work);
+        self.exchanged.dissipation += 0.5 * self.h * (self.power.dissipation + power.dissipation);
+        self.power = power;
         self.eom.constraints(&self.state, Level::Velocity, &mut self.drift);
         report.iterations += done.iterations;
         report.substeps += 1;

@@ -58,6 +58,11 @@ impl Function {
     /// The function that is always 1.
     pub const ONE: Self = Self::Constant(1.0);
 
+    /// Whether it is the same at all times.
+    pub const fn is_constant(&self) -> bool {
+        matches!(self, Self::Constant(_))
+    }
+
     /// Its value.
     pub fn value(&self, t: f64) -> f64 {
         self.at(t).value

@@ -2,11 +2,11 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::CableProfile;
 use super::cable_profile::Station;
 use super::element::add_blocks;
 use super::line::{Bend, Blocks, Stretch};
-use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
+use super::{CableDamping, CableProfile};
+use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 
 /// |r′| at and below which a line is taken to be crushed to a point.
 const CRUSHED: f64 = 0.01;
@@ -203,6 +203,11 @@ impl Term for Cable12 {
         let (profile, q) = (&*self.profile, vectors(at.q));
         let mut stations = profile.axial().iter().chain(profile.bending());
         stations.all(|station| (self.direction + station.first(&q)).norm() > CRUSHED)
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let damped = self.profile.damping() != CableDamping::default();
+        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

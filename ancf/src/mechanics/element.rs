@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::section::NO_STIFFNESS;
 use super::station::{Relative, Station, StrainEnergy};
 use super::{BeamShape, Interpolation, QuadraticShape};
-use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
+use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 
 /// What congruent elements share: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
@@ -208,6 +208,11 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             strain,
             potential: -at.load * self.profile.gravity.dot(&moved),
         }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let damped = self.profile.drag != 0.0 || self.moving(at).is_some();
+        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
     }
 }
 

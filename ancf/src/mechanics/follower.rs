@@ -3,7 +3,7 @@ use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use super::Marker;
 use super::frame::{Real, add_symmetric, components, turned};
 use crate::function::Function;
-use crate::system::{Local, LocalMatrix, Term, Weights};
+use crate::system::{Local, LocalMatrix, Power, Term, Weights, supplied};
 
 /// A force on a point that turns with the section: constant, but for a function of time, in the section's frame
 /// ([`BeamMesh::section_frame`](super::BeamMesh::section_frame)).
@@ -77,5 +77,9 @@ impl Term for FollowerForce {
         let mut h = SMatrix::<f64, 9, 9>::zeros();
         h.fixed_view_mut::<3, 6>(0, 3).copy_from(&slope);
         add_symmetric(&self.markers.each_ref(), &h, -w.q * self.factor(at), k);
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        supplied(self, at)
     }
 }

@@ -2,11 +2,12 @@ use nalgebra::Vector3;
 
 use super::Marker;
 use crate::function::Function;
-use crate::system::{Energy, Local, LocalMatrix, Term, Weights};
+use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights, supplied};
 
 /// A force on a point, constant in direction and, but for a function of time f, in size.
 ///
-/// Adds −w f(t) F to the residual; its potential −f(t) F·(x − x₀) is zero in the reference configuration.
+/// Adds −w f(t) F to the residual. A constant one has the potential −f F·(x − x₀), zero in the reference configuration; of one
+/// that varies, the work is told as supplied power.
 #[derive(Clone, Debug)]
 pub struct Force {
     point: Marker,
@@ -53,6 +54,13 @@ impl Term for Force {
     fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
 
     fn energy(&self, at: &Local<'_>) -> Energy {
+        if !self.function.is_constant() {
+            return Energy::default();
+        }
         Energy { potential: -self.now(at).dot(&self.point.sum(at.q)), ..Energy::default() }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        if self.function.is_constant() { Power::default() } else { supplied(self, at) }
     }
 }

@@ -3,7 +3,7 @@ use nalgebra::{SVector, Vector3, Vector6};
 use super::Marker;
 use super::frame::{Real, add_symmetric, components, constant, turned};
 use crate::function::Function;
-use crate::system::{Local, LocalMatrix, Term, Weights};
+use crate::system::{Local, LocalMatrix, Power, Term, Weights, supplied};
 
 /// A moment on a section, as a couple of forces on its directors d = r_y and e = r_z and on nothing else.
 ///
@@ -17,7 +17,7 @@ use crate::system::{Local, LocalMatrix, Term, Weights};
 /// The moment is constant in the global frame, or, as a follower, in the frame of the section
 /// ([`BeamMesh::section_frame`](super::BeamMesh::section_frame)). Turning in a plane, the constant one has the potential −Mθ.
 /// In space neither has a potential (Ziegler 1968): the derivative of its forces is not symmetric, and the tangent holds the
-/// symmetric part of it. Newton's method then converges linearly, at a rate proportional to the moment. Its work is in no energy.
+/// symmetric part of it. Newton's method then converges linearly, at a rate proportional to the moment. Its work is told as supplied power.
 #[derive(Clone, Debug)]
 pub struct Moment {
     directors: [Marker; 2],
@@ -113,5 +113,9 @@ impl Term for Moment {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let (_, h) = num_dual::jacobian(|x| self.forces(&x), &self.values(at.q));
         add_symmetric(&self.directors.each_ref(), &h, -w.q * self.factor(at), k);
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        supplied(self, at)
     }
 }

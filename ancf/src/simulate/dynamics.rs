@@ -1,13 +1,12 @@
-use std::io;
 use std::ops::ControlFlow;
 
 use super::pace::Pace;
 use super::{Ended, Run};
-use crate::analysis::StepReport;
+use crate::analysis::{self, StepReport};
 use crate::model::{Dynamics, Model};
 use crate::record::Sink;
 use crate::rows::Rows;
-use crate::system::State;
+use crate::system::System;
 
 /// The columns of a motion.
 const OWN: [&str; 4] = ["iterations", "residual", "increment", "drift"];
@@ -22,14 +21,16 @@ impl Run<'_> {
             Ok(pace) => pace,
             Err(error) => return Ok(Err(error.into())),
         };
-        let mut record = |sink: &mut dyn Sink, s: &State, report: &StepReport| -> io::Result<_> {
-            let StepReport { iterations, residual, increment, drift, .. } = *report;
-            let own = [f64::from(iterations), residual, increment, drift];
-            sink.record(rows.fill(assembly, s, s.t * scales.time, &own))
-        };
+        let mut record =
+            |sink: &mut dyn Sink, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
+                let StepReport { iterations, residual, increment, drift, .. } = *report;
+                let own = [f64::from(iterations), residual, increment, drift];
+                let s = dynamics.state();
+                sink.record(rows.fill(assembly, s, s.t * scales.time, &own, dynamics.exchanged()))
+            };
         let mut report = StepReport::default();
         loop {
-            let flow = record(self.sink, pace.dynamics().state(), &report)?;
+            let flow = record(self.sink, pace.dynamics(), &report)?;
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.
                 return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));

@@ -5,7 +5,7 @@ use super::{Ended, Reason, Run, mechanism};
 use crate::analysis::{self, ArcSteps, Equilibrium, Increments, Limit, Newton, PathPoint, Until};
 use crate::model::{Assembly, Path, Statics};
 use crate::rows::Rows;
-use crate::system::State;
+use crate::system::{Power, State};
 
 /// The columns of an equilibrium; those of a path besides.
 const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
@@ -66,13 +66,14 @@ impl Run<'_> {
         };
         let mut statics = analysis::Statics::new(&assembly.system, newton, increments, start);
         let none = own(&Equilibrium::default());
-        let mut written = self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none));
+        let mut written =
+            self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, Power::default()));
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found)));
+            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found), Power::default()));
             flow(&written)
         });
         conclude(written?, settings.load == self.summary.time, ended)
@@ -98,14 +99,14 @@ impl Run<'_> {
             Err(reason) => return Ok(Err(reason)),
         };
         let none = [own(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
-        let mut written = self.sink.record(rows.fill(assembly, path.state(), 0.0, &none));
+        let mut written = self.sink.record(rows.fill(assembly, path.state(), 0.0, &none, Power::default()));
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let until = Until { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &of_point(point)));
+            written = self.sink.record(rows.fill(assembly, s, s.load, &of_point(point), Power::default()));
             flow(&written)
         });
         conclude(written?, settings.load == self.summary.time, ended)

@@ -2,7 +2,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{
-    Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, SparseMatrix, State, Term, Weights,
+    Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, SparseMatrix, State, Term,
+    Weights,
 };
 
 /// Equations of motion as the sum of terms: gather, evaluate, scatter.
@@ -67,7 +68,8 @@ impl System {
         let unknowns: Vec<Vec<usize>> =
             terms.iter().map(|term| unknowns(term.as_ref(), coordinates)).collect();
         assert!(unknowns.iter().all(|u| u.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-        let pattern = Pattern::new(coordinates, multipliers, &unknowns);
+        let defined: Vec<_> = terms.iter().map(|term| (term.massless(), term.multipliers())).collect();
+        let pattern = Pattern::new(coordinates, multipliers, &unknowns, &defined);
         let slots = unknowns
             .iter()
             .flat_map(|u| (0..u.len()).flat_map(move |j| (j..u.len()).map(move |i| (u[i], u[j]))))
@@ -124,18 +126,6 @@ impl System {
     }
 }
 
-/// Rows of a term's multipliers at q + sign × v.
-fn ahead(term: &dyn Term, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
-    let (mut q, mut rows) = ([0.0; LOCAL], [0.0; LOCAL]);
-    let (n, m) = (at.q.len(), at.lambda.len());
-    for i in 0..n {
-        q[i] = at.q[i] + sign * at.v[i];
-    }
-    term.residual(&Local { q: &q[..n], ..*at }, &mut rows[..n + m]);
-    rows.copy_within(n..n + m, 0);
-    rows
-}
-
 /// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
 fn unknowns(term: &dyn Term, coordinates: usize) -> Vec<usize> {
     term.coordinates().iter().copied().chain(term.multipliers().map(|m| coordinates + m)).collect()
@@ -159,23 +149,7 @@ impl EquationsOfMotion for System {
         let mut gathered = Gathered::EMPTY;
         for &i in &self.constraints {
             let term = self.terms[i].as_ref();
-            let local = gathered.gather(s, term);
-            let at = |sign| ahead(term, &local, sign);
-            let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
-            let m = local.lambda.len();
-            term.drive(s.t, &mut rates[..m], &mut accelerations[..m]);
-            let (ahead, here, back) = match level {
-                Level::Position => ([0.0; LOCAL], at(0.0), [0.0; LOCAL]),
-                Level::Velocity => (at(1.0), [0.0; LOCAL], at(-1.0)),
-                Level::Acceleration => (at(1.0), at(0.0), at(-1.0)),
-            };
-            for (k, row) in term.multipliers().enumerate() {
-                phi[row] += match level {
-                    Level::Position => here[k],
-                    Level::Velocity => 0.5 * (ahead[k] - back[k]) + rates[k],
-                    Level::Acceleration => ahead[k] - 2.0 * here[k] + back[k] + accelerations[k],
-                };
-            }
+            term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
         }
     }
 
@@ -211,5 +185,13 @@ impl EquationsOfMotion for System {
             energy += term.energy(&gathered.gather(s, term.as_ref()));
         }
         energy
+    }
+
+    fn power(&self, s: &State) -> Power {
+        let (mut gathered, mut power) = (Gathered::EMPTY, Power::default());
+        for term in &self.terms {
+            power += term.power(&gathered.gather(s, term.as_ref()));
+        }
+        power
     }
 }

@@ -33,6 +33,22 @@ impl AddAssign for Energy {
     }
 }
 
+/// Rates at which the sum of the energies changes: d(T + U + V)/dt = work − dissipation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Power {
+    /// Supplied by loads that have no potential and by prescribed motions.
+    pub work: f64,
+    /// Lost by damping, drag and friction.
+    pub dissipation: f64,
+}
+
+impl AddAssign for Power {
+    fn add_assign(&mut self, other: Self) {
+        self.work += other.work;
+        self.dissipation += other.dissipation;
+    }
+}
+
 /// How often constraints are differentiated in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
@@ -60,9 +76,6 @@ pub trait EquationsOfMotion {
     fn residual(&self, s: &State, r: &mut [f64]);
 
     /// The constraints alone, at a cost proportional to their number: one entry for each multiplier.
-    ///
-    /// Constraints are Φ(q, t) = A(q) + c(t) with A at most quadratic, so that its derivatives along v are exactly its differences:
-    /// A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v).
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]);
 
     /// A bound of the rounding error of each entry of the residual: ε times the sum of the magnitudes it is made of.
@@ -87,4 +100,9 @@ pub trait EquationsOfMotion {
 
     /// Kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
+
+    /// What loads and prescribed motions supply and what is dissipated, per time.
+    fn power(&self, _s: &State) -> Power {
+        Power::default()
+    }
 }

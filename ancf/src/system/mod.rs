@@ -9,9 +9,9 @@ mod state;
 mod term;
 
 pub use assembly::System;
-pub use equations::{Energy, EquationsOfMotion, Level};
+pub use equations::{Energy, EquationsOfMotion, Level, Power};
 pub use factor::{Factor, SingularMatrix};
 pub use kernel::{Kernel, Sparse};
 pub use pattern::{Pattern, SparseMatrix};
 pub use state::{State, Weights};
-pub use term::{LOCAL, Local, LocalMatrix, Term};
+pub use term::{LOCAL, Local, LocalMatrix, Term, dissipated, supplied};

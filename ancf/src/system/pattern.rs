@@ -1,4 +1,5 @@
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -9,7 +10,8 @@ use faer::sparse::{SymbolicSparseColMat, SymbolicSparseColMatRef};
 ///
 /// Coordinates are ordered by minimum degree on the graph of *groups*: coordinates that belong to the same terms, such
 /// as those of a node. Each multiplier follows right after the last coordinate that it touches, so that the Schur
-/// complement in its place is negative definite when it is eliminated.
+/// complement in its place is negative definite when it is eliminated. Coordinates without mass come after the multipliers
+/// that determine them, and positive there.
 #[derive(Debug)]
 pub struct Pattern {
     /// Position of each unknown.
@@ -34,10 +36,16 @@ pub(super) struct Border {
 }
 
 impl Pattern {
-    /// The pattern of a sum of dense blocks, each over the given unknowns; multipliers count after coordinates.
-    pub(super) fn new(coordinates: usize, multipliers: usize, blocks: &[Vec<usize>]) -> Self {
+    /// The pattern of a sum of dense blocks, each over the given unknowns; multipliers count after coordinates. Coordinates
+    /// without mass come with the multipliers that determine them.
+    pub(super) fn new(
+        coordinates: usize,
+        multipliers: usize,
+        blocks: &[Vec<usize>],
+        massless: &[(&[usize], Range<usize>)],
+    ) -> Self {
         let size = coordinates + multipliers;
-        let order = order(coordinates, multipliers, blocks);
+        let order = order(coordinates, multipliers, blocks, massless);
         let mut position = vec![0; size];
         for (at, &unknown) in order.iter().enumerate() {
             position[unknown as usize] = at as u32;
@@ -144,27 +152,40 @@ fn border(columns: &[usize], rows: &[usize], is_multiplier: impl Fn(usize) -> bo
 }
 
 /// The order of elimination: groups by minimum degree, each multiplier after its last coordinate.
-fn order(coordinates: usize, multipliers: usize, blocks: &[Vec<usize>]) -> Vec<u32> {
+fn order(
+    coordinates: usize,
+    multipliers: usize,
+    blocks: &[Vec<usize>],
+    massless: &[(&[usize], Range<usize>)],
+) -> Vec<u32> {
     let (group_of, members) = groups(coordinates, blocks);
-    let mut sequence = Vec::with_capacity(coordinates);
+    let mut rank: Vec<Option<usize>> = vec![None; coordinates];
+    let is_massless: HashSet<usize> = massless.iter().flat_map(|(late, _)| late.iter().copied()).collect();
+    // What is at one rank comes in this order.
+    let (regular, defining, late, other) = (0, 1, 2, 3);
+    let mut places = Vec::with_capacity(coordinates + multipliers);
     for group in minimum_degree(&group_of, members.len(), blocks) {
-        sequence.extend_from_slice(&members[group]);
+        for &c in members[group].iter().filter(|&&c| !is_massless.contains(&(c as usize))) {
+            rank[c as usize] = Some(places.len());
+            places.push((places.len(), regular, c));
+        }
     }
-    let mut rank = vec![0; coordinates];
-    for (at, &c) in sequence.iter().enumerate() {
-        rank[c as usize] = at;
+    let end = coordinates;
+    let before = last_coordinates(coordinates, multipliers, blocks, &rank);
+    let mut defines = vec![false; multipliers];
+    for (coordinates, multipliers) in massless.iter().filter(|(late, _)| !late.is_empty()) {
+        multipliers.clone().for_each(|m| defines[m] = true);
+        let last = multipliers.clone().map(|m| before[m].unwrap_or(end)).max();
+        coordinates.iter().for_each(|&c| rank[c] = rank[c].max(last));
     }
-    let mut after: Vec<Vec<u32>> = vec![Vec::new(); coordinates + 1];
-    for (m, last) in last_coordinates(coordinates, multipliers, blocks, &rank).into_iter().enumerate() {
-        after[last].push((coordinates + m) as u32);
-    }
-    let mut order = Vec::with_capacity(coordinates + multipliers);
-    for (at, c) in sequence.into_iter().enumerate() {
-        order.push(c);
-        order.append(&mut after[at]);
-    }
-    order.append(&mut after[coordinates]);
-    order
+    places.extend(is_massless.iter().map(|&c| (rank[c].unwrap_or(end), late, c as u32)));
+    let after = last_coordinates(coordinates, multipliers, blocks, &rank);
+    places.extend((0..multipliers).map(|m| {
+        let (rank, kind) = if defines[m] { (before[m], defining) } else { (after[m], other) };
+        (rank.unwrap_or(end), kind, (coordinates + m) as u32)
+    }));
+    places.sort_unstable();
+    places.into_iter().map(|(_, _, unknown)| unknown).collect()
 }
 
 /// Coordinates grouped by the set of blocks that they belong to: (group of each coordinate, members of each group).
@@ -216,21 +237,21 @@ fn minimum_degree(group_of: &[usize], groups: usize, blocks: &[Vec<usize>]) -> V
     if done.is_ok() { order } else { (0..groups).collect() }
 }
 
-/// For each multiplier the rank of the last coordinate that it touches; past the end if it touches none.
+/// For each multiplier the rank of the last coordinate that it touches, of those that have one.
 fn last_coordinates(
     coordinates: usize,
     multipliers: usize,
     blocks: &[Vec<usize>],
-    rank: &[usize],
-) -> Vec<usize> {
+    rank: &[Option<usize>],
+) -> Vec<Option<usize>> {
     let mut last: Vec<Option<usize>> = vec![None; multipliers];
     for block in blocks {
-        let latest = block.iter().filter(|&&c| c < coordinates).map(|&c| rank[c]).max();
+        let latest = block.iter().filter(|&&c| c < coordinates).filter_map(|&c| rank[c]).max();
         for &unknown in block.iter().filter(|&&c| c >= coordinates) {
             last[unknown - coordinates] = last[unknown - coordinates].max(latest);
         }
     }
-    last.into_iter().map(|rank| rank.unwrap_or(coordinates)).collect()
+    last
 }
 
 /// A symmetric sparse matrix: the lower triangle in the order of its pattern.

@@ -1,6 +1,6 @@
 use std::ops::Range;
 
-use super::{Energy, Weights};
+use super::{Energy, Level, Power, Weights};
 
 /// The largest number of unknowns (coordinates and multipliers) of one term: local arrays live on the stack.
 pub const LOCAL: usize = 64;
@@ -109,10 +109,42 @@ pub trait Term: Send + Sync {
     /// Adds its share of the tangent, the lower triangle.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
+    /// Those of its coordinates that have no mass and that its multipliers determine, as they do the position of a slider.
+    ///
+    /// They are eliminated after these multipliers, whose other coordinates must have mass or stiffness.
+    fn massless(&self) -> &[usize] {
+        &[]
+    }
+
     /// Adds ċ(t) and c̈(t) of constraints A(q) + c(t) that depend on time, one for each of its multipliers.
     ///
-    /// The residual holds c(t) itself; A is at most quadratic.
+    /// The residual holds c(t) itself.
     fn drive(&self, _t: f64, _rates: &mut [f64], _accelerations: &mut [f64]) {}
+
+    /// Adds its constraints Φ = A(q) + c(t) at a level, one for each of its multipliers.
+    ///
+    /// By default A is taken to be at most quadratic, so that its derivatives along v are exactly its differences:
+    /// A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v). Other constraints tell their own.
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        let m = at.lambda.len();
+        let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
+        self.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
+        let here = |sign| constraints_ahead(self, at, sign);
+        match level {
+            Level::Position => {
+                let here = here(0.0);
+                (0..m).for_each(|k| phi[k] += here[k]);
+            }
+            Level::Velocity => {
+                let (ahead, back) = (here(1.0), here(-1.0));
+                (0..m).for_each(|k| phi[k] += 0.5 * (ahead[k] - back[k]) + rates[k]);
+            }
+            Level::Acceleration => {
+                let (ahead, here, back) = (here(1.0), here(0.0), here(-1.0));
+                (0..m).for_each(|k| phi[k] += ahead[k] - 2.0 * here[k] + back[k] + accelerations[k]);
+            }
+        }
+    }
 
     /// Whether matter can be in this state: not turned inside out.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
@@ -141,4 +173,47 @@ pub trait Term: Send + Sync {
     fn energy(&self, _at: &Local<'_>) -> Energy {
         Energy::default()
     }
+
+    /// The power that it supplies without having it in its potential, and the power that it dissipates.
+    ///
+    /// By default prescribed motions supply λ·ċ(t), and what depends on the velocities dissipates: v·[f(q, v) − f(q, 0)].
+    fn power(&self, at: &Local<'_>) -> Power {
+        Power { work: driven(self, at), dissipation: dissipated(self, at) }
+    }
+}
+
+/// The power of its prescribed motions: Φ_qᵀ λ does the work −λ·Φ_q v = λ·ċ on the bodies.
+fn driven<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
+    let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
+    let m = at.lambda.len();
+    term.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
+    at.lambda.iter().zip(rates).map(|(lambda, rate)| lambda * rate).sum()
+}
+
+/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+pub fn dissipated<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
+    let (zeros, n, m) = ([0.0; LOCAL], at.q.len(), at.lambda.len());
+    let (mut moving, mut still) = ([0.0; LOCAL], [0.0; LOCAL]);
+    term.residual(&Local { a: &zeros[..n], ..*at }, &mut moving[..n + m]);
+    term.residual(&Local { v: &zeros[..n], a: &zeros[..n], ..*at }, &mut still[..n + m]);
+    (0..n).map(|i| at.v[i] * (moving[i] - still[i])).sum()
+}
+
+/// What a load supplies that has no potential: −v·f.
+pub fn supplied<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> Power {
+    let (zeros, mut r, n) = ([0.0; LOCAL], [0.0; LOCAL], at.q.len());
+    load.residual(&Local { a: &zeros[..n], ..*at }, &mut r[..n]);
+    Power { work: -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>(), dissipation: 0.0 }
+}
+
+/// Rows of a term's multipliers at q + sign × v.
+fn constraints_ahead<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
+    let (mut q, mut rows) = ([0.0; LOCAL], [0.0; LOCAL]);
+    let (n, m) = (at.q.len(), at.lambda.len());
+    for i in 0..n {
+        q[i] = at.q[i] + sign * at.v[i];
+    }
+    term.residual(&Local { q: &q[..n], ..*at }, &mut rows[..n + m]);
+    rows.copy_within(n..n + m, 0);
+    rows
 }

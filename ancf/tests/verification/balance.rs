@@ -243,7 +243,7 @@ fn free_fall() {
         assert!((a - Vector3::new(0.0, -rod::GRAVITY, 0.0)).norm() < 1e-5, "acceleration {a}");
     }
     assert_near("kinetic energy", *kinetic / (WEIGHT * 0.5 * rod::GRAVITY * 4.0), 1.0, 1e-12);
-    for (dissipated, strain) in run.column("dissipated").iter().zip(run.column("strain")) {
+    for (dissipated, strain) in run.column("balance").iter().zip(run.column("strain")) {
         assert!(dissipated.abs() < 1e-12 * kinetic && *strain < 1e-12 * kinetic, "{dissipated:e} {strain:e}");
     }
 }
@@ -258,7 +258,7 @@ fn dissipation() {
         settings.start = Start::Consistent;
         let run = Run::of(&model);
         let exchanged = run.column("kinetic").iter().copied().fold(0.0, f64::max);
-        run.column("dissipated").last().unwrap() / exchanged
+        run.column("balance").last().unwrap() / exchanged
     };
     let adams = dissipated(model::Scheme::Adams);
     let average = dissipated(model::Scheme::AverageAcceleration);

@@ -109,8 +109,8 @@ fn spherical_pendulum_keeps_its_energy_account() {
     let tip = run.vectors("tip.");
     assert!(tip.iter().all(|tip| tip.norm() < 1.001 * rod::LENGTH));
     assert!(tip.iter().any(|tip| tip.x < -0.9 * rod::LENGTH));
-    assert!(run.column("dissipated").is_sorted());
-    let (dissipated, exchanged) = (run.column("dissipated"), run.column("kinetic"));
+    assert!(run.column("balance").is_sorted());
+    let (dissipated, exchanged) = (run.column("balance"), run.column("kinetic"));
     let exchanged = exchanged.iter().copied().fold(0.0, f64::max);
     assert!(dissipated[dissipated.len() - 1] < 0.03 * exchanged);
 }

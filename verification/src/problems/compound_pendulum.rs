@@ -73,7 +73,7 @@ fn run() -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let free = solve(&model(0.0, 2.5e-4))?;
     let damped = solve(&model(1e-3, 1e-3))?;
-    let (x, y, lost) = (free.column("tip.x")?, free.column("tip.y")?, free.column("dissipated")?);
+    let (x, y, lost) = (free.column("tip.x")?, free.column("tip.y")?, free.column("balance")?);
     let (fx, fy) = (damped.column("hinge.fx")?, damped.column("hinge.fy")?);
     for [t, tip_x, tip_y, force_x, force_y] in RIGID {
         let row = row_at(&free, t)?;

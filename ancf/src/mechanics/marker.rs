@@ -23,6 +23,22 @@ impl Marker {
         Self { parts: parts.into_iter().filter(|&(_, w)| w != 0.0).collect(), reference }
     }
 
+    /// A sum of multiples of markers.
+    pub fn combined<'a>(terms: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
+        let (mut parts, mut reference): (Vec<(usize, f64)>, _) = (Vec::new(), Vector3::zeros());
+        for (factor, marker) in terms {
+            reference += marker.reference * factor;
+            for &(first, w) in &marker.parts {
+                match parts.iter_mut().find(|(known, _)| *known == first) {
+                    Some((_, sum)) => *sum += factor * w,
+                    None => parts.push((first, factor * w)),
+                }
+            }
+        }
+        parts.sort_unstable_by_key(|(first, _)| *first);
+        Self::new(parts, reference)
+    }
+
     /// First coordinate and weight of each vector.
     pub fn parts(&self) -> &[(usize, f64)] {
         &self.parts

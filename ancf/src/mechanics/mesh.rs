@@ -3,9 +3,11 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::attachment::clean;
 use super::{
-    Beam24, Beam27, BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection, CrossSection,
-    Formulation, Interpolation, Kind, Lame, Marker, Medium, Node, Profile, QuadraticShape, StrainEnergy,
+    Attachment, Beam24, Beam27, BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection,
+    CrossSection, Directions, Formulation, Interpolation, Kind, Lame, Marker, Medium, Node, Profile,
+    QuadraticShape, StrainEnergy,
 };
 use crate::system::{State, Term};
 
@@ -40,10 +42,10 @@ pub struct BeamMesh {
     pub(super) first: usize,
     /// Length l of each element.
     pub(super) length: f64,
-    slope: f64,
+    pub(super) slope: f64,
     elements: Elements,
     /// The point from which reference positions count.
-    origin: Vector3<f64>,
+    pub(super) origin: Vector3<f64>,
     /// Reference values of the vectors.
     pub(super) reference: Vec<Vector3<f64>>,
     pub(super) lame: Lame,
@@ -289,23 +291,17 @@ impl BeamMesh {
         })
     }
 
-    /// The direction of the body at an arc length that is `direction` in the reference state: J d with J = [r_x r_y r_z].
-    ///
-    /// A cable knows but its tangent: the part of the direction along r_x.
+    /// What joints, loads and probes hold on to at an arc length.
+    pub fn attachment(&self, s: f64) -> Attachment {
+        let [x, y, z] = self.axes(s);
+        let directions =
+            if self.has_sections() { Directions::Section([x, y, z]) } else { Directions::Line(x) };
+        Attachment { point: self.point(s), directions }
+    }
+
+    /// The direction of the body at an arc length that is `direction` in the reference state ([`Attachment::direction`]).
     pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
-        if !self.has_sections() {
-            let tangent = self.reference_axes(s)[0];
-            let along = tangent.dot(&direction) / tangent.norm_squared();
-            return self.marker(s, |_, _, directors| clean(along) * directors[0]);
-        }
-        let [a, d, e] = self.axes(s).map(|axis| axis.reference());
-        let inverse = Matrix3::from_columns(&[a, d, e]).try_inverse().unwrap_or_else(Matrix3::zeros);
-        let [x, y, z]: [f64; 3] = (inverse * direction).map(clean).into();
-        self.marker(s, |kind, value, directors| match kind {
-            Kind::Position | Kind::Slope => x * directors[0],
-            Kind::Y => y * value,
-            Kind::Z => z * value,
-        })
+        self.attachment(s).direction(direction)
     }
 
     /// The directors r_x, r_y and r_z at an arc length.
@@ -390,9 +386,4 @@ fn elements<const N: usize>(
         (frame, profile)
     };
     (0..count).map(of).collect()
-}
-
-/// Numbers that are zero but for rounding, such as components along a frame's own directions, are zero.
-fn clean(component: f64) -> f64 {
-    if component.abs() < 1e-14 { 0.0 } else { component }
 }

@@ -1,6 +1,8 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system)
 //! and [`function`](crate::function).
 
+mod attachment;
+mod axis;
 mod cable;
 mod cable_profile;
 mod constraint;
@@ -23,6 +25,8 @@ mod section;
 mod shape;
 mod station;
 
+pub use attachment::{Attachment, Directions};
+pub use axis::ElementAxis;
 pub use cable::Cable12;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use constraint::{Coincide, Perpendicular, Wrench};

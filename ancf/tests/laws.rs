@@ -20,12 +20,12 @@ mod sample;
 use ancf::function::Function;
 use ancf::mechanics::{
     BeamMesh, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker, Medium, Node,
-    Perpendicular,
+    Perpendicular, RigidBody,
 };
 use ancf::model::{Damping, Material, MaterialLaw, Section};
 use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
 use beams::Make;
-use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
+use nalgebra::{DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
     tangent,
@@ -203,7 +203,15 @@ fn terms() -> Vec<Case> {
         let case = move |cable: cables::Cable| Case { name: cable.name, term: Box::new(cable.term), kind };
         cables::cables(damping, gravity).into_iter().map(case)
     });
-    beams(gravity).chain(others).chain(cables).collect()
+    let inertia = Matrix3::new(2.0, 0.1, 0.2, 0.1, 1.5, -0.3, 0.2, -0.3, 1.8);
+    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, gravity).terms();
+    let point = RigidBody::point(0, Vector3::x(), 3.0, gravity).terms();
+    let rigid = rigid.into_iter().chain(point).enumerate().map(|(k, term)| Case {
+        name: format!("rigid body, term {k}"),
+        term,
+        kind: Kind::Polynomial,
+    });
+    beams(gravity).chain(others).chain(cables).chain(rigid).collect()
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 mod attachment;
 mod axis;
+mod body;
 mod cable;
 mod cable_profile;
 mod constraint;
@@ -21,12 +22,14 @@ mod moment;
 mod profile;
 mod quadrature;
 mod resultants;
+mod rigid;
 mod section;
 mod shape;
 mod station;
 
 pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
+pub use body::Body;
 pub use cable::Cable12;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
 pub use constraint::{Coincide, Perpendicular, Wrench};
@@ -43,6 +46,7 @@ pub use moment::Moment;
 pub use profile::{Formulation, Medium};
 pub use quadrature::{gauss, gauss2, gauss3};
 pub use resultants::across;
+pub use rigid::{RigidBody, is_inertia};
 pub use section::{Directors, Lame, SectionLaw, Stiffness};
 pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};
 pub use station::{Law, Station, StrainEnergy};

@@ -90,16 +90,17 @@ impl Body {
         }
     }
 
-    /// The point of a position in the reference state: of the axis, as far as it is one of it, or of a rigid body.
+    /// The point of a position in the reference state; `None` if the body has no such position.
     pub fn point(&self, at: At) -> Option<Vector3<f64>> {
         let from = Vector3::from(self.span()[0]);
-        match (self.is_flexible(), at) {
-            (true, _) => {
+        match (self, at) {
+            (Self::Beam(_) | Self::Cable(_), At::End(_) | At::Length(_)) => {
                 let (curve, s) = (self.curve()?, self.arc_length(at));
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
-            (false, At::Point(point)) => Some(Vector3::from(point)),
-            (false, _) => Some(from),
+            (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
+            (Self::Rigid(_) | Self::Mass(_), At::End(AtEnd::Center)) => Some(from),
+            _ => None,
         }
     }
 

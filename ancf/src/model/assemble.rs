@@ -129,8 +129,11 @@ impl Model {
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         for load in &self.loads {
-            let (mesh, s) = self.locate(&bodies, load.on());
-            terms.push(load.term(mesh, s, clock));
+            if let Some(place) = load.on() {
+                let (mesh, s) = self.locate(&bodies, place);
+                terms.extend(load.term(&mesh.attachment(s), clock));
+            }
+            terms.extend(self.spread_load(load, &bodies, clock));
         }
         let probes =
             self.probes.iter().map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2)).collect();
@@ -243,14 +246,9 @@ impl Model {
         }
     }
 
-    /// The section of a body at a part of its length.
+    /// The section of a body at a part of its length, as its elements see it.
     fn cross_section(&self, body: &Body, part: f64) -> CrossSection {
-        let start = &self.sections[body.section()];
-        let section = match body {
-            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
-            _ => *start,
-        };
-        section.cross_section(self.materials[body.material()].poisson)
+        self.section_at(body, part).cross_section(self.materials[body.material()].poisson)
     }
 }
 

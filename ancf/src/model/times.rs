@@ -5,13 +5,13 @@ use nalgebra::Vector3;
 use super::check::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, point};
 use super::schema::number;
 use super::survey::Finding;
-use super::{Analysis, Body, End, Joint, Model, TimeFunction, Varying};
+use super::{Analysis, End, Joint, Model, TimeFunction, Varying};
 
 /// An angle that is none, in radians.
 const TURNED: f64 = 1e-6;
 
 /// Loads with their paths.
-fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
+pub(super) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
     model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
 }
 
@@ -115,26 +115,4 @@ pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
         })
     };
     joints_of(model).filter_map(rule).collect()
-}
-
-/// What needs a section that turns is not asked of a cable, which is a line.
-pub(super) fn lines(model: &Model) -> Vec<Finding> {
-    let is_cable = |place| matches!(body(model, place), Some((_, Body::Cable(_))));
-    let loads = loads_of(model).filter_map(|(path, load)| {
-        let what = match load {
-            super::Load::Moment { .. } => "a moment on a cable",
-            super::Load::Force { follower: true, .. } => "a follower on a cable",
-            super::Load::Force { .. } => return None,
-        };
-        is_cable(load.on()).then_some((path, "on", what))
-    });
-    let drives = joints_of(model).filter_map(|(path, joint)| {
-        let driven = matches!(joint, Joint::Drive { .. }) && is_cable(joint.ends().0);
-        driven.then_some((path, "a", "a drive of a cable"))
-    });
-    let unfit = loads.chain(drives).map(|(path, key, what)| {
-        finding(format!("{path}.{key}.body"), what, "a beam, which has sections that turn")
-            .rests_on(["bodies".into()])
-    });
-    unfit.collect()
 }

@@ -1,0 +1,124 @@
+//! The rules of loads that the schema cannot say, but for those of functions of time.
+
+use super::check::{ON_AXIS, bodies_of, finding, joints_of, unknown};
+use super::schema::{number, quoted};
+use super::survey::Finding;
+use super::times::loads_of;
+use super::{At, Beam, Body, Joint, Load, Model};
+
+fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
+    bodies_of(model).find(|(_, body)| body.name() == name)
+}
+
+fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
+    let names = model.bodies.iter().map(Body::name).collect();
+    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
+}
+
+/// What needs a section that turns is not asked of a cable, which is a line.
+pub(super) fn lines(model: &Model) -> Vec<Finding> {
+    let is_cable = |name: &str| matches!(named(model, name), Some((_, Body::Cable(_))));
+    let loads = loads_of(model).filter_map(|(path, load)| {
+        let what = match (load.is_moment(), load.is_follower()) {
+            (true, _) => "a moment on a cable",
+            (false, true) => "a follower on a cable",
+            (false, false) => return None,
+        };
+        let (key, body) = match (load.on(), load.stretch()) {
+            (Some(place), _) => ("on.body", place.body.as_str()),
+            (None, Some(stretch)) => ("body", stretch.body),
+            (None, None) => return None,
+        };
+        is_cable(body).then_some((path, key, what))
+    });
+    let drives = joints_of(model).filter_map(|(path, joint)| {
+        let driven = matches!(joint, Joint::Drive { .. }) && is_cable(&joint.ends().0.body);
+        driven.then_some((path, "a.body", "a drive of a cable"))
+    });
+    let unfit = loads.chain(drives).map(|(path, key, what)| {
+        finding(format!("{path}.{key}"), what, "a beam, which has sections that turn")
+            .rests_on(["bodies".into()])
+    });
+    unfit.collect()
+}
+
+/// Loads per length are on bodies that are there, on a part of them that has a length.
+pub(super) fn stretches(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, load) in loads_of(model) {
+        let Some(on) = load.stretch() else { continue };
+        let Some((owner, body)) = named(model, on.body) else {
+            findings.push(unknown_body(model, format!("{path}.body"), on.body));
+            continue;
+        };
+        let length = body.length();
+        if length <= 0.0 {
+            continue; // Another rule says so.
+        }
+        let rests_on = |keys: &[&str]| {
+            let axis = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
+            axis.into_iter().chain(keys.iter().map(|key| format!("{path}.{key}"))).collect::<Vec<_>>()
+        };
+        let [from, to] = [on.from, on.to].map(|at| body.arc_length(at));
+        let beyond = |s: f64| s > length * (1.0 + ON_AXIS);
+        let wanted = format!("at most {}, the length of {}", number(length), quoted(body.name()));
+        for (key, s) in [("from", from), ("to", to)].into_iter().filter(|(_, s)| beyond(*s)) {
+            let error = finding(format!("{path}.{key}"), number(s), wanted.clone());
+            findings.push(error.rests_on(rests_on(&["body"])));
+        }
+        if !beyond(from) && !beyond(to) && to - from <= length * ON_AXIS {
+            let key = if matches!(on.to, At::Length(_)) { "to" } else { "from" };
+            let found = format!("a load from {} to {}", number(from), number(to));
+            let error = finding(format!("{path}.{key}"), found, "a part of the body that has a length");
+            findings.push(error.rests_on(rests_on(&["body", "from", "to"])));
+        }
+    }
+    findings
+}
+
+/// Fluids are around bodies that are there, once, whose diameter is known.
+pub(super) fn fluids(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, load) in loads_of(model) {
+        let Load::Fluid(fluid) = load else { continue };
+        for (i, name) in fluid.bodies.iter().enumerate() {
+            let key = format!("{path}.bodies[{i}]");
+            let Some((owner, body)) = named(model, name) else {
+                findings.push(unknown_body(model, key, name));
+                continue;
+            };
+            if fluid.bodies[..i].contains(name) {
+                let error = finding(key, format!("{} a second time", quoted(name)), "each body once");
+                findings.push(error.rests_on([format!("{path}.bodies")]));
+                continue;
+            }
+            let end = match body {
+                Body::Beam(Beam { section_end, .. }) => section_end.as_deref(),
+                Body::Cable(_) => None,
+            };
+            let mut sections = [Some(body.section()), end].into_iter().flatten();
+            let shapeless =
+                sections.find(|&name| model.sections.get(name).is_some_and(|s| fluid.hull(s).is_none()));
+            if let Some(section) = shapeless {
+                let found = format!("no key `diameter`, and {}, whose section is not round", quoted(name));
+                let error = finding(path.clone(), found, "the diameter that meets the flow, a number > 0");
+                let rests_on = [format!("{path}.diameter"), format!("sections.{section}"), owner];
+                findings.push(Finding { absence: true, ..error.rests_on(rests_on) });
+            }
+        }
+    }
+    findings
+}
+
+/// The current of a fluid is not known to a base that accelerates.
+pub(super) fn bases(model: &Model) -> Vec<Finding> {
+    let wet = loads_of(model).any(|(_, load)| matches!(load, Load::Fluid(_)));
+    let base = |(path, load): (String, &Load)| {
+        (wet && matches!(load, Load::BaseAcceleration { .. })).then(|| {
+            let found = "an accelerating ground in a model with a fluid";
+            let wanted = "one or the other: how the fluid follows the ground is not known";
+            finding(format!("{path}.kind"), found, wanted).rests_on(["loads".into()])
+        })
+    };
+    loads_of(model).filter_map(base).collect()
+}

@@ -8,6 +8,7 @@ mod run;
 use std::f64::consts::PI;
 
 use ancf::Model;
+use ancf::model::ScaleChoice;
 use nalgebra::Vector3;
 use run::{Run, distance};
 
@@ -221,4 +222,34 @@ fn books() {
     let [coarse, fine] = [1e-4, 5e-5].map(balance);
     assert!(fine < 1e-2, "a balance of {fine:e}");
     assert!((3.0..5.5).contains(&(coarse / fine)), "{coarse:e}, {fine:e}");
+}
+
+/// The equations may be solved in any units: every column is the same but for norms in the numbers of the solver.
+#[test]
+fn units() {
+    let dynamics = "kind = \"dynamics\"\nduration = 0.05\nstep = 1e-3\nscheme = { spectral_radius = 0.8 }";
+    let sine = "time = { kind = \"sine\", frequency = 3, phase = 0.2 }";
+    let loads = [
+        format!(
+            "{{ kind = \"distributed_force\", body = \"rod\", from = 0.21, to = 0.9, force = [0, 300, 500],
+               force_end = [100, 200, -300], follower = true, {sine} }},
+             {{ kind = \"distributed_force\", body = \"rod\", to = 0.77, force = [0, 300, 500] }},
+             {{ kind = \"distributed_moment\", body = \"rod\", to = 0.77, moment = [3, 2, 1], moment_end = [0, 0, 1] }}"
+        ),
+        format!("{{ kind = \"base_acceleration\", acceleration = [3, 0, 7], {sine} }}"),
+        format!(
+            "{{ kind = \"fluid\", bodies = [\"rod\"], density = 1000, current = [1, 0.5, 2], area = 4e-4, diameter = 0.03,
+               drag = [1.2, 0.05], added_mass = [0.9, 0.1], {sine} }}"
+        ),
+    ];
+    for load in loads {
+        let model = rod(LINKED, &format!("gravity = [0, 2, 3]\nloads = [{load}]"), dynamics);
+        let given = ScaleChoice::Given { length: 0.037, force: 2.9e5, time: Some(13.0) };
+        let [a, b] = [ScaleChoice::None, given].map(|scales| Run::of(&Model { scales, ..model.clone() }));
+        for (name, a) in a.columns().filter(|(name, _)| !["residual", "increment", "drift"].contains(name)) {
+            let size = a.iter().fold(1e-3, |size: f64, x| size.max(x.abs()));
+            let apart = a.iter().zip(b.column(name)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(apart < 1e-7 * size, "{name}: {apart:e} of {size:e}, {load}");
+        }
+    }
 }

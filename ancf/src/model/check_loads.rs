@@ -76,9 +76,9 @@ pub(super) fn stretches(model: &Model) -> Vec<Finding> {
     findings
 }
 
-/// Fluids are around bodies that are there, once, whose diameter is known.
+/// Fluids are around bodies that are there, each in one, whose diameter is known.
 pub(super) fn fluids(model: &Model) -> Vec<Finding> {
-    let mut findings = Vec::new();
+    let (mut findings, mut wet) = (Vec::new(), Vec::new());
     for (path, load) in loads_of(model) {
         let Load::Fluid(fluid) = load else { continue };
         for (i, name) in fluid.bodies.iter().enumerate() {
@@ -87,11 +87,13 @@ pub(super) fn fluids(model: &Model) -> Vec<Finding> {
                 findings.push(unknown_body(model, key, name));
                 continue;
             };
-            if fluid.bodies[..i].contains(name) {
-                let error = finding(key, format!("{} a second time", quoted(name)), "each body once");
-                findings.push(error.rests_on([format!("{path}.bodies")]));
+            if wet.contains(&name) {
+                let found = format!("{} a second time", quoted(name));
+                let error = finding(key, found, "each body in one fluid, once");
+                findings.push(error.rests_on(["loads".into()]));
                 continue;
             }
+            wet.push(name);
             let end = match body {
                 Body::Beam(Beam { section_end, .. }) => section_end.as_deref(),
                 Body::Cable(_) => None,
@@ -100,8 +102,9 @@ pub(super) fn fluids(model: &Model) -> Vec<Finding> {
             let shapeless =
                 sections.find(|&name| model.sections.get(name).is_some_and(|s| fluid.hull(s).is_none()));
             if let Some(section) = shapeless {
-                let found = format!("no key `diameter`, and {}, whose section is not round", quoted(name));
-                let error = finding(path.clone(), found, "the diameter that meets the flow, a number > 0");
+                let wanted = format!("the diameter of {} that meets the flow, a number > 0", quoted(name));
+                let error = finding(format!("{path}.diameter"), "no key `diameter`", wanted)
+                    .hint("the section is not round");
                 let rests_on = [format!("{path}.diameter"), format!("sections.{section}"), owner];
                 findings.push(Finding { absence: true, ..error.rests_on(rests_on) });
             }

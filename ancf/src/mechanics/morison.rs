@@ -9,7 +9,7 @@ use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights};
 /// What a fluid does to one element of a thin line: drag, added mass, buoyancy.
 ///
 /// Per undeformed length, with the tangent t, the velocity of the fluid seen from the line w = u − ṙ, its parts w_t = t·w along
-/// and w_n = w − t w_t across, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in MoorDyn, Hall 2015):
+/// and w_n = w − t w_t across, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in MoorDyn, Hall & Goupee 2015):
 ///
 /// f = ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t + ρA u̇ + M (u̇ − r̈) − ρA g,  M = ρA (C_an (I − t tᵀ) + C_at t tᵀ).
 ///

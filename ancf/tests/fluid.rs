@@ -209,7 +209,7 @@ fn buoyancy_of_a_tapered_rod() {
 fn books() {
     let water = "current = [0.3, 0.5, 0], drag = [1.2, 0.1], added_mass = [1.0, 0.2], \
                  time = { kind = \"sine\", frequency = 1.5, phase = 0.4 }";
-    for body in &BODIES[..2] {
+    for body in BODIES {
         let closed = |step: f64| {
             let analysis = dynamics(0.5, step).replace("0.9", "1.0");
             let mut model = clamped(rod(body, SOLID, [1.0, 0.0, 0.0], water, &analysis));

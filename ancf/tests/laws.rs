@@ -21,8 +21,8 @@ mod wet;
 
 use ancf::function::Function;
 use ancf::mechanics::{
-    BeamMesh, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker, Medium, Node,
-    Perpendicular,
+    BeamMesh, Blueprint, CableDamping, Coincide, Drive, FollowerForce, Force, Formulation, Marker, Medium,
+    Moment, Node, Perpendicular,
 };
 use ancf::model::{Damping, Material, MaterialLaw, Section};
 use ancf::system::{Energy, Local, LocalMatrix, Power, Term, Weights};
@@ -202,6 +202,19 @@ fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = Case> {
     })
 }
 
+/// Loads that turn with sections, and moments that stay.
+fn followers() -> impl Iterator<Item = Case> {
+    let (_, mesh) = wet::meshes().swap_remove(0);
+    let ([_, d, e], vector) = (mesh.axes(1.3), Vector3::new(0.3, -2.0, 0.7));
+    let force = FollowerForce::in_section(&mesh.point(1.3), [&d, &e], vector, Function::ONE);
+    let terms: [(&str, Box<dyn Term>); 3] = [
+        ("follower force", Box::new(force)),
+        ("follower moment", Box::new(Moment::in_section([&d, &e], vector, Function::ONE))),
+        ("moment", Box::new(Moment::new([&d, &e], vector, Function::ONE))),
+    ];
+    terms.into_iter().map(|(name, term)| Case { name: name.to_owned(), term, kind: Kind::Supplied })
+}
+
 /// Every kind of term there is.
 fn terms() -> Vec<Case> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
@@ -219,7 +232,7 @@ fn terms() -> Vec<Case> {
         let kind = if flows { Kind::Supplied } else { Kind::Damped };
         Case { name, term: Box::new(term), kind }
     });
-    beams(gravity).chain(others).chain(cables).chain(wet).collect()
+    beams(gravity).chain(others).chain(followers()).chain(cables).chain(wet).collect()
 }
 
 #[test]

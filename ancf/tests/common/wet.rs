@@ -43,17 +43,17 @@ pub(crate) fn meshes() -> Vec<(&'static str, BeamMesh)> {
     ]
 }
 
-/// The second element of each in a fluid at rest, without drag, and in a current fast against all velocities below one, in which
-/// drag is smooth.
+/// The second element of each in a fluid at rest, without drag, and in a current of a thin one, fast against all velocities
+/// below one, in which drag is smooth.
 pub(crate) fn terms(gravity: Vector3<f64>) -> Vec<(String, Morison, bool)> {
     let mut terms = Vec::new();
     for (name, mesh) in meshes() {
         let [tangent, across, _] = mesh.reference_axes(0.5);
         let across = if across.norm() > 0.0 { across } else { tangent.cross(&Vector3::x()).normalize() };
-        for (speed, drag) in [(0.0, [0.0; 2]), (12.0, [1.3, 0.4])] {
+        for (speed, density, drag) in [(0.0, 1.7, [0.0; 2]), (12.0, 0.1, [1.3, 0.4])] {
             let function = Function::Sine { frequency: 0.3, phase: 0.9 };
             let current = (tangent + across) * speed;
-            let fluid = Arc::new(Fluid { density: 1.7, gravity, current, function });
+            let fluid = Arc::new(Fluid { density, gravity, current, function });
             let hull = |s: f64| Hull { diameter: 0.4 + 0.1 * s, area: 0.2, drag, added_mass: [1.1, 0.3] };
             let term = mesh.immersed(&fluid, hull).remove(1);
             terms.push((format!("{name} in a fluid of speed {speed}"), term, speed > 0.0));

@@ -35,6 +35,8 @@ impl Dimension {
     pub const VELOCITY: Self = Self::new(1, -1, 0);
     /// L/T².
     pub const ACCELERATION: Self = Self::new(1, -2, 0);
+    /// F/L, of loads per length.
+    pub const FORCE_PER_LENGTH: Self = Self::new(-1, 0, 1);
     /// F L, of moments and of energies.
     pub const ENERGY: Self = Self::new(1, 0, 1);
     /// F/L², of moduli and of stresses.

@@ -199,8 +199,9 @@ fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
         }
     }
     for load in &mut model.loads {
-        let (Load::Force { force: vector, .. } | Load::Moment { moment: vector, .. }) = load;
-        *vector = direction(*vector);
+        if let Load::Force { force: vector, .. } | Load::Moment { moment: vector, .. } = load {
+            *vector = direction(*vector);
+        }
     }
     model
 }
@@ -255,8 +256,10 @@ fn direction_of_a_beam() {
             }
         }
         reversed.probes.iter_mut().for_each(|probe| swap(&mut probe.on));
-        for Load::Force { on, .. } | Load::Moment { on, .. } in &mut reversed.loads {
-            swap(on);
+        for load in &mut reversed.loads {
+            if let Load::Force { on, .. } | Load::Moment { on, .. } = load {
+                swap(on);
+            }
         }
         same(&model, &reversed, identity, [1.0; 2]);
     }

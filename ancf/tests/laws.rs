@@ -16,16 +16,18 @@ mod cables;
 mod rod;
 #[path = "common/sample.rs"]
 mod sample;
+#[path = "common/wet.rs"]
+mod wet;
 
 use ancf::function::Function;
 use ancf::mechanics::{
-    BeamMesh, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker, Medium, Node,
-    Perpendicular, RigidBody,
+    BeamMesh, Blueprint, CableDamping, Coincide, Drive, FollowerForce, Force, Formulation, Marker, Medium,
+    Moment, Node, Perpendicular, RigidBody,
 };
 use ancf::model::{Damping, Material, MaterialLaw, Section};
-use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
+use ancf::system::{Energy, Local, LocalMatrix, Power, Term, Weights};
 use beams::Make;
-use nalgebra::{DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
     tangent,
@@ -49,6 +51,8 @@ enum Kind {
     Smooth,
     /// Smooth, and its tangent is the symmetric part of the derivative.
     Damped,
+    /// The same of forces that have no potential: only their books hold.
+    Supplied,
 }
 
 impl Kind {
@@ -86,24 +90,27 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
     let mut product = tangent(term, &s, w) * &z;
     product.rows_mut(n, m).scale_mut(w.q);
     let mut slope = kind.derivative(|h| residual(term, &s.moved(&z, h, w)));
-    if *kind == Kind::Damped {
+    if matches!(kind, Kind::Damped | Kind::Supplied) {
         // z·Kz sees the symmetric part, all of it as z goes through all directions.
         (product, slope) = (scalar(product.dot(&z)), scalar(slope.dot(&z)));
     }
     assert_close(&format!("{name}: tangent"), &product, &slope, kind.tolerance());
 
     // Moved by q and v at once, the energy changes as the residual of conservative forces with v in the place of a has it:
-    // dU = f dq, dT = M v dv.
+    // dU = f dq, dT = M v dv + ½ v·dM v.
     let both = Weights { q: 1.0, v: 1.0, a: 0.0 };
     let power = kind.derivative(|h| scalar(energy(term, &s.moved(&z, h, both)).total()));
     let at_rest = Sample { v: DVector::zeros(n), a: s.v.clone(), lambda: DVector::zeros(m), ..s.clone() };
     let work = scalar(residual(term, &at_rest).rows(0, n).dot(&z.rows(0, n)));
-    assert_close(&format!("{name}: energy"), &power, &work, kind.tolerance());
+    let kinetic = |s: &Sample| 0.5 * s.v.dot(&(mass(term, s) * &s.v));
+    let work = work + kind.derivative(|h| scalar(kinetic(&s.moved(&z, h, Weights::STIFFNESS))));
+    if *kind != Kind::Supplied {
+        assert_close(&format!("{name}: energy"), &power, &work, kind.tolerance());
+    }
     assert_eq!(energy(term, &rest), Energy::default(), "{name}: energy of the reference state");
 
-    // The mass matrix is constant and not negative.
-    let mass = tangent(term, &s, Weights { q: 0.0, v: 0.0, a: 1.0 }).view((0, 0), (n, n)).into_owned();
-    let inertia = SymmetricEigen::new(mass).eigenvalues;
+    // The mass matrix is not negative.
+    let inertia = SymmetricEigen::new(mass(term, &s)).eigenvalues;
     assert!(inertia.min() >= -1e-14 * inertia.max(), "{name}: negative mass");
 
     // An ulp more or less in the state, rounded again on the way, is within twice the bound of one rounding; and the
@@ -116,6 +123,11 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
         assert!(moved <= &bound * 2.0, "{name}: rounding {} beyond its bound {}", moved.amax(), bound.amax());
     }
     assert!(bound.amax() < 1e-12 * here.amax().max(1.0), "{name}: a bound of {:e}", bound.amax());
+}
+
+fn mass(term: &dyn Term, s: &Sample) -> DMatrix<f64> {
+    let n = s.q.len();
+    tangent(term, s, Weights::MASS).view((0, 0), (n, n)).into_owned()
 }
 
 const LENGTH: f64 = 0.7;
@@ -190,6 +202,19 @@ fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = Case> {
     })
 }
 
+/// Loads that turn with sections, and moments that stay.
+fn followers() -> impl Iterator<Item = Case> {
+    let (_, mesh) = wet::meshes().swap_remove(0);
+    let ([_, d, e], vector) = (mesh.axes(1.3), Vector3::new(0.3, -2.0, 0.7));
+    let force = FollowerForce::in_section(&mesh.point(1.3), [&d, &e], vector, Function::ONE);
+    let terms: [(&str, Box<dyn Term>); 3] = [
+        ("follower force", Box::new(force)),
+        ("follower moment", Box::new(Moment::in_section([&d, &e], vector, Function::ONE))),
+        ("moment", Box::new(Moment::new([&d, &e], vector, Function::ONE))),
+    ];
+    terms.into_iter().map(|(name, term)| Case { name: name.to_owned(), term, kind: Kind::Supplied })
+}
+
 /// Every kind of term there is.
 fn terms() -> Vec<Case> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
@@ -211,7 +236,11 @@ fn terms() -> Vec<Case> {
         term,
         kind: Kind::Polynomial,
     });
-    beams(gravity).chain(others).chain(cables).chain(rigid).collect()
+    let wet = wet::terms(gravity).into_iter().map(|(name, term, flows)| {
+        let kind = if flows { Kind::Supplied } else { Kind::Damped };
+        Case { name, term: Box::new(term), kind }
+    });
+    beams(gravity).chain(others).chain(followers()).chain(cables).chain(wet).chain(rigid).collect()
 }
 
 #[test]
@@ -220,6 +249,25 @@ fn every_term_obeys_the_laws() {
     for case in terms() {
         for _ in 0..10 {
             obeys_laws(&case, &mut random);
+        }
+    }
+}
+
+/// In any motion, what a term takes, v·r, is stored as energy or lost, less what it is supplied with: dE/dt = v·r + work − loss.
+#[test]
+fn every_term_keeps_its_books() {
+    let mut random = Random(1666);
+    for Case { name, term, kind } in terms().into_iter().filter(|case| case.term.multipliers().is_empty()) {
+        let term = term.as_ref();
+        for _ in 0..10 {
+            let mut s = Sample::random(term, &mut random);
+            s.q *= kind.reach();
+            let moved = |h: f64| Sample { q: &s.q + &s.v * h, v: &s.v + &s.a * h, ..s.clone() };
+            let stored = kind.derivative(|h| scalar(energy(term, &moved(h)).total()));
+            let Power { work, dissipation } = term.power(&s.local());
+            let taken = scalar(s.v.dot(&residual(term, &s)) + work - dissipation);
+            assert_close(&format!("{name}: books"), &stored, &taken, kind.tolerance());
+            assert!(dissipation >= 0.0, "{name}: a loss of {dissipation:e}");
         }
     }
 }
@@ -244,6 +292,9 @@ fn stress_stiffness_is_a_third_of_the_third_derivative() {
         let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
         if name.contains("NeoHookean") {
             continue; // Its stress is not linear in the strain: tests/hyperelastic.rs has it.
+        }
+        if kind == Kind::Supplied {
+            continue; // It is no derivative of an energy, and not dead.
         }
         for _ in 0..5 {
             let mut s = Sample::rest(term);

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{Attachment, BeamMesh, Kind, NodalVector, RigidBody, StrainEnergy};
+use super::{Attachment, BeamMesh, Kind, Marker, NodalVector, RigidBody, StrainEnergy};
 use crate::system::{State, Term};
 
 /// A body as coordinates and terms.
@@ -42,6 +42,14 @@ impl Body {
         match self {
             Self::Flexible(mesh) => mesh.terms(),
             Self::Rigid(body) => body.terms(),
+        }
+    }
+
+    /// Sums Σ m x of its masses and positions, part by part: times an acceleration, the forces of a uniform field.
+    pub fn mass_markers(&self) -> Vec<Marker> {
+        match self {
+            Self::Flexible(mesh) => mesh.mass_markers().collect(),
+            Self::Rigid(body) => vec![body.mass_marker()],
         }
     }
 

@@ -31,6 +31,16 @@ impl FollowerForce {
         Self { markers: markers.map(|marker| marker.within(&coordinates)), coordinates, components, function }
     }
 
+    /// The force of given components in the frame of the section, times a function of time.
+    pub fn in_section(
+        point: &Marker,
+        directors: [&Marker; 2],
+        components: Vector3<f64>,
+        function: Function,
+    ) -> Self {
+        Self { components, ..Self::new(point, directors, Vector3::zeros(), function) }
+    }
+
     /// d and e.
     fn values(&self, q: &[f64]) -> Vector6<f64> {
         let value = |marker: &Marker| marker.reference() + marker.sum(q);

@@ -13,7 +13,7 @@ use crate::system::{State, Term};
 
 /// The elements of a body, all of one kind.
 #[derive(Clone, Debug)]
-enum Elements {
+pub(super) enum Elements {
     Two(Vec<Beam24>),
     Three(Vec<Beam27>),
     Cable(Vec<Cable12>),
@@ -43,7 +43,7 @@ pub struct BeamMesh {
     /// Length l of each element.
     pub(super) length: f64,
     pub(super) slope: f64,
-    elements: Elements,
+    pub(super) elements: Elements,
     /// The point from which reference positions count.
     pub(super) origin: Vector3<f64>,
     /// Reference values of the vectors.

@@ -51,6 +51,12 @@ impl Moment {
         Self { direction, ..Self::new(directors, moment, function) }
     }
 
+    /// The moment of given components in the frame of the section, times a function of time.
+    pub fn in_section(directors: [&Marker; 2], components: Vector3<f64>, function: Function) -> Self {
+        let direction = Direction::Section(components);
+        Self { direction, ..Self::new(directors, Vector3::zeros(), function) }
+    }
+
     /// d and e.
     fn values(&self, q: &[f64]) -> Vector6<f64> {
         let [d, e] = self.directors.each_ref().map(|director| director.reference() + director.sum(q));

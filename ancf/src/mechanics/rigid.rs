@@ -78,6 +78,11 @@ impl RigidBody {
         Attachment { point: centre, directions }.offset(point - self.centre)
     }
 
+    /// Its mass times the position of its centre.
+    pub(super) fn mass_marker(&self) -> Marker {
+        Marker::new([(self.first, self.mass)], self.centre * self.mass)
+    }
+
     fn directors(&self) -> [Marker; 3] {
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         std::array::from_fn(|i| Marker::new([(self.first + 3 * (i + 1), 1.0)], axes[i]))

@@ -150,7 +150,10 @@ impl Model {
         terms.extend(bodies.iter().flat_map(|(_, body)| body.terms()));
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         for load in &self.loads {
-            terms.push(load.term(&self.attachment(&bodies, load.on()), clock));
+            if let Some(place) = load.on() {
+                terms.extend(load.term(&self.attachment(&bodies, place), clock));
+            }
+            terms.extend(self.spread_load(load, &bodies, clock));
         }
         let probes = self
             .probes

@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 
 use super::check_abilities::abilities;
 use super::check_bodies::{bodies, cables, formulations};
+use super::check_loads;
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
-use super::times;
+use super::times::{self, loads_of};
 use super::{At, AtEnd, Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
 
 /// Elements beyond which a model is taken for a slip of the pen.
@@ -24,7 +25,8 @@ pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     let of_times = [times::functions, times::drives, times::ground_points, abilities];
-    rules.iter().chain(&of_times).flat_map(|rule| rule(model)).collect()
+    let of_loads = [check_loads::stretches, check_loads::fluids, check_loads::bases];
+    rules.iter().chain(&of_times).chain(&of_loads).flat_map(|rule| rule(model)).collect()
 }
 
 pub(super) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
@@ -135,7 +137,7 @@ fn size(model: &Model) -> Vec<Finding> {
 
 /// Places are on bodies that are there.
 fn places(model: &Model) -> Vec<Finding> {
-    let loads = model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}].on"), load.on()));
+    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let ends = joints_of(model).flat_map(|(path, joint)| {
         let (a, b) = joint.ends();

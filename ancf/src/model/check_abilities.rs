@@ -1,9 +1,10 @@
 //! What a body cannot do it is not asked to: a cable has a tangent only, a point mass no directions, a rigid body no strain.
 
-use super::check::{body, finding, joints_of};
+use super::check::{bodies_of, body, finding, joints_of};
 use super::schema::quoted;
 use super::survey::Finding;
-use super::{Body, End, Joint, Load, Model, Place, Quantity};
+use super::times::loads_of;
+use super::{Body, End, Joint, Model, Quantity};
 
 /// What is asked of a place.
 enum Ability {
@@ -30,17 +31,22 @@ pub(super) fn abilities(model: &Model) -> Vec<Finding> {
         let ends = [(format!("{path}.a"), a)].into_iter().chain(b);
         ends.filter_map(move |(path, place)| {
             let (ability, what) = wanted.as_ref()?;
-            rule(model, &path, place, ability, what)
+            rule(model, format!("{path}.body"), &place.body, ability, what)
         })
         .collect::<Vec<_>>()
     });
-    let loads = model.loads.iter().enumerate().filter_map(|(i, load)| {
-        let what = match load {
-            Load::Moment { .. } => "a moment",
-            Load::Force { follower: true, .. } => "a follower",
-            Load::Force { .. } => return None,
+    let loads = loads_of(model).filter_map(|(path, load)| {
+        let what = match (load.is_moment(), load.is_follower()) {
+            (true, _) => "a moment",
+            (false, true) => "a follower",
+            (false, false) => return None,
         };
-        rule(model, &format!("loads[{i}].on"), load.on(), &Ability::Section, what)
+        let (key, name) = match (load.on(), load.stretch()) {
+            (Some(place), _) => ("on.body", place.body.as_str()),
+            (None, Some(stretch)) => ("body", stretch.body),
+            (None, None) => return None,
+        };
+        rule(model, format!("{path}.{key}"), name, &Ability::Section, what)
     });
     let probes = model.probes.iter().enumerate().flat_map(|(i, probe)| {
         let path = format!("probes[{i}].on");
@@ -52,13 +58,13 @@ pub(super) fn abilities(model: &Model) -> Vec<Finding> {
             Quantity::Stress => Some((Ability::Strain, "stress")),
         };
         let rules = probe.record.iter().filter_map(of);
-        rules.filter_map(|(ability, what)| rule(model, &path, &probe.on, &ability, what)).collect::<Vec<_>>()
+        rules.filter_map(|(ability, what)| rule(model, format!("{path}.body"), &probe.on.body, &ability, what)).collect::<Vec<_>>()
     });
     joints.chain(loads).chain(probes).chain(arms(model)).collect()
 }
 
-fn rule(model: &Model, path: &str, place: &Place, ability: &Ability, what: &str) -> Option<Finding> {
-    let (_, body) = body(model, place)?;
+fn rule(model: &Model, path: String, name: &str, ability: &Ability, what: &str) -> Option<Finding> {
+    let (_, body) = bodies_of(model).find(|(_, body)| body.name() == name)?;
     let (found, wanted) = match (body, ability) {
         (Body::Cable(_), Ability::Section | Ability::Driven) => {
             (format!("{what} of a cable, which has no section to turn"), "a beam or a rigid body")
@@ -78,7 +84,7 @@ fn rule(model: &Model, path: &str, place: &Place, ability: &Ability, what: &str)
         }
         _ => return None,
     };
-    Some(finding(format!("{path}.body"), found, wanted).rests_on(["bodies".into()]))
+    Some(finding(path, found, wanted).rests_on(["bodies".into()]))
 }
 
 /// Arms are fixed to sections and to rigid bodies.
@@ -88,7 +94,7 @@ fn arms(model: &Model) -> Vec<Finding> {
         let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
         [(format!("{path}.a"), a)].into_iter().chain(b)
     });
-    let loads = model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}].on"), load.on()));
+    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let armed = joints.chain(loads).chain(probes).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {

@@ -3,11 +3,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::function::Clock;
-use super::{Place, TimeFunction};
+use super::{At, AtEnd, Fluid, Place, TimeFunction};
 use crate::mechanics::{Attachment, FollowerForce, Force, Moment};
 use crate::system::Term;
 
-/// A load on a body. Gravity is a property of the model.
+/// A load on bodies. Gravity is a property of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Load {
@@ -37,6 +37,77 @@ pub enum Load {
         #[serde(default)]
         time: TimeFunction,
     },
+    /// A force per length along an axis.
+    DistributedForce {
+        /// Name of the body.
+        body: String,
+        /// Where it begins; at the start of the body by default.
+        #[serde(default = "start")]
+        from: At,
+        /// Where it ends; at the end of the body by default.
+        #[serde(default = "end")]
+        to: At,
+        /// The force per undeformed length, in the global frame; of a follower, in that of each section.
+        force: [f64; 3],
+        /// Likewise at `to`, if it varies: linearly, from `force` at `from`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        force_end: Option<[f64; 3]>,
+        /// Whether it turns with the sections.
+        #[serde(default)]
+        follower: bool,
+        /// Function of time by which it is multiplied; statics ignores it.
+        #[serde(default)]
+        time: TimeFunction,
+    },
+    /// A moment per length on the sections of a beam.
+    DistributedMoment {
+        /// Name of the body.
+        body: String,
+        /// Where it begins; at the start of the body by default.
+        #[serde(default = "start")]
+        from: At,
+        /// Where it ends; at the end of the body by default.
+        #[serde(default = "end")]
+        to: At,
+        /// The moment per undeformed length, in the global frame; of a follower, in that of each section.
+        moment: [f64; 3],
+        /// Likewise at `to`, if it varies: linearly, from `moment` at `from`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        moment_end: Option<[f64; 3]>,
+        /// Whether it turns with the sections.
+        #[serde(default)]
+        follower: bool,
+        /// Function of time by which it is multiplied; statics ignores it.
+        #[serde(default)]
+        time: TimeFunction,
+    },
+    /// The ground accelerates without turning; all that is computed is relative to it.
+    BaseAcceleration {
+        /// Acceleration of the ground, length/time².
+        acceleration: [f64; 3],
+        /// Function of time by which it is multiplied; statics ignores it.
+        #[serde(default)]
+        time: TimeFunction,
+    },
+    /// A fluid around bodies: drag, added mass and buoyancy.
+    Fluid(Fluid),
+}
+
+fn start() -> At {
+    At::End(AtEnd::Start)
+}
+
+fn end() -> At {
+    At::End(AtEnd::End)
+}
+
+/// Part of a body, and a load per length at its two ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch<'a> {
+    pub body: &'a str,
+    pub from: At,
+    pub to: At,
+    pub loads: [[f64; 3]; 2],
 }
 
 impl Load {
@@ -50,45 +121,71 @@ impl Load {
         Self::Moment { on, moment, follower: false, time: TimeFunction::default() }
     }
 
-    /// Where it acts.
-    pub const fn on(&self) -> &Place {
+    /// The place where it acts, if it acts at one.
+    pub const fn on(&self) -> Option<&Place> {
         match self {
-            Self::Force { on, .. } | Self::Moment { on, .. } => on,
+            Self::Force { on, .. } | Self::Moment { on, .. } => Some(on),
+            _ => None,
+        }
+    }
+
+    /// Where a load per length acts.
+    pub(super) fn stretch(&self) -> Option<Stretch<'_>> {
+        match self {
+            Self::DistributedForce { body, from, to, force: load, force_end: last, .. }
+            | Self::DistributedMoment { body, from, to, moment: load, moment_end: last, .. } => {
+                Some(Stretch { body, from: *from, to: *to, loads: [*load, last.unwrap_or(*load)] })
+            }
+            _ => None,
         }
     }
 
     /// Whether it turns with the section.
     pub const fn is_follower(&self) -> bool {
         match self {
-            Self::Force { follower, .. } | Self::Moment { follower, .. } => *follower,
+            Self::Force { follower, .. }
+            | Self::Moment { follower, .. }
+            | Self::DistributedForce { follower, .. }
+            | Self::DistributedMoment { follower, .. } => *follower,
+            Self::BaseAcceleration { .. } | Self::Fluid(_) => false,
         }
+    }
+
+    /// Whether it is a moment, at a place or per length.
+    pub const fn is_moment(&self) -> bool {
+        matches!(self, Self::Moment { .. } | Self::DistributedMoment { .. })
     }
 
     /// Its function of time.
     pub const fn time(&self) -> &TimeFunction {
         match self {
-            Self::Force { time, .. } | Self::Moment { time, .. } => time,
+            Self::Force { time, .. }
+            | Self::Moment { time, .. }
+            | Self::DistributedForce { time, .. }
+            | Self::DistributedMoment { time, .. }
+            | Self::BaseAcceleration { time, .. }
+            | Self::Fluid(Fluid { time, .. }) => time,
         }
     }
 
-    /// The load on a place.
-    pub(super) fn term(&self, on: &Attachment, clock: Clock) -> Box<dyn Term> {
-        let (point, function) = (&on.point, clock.function(self.time()));
-        // Moments and followers are refused where there are no directions.
+    /// The load at a place, if it acts at one and the body has what it holds on to there.
+    pub(super) fn term(&self, on: &Attachment, clock: Clock) -> Option<Box<dyn Term>> {
+        let function = clock.function(self.time());
         let directors = on.axes().map(|[_, d, e]| [d, e]);
-        match (self, directors) {
-            (Self::Force { force, follower: true, .. }, Some(directors)) => {
-                Box::new(FollowerForce::new(point, directors, Vector3::from(*force), function))
+        Some(match self {
+            Self::Force { force, follower: false, .. } => {
+                Box::new(Force::varying(&on.point, Vector3::from(*force), function))
             }
-            (Self::Moment { moment, follower: true, .. }, Some(directors)) => {
-                Box::new(Moment::follower(directors, Vector3::from(*moment), function))
+            Self::Force { force, follower: true, .. } => {
+                Box::new(FollowerForce::new(&on.point, directors?, Vector3::from(*force), function))
             }
-            (Self::Moment { moment, .. }, Some(directors)) => {
-                Box::new(Moment::new(directors, Vector3::from(*moment), function))
+            Self::Moment { moment, follower: false, .. } => {
+                Box::new(Moment::new(directors?, Vector3::from(*moment), function))
             }
-            (Self::Force { force: load, .. } | Self::Moment { moment: load, .. }, _) => {
-                Box::new(Force::varying(point, Vector3::from(*load), function))
+            Self::Moment { moment, follower: true, .. } => {
+                Box::new(Moment::follower(directors?, Vector3::from(*moment), function))
             }
-        }
+            _ => return None,
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Beam, Body, Formulation, MaterialLaw, Model, Section};
+use super::{Beam, Body, Formulation, MaterialLaw, Model};
 use crate::mechanics::{self, BeamMesh, Blueprint, Medium, RigidBody};
 
 impl Model {
@@ -32,7 +32,7 @@ impl Model {
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
-        let (section, material) = body.stuff().expect("a flexible body has a section and a material");
+        let (_, material) = body.stuff().expect("a flexible body has a section and a material");
         let material = &self.materials[material];
         let medium = Medium {
             lame: material.lame(),
@@ -50,7 +50,10 @@ impl Model {
             curve.nodes(up, twist, &at)
         };
         let (length, slope) = (total / elements as f64, body.slope_length());
-        let section = |s: f64| self.cross_section(body, section, s / total).cross_section(material.poisson);
+        let section = |s: f64| {
+            let section = self.section_at(body, s / total).expect("a flexible body has a section");
+            section.cross_section(material.poisson)
+        };
         let prismatic = !matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
         let origin = Vector3::from(body.span()[0]);
         let blueprint =
@@ -63,15 +66,6 @@ impl Model {
                 None => BeamMesh::three_node(&blueprint, &nodes(2 * elements, beam.twist)),
             },
             _ => BeamMesh::cable(&blueprint, &nodes(elements, 0.0)),
-        }
-    }
-
-    /// The section of a body at a part of its length.
-    fn cross_section(&self, body: &Body, start: &str, part: f64) -> Section {
-        let start = &self.sections[start];
-        match body {
-            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
-            _ => *start,
         }
     }
 }

@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Ground, Joint, Load, Material, Model, Output,
-    Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Fluid, Ground, Joint, Load, Material, Model,
+    Output, Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -268,12 +268,17 @@ impl Shape {
 impl Place {
     fn scaled(self, s: &Scales) -> Self {
         let Self { body, at, offset } = self;
-        let at = match at {
-            At::End(end) => At::End(end),
-            At::Length(x) => At::Length(number(x, Dimension::LENGTH, s)),
-            At::Point(x) => At::Point(vector(x, Dimension::LENGTH, s)),
-        };
-        Self { body, at, offset: vector(offset, Dimension::LENGTH, s) }
+        Self { body, at: at.scaled(s), offset: vector(offset, Dimension::LENGTH, s) }
+    }
+}
+
+impl At {
+    fn scaled(self, s: &Scales) -> Self {
+        match self {
+            Self::End(end) => Self::End(end),
+            Self::Length(x) => Self::Length(number(x, Dimension::LENGTH, s)),
+            Self::Point(x) => Self::Point(vector(x, Dimension::LENGTH, s)),
+        }
     }
 }
 
@@ -310,6 +315,51 @@ impl Load {
                 follower,
                 time: time.scaled(s),
             },
+            Self::DistributedForce { body, from, to, force, force_end, follower, time } => {
+                let per_length = |x| vector(x, Dimension::FORCE_PER_LENGTH, s);
+                Self::DistributedForce {
+                    body,
+                    from: from.scaled(s),
+                    to: to.scaled(s),
+                    force: per_length(force),
+                    force_end: force_end.map(per_length),
+                    follower,
+                    time: time.scaled(s),
+                }
+            }
+            Self::DistributedMoment { body, from, to, moment, moment_end, follower, time } => {
+                let per_length = |x| vector(x, Dimension::FORCE, s);
+                Self::DistributedMoment {
+                    body,
+                    from: from.scaled(s),
+                    to: to.scaled(s),
+                    moment: per_length(moment),
+                    moment_end: moment_end.map(per_length),
+                    follower,
+                    time: time.scaled(s),
+                }
+            }
+            Self::BaseAcceleration { acceleration, time } => Self::BaseAcceleration {
+                acceleration: vector(acceleration, Dimension::ACCELERATION, s),
+                time: time.scaled(s),
+            },
+            Self::Fluid(fluid) => Self::Fluid(fluid.scaled(s)),
+        }
+    }
+}
+
+impl Fluid {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { bodies, density, current, time, diameter, area, drag, added_mass } = self;
+        Self {
+            bodies,
+            density: number(density, Dimension::DENSITY, s),
+            current: vector(current, Dimension::VELOCITY, s),
+            time: time.scaled(s),
+            diameter: diameter.map(|x| number(x, Dimension::LENGTH, s)),
+            area: area.map(|x| number(x, Dimension::AREA, s)),
+            drag,
+            added_mass,
         }
     }
 }

@@ -11,7 +11,7 @@ use super::{Analysis, End, Joint, Model, TimeFunction, Varying};
 const TURNED: f64 = 1e-6;
 
 /// Loads with their paths.
-fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
+pub(super) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
     model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
 }
 

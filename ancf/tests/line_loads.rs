@@ -198,6 +198,14 @@ fn base_acceleration_of_a_free_body() {
     }
 }
 
+/// A column under a uniform load along its axis buckles at q L³/EI = 7.8373 (Timoshenko & Gere 1961).
+#[test]
+fn a_column_under_its_weight() {
+    let loads = "loads = [{ kind = \"distributed_force\", body = \"rod\", force = [-1, 0, 0] }]";
+    let run = Run::of(&rod(&LINKED.replace("= 5", "= 32"), loads, "kind = \"buckling\""));
+    assert_near("critical load", run.column("factor")[0], 7.8373 * BENDING, 1e-3);
+}
+
 /// The work of followers and of loads that vary: the books close, to the second order of the step.
 #[test]
 fn books() {

@@ -58,7 +58,9 @@ pub(super) fn abilities(model: &Model) -> Vec<Finding> {
             Quantity::Stress => Some((Ability::Strain, "stress")),
         };
         let rules = probe.record.iter().filter_map(of);
-        rules.filter_map(|(ability, what)| rule(model, format!("{path}.body"), &probe.on.body, &ability, what)).collect::<Vec<_>>()
+        rules
+            .filter_map(|(ability, what)| rule(model, format!("{path}.body"), &probe.on.body, &ability, what))
+            .collect::<Vec<_>>()
     });
     joints.chain(loads).chain(probes).chain(arms(model)).collect()
 }

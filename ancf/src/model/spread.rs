@@ -13,7 +13,12 @@ type Terms = Vec<Box<dyn Term>>;
 
 impl Model {
     /// A load that acts at no single place.
-    pub(super) fn spread_load(&self, load: &Load, bodies: &[(String, mechanics::Body)], clock: Clock) -> Terms {
+    pub(super) fn spread_load(
+        &self,
+        load: &Load,
+        bodies: &[(String, mechanics::Body)],
+        clock: Clock,
+    ) -> Terms {
         let function = clock.function(load.time());
         match load {
             Load::Force { .. } | Load::Moment { .. } => Terms::new(),
@@ -38,7 +43,8 @@ impl Model {
         bodies: &[(String, mechanics::Body)],
         function: &Function,
     ) -> Terms {
-        let pairs = self.bodies.iter().zip(bodies).filter_map(|(body, (_, built))| Some((body, built.mesh()?)));
+        let pairs =
+            self.bodies.iter().zip(bodies).filter_map(|(body, (_, built))| Some((body, built.mesh()?)));
         let Some((body, mesh)) = pairs.into_iter().find(|(body, _)| body.name() == on.body) else {
             return Terms::new();
         };

@@ -2,7 +2,9 @@ use nalgebra::Vector3;
 
 use super::function::Clock;
 use super::ties::{JointEquations, On};
-use super::{Beam, Body, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe, Quantity};
+use super::{
+    Beam, Body, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe, Quantity, Redundant,
+};
 use crate::mechanics::{self, BeamMesh, Blueprint, CrossSection, Kind, Marker, Medium, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
@@ -18,7 +20,8 @@ pub struct Assembly {
     /// Whether strain energies of bodies are recorded by part.
     pub energy_parts: bool,
     bodies: Vec<(String, BeamMesh)>,
-    joints: Vec<JointEquations>,
+    pub(super) joints: Vec<JointEquations>,
+    pub(super) redundant: Vec<Redundant>,
     breaks: Vec<f64>,
 }
 
@@ -93,7 +96,7 @@ impl Assembly {
         }
         for joint in &self.joints {
             if equation < first + joint.multipliers() {
-                return format!("joint `{}`, equation {}", joint.name, equation - first + 1);
+                return format!("joint `{}`, {}", joint.name, joint.ties()[equation - first]);
             }
             first += joint.multipliers();
         }
@@ -145,7 +148,9 @@ impl Model {
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
         let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
-        Ok(Assembly { system, probes, measures, energy_parts, bodies, joints, breaks })
+        let redundant = Vec::new();
+        let assembly = Assembly { system, probes, measures, energy_parts, bodies, joints, redundant, breaks };
+        Ok(assembly.sharing())
     }
 
     /// Number of the body, arc length and point of a probe.
@@ -156,7 +161,7 @@ impl Model {
     }
 
     /// Breaks of all functions of time, in order.
-    fn breaks(&self, clock: Clock) -> Vec<f64> {
+    pub(super) fn breaks(&self, clock: Clock) -> Vec<f64> {
         let of_joints = self.joints.iter().filter_map(Joint::time);
         let functions = self.loads.iter().map(Load::time).chain(of_joints);
         let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();

@@ -3,6 +3,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Model;
 use crate::function::{Expression, ExpressionError, Function, Table};
 
 /// A function of time by which a load or an angle is multiplied: a number, or a table that says how it varies.
@@ -104,6 +105,13 @@ pub(super) enum Clock {
     Runs,
     /// 1, for statics: loads have their full values and grow by the load factor.
     Stands,
+}
+
+impl Model {
+    /// What functions of time are in the analysis of a model.
+    pub(super) const fn clock(&self) -> Clock {
+        if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
+    }
 }
 
 impl Clock {

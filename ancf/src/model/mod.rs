@@ -43,6 +43,7 @@ pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
 pub use output::{Output, Probe, Quantity};
+pub use redundant::Redundant;
 pub use scale::{Chosen, ScaleChoice};
 pub use schema::{schema, schema_text};
 pub use section::Section;

@@ -90,6 +90,8 @@ impl JointEquations {
                 for normal in across(axis) {
                     equations.keep_angle(&here.direction(axis), &opposite(there, normal));
                 }
+                let hinge = equations.perpendicular.drain(..).map(|angle| angle.named("hinge axis"));
+                equations.perpendicular = hinge.collect();
             }
         }
         equations
@@ -104,6 +106,11 @@ impl JointEquations {
     /// Number of multipliers.
     pub(super) fn multipliers(&self) -> usize {
         self.next - self.first
+    }
+
+    /// Its multipliers.
+    pub(super) const fn range(&self) -> std::ops::Range<usize> {
+        self.first..self.next
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {

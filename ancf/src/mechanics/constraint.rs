@@ -69,13 +69,24 @@ impl Coincide {
     /// The same points without the gap that they have in the reference state.
     #[must_use]
     pub fn closed(self) -> Self {
-        Self { gap: self.b.reference() - self.a.reference(), by_load: false, ..self }
+        Self { gap: self.gap(), by_load: false, ..self }
+    }
+
+    /// The same points with the gap that they have in the reference state.
+    #[must_use]
+    pub fn kept(self) -> Self {
+        Self { gap: Vector3::zeros(), by_load: false, ..self }
+    }
+
+    /// What is between the two in the reference state, b₀ − a₀.
+    pub fn gap(&self) -> Vector3<f64> {
+        self.b.reference() - self.a.reference()
     }
 
     /// The same with a gap that closes in proportion to the load factor.
     #[must_use]
     pub fn drawn(self) -> Self {
-        Self { gap: self.b.reference() - self.a.reference(), by_load: true, ..self }
+        Self { gap: self.gap(), by_load: true, ..self }
     }
 
     /// Ties two directions; uses the three multipliers from `first` on.

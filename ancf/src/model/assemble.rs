@@ -1,5 +1,8 @@
+use std::collections::BTreeSet;
+
 use nalgebra::Vector3;
 
+use super::closing::Closed;
 use super::function::Clock;
 use super::ties::{JointEquations, On};
 use super::{
@@ -22,6 +25,8 @@ pub struct Assembly {
     bodies: Vec<(String, BeamMesh)>,
     pub(super) joints: Vec<JointEquations>,
     pub(super) redundant: Vec<Redundant>,
+    pub(super) undetermined: BTreeSet<usize>,
+    pub(super) closed: Option<Closed>,
     breaks: Vec<f64>,
 }
 
@@ -148,9 +153,22 @@ impl Model {
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
         let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
-        let redundant = Vec::new();
-        let assembly = Assembly { system, probes, measures, energy_parts, bodies, joints, redundant, breaks };
-        Ok(assembly.sharing())
+        let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
+        let assembly = Assembly {
+            system,
+            probes,
+            measures,
+            energy_parts,
+            bodies,
+            joints,
+            redundant,
+            undetermined,
+            closed,
+            breaks,
+        };
+        let assembly = assembly.sharing();
+        let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
+        Ok(Assembly { closed, ..assembly })
     }
 
     /// Number of the body, arc length and point of a probe.
@@ -192,7 +210,7 @@ impl Model {
             };
             let equations = JointEquations::new(joint, self.is_locking(joint), first, clock, &find);
             first += equations.multipliers();
-            equations
+            equations.with_gap(self.gap(joint))
         });
         equations.collect()
     }

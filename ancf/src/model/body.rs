@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Shape;
+use super::{InitialMotion, Shape};
 use crate::mechanics::Curve;
 
 /// A body of the model.
@@ -142,6 +142,9 @@ pub struct Beam {
     /// What the nodal slope coordinates are.
     #[serde(default)]
     pub slopes: Slopes,
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }
 
 impl Beam {
@@ -166,6 +169,7 @@ impl Beam {
             section_end: None,
             material: material.into(),
             slopes: Slopes::Gradient,
+            motion: InitialMotion::default(),
         }
     }
 }
@@ -211,6 +215,9 @@ pub struct Cable {
     /// What the nodal slope coordinates are.
     #[serde(default)]
     pub slopes: Slopes,
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }
 
 /// What the slope coordinates of a node are: ℓ r_x, ℓ r_y, ℓ r_z.

@@ -103,6 +103,8 @@ impl TimeFunction {
 pub(super) enum Clock {
     /// As given, for dynamics.
     Runs,
+    /// 0, for the closing of gaps: drives have not begun.
+    Waits,
     /// 1, for statics: loads have their full values and grow by the load factor.
     Stands,
 }
@@ -119,6 +121,7 @@ impl Clock {
     pub(super) fn function(self, time: &TimeFunction) -> Function {
         match self {
             Self::Runs => time.compile().expect("the formulas of a checked model can be read"),
+            Self::Waits => Function::Constant(0.0),
             Self::Stands => Function::ONE,
         }
     }

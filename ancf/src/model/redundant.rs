@@ -114,32 +114,36 @@ impl<'a> Constraints<'a> {
         Some(Redundant { joint: own.name.clone(), equation, with })
     }
 
-    /// Those dependences that contradict what they depend on in one of some states of rest.
+    /// Those dependences that contradict what they depend on, in the reference state or in one of some states of rest.
     ///
-    /// Of constraints that are not linear a dependence is one of this configuration, so that the first state has the say.
+    /// Of constraints that are not linear a dependence is one of the reference state, which alone has a say about them.
     fn contradictions<'d>(
         &self,
         found: &'d [Dependence],
+        reference: Option<&State>,
         states: impl Iterator<Item = State>,
     ) -> Vec<&'d Dependence> {
         let mut wrong = HashSet::new();
-        let mut linear = HashSet::new();
-        for (i, s) in states.enumerate() {
-            if i == 0 {
-                linear = self.linear(&s);
-            }
-            let [phi, floor] = self.values(&s);
+        let mut judge = |s: &State, linear: &HashSet<usize>| {
+            let [phi, floor] = self.values(s);
             for (k, Dependence { coefficients }) in found.iter().enumerate() {
-                if i > 0 && !coefficients.keys().all(|row| linear.contains(row)) {
-                    continue;
-                }
-                let sum: f64 = coefficients.iter().map(|(&row, c)| c * phi[row]).sum();
-                let size: f64 = coefficients.iter().map(|(&row, c)| (c * phi[row]).abs()).sum();
-                let rounding: f64 = coefficients.iter().map(|(&row, c)| (c * floor[row]).abs()).sum();
-                if sum.abs() > AGREE * size + ROUNDING * rounding {
+                let sum = |of: &dyn Fn(usize, f64) -> f64| {
+                    coefficients.iter().map(|(&i, &c)| of(i, c)).sum::<f64>()
+                };
+                let (left, size) = (sum(&|i, c| c * phi[i]), sum(&|i, c| (c * phi[i]).abs()));
+                let rounding = sum(&|i, c| (c * floor[i]).abs());
+                let is_judged = coefficients.keys().all(|row| linear.contains(row));
+                if is_judged && left.abs() > AGREE * size + ROUNDING * rounding {
                     wrong.insert(k);
                 }
             }
+        };
+        if let Some(reference) = reference {
+            judge(reference, &(0..self.multipliers).collect());
+        }
+        let mut linear = None;
+        for s in states {
+            judge(&s, linear.get_or_insert_with(|| self.linear(&s)));
         }
         (0..found.len()).filter(|k| wrong.contains(k)).map(|k| &found[k]).collect()
     }
@@ -187,7 +191,7 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
     }
     let states = instants(model).into_iter().map(|t| State { t, ..rest.clone() });
     let mut findings: Vec<(usize, Redundant)> = Vec::new();
-    for dependence in constraints.contradictions(&found, states) {
+    for dependence in constraints.contradictions(&found, Some(&rest), states) {
         let joint = constraints.joint_of(dependence.row());
         findings.extend(joint.zip(constraints.describe(dependence)));
     }
@@ -206,7 +210,7 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
     joints.into_iter().map(of).collect()
 }
 
-/// Times at which functions of time are compared: the first is the start.
+/// Times at which functions of time are compared.
 fn instants(model: &Model) -> Vec<f64> {
     let Analysis::Dynamics(dynamics) = &model.analysis else { return vec![0.0] };
     let end = dynamics.duration;
@@ -235,8 +239,18 @@ impl Assembly {
     pub fn contradicting(&self, s: &State) -> Vec<Redundant> {
         let constraints = self.constraints();
         let found = constraints.dependences(s, INDEPENDENT);
-        let wrong = constraints.contradictions(&found, std::iter::once(s.clone()));
+        let wrong = constraints.contradictions(&found, None, std::iter::once(s.clone()));
         wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
+    }
+
+    /// By how much the constraint equations exceed their rank in the reference state.
+    pub(super) fn rank_deficiency(&self) -> usize {
+        self.constraints().dependences(&self.rest(), INDEPENDENT).len()
+    }
+
+    /// Multipliers that redundant equations leave undetermined.
+    pub(super) fn undetermined(&self) -> impl Iterator<Item = usize> {
+        self.undetermined.iter().copied()
     }
 
     pub(super) fn constraints(&self) -> Constraints<'_> {
@@ -249,7 +263,8 @@ impl Assembly {
         let found = constraints.dependences(&rest, INDEPENDENT);
         let undetermined = constraints.undetermined(&found, &rest);
         self.redundant = constraints.words(&found);
-        self.system = self.system.sharing(undetermined);
+        self.system = self.system.sharing(undetermined.iter().copied());
+        self.undetermined = undetermined;
         self
     }
 }

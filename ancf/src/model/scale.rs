@@ -108,6 +108,7 @@ impl Model {
             bodies,
             joints,
             loads,
+            assemble,
             scales: _,
             analysis,
             probes,
@@ -121,6 +122,7 @@ impl Model {
             bodies: bodies.into_iter().map(|body| body.scaled(scales)).collect(),
             joints: joints.into_iter().map(|joint| joint.scaled(scales)).collect(),
             loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
+            assemble,
             scales: ScaleChoice::None,
             analysis: analysis.scaled(scales),
             probes: probes
@@ -192,11 +194,13 @@ impl Body {
         let point = |x| vector(x, Dimension::LENGTH, s);
         match self {
             Self::Beam(beam) => {
-                let Beam { from, to, shape, .. } = beam;
-                Self::Beam(Beam { from: point(from), to: point(to), shape: shape.scaled(s), ..beam })
+                let Beam { from, to, shape, motion, .. } = beam;
+                let (from, to, motion) = (point(from), point(to), motion.scaled(s));
+                Self::Beam(Beam { from, to, shape: shape.scaled(s), motion, ..beam })
             }
             Self::Cable(cable) => {
-                Self::Cable(Cable { from: point(cable.from), to: point(cable.to), ..cable })
+                let (from, to, motion) = (point(cable.from), point(cable.to), cable.motion.scaled(s));
+                Self::Cable(Cable { from, to, motion, ..cable })
             }
         }
     }

@@ -32,6 +32,8 @@ pub(super) enum Gap {
 
 /// Gaps that are none, relative to the length of the model.
 const GAP: f64 = 1e-12;
+/// Displacements that are none to speak of, relative to the length of the model.
+const MOVED: f64 = 1e-6;
 /// An increment of the coordinates that ends an iteration, relative to the length of the model.
 const INCREMENT: f64 = 1e-11;
 /// Newton iterations of an increment.
@@ -93,7 +95,7 @@ impl Model {
             ModelErrors(vec![ModelError::new("assemble", found, wanted).hint(hint)])
         })?;
         let moved = meshes.iter().map(|(name, mesh)| (name.clone(), displacement(mesh, &state)));
-        let moved = moved.filter(|(_, by)| *by > GAP * self.length()).collect();
+        let moved = moved.filter(|(_, by)| *by > MOVED * self.length()).collect();
         Ok(Closed { state, gaps, moved })
     }
 }

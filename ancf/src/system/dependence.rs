@@ -29,7 +29,7 @@ const ROUNDING: f64 = 1e-13;
 /// Coefficients below this part of the largest do not count.
 const COEFFICIENT: f64 = 1e-9;
 /// Sweeps by which rows and columns get entries of size one.
-const SWEEPS: usize = 4;
+const SWEEPS: usize = 20;
 
 /// The dependences of sparse rows: as many as rows exceed the rank, each naming a row of its own, the latest it can.
 ///
@@ -37,9 +37,10 @@ const SWEEPS: usize = 4;
 /// first, so that no units matter. Pivots are taken from the shortest rows and, of these, the shortest columns: chains and
 /// trees fill in next to nothing, and the cost is near-linear in the number of entries.
 ///
-/// Source: Markowitz (1957), the order of the pivots; Ruiz (2001), the scaling.
+/// Source: Markowitz (1957), the order of the pivots; Curtis & Reid (1972), the scaling.
 pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
     let mut rows = rows;
+    rows.iter_mut().for_each(|row| row.retain(|_, x| *x != 0.0));
     let scales = equilibrate(&mut rows);
     let mut elimination = Elimination::new(rows, tolerance);
     while let Some(row) = elimination.shortest() {
@@ -53,21 +54,24 @@ pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
     found
 }
 
-/// Scales rows and columns to largest entries of one; returns the factors of the rows.
+/// Scales rows and columns so that the logarithms of their entries have the mean zero; returns the factors of the rows.
 fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
+    // Powers of two are exact.
+    let of = |logarithms: f64, count: usize| (-logarithms / count.max(1) as f64).round().exp2();
     let mut scales = vec![1.0; rows.len()];
     for _ in 0..SWEEPS {
-        let mut columns: HashMap<usize, f64> = HashMap::new();
-        for (j, x) in rows.iter().flatten() {
-            let largest = columns.entry(*j).or_default();
-            *largest = largest.max(x.abs());
-        }
         for (row, scale) in rows.iter_mut().zip(&mut scales) {
-            let own = row.values().fold(0.0, |max: f64, x| max.max(x.abs()));
-            let own = if own > 0.0 { 1.0 / own.sqrt() } else { 1.0 };
-            row.iter_mut().for_each(|(j, x)| *x *= own / columns[j].max(f64::MIN_POSITIVE).sqrt());
+            let own = of(row.values().map(|x| x.abs().log2()).sum(), row.len());
+            row.values_mut().for_each(|x| *x *= own);
             *scale *= own;
         }
+        let mut columns: HashMap<usize, (f64, usize)> = HashMap::new();
+        for (j, x) in rows.iter().flatten() {
+            let (sum, count) = columns.entry(*j).or_default();
+            (*sum, *count) = (*sum + x.abs().log2(), *count + 1);
+        }
+        let columns: HashMap<usize, f64> = columns.into_iter().map(|(j, (sum, n))| (j, of(sum, n))).collect();
+        rows.iter_mut().flatten().for_each(|(j, x)| *x *= columns[j]);
     }
     scales
 }

@@ -11,8 +11,8 @@ mod run;
 use std::time::Instant;
 
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Clamped, End, Formulation, Ground, Joint, Modes, Place, Statics,
-    TimeFunction, Varying,
+    Analysis, At, AtEnd, Beam, Body, Buckling, Clamped, End, Formulation, Ground, Joint, Load, Modes, Path,
+    Place, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
 use ancf::system::{Sparse, dependences};
@@ -101,6 +101,29 @@ fn modes_are_the_same() {
     let one = of(rod::cantilever(3));
     let two = of(with(rod::cantilever(3), [clamp("again", rod::start(), Clamped::All)]));
     assert!(one.iter().zip(&two).all(|(a, b)| (a - b).abs() < 1e-8 * a), "{one:?} {two:?}");
+}
+
+/// Paths and critical loads too.
+#[test]
+fn paths_and_critical_loads_are_the_same() {
+    let pushed = |mut model: Model, analysis| {
+        model.gravity = [0.0; 3];
+        model.loads.push(Load::force(rod::end(), [-1000.0, 1.0, 0.0]));
+        model.analysis = analysis;
+        model
+    };
+    let path = || Analysis::Path(Path { load: 3.0, ..Path::default() });
+    let buckling = || Analysis::Buckling(Buckling { count: 3, ..Buckling::default() });
+    let again = || clamp("again", rod::start(), Clamped::Section);
+    let one = pushed(rod::clamped(4, Clamped::Section), path());
+    let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
+    assert_eq!(one.summary.steps, two.summary.steps);
+    assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9 * rod::LENGTH);
+    assert_eq!(one.column("unstable"), two.column("unstable"));
+    let one = pushed(rod::clamped(4, Clamped::Section), buckling());
+    let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
+    let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-8 * a.abs();
+    assert!(one.column("factor").iter().zip(two.column("factor")).all(near));
 }
 
 /// The joint that comes later is named, with the equation and with whom it repeats.

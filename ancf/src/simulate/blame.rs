@@ -21,14 +21,13 @@ pub(super) fn blame(assembly: &Assembly, from: &State, load: f64, error: &SolveE
     if !wrong.is_empty() {
         return Some(Blame { reason: "joints contradict each other", at: words(&wrong) });
     }
-    if error.failure != Failure::Singular {
-        return None;
-    }
+    // Without pivoting, what is singular but for rounding may be seen in the iteration only.
+    let nearly = if error.failure == Failure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
     let new = |tolerance| {
         let found = assembly.redundant_in(from, tolerance);
         found.into_iter().filter(|one| !assembly.redundant().contains(one)).collect::<Vec<_>>()
     };
-    let found = NEARLY.into_iter().map(new).find(|found| !found.is_empty())?;
+    let found = nearly.iter().copied().map(new).find(|found| !found.is_empty())?;
     Some(Blame { reason: "in this configuration joints tie the same", at: words(&found) })
 }
 

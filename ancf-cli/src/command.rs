@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ancf::record::Sink;
-use ancf::{Model, Outcome, Summary, simulate};
+use ancf::{Model, ModelError, Outcome, Summary, simulate};
 use anyhow::{Context, Result};
 use clap::Subcommand;
 use serde::Serialize;
@@ -20,7 +20,7 @@ use crate::verify;
 /// What to do.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Check a model file and report everything that is wrong with it.
+    /// Check a model file: report everything that is wrong with it, or what it consists of, what joints tie and what is free.
     Check {
         /// The model file (TOML).
         file: PathBuf,
@@ -97,8 +97,13 @@ impl Command {
     /// Carries the command out.
     pub fn run(self) -> Result<Ended> {
         match self {
-            Self::Check { file } => with_model(&file, |_| {
+            Self::Check { file } => with_model(&file, |model| {
+                let diagnosis = match model.diagnose() {
+                    Ok(diagnosis) => diagnosis,
+                    Err(errors) => return Ok(refuse(&errors, &file)),
+                };
                 say(&format!("{}: no errors", file.display()));
+                print(&diagnosis.to_string());
                 Ok(Ended::Done)
             }),
             Self::Scaled { file } => with_model(&file, |model| {
@@ -128,13 +133,15 @@ impl Command {
 fn with_model(file: &Path, then: impl FnOnce(&Model) -> Result<Ended>) -> Result<Ended> {
     match Model::read(file) {
         Ok(model) => then(&model),
-        Err(errors) => {
-            let text = fs::read(file).unwrap_or_default();
-            say(check::render(&errors, &file.display().to_string(), &String::from_utf8_lossy(&text))
-                .trim_end());
-            Ok(Ended::BadInput)
-        }
+        Err(errors) => Ok(refuse(&errors, file)),
     }
+}
+
+/// Says what is wrong with a model file.
+fn refuse(errors: &[ModelError], file: &Path) -> Ended {
+    let text = fs::read(file).unwrap_or_default();
+    say(check::render(errors, &file.display().to_string(), &String::from_utf8_lossy(&text)).trim_end());
+    Ended::BadInput
 }
 
 /// The model in the units in which its equations are solved, headed by these.
@@ -181,6 +188,7 @@ fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Resu
     let path = output.join("summary.json");
     fs::write(&path, serde_json::to_string_pretty(&report)? + "\n")
         .with_context(|| format!("cannot write {}", path.display()))?;
+    summary.redundant.iter().for_each(|one| say(&format!("warning: redundant: {one}")));
     print(&conclusion.table());
     say(&conclusion.sentence(&summary, report.wall_seconds, &output.display().to_string()));
     Ok(match summary.outcome {

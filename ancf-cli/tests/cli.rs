@@ -203,15 +203,51 @@ fn bad_input_is_refused() {
     }
 }
 
-/// A joint that ties what another ties already is named.
+/// What a model consists of, ties and leaves free is told; a joint that ties what another ties already is a warning.
 #[test]
-fn a_redundant_joint_is_refused() {
+fn a_model_is_diagnosed() {
     let bench = Bench::new();
     let second =
         "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
-    let check = command(&["check", &bench.cantilever("[[probes]]", second)]).output().unwrap();
+    let model = bench.cantilever("[[probes]]", second);
+    let check = command(&["check", &model]).output().unwrap();
+    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
+    assert!(stderr(&check).ends_with("model.toml: no errors\n"), "{}", stderr(&check));
+    let told = String::from_utf8(check.stdout).unwrap();
+    for line in [
+        "bodies:    1 beam\n",
+        "joints:    1 clamp, 1 spherical\n",
+        "loads:     1 gravity\n",
+        "equations: 252 coordinates, 15 of joints, 3 of them redundant\n",
+        "mobility:  -3 by Grübler's count, rigid bodies\n",
+        "           0 by rank, rigid bodies\n",
+        "           240 by rank, bodies that deform\n",
+        "warning:   redundant: joint `again`: position along y, follows from joint `root`; they share its force\n",
+    ] {
+        assert!(told.contains(&line.replace("1 gravity", "gravity")), "{line} is not in\n{told}");
+    }
+}
+
+/// Gaps are refused, or closed where the model asks for it.
+#[test]
+fn gaps_are_told() {
+    let bench = Bench::new();
+    let clamp = "b = { point = [0.0, 0.01, 0.0] }\nname = \"root\"";
+    let open = bench.cantilever("name = \"root\"", clamp);
+    let check = command(&["check", &open]).output().unwrap();
     assert_eq!(check.status.code(), Some(2));
-    assert!(stderr(&check).contains("joints[1]: found 3 of 3 equations that repeat"), "{}", stderr(&check));
+    let said = stderr(&check);
+    assert!(
+        said.contains("found a point that is 0.01 away from `a`") && said.contains("`assemble = true`"),
+        "{said}"
+    );
+    let text = fs::read_to_string(&open).unwrap();
+    fs::write(&open, format!("assemble = true\n{text}")).unwrap();
+    let check = command(&["check", &open]).output().unwrap();
+    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
+    let told = String::from_utf8(check.stdout).unwrap();
+    assert!(told.contains("closed:    joint `root`, whose places are 0.01 apart\n"), "{told}");
+    assert!(told.contains("moved:     body `beam`, by up to 0.01\n"), "{told}");
 }
 
 /// A failed analysis: exit code 1, a message that says when, why and where, and the results so far.

@@ -1,3 +1,4 @@
+mod blame;
 mod dynamics;
 mod eigen;
 mod equilibria;
@@ -6,6 +7,7 @@ mod pace;
 use std::io;
 use std::ops::ControlFlow;
 
+use blame::Blame;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -79,6 +81,8 @@ pub struct Summary {
     pub scales: Scales,
     /// How the units were chosen.
     pub scales_reason: String,
+    /// Joint equations that follow from others, in words.
+    pub redundant: Vec<String>,
 }
 
 impl Summary {
@@ -96,6 +100,7 @@ impl Summary {
             multipliers: assembly.system.multipliers(),
             scales: chosen.scales,
             scales_reason: chosen.reason,
+            redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
         }
     }
 
@@ -160,8 +165,8 @@ type Ended = io::Result<Result<ControlFlow<()>, Reason>>;
 
 /// Why an analysis could not go on.
 enum Reason {
-    Motion(SolveError),
-    Equilibrium(EquilibriumError),
+    Motion(SolveError, Option<Blame>),
+    Equilibrium(EquilibriumError, Option<Blame>),
     Eigen(EigenError),
     /// Motions that nothing holds, in words.
     Mechanism(String),
@@ -169,13 +174,13 @@ enum Reason {
 
 impl From<SolveError> for Reason {
     fn from(error: SolveError) -> Self {
-        Self::Motion(error)
+        Self::Motion(error, None)
     }
 }
 
 impl From<EquilibriumError> for Reason {
     fn from(error: EquilibriumError) -> Self {
-        Self::Equilibrium(error)
+        Self::Equilibrium(error, None)
     }
 }
 
@@ -190,17 +195,27 @@ fn outcome(ended: Result<ControlFlow<()>, Reason>, assembly: &Assembly, scales: 
     match ended {
         Ok(ControlFlow::Continue(())) => Outcome::Finished,
         Ok(ControlFlow::Break(())) => Outcome::Stopped,
-        Err(Reason::Motion(error)) => {
-            failed(error.t * scales.time, error.to_string(), assembly.name_of(error.worst))
+        Err(Reason::Motion(error, blame)) => {
+            let (reason, at) = blamed(error.to_string(), blame, assembly.name_of(error.worst));
+            failed(error.t * scales.time, reason, at)
         }
-        Err(Reason::Equilibrium(error)) => {
-            failed(error.load, error.to_string(), assembly.name_of(error.cause.worst))
+        Err(Reason::Equilibrium(error, blame)) => {
+            let (reason, at) = blamed(error.to_string(), blame, assembly.name_of(error.cause.worst));
+            failed(error.load, reason, at)
         }
         Err(Reason::Eigen(error)) => failed(0.0, error.to_string(), "the whole system".into()),
         Err(Reason::Mechanism(motions)) => {
             let reason = "there is no equilibrium to find: a motion is held by nothing".to_owned();
             failed(0.0, reason, motions)
         }
+    }
+}
+
+/// Reason and place of a failure, which joints may be to blame for.
+fn blamed(reason: String, blame: Option<Blame>, at: String) -> (String, String) {
+    match blame {
+        Some(Blame { reason: why, at }) => (format!("{why}: {reason}"), at),
+        None => (reason, at),
     }
 }
 

@@ -88,6 +88,7 @@ impl Case {
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
             probes: vec![Probe::of_motion("tip", end(AtEnd::End))],
+            assemble: false,
             output: Output::default(),
         }
     }

@@ -119,6 +119,17 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(())
     }
 
+    /// Projects velocities onto Φ_q v + Φ_t = 0, and leaves accelerations and multipliers as they are.
+    ///
+    /// # Errors
+    /// If the mass matrix with the constraints is singular.
+    pub fn project_velocities(&mut self) -> Result<(), SolveError> {
+        let Newton { matrix, factor, z, .. } = &mut self.newton;
+        velocities(self.eom, matrix, factor, &mut self.state, z)?;
+        self.power = self.eom.power(&self.state);
+        Ok(())
+    }
+
     /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not. After
     /// that, steps grow again by a factor of two each.
     ///

@@ -142,7 +142,7 @@ impl Newton {
         for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
             *z = if i < n { -r } else { -r / w.q };
         }
-        self.factor.solve(&self.matrix, &mut self.z).map_err(|_| Failure::Singular)?;
+        self.factor.solve_increment(&self.matrix, &mut self.z, &s.lambda).map_err(|_| Failure::Singular)?;
         let Self { matrix, factor, r, z, .. } = self;
         mover.go(Linear { eom, matrix, factor, r, z }, s, w)?;
         report.iterations += 1;

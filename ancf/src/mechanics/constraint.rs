@@ -14,6 +14,19 @@ pub struct Wrench {
     pub moment: Vector3<f64>,
 }
 
+/// Names of the global axes.
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A direction of a body in words, by what it is in the reference state.
+pub(super) fn direction(reference: Vector3<f64>) -> String {
+    let unit = reference.try_normalize(0.0).unwrap_or(reference);
+    let along = (0..3).find(|&k| unit[k].abs() > 1.0 - 1e-9);
+    match along {
+        Some(k) => format!("direction {}", AXES[k]),
+        None => format!("direction ({:.3}, {:.3}, {:.3})", unit.x, unit.y, unit.z),
+    }
+}
+
 /// The sorted coordinates of two markers, each once.
 fn joined(a: &Marker, b: &Marker) -> Vec<usize> {
     let mut coordinates: Vec<usize> = a.coordinates().chain(b.coordinates()).collect();
@@ -24,8 +37,8 @@ fn joined(a: &Marker, b: &Marker) -> Vec<usize> {
 
 /// Three linear equations: a − b keeps its reference value. Ties two points, or two directions.
 ///
-/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b. A point may be drawn to a target on the ground that is a gap g
-/// away, in proportion to the load factor s of statics: Φ = (a − a₀) − s g.
+/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b. Points may be a gap g = b₀ − a₀ apart in the reference state: it is
+/// kept; closed, Φ = a − b; or closed in proportion to the load factor s, Φ = (a − a₀) − (b − b₀) − s g.
 ///
 /// Units: of the markers; λ is a force for points and a moment for directions.
 #[derive(Clone, Debug)]
@@ -36,7 +49,10 @@ pub struct Coincide {
     coordinates: Vec<usize>,
     first: usize,
     direction: bool,
+    /// What of the reference state is taken back.
     gap: Vector3<f64>,
+    /// Whether the load factor multiplies it.
+    by_load: bool,
 }
 
 impl Coincide {
@@ -47,8 +63,30 @@ impl Coincide {
 
     /// Draws a point to one on the ground by the load factor; uses the three multipliers from `first` on.
     pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
-        let gap = target - a.reference();
-        Self { gap, ..Self::new(a, &Marker::fixed(a.reference()), first, false) }
+        Self::points(a, &Marker::fixed(target), first).drawn()
+    }
+
+    /// The same points without the gap that they have in the reference state.
+    #[must_use]
+    pub fn closed(self) -> Self {
+        Self { gap: self.gap(), by_load: false, ..self }
+    }
+
+    /// The same points with the gap that they have in the reference state.
+    #[must_use]
+    pub fn kept(self) -> Self {
+        Self { gap: Vector3::zeros(), by_load: false, ..self }
+    }
+
+    /// What is between the two in the reference state, b₀ − a₀.
+    pub fn gap(&self) -> Vector3<f64> {
+        self.b.reference() - self.a.reference()
+    }
+
+    /// The same with a gap that closes in proportion to the load factor.
+    #[must_use]
+    pub fn drawn(self) -> Self {
+        Self { gap: self.gap(), by_load: true, ..self }
     }
 
     /// Ties two directions; uses the three multipliers from `first` on.
@@ -59,8 +97,13 @@ impl Coincide {
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
         let coordinates = joined(a, b);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
-        let gap = Vector3::zeros();
-        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap }
+        let (gap, by_load) = (Vector3::zeros(), false);
+        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
+    }
+
+    /// What is taken back of the gap.
+    fn taken(&self, load: f64) -> Vector3<f64> {
+        if self.by_load { self.gap * load } else { self.gap }
     }
 
     /// Its share of what the joint exerts on the body of marker a: force −λ, or moment a × (−λ) for a direction.
@@ -83,12 +126,17 @@ impl Term for Coincide {
         self.first..self.first + 3
     }
 
+    fn tie(&self, k: usize) -> String {
+        let what = if self.direction { direction(self.a.reference()) } else { "position".to_owned() };
+        format!("{what} along {}", AXES[k])
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (rows, equations) = r.split_at_mut(at.q.len());
         let lambda = Vector3::from_column_slice(at.lambda);
         self.a.add(lambda, rows);
         self.b.add(-lambda, rows);
-        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.gap * at.load;
+        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.taken(at.load);
         for (row, apart) in equations.iter_mut().zip(&apart) {
             *row += apart;
         }
@@ -96,8 +144,8 @@ impl Term for Coincide {
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (rows, equations) = floor.split_at_mut(at.q.len());
-        for (row, gap) in equations.iter_mut().zip(&self.gap) {
-            *row += f64::EPSILON * (gap * at.load).abs();
+        for (row, gap) in equations.iter_mut().zip(&self.taken(at.load)) {
+            *row += f64::EPSILON * gap.abs();
         }
         for marker in [&self.a, &self.b] {
             for &(first, w) in marker.parts() {
@@ -133,6 +181,7 @@ pub struct Perpendicular {
     b: Marker,
     coordinates: Vec<usize>,
     multiplier: usize,
+    tie: &'static str,
 }
 
 impl Perpendicular {
@@ -140,7 +189,14 @@ impl Perpendicular {
     pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
         let coordinates = joined(a, b);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
-        Self { global: [a.clone(), b.clone()], a: local_a, b: local_b, coordinates, multiplier }
+        let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
+        Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }
+    }
+
+    /// The same under a name that tells what it ties.
+    #[must_use]
+    pub fn named(self, tie: &'static str) -> Self {
+        Self { tie, ..self }
     }
 
     /// Its share of what the joint exerts on the body of marker a: the moment a × (−λ b).
@@ -161,6 +217,10 @@ impl Term for Perpendicular {
 
     fn multipliers(&self) -> Range<usize> {
         self.multiplier..self.multiplier + 1
+    }
+
+    fn tie(&self, _: usize) -> String {
+        self.tie.to_owned()
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

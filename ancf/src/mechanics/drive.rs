@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::constraint::{AXES, direction};
 use super::{Marker, Wrench};
 use crate::function::{Function, Instant};
 use crate::system::{Local, LocalMatrix, State, Term, Weights};
@@ -53,6 +54,10 @@ impl Term for Drive {
 
     fn multipliers(&self) -> Range<usize> {
         self.first..self.first + 3
+    }
+
+    fn tie(&self, k: usize) -> String {
+        format!("driven {} along {}", direction(self.global.reference()), AXES[k])
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

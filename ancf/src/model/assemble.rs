@@ -1,8 +1,11 @@
+use std::collections::BTreeSet;
+
 use nalgebra::Vector3;
 
+use super::closing::Closed;
 use super::function::Clock;
 use super::ties::JointEquations;
-use super::{Beam, Body, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity};
+use super::{Beam, Body, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity, Redundant};
 use crate::mechanics::{self, Attachment, BeamMesh, Kind, Marker, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
@@ -18,7 +21,10 @@ pub struct Assembly {
     /// Whether strain energies of bodies are recorded by part.
     pub energy_parts: bool,
     bodies: Vec<(String, mechanics::Body)>,
-    joints: Vec<JointEquations>,
+    pub(super) joints: Vec<JointEquations>,
+    pub(super) redundant: Vec<Redundant>,
+    pub(super) undetermined: BTreeSet<usize>,
+    pub(super) closed: Option<Closed>,
     breaks: Vec<f64>,
 }
 
@@ -96,7 +102,7 @@ impl Assembly {
         }
         for joint in &self.joints {
             if equation < first + joint.multipliers() {
-                return format!("joint `{}`, equation {}", joint.name, equation - first + 1);
+                return format!("joint `{}`, {}", joint.name, joint.ties()[equation - first]);
             }
             first += joint.multipliers();
         }
@@ -172,7 +178,22 @@ impl Model {
         let of_joints: usize = joints.iter().map(JointEquations::multipliers).sum();
         let multipliers = of_joints + bodies.iter().map(|(_, body)| body.multipliers()).sum::<usize>();
         let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
-        Ok(Assembly { system, probes, measures, energy_parts, bodies, joints, breaks })
+        let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
+        let assembly = Assembly {
+            system,
+            probes,
+            measures,
+            energy_parts,
+            bodies,
+            joints,
+            redundant,
+            undetermined,
+            closed,
+            breaks,
+        };
+        let assembly = assembly.sharing();
+        let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
+        Ok(Assembly { closed, ..assembly })
     }
 
     /// Number of the body, arc length and place of a probe.
@@ -190,7 +211,7 @@ impl Model {
     }
 
     /// Breaks of all functions of time, in order.
-    fn breaks(&self, clock: Clock) -> Vec<f64> {
+    pub(super) fn breaks(&self, clock: Clock) -> Vec<f64> {
         let of_joints = self.joints.iter().filter_map(Joint::time);
         let functions = self.loads.iter().map(Load::time).chain(of_joints);
         let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();
@@ -225,7 +246,7 @@ impl Model {
             let find = |place: &Place| self.attachment(bodies, place);
             let equations = JointEquations::new(joint, self.is_locking(joint), first, clock, &find);
             first += equations.multipliers();
-            equations
+            equations.with_gap(self.gap(joint))
         });
         equations.collect()
     }

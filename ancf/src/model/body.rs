@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::check::ON_AXIS;
-use super::{PointMass, Rigid, Shape};
+use super::{InitialMotion, PointMass, Rigid, Shape};
 use crate::mechanics::Curve;
 
 /// A body of the model.
@@ -166,6 +166,9 @@ pub struct Beam {
     /// What the nodal slope coordinates are.
     #[serde(default)]
     pub slopes: Slopes,
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }
 
 impl Beam {
@@ -190,6 +193,7 @@ impl Beam {
             section_end: None,
             material: material.into(),
             slopes: Slopes::Gradient,
+            motion: InitialMotion::default(),
         }
     }
 }
@@ -235,6 +239,9 @@ pub struct Cable {
     /// What the nodal slope coordinates are.
     #[serde(default)]
     pub slopes: Slopes,
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }
 
 /// What the slope coordinates of a node are: ℓ r_x, ℓ r_y, ℓ r_z.

@@ -3,6 +3,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Model;
 use crate::function::{Expression, ExpressionError, Function, Table};
 
 /// A function of time by which a load or an angle is multiplied: a number, or a table that says how it varies.
@@ -102,8 +103,17 @@ impl TimeFunction {
 pub(super) enum Clock {
     /// As given, for dynamics.
     Runs,
+    /// 0, for the closing of gaps: drives have not begun.
+    Waits,
     /// 1, for statics: loads have their full values and grow by the load factor.
     Stands,
+}
+
+impl Model {
+    /// What functions of time are in the analysis of a model.
+    pub(super) const fn clock(&self) -> Clock {
+        if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
+    }
 }
 
 impl Clock {
@@ -111,6 +121,7 @@ impl Clock {
     pub(super) fn function(self, time: &TimeFunction) -> Function {
         match self {
             Self::Runs => time.compile().expect("the formulas of a checked model can be read"),
+            Self::Waits => Function::Constant(0.0),
             Self::Stands => Function::ONE,
         }
     }

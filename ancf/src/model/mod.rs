@@ -7,7 +7,9 @@ mod check;
 mod check_abilities;
 mod check_bodies;
 mod check_loads;
+mod closing;
 mod cubature;
+mod diagnosis;
 mod equilibrium;
 mod error;
 mod fluid;
@@ -17,6 +19,7 @@ mod load;
 mod material;
 mod mechanism;
 mod meshes;
+mod motion;
 mod output;
 mod read;
 mod redundant;
@@ -41,6 +44,8 @@ use serde::{Deserialize, Serialize};
 pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
+pub use closing::Closed;
+pub use diagnosis::Diagnosis;
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
 pub use error::{ModelError, ModelErrors, Position};
 pub use fluid::Fluid;
@@ -49,7 +54,9 @@ pub use joint::{Clamped, End, Ground, Joint};
 pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
+pub use motion::InitialMotion;
 pub use output::{Output, Probe, Quantity};
+pub use redundant::Redundant;
 pub use rigid::{PointMass, Rigid};
 pub use scale::{Chosen, ScaleChoice};
 pub use schema::{schema, schema_text};
@@ -85,6 +92,9 @@ pub struct Model {
     /// Loads besides gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Load>,
+    /// Whether gaps between the places of joints are closed before the analysis begins; they are refused by default.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub assemble: bool,
     /// Units in which the equations are solved; the user's own by default.
     #[serde(default)]
     pub scales: ScaleChoice,

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use toml::Value;
 
 use super::check::broken_rules;
-use super::redundant::repeated_joints;
+use super::redundant::contradictions;
 use super::survey::{Finding, Survey};
 use super::syntax::{Document, position};
 use super::{Model, ModelError, ModelErrors};
@@ -74,7 +74,7 @@ fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
             && !finding.rests_on.iter().any(|path| survey.has_mended(path))
     }));
     match &model {
-        Ok(model) if findings.is_empty() => findings.extend(repeated_joints(model)),
+        Ok(model) if findings.is_empty() => findings.extend(contradictions(model)),
         Err(error) if findings.is_empty() => {
             findings.push(ModelError::new("", error.to_string(), "a model").into());
         }

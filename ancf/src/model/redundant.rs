@@ -1,85 +1,289 @@
-use std::collections::BTreeMap;
+//! Joint equations that follow from others: by name, and whether they contradict them.
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::fmt;
 
 use super::function::Clock;
 use super::survey::Finding;
-use super::{Model, ModelError};
-use crate::system::{LOCAL, Local, LocalMatrix, Term, Weights};
+use super::ties::JointEquations;
+use super::{Analysis, Assembly, Model, ModelError};
+use crate::system::{Dependence, Level, Local, Sparse, State, Term, constraint_rows, dependences};
 
 /// A row is redundant if less than this part of it is independent of the others.
 const INDEPENDENT: f64 = 1e-8;
+/// Redundant equations agree if no more than this part of what they say is left over.
+const AGREE: f64 = 1e-9;
+/// Rounding bounds within which they agree as well.
+const ROUNDING: f64 = 8.0;
+/// Instants of a motion at which they are compared.
+const INSTANTS: u32 = 128;
 
-/// Finds joints that repeat what others already tie, by orthogonalising the rows of Φ_q in the reference state.
-///
-/// Without this check a repeated equation leaves multipliers undetermined and reactions arbitrary. The model must obey all
-/// other rules.
-pub(super) fn repeated_joints(model: &Model) -> Vec<Finding> {
-    let mut independent: Vec<BTreeMap<usize, f64>> = Vec::new();
-    let mut findings = Vec::new();
-    let bodies = model.meshes();
-    for term in bodies.iter().flat_map(|(_, body)| body.terms()).filter(|term| !term.multipliers().is_empty())
-    {
-        for row in rows(term.as_ref()) {
-            independent.extend(orthogonal(row, &independent));
-        }
-    }
-    for (k, joint) in model.joint_equations(&bodies, Clock::Runs).iter().enumerate() {
-        let rows: Vec<_> = joint.terms().flat_map(|term| rows(term.as_ref())).collect();
-        let (count, before) = (rows.len(), independent.len());
-        for row in rows {
-            independent.extend(orthogonal(row, &independent));
-        }
-        let repeated = count - (independent.len() - before);
-        if repeated > 0 {
-            let found = format!("{repeated} of {count} equations that repeat those of earlier joints");
-            findings.push(
-                ModelError::new(format!("joints[{k}]"), found, "joints that tie each motion once").into(),
-            );
-        }
-    }
-    findings
+/// A joint equation that follows from others, in words: its forces are shared with theirs.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Redundant {
+    /// Name of the joint, the last in the model of those that depend on each other.
+    pub joint: String,
+    /// The equation, such as "hinge axis, second equation".
+    pub equation: String,
+    /// Names of the joints from which it follows.
+    pub with: Vec<String>,
 }
 
-/// The rows of Φ_q of one term in the reference state, each of length one.
-fn rows(term: &dyn Term) -> Vec<BTreeMap<usize, f64>> {
-    let (coordinates, multipliers) = (term.coordinates(), term.multipliers().len());
-    let n = coordinates.len();
-    let zero = vec![0.0; LOCAL];
-    let at = Local {
-        q: &zero[..n],
-        v: &zero[..n],
-        a: &zero[..n],
-        lambda: &zero[..multipliers],
-        t: 0.0,
-        load: 1.0,
-    };
-    let mut storage = vec![0.0; LOCAL * LOCAL];
-    let mut k = LocalMatrix::zero(n + multipliers, &mut storage);
-    term.tangent(&at, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut k);
-    let row = |m: usize| coordinates.iter().enumerate().map(|(i, &c)| (c, k.get(n + m, i))).collect();
-    (0..multipliers).map(|m| unit(row(m)).0).collect()
-}
-
-/// The part of a unit row that is orthogonal to orthonormal ones, if there is any to speak of.
-fn orthogonal(
-    mut row: BTreeMap<usize, f64>,
-    others: &[BTreeMap<usize, f64>],
-) -> Option<BTreeMap<usize, f64>> {
-    // Twice is enough for orthogonality to rounding (Parlett).
-    for other in others.iter().chain(others) {
-        let dot: f64 = row.iter().filter_map(|(c, x)| other.get(c).map(|y| x * y)).sum();
-        if dot != 0.0 {
-            for (&c, y) in other {
-                *row.entry(c).or_default() -= dot * y;
+impl fmt::Display for Redundant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "joint `{}`: {}", self.joint, self.equation)?;
+        match self.with.as_slice() {
+            [] => write!(f, ", ties nothing that could move"),
+            [one] => write!(f, ", follows from joint `{one}`"),
+            [.., last] => {
+                let first = self.with[..self.with.len() - 1].iter().map(|name| format!("`{name}`"));
+                let first: Vec<String> = first.collect();
+                write!(f, ", follows from joints {} and `{last}`", first.join(", "))
             }
         }
     }
-    let (row, length) = unit(row);
-    (length > INDEPENDENT).then_some(row)
 }
 
-fn unit(mut row: BTreeMap<usize, f64>) -> (BTreeMap<usize, f64>, f64) {
-    row.retain(|_, x| *x != 0.0);
-    let length = row.values().map(|x| x * x).sum::<f64>().sqrt();
-    row.values_mut().for_each(|x| *x /= length);
-    (row, length)
+/// The constraints of a model: terms by their multipliers.
+pub(super) struct Constraints<'a> {
+    terms: Vec<&'a dyn Term>,
+    joints: &'a [JointEquations],
+    multipliers: usize,
+}
+
+impl<'a> Constraints<'a> {
+    pub(super) fn new(terms: impl IntoIterator<Item = &'a dyn Term>, joints: &'a [JointEquations]) -> Self {
+        let terms: Vec<_> = terms.into_iter().filter(|term| !term.multipliers().is_empty()).collect();
+        let multipliers = terms.iter().map(|term| term.multipliers().end).max().unwrap_or(0);
+        Self { terms, joints, multipliers }
+    }
+
+    /// The rows of Φ_q in a state, by multiplier.
+    fn rows(&self, s: &State) -> Vec<Sparse> {
+        let mut rows = vec![Sparse::new(); self.multipliers];
+        for term in &self.terms {
+            for (multiplier, row) in term.multipliers().zip(constraint_rows(*term, s)) {
+                rows[multiplier] = row;
+            }
+        }
+        rows
+    }
+
+    /// The rows that follow from earlier ones in a state.
+    pub(super) fn dependences(&self, s: &State, tolerance: f64) -> Vec<Dependence> {
+        dependences(self.rows(s), tolerance)
+    }
+
+    /// The multipliers that dependences leave undetermined, here or as bodies move: all that share coordinates with them,
+    /// be it by way of others.
+    pub(super) fn undetermined(&self, found: &[Dependence], s: &State) -> BTreeSet<usize> {
+        let rows = if found.is_empty() { Vec::new() } else { self.rows(s) };
+        let mut of: HashMap<usize, Vec<usize>> = HashMap::new();
+        for (i, row) in rows.iter().enumerate() {
+            row.keys().for_each(|&c| of.entry(c).or_default().push(i));
+        }
+        let mut open: Vec<usize> = found.iter().map(Dependence::row).collect();
+        let mut reached: BTreeSet<usize> = open.iter().copied().collect();
+        while let Some(i) = open.pop() {
+            for c in rows[i].keys() {
+                let neighbours = of.remove(c).unwrap_or_default();
+                open.extend(neighbours.into_iter().filter(|&other| reached.insert(other)));
+            }
+        }
+        reached
+    }
+
+    /// The number of the joint that a multiplier belongs to, if it is one of a joint.
+    fn joint_of(&self, multiplier: usize) -> Option<usize> {
+        let after = self.joints.partition_point(|joint| joint.range().start <= multiplier);
+        (0..after).rev().find(|&k| self.joints[k].range().contains(&multiplier))
+    }
+
+    /// Dependences in words.
+    pub(super) fn words(&self, found: &[Dependence]) -> Vec<Redundant> {
+        found.iter().filter_map(|dependence| self.describe(dependence)).collect()
+    }
+
+    fn describe(&self, dependence: &Dependence) -> Option<Redundant> {
+        let row = dependence.row();
+        let own = &self.joints[self.joint_of(row)?];
+        let others: BTreeSet<usize> = dependence.others().filter_map(|row| self.joint_of(row)).collect();
+        let with = others.into_iter().map(|k| self.joints[k].name.clone()).collect();
+        let equation = own.ties()[row - own.range().start].clone();
+        Some(Redundant { joint: own.name.clone(), equation, with })
+    }
+
+    /// Those dependences that contradict what they depend on, in the reference state or in one of some states of rest.
+    ///
+    /// Of constraints that are not linear a dependence is one of the reference state, which alone has a say about them.
+    fn contradictions<'d>(
+        &self,
+        found: &'d [Dependence],
+        reference: Option<&State>,
+        states: impl Iterator<Item = State>,
+    ) -> Vec<&'d Dependence> {
+        let mut wrong = HashSet::new();
+        let mut judge = |s: &State, linear: &HashSet<usize>| {
+            let [phi, floor] = self.values(s);
+            for (k, Dependence { coefficients }) in found.iter().enumerate() {
+                let sum = |of: &dyn Fn(usize, f64) -> f64| {
+                    coefficients.iter().map(|(&i, &c)| of(i, c)).sum::<f64>()
+                };
+                let (left, size) = (sum(&|i, c| c * phi[i]), sum(&|i, c| (c * phi[i]).abs()));
+                let rounding = sum(&|i, c| (c * floor[i]).abs());
+                let is_judged = coefficients.keys().all(|row| linear.contains(row));
+                if is_judged && left.abs() > AGREE * size + ROUNDING * rounding {
+                    wrong.insert(k);
+                }
+            }
+        };
+        if let Some(reference) = reference {
+            judge(reference, &(0..self.multipliers).collect());
+        }
+        let mut linear = None;
+        for s in states {
+            judge(&s, linear.get_or_insert_with(|| self.linear(&s)));
+        }
+        (0..found.len()).filter(|k| wrong.contains(k)).map(|k| &found[k]).collect()
+    }
+
+    /// Φ in a state of rest, and a bound of its rounding error.
+    fn values(&self, s: &State) -> [Vec<f64>; 2] {
+        let [mut phi, mut floor] = [vec![0.0; self.multipliers], vec![0.0; self.multipliers]];
+        for term in &self.terms {
+            let (n, m) = (term.coordinates().len(), term.multipliers());
+            let q: Vec<f64> = term.coordinates().iter().map(|&c| s.q[c]).collect();
+            let (zero, lambda) = (vec![0.0; n], vec![0.0; m.len()]);
+            let at = Local { q: &q, v: &zero, a: &zero, lambda: &lambda, t: s.t, load: s.load };
+            term.constraints(&at, Level::Position, &mut phi[m.clone()]);
+            let mut rounding = vec![0.0; n + m.len()];
+            term.rounding(&at, &mut rounding);
+            floor[m].copy_from_slice(&rounding[n..]);
+        }
+        [phi, floor]
+    }
+
+    /// The rows of Φ_q that are the same wherever bodies are.
+    fn linear(&self, s: &State) -> HashSet<usize> {
+        let mut elsewhere = s.clone();
+        // Any place will do that has no symmetry.
+        (0..s.q.len()).for_each(|i| elsewhere.q[i] += (1.7 * (i + 1) as f64).sin());
+        let (here, there) = (self.rows(s), self.rows(&elsewhere));
+        (0..self.multipliers).filter(|&row| here[row] == there[row]).collect()
+    }
+}
+
+/// Finds joints that contradict others: they tie what those tie, to something else.
+///
+/// The model must obey all other rules.
+pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
+    let clock = model.clock();
+    let meshes = model.meshes();
+    let joints = model.joint_equations(&meshes, clock);
+    let bodies = meshes.iter().flat_map(|(_, body)| body.terms());
+    let terms: Vec<Box<dyn Term>> = bodies.chain(joints.iter().flat_map(JointEquations::terms)).collect();
+    let constraints = Constraints::new(terms.iter().map(AsRef::as_ref), &joints);
+    let coordinates = meshes.iter().map(|(_, body)| body.coordinates()).sum();
+    let rest = State::rest(coordinates, constraints.multipliers);
+    let found = constraints.dependences(&rest, INDEPENDENT);
+    if found.is_empty() {
+        return Vec::new();
+    }
+    let states = instants(model).into_iter().map(|t| State { t, ..rest.clone() });
+    let mut findings: Vec<(usize, Redundant)> = Vec::new();
+    for dependence in constraints.contradictions(&found, Some(&rest), states) {
+        let joint = constraints.joint_of(dependence.row());
+        findings.extend(joint.zip(constraints.describe(dependence)));
+    }
+    let of = |joint: usize| {
+        let own: Vec<&Redundant> = findings.iter().filter(|(k, _)| *k == joint).map(|(_, own)| own).collect();
+        let equations: Vec<&str> = own.iter().map(|own| own.equation.as_str()).collect();
+        let with: BTreeSet<&String> = own.iter().flat_map(|own| &own.with).collect();
+        let with: Vec<String> = with.into_iter().map(|name| format!("`{name}`")).collect();
+        let found = match with.as_slice() {
+            [] => format!("equations that nothing can satisfy: {}", equations.join("; ")),
+            _ => format!("equations that contradict {}: {}", with.join(", "), equations.join("; ")),
+        };
+        ModelError::new(format!("joints[{joint}]"), found, "joints that agree where they tie the same").into()
+    };
+    let joints: BTreeSet<usize> = findings.iter().map(|(joint, _)| *joint).collect();
+    joints.into_iter().map(of).collect()
+}
+
+/// Times at which functions of time are compared.
+fn instants(model: &Model) -> Vec<f64> {
+    let Analysis::Dynamics(dynamics) = &model.analysis else { return vec![0.0] };
+    let end = dynamics.duration;
+    let mut times: Vec<f64> = (0..=INSTANTS).map(|k| end * f64::from(k) / f64::from(INSTANTS)).collect();
+    let breaks = model.breaks(Clock::Runs);
+    times.extend(breaks.iter().copied().filter(|t| (0.0..=end).contains(t)));
+    times.extend(breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (0.0..=end).contains(t)));
+    times
+}
+
+impl Assembly {
+    /// The joint equations that follow from others in the reference state, by name: forces are shared between them in least
+    /// squares, and none of the motion depends on how.
+    pub fn redundant(&self) -> &[Redundant] {
+        &self.redundant
+    }
+
+    /// The joint equations that follow from others in a state, or nearly do, and by how much they miss it: less than
+    /// `tolerance`, relative to what they tie.
+    pub fn redundant_in(&self, s: &State, tolerance: f64) -> Vec<Redundant> {
+        let constraints = self.constraints();
+        constraints.words(&constraints.dependences(s, tolerance))
+    }
+
+    /// The joint equations that contradict others in a state, by name.
+    pub fn contradicting(&self, s: &State) -> Vec<Redundant> {
+        let constraints = self.constraints();
+        let found = constraints.dependences(s, INDEPENDENT);
+        let wrong = constraints.contradictions(&found, None, std::iter::once(s.clone()));
+        wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
+    }
+
+    /// By how much the constraint equations exceed their rank in the reference state.
+    pub(super) fn rank_deficiency(&self) -> usize {
+        self.constraints().dependences(&self.rest(), INDEPENDENT).len()
+    }
+
+    /// Multipliers that redundant equations leave undetermined.
+    pub(super) fn undetermined(&self) -> impl Iterator<Item = usize> {
+        self.undetermined.iter().copied()
+    }
+
+    pub(super) fn constraints(&self) -> Constraints<'_> {
+        Constraints::new(self.system.terms().iter().map(AsRef::as_ref), &self.joints)
+    }
+
+    /// Finds out what is redundant, and has its multipliers shared.
+    pub(super) fn sharing(mut self) -> Self {
+        let (rest, constraints) = (self.rest(), self.constraints());
+        let found = constraints.dependences(&rest, INDEPENDENT);
+        let undetermined = constraints.undetermined(&found, &rest);
+        self.redundant = constraints.words(&found);
+        self.system = self.system.sharing(undetermined.iter().copied());
+        self.undetermined = undetermined;
+        self
+    }
+}
+
+impl JointEquations {
+    /// What each of its equations ties, in words; those that tie the same are counted.
+    pub(super) fn ties(&self) -> Vec<String> {
+        let mut terms: Vec<Box<dyn Term>> = self.terms().collect();
+        terms.sort_by_key(|term| term.multipliers().start);
+        let names = terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.tie(k)));
+        let names: Vec<String> = names.collect();
+        let number = |i: usize| {
+            let same = |range: &[String]| range.iter().filter(|name| **name == names[i]).count();
+            let ordinals = ["first", "second", "third", "fourth", "fifth", "sixth"];
+            match (same(&names), ordinals.get(same(&names[..i]))) {
+                (2.., Some(ordinal)) => format!("{}, {ordinal} equation", names[i]),
+                _ => names[i].clone(),
+            }
+        };
+        (0..names.len()).map(number).collect()
+    }
 }

@@ -2,6 +2,8 @@ use nalgebra::Matrix3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::InitialMotion;
+
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -19,6 +21,9 @@ pub struct Rigid {
     /// Off-diagonal entries `[xy, xz, yz]` of the same tensor; none by default.
     #[serde(default)]
     pub products: [f64; 3],
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }
 
 impl Rigid {
@@ -41,4 +46,7 @@ pub struct PointMass {
     /// Mass, force time²/length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass: f64,
+    /// How it moves at the start of a motion; at rest by default.
+    #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
+    pub motion: InitialMotion,
 }

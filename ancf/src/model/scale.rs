@@ -150,6 +150,7 @@ impl Model {
             bodies,
             joints,
             loads,
+            assemble,
             scales: _,
             analysis,
             probes,
@@ -163,6 +164,7 @@ impl Model {
             bodies: bodies.into_iter().map(|body| body.scaled(scales)).collect(),
             joints: joints.into_iter().map(|joint| joint.scaled(scales)).collect(),
             loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
+            assemble,
             scales: ScaleChoice::None,
             analysis: analysis.scaled(scales),
             probes: probes
@@ -234,20 +236,24 @@ impl Body {
         let point = |x| vector(x, Dimension::LENGTH, s);
         match self {
             Self::Beam(beam) => {
-                let Beam { from, to, shape, .. } = beam;
-                Self::Beam(Beam { from: point(from), to: point(to), shape: shape.scaled(s), ..beam })
+                let Beam { from, to, shape, motion, .. } = beam;
+                let (from, to, motion) = (point(from), point(to), motion.scaled(s));
+                Self::Beam(Beam { from, to, shape: shape.scaled(s), motion, ..beam })
             }
             Self::Cable(cable) => {
-                Self::Cable(Cable { from: point(cable.from), to: point(cable.to), ..cable })
+                let (from, to, motion) = (point(cable.from), point(cable.to), cable.motion.scaled(s));
+                Self::Cable(Cable { from, to, motion, ..cable })
             }
-            Self::Rigid(Rigid { name, center, mass, inertia, products }) => {
+            Self::Rigid(Rigid { name, center, mass, inertia, products, motion }) => {
                 let moments = |x| vector(x, Dimension::INERTIA, s);
                 let mass = number(mass, Dimension::MASS, s);
                 let (inertia, products) = (moments(inertia), moments(products));
-                Self::Rigid(Rigid { name, center: point(center), mass, inertia, products })
+                let (center, motion) = (point(center), motion.scaled(s));
+                Self::Rigid(Rigid { name, center, mass, inertia, products, motion })
             }
-            Self::Mass(PointMass { name, center, mass }) => {
-                Self::Mass(PointMass { name, center: point(center), mass: number(mass, Dimension::MASS, s) })
+            Self::Mass(PointMass { name, center, mass, motion }) => {
+                let mass = number(mass, Dimension::MASS, s);
+                Self::Mass(PointMass { name, center: point(center), mass, motion: motion.scaled(s) })
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::closing::Gap;
 use super::function::Clock;
 use super::{Clamped, End, Ground, Joint, Place};
 use crate::mechanics::{Attachment, Coincide, Directions, Drive, Marker, Perpendicular, Wrench, across};
@@ -71,6 +72,8 @@ impl JointEquations {
                 for normal in across(axis) {
                     equations.keep_angle(&here.direction(axis), &there.direction(normal));
                 }
+                let hinge = equations.perpendicular.drain(..).map(|angle| angle.named("hinge axis"));
+                equations.perpendicular = hinge.collect();
             }
         }
         equations
@@ -85,6 +88,32 @@ impl JointEquations {
     /// Number of multipliers.
     pub(super) fn multipliers(&self) -> usize {
         self.next - self.first
+    }
+
+    /// The same with its gap treated in one way or the other; places are tied first.
+    pub(super) fn with_gap(mut self, gap: Gap) -> Self {
+        let of = |place: Coincide| match gap {
+            Gap::Kept => place.kept(),
+            Gap::Drawn => place.drawn(),
+            Gap::Closed => place.closed(),
+        };
+        self.coincide = self
+            .coincide
+            .into_iter()
+            .enumerate()
+            .map(|(i, tie)| if i == 0 { of(tie) } else { tie })
+            .collect();
+        self
+    }
+
+    /// What is between its places in the reference state.
+    pub(super) fn gap(&self) -> Vector3<f64> {
+        self.coincide.first().map_or_else(Vector3::zeros, Coincide::gap)
+    }
+
+    /// Its multipliers.
+    pub(super) const fn range(&self) -> std::ops::Range<usize> {
+        self.first..self.next
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {

@@ -106,12 +106,14 @@ pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
         let (owner, body) = body(model, a)?;
         let apart = (model.point(a)? - Vector3::from(b.point)).norm();
         let length = if body.is_flexible() { body.length() } else { model.length() };
-        (is_dynamic(model) && apart > COINCIDENT * length).then(|| {
+        (is_dynamic(model) && !model.assemble && apart > COINCIDENT * length).then(|| {
             let found = format!("a point that is {} away from `a`", number(apart));
             let wanted = "in dynamics, the point of `a` in the undeformed state";
             let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
             let rests_on = rests_on.into_iter().chain(["a.body", "a.at"].map(|key| format!("{path}.{key}")));
-            finding(format!("{path}.b.point"), found, wanted).rests_on(rests_on)
+            finding(format!("{path}.b.point"), found, wanted)
+                .hint("`assemble = true` closes the gap")
+                .rests_on(rests_on)
         })
     };
     joints_of(model).filter_map(rule).collect()

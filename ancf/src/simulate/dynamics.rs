@@ -1,7 +1,8 @@
 use std::ops::ControlFlow;
 
+use super::blame::blame;
 use super::pace::Pace;
-use super::{Ended, Run};
+use super::{Ended, Reason, Run};
 use crate::analysis::{self, StepReport};
 use crate::model::{Dynamics, Model};
 use crate::record::Sink;
@@ -19,7 +20,10 @@ impl Run<'_> {
         self.sink.begin(rows.columns())?;
         let mut pace = match Pace::new(model, settings, assembly, assembly.breaks().to_vec()) {
             Ok(pace) => pace,
-            Err(error) => return Ok(Err(error.into())),
+            Err(error) => {
+                let blame = blame(assembly, &assembly.initial(), 1.0, &error);
+                return Ok(Err(Reason::Motion(error, blame)));
+            }
         };
         let mut record =
             |sink: &mut dyn Sink, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
@@ -41,7 +45,11 @@ impl Run<'_> {
             match advanced {
                 Ok(Some(done)) => report = done,
                 Ok(None) => return Ok(Ok(ControlFlow::Continue(()))),
-                Err(error) => return Ok(Err(error.into())),
+                Err(error) => {
+                    let s = pace.dynamics().state();
+                    let blame = blame(assembly, s, s.load, &error);
+                    return Ok(Err(Reason::Motion(error, blame)));
+                }
             }
         }
     }

@@ -1,8 +1,11 @@
 use std::io;
 use std::ops::ControlFlow;
 
+use super::blame::blame;
 use super::{Ended, Reason, Run, mechanism};
-use crate::analysis::{self, ArcSteps, Equilibrium, Increments, Limit, Newton, PathPoint, Until};
+use crate::analysis::{
+    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Limit, Newton, PathPoint, Until,
+};
 use crate::model::{Assembly, Path, Statics};
 use crate::rows::Rows;
 use crate::system::{Power, State};
@@ -19,7 +22,7 @@ fn own(found: &Equilibrium) -> [f64; 4] {
 
 /// The unloaded reference state.
 pub(super) fn unloaded(assembly: &Assembly) -> State {
-    State { load: 0.0, ..assembly.rest() }
+    State { load: 0.0, ..assembly.initial() }
 }
 
 /// The equilibrium under all loads by the default settings.
@@ -76,6 +79,7 @@ impl Run<'_> {
             written = self.sink.record(rows.fill(assembly, s, s.load, &own(found), Power::default()));
             flow(&written)
         });
+        let ended = ended.map_err(|error| blamed(assembly, statics.state(), error));
         conclude(written?, settings.load == self.summary.time, ended)
     }
 
@@ -109,8 +113,15 @@ impl Run<'_> {
             written = self.sink.record(rows.fill(assembly, s, s.load, &of_point(point), Power::default()));
             flow(&written)
         });
+        let ended = ended.map_err(|error| blamed(assembly, path.state(), error));
         conclude(written?, settings.load == self.summary.time, ended)
     }
+}
+
+/// An equilibrium that was not found, beyond a state that was.
+fn blamed(assembly: &Assembly, s: &State, error: EquilibriumError) -> Reason {
+    let blame = blame(assembly, s, error.load, &error.cause);
+    Reason::Equilibrium(error, blame)
 }
 
 /// The values of [`OWN`] and [`PATH`]; `limit` is 1 at a maximum of the load, −1 at a minimum, 0 elsewhere.

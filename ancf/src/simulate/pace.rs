@@ -37,9 +37,11 @@ impl<'a> Pace<'a> {
         let duration = settings.duration;
         let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
-        let mut dynamics = Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.rest());
-        if settings.start == Start::Consistent {
-            dynamics.restart(0.0)?;
+        let mut dynamics =
+            Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.start(model));
+        match settings.start {
+            Start::Consistent => dynamics.restart(0.0)?,
+            Start::Zero => dynamics.project_velocities()?,
         }
         let (steps, every) = match settings.step {
             Step::Fixed(step) => (Steps::Fixed(step), Some(step)),

@@ -79,6 +79,16 @@ impl System {
         Self { coordinates, multipliers, terms, constraints, pattern: Arc::new(pattern), slots }
     }
 
+    /// The same with multipliers that redundant constraints leave undetermined: forces are shared by them in the least
+    /// squares ([`Factor`](super::Factor)). To be told before any matrix is made.
+    #[must_use]
+    pub fn sharing(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
+        let coordinates = self.coordinates;
+        let unknowns = multipliers.into_iter().map(|multiplier| coordinates + multiplier);
+        Arc::make_mut(&mut self.pattern).share(unknowns);
+        self
+    }
+
     /// The terms.
     pub fn terms(&self) -> &[Box<dyn Term>] {
         &self.terms

@@ -23,18 +23,34 @@ use super::{Pattern, SparseMatrix};
 /// ‖D(b − Ax)‖ / (‖D⁻¹x‖ + ‖Db‖) (maximum norms), where D A D has entries of size one and the error no units: it is
 /// refined, and if that does not help, LU with pivoting takes over. Symbolic analysis happens once.
 ///
-/// Source: Rigal & Gaches (1967) for the error; faer for the factorisations.
+/// Where constraints are redundant, K is singular and multipliers are *shared* ([`System::sharing`](super::System::sharing)).
+/// What is factorised then has a compliance −ε/D² in their diagonal, K_ε = K − εE: of all multipliers that satisfy the
+/// equations it picks those of least λᵀEλ, since Φ_q Δq − εE λ = −Φ puts Eλ into the range of Φ_q. What ε changes besides is
+/// taken back by steps K_ε Δx = b − K x, each of which leaves no more than about ε of it.
+///
+/// Source: Rigal & Gaches (1967) for the error; faer for the factorisations; Bertsekas (1982), the method of multipliers.
 pub struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
     memory: MemBuffer,
     pattern: Arc<Pattern>,
     lu: Option<Lu<usize, f64>>,
+    /// If multipliers are shared.
+    shared: Option<Box<Shared>>,
     /// Equilibration D, right-hand side, solution and residual, in positions.
     d: Vec<f64>,
     b: Vec<f64>,
     x: Vec<f64>,
     r: Vec<f64>,
+}
+
+/// What shared multipliers need besides.
+struct Shared {
+    /// K_ε.
+    compliant: SparseMatrix,
+    /// Right-hand side and solution of K, in positions.
+    b: Vec<f64>,
+    x: Vec<f64>,
 }
 
 impl fmt::Debug for Factor {
@@ -51,6 +67,12 @@ pub struct SingularMatrix;
 const REFINE: f64 = 1e-11;
 /// Backward errors above this after refinement are not accepted.
 const ACCEPT: f64 = 1e-9;
+/// ε: well above rounding, and well below what is solved in a few steps.
+const COMPLIANCE: f64 = 1e-6;
+/// Steps from K_ε to K.
+const STEPS: u32 = 3;
+/// Backward errors of K above this tell that redundant constraints contradict each other.
+const CONTRADICT: f64 = 1e-6;
 
 impl Factor {
     /// Analyses a pattern.
@@ -79,6 +101,10 @@ impl Factor {
             pattern: Arc::clone(pattern),
             symbolic,
             lu: None,
+            shared: (!pattern.shared().is_empty()).then(|| {
+                let compliant = SparseMatrix::zero(Arc::clone(pattern));
+                Box::new(Shared { compliant, b: zeros.clone(), x: zeros.clone() })
+            }),
             d: zeros.clone(),
             b: zeros.clone(),
             x: zeros.clone(),
@@ -91,8 +117,20 @@ impl Factor {
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        self.lu = None;
         self.equilibrate(k);
+        let Some(mut shared) = self.shared.take() else { return self.factorise_as_is(k) };
+        let values = shared.compliant.values_mut();
+        values.copy_from_slice(k.values());
+        for &at in self.pattern.shared() {
+            values[self.pattern.columns()[at]] -= COMPLIANCE / self.d[at].powi(2);
+        }
+        let done = self.factorise_as_is(&shared.compliant);
+        self.shared = Some(shared);
+        done
+    }
+
+    fn factorise_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+        self.lu = None;
         let done = self.symbolic.factorize_numeric_ldlt(
             &mut self.values,
             SparseColMatRef::new(k.pattern().symbolic(), k.values()),
@@ -108,11 +146,48 @@ impl Factor {
     /// Solves K x = b in place with the factors of K; `x` holds b on entry, in the order of the unknowns.
     ///
     /// # Errors
-    /// If no factorisation solves the equations to a small backward error.
+    /// If no factorisation solves the equations to a small backward error, or redundant constraints contradict each other.
     pub fn solve(&mut self, k: &SparseMatrix, x: &mut [f64]) -> Result<(), SingularMatrix> {
+        let error = self.solve_from(k, x, &[])?;
+        if error <= CONTRADICT { Ok(()) } else { Err(SingularMatrix) }
+    }
+
+    /// The same for an increment x of a state with multipliers λ, such that those shared are least after it, not in it.
+    ///
+    /// What redundant constraints contradict each other is left as it is, as away from Φ = 0 they may.
+    ///
+    /// # Errors
+    /// If no factorisation solves the equations to a small backward error.
+    pub fn solve_increment(
+        &mut self,
+        k: &SparseMatrix,
+        x: &mut [f64],
+        lambda: &[f64],
+    ) -> Result<(), SingularMatrix> {
+        self.solve_from(k, x, lambda).map(|_| ())
+    }
+
+    /// Returns the backward error if multipliers are shared, else zero for one that is accepted.
+    fn solve_from(&mut self, k: &SparseMatrix, x: &mut [f64], lambda: &[f64]) -> Result<f64, SingularMatrix> {
         for (unknown, &value) in x.iter().enumerate() {
             self.b[self.pattern.position(unknown)] = value;
         }
+        let error = match self.shared.take() {
+            None => self.solve_as_is(k).map(|()| 0.0),
+            Some(mut shared) => {
+                let error = self.solve_shared(k, &mut shared, lambda);
+                self.shared = Some(shared);
+                error
+            }
+        }?;
+        for (unknown, value) in x.iter_mut().enumerate() {
+            *value = self.x[self.pattern.position(unknown)];
+        }
+        Ok(error)
+    }
+
+    /// Solves K x = `b` into `x`, by LU if LDLᵀ does not do.
+    fn solve_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         if self.refined(k).is_err() {
             if self.lu.is_some() {
                 return Err(SingularMatrix);
@@ -120,10 +195,35 @@ impl Factor {
             self.factorise_by_lu(k)?;
             self.refined(k)?;
         }
-        for (unknown, value) in x.iter_mut().enumerate() {
-            *value = self.x[self.pattern.position(unknown)];
-        }
         Ok(())
+    }
+
+    /// Solves K x = `b` into `x` by steps with K_ε; returns the backward error.
+    fn solve_shared(
+        &mut self,
+        k: &SparseMatrix,
+        shared: &mut Shared,
+        lambda: &[f64],
+    ) -> Result<f64, SingularMatrix> {
+        shared.b.copy_from_slice(&self.b);
+        shared.x.fill(0.0);
+        let coordinates = self.b.len() - lambda.len();
+        for &at in self.pattern.shared().iter().filter(|_| !lambda.is_empty()) {
+            self.b[at] += COMPLIANCE / self.d[at].powi(2) * lambda[self.pattern.unknown(at) - coordinates];
+        }
+        let mut steps = 0;
+        loop {
+            self.solve_as_is(&shared.compliant)?;
+            shared.x.iter_mut().zip(&self.x).for_each(|(sum, x)| *sum += x);
+            self.x.copy_from_slice(&shared.x);
+            self.b.copy_from_slice(&shared.b);
+            let error = self.backward_error(k);
+            steps += 1;
+            if error <= REFINE || steps > STEPS {
+                return Ok(error);
+            }
+            self.b.copy_from_slice(&self.r);
+        }
     }
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.

@@ -12,7 +12,7 @@ use faer::sparse::{SymbolicSparseColMat, SymbolicSparseColMatRef};
 /// as those of a node. Each multiplier follows right after the last coordinate that it touches, so that the Schur
 /// complement in its place is negative definite when it is eliminated. Coordinates without mass come after the multipliers
 /// that determine them, and positive there.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Pattern {
     /// Position of each unknown.
     position: Vec<u32>,
@@ -22,6 +22,8 @@ pub struct Pattern {
     lower: SymbolicSparseColMat<usize>,
     /// Entries of multipliers with coordinates.
     border: Vec<Border>,
+    /// Positions of multipliers that the equations leave undetermined, in order.
+    shared: Vec<usize>,
 }
 
 /// An entry of a multiplier with a coordinate.
@@ -70,7 +72,19 @@ impl Pattern {
             lower: SymbolicSparseColMat::new_checked(size, size, columns, None, rows),
             order,
             border,
+            shared: Vec::new(),
         }
+    }
+
+    /// Says which unknowns are multipliers that the equations leave undetermined ([`Factor`](super::Factor)).
+    pub(super) fn share(&mut self, unknowns: impl Iterator<Item = usize>) {
+        self.shared = unknowns.map(|unknown| self.position(unknown)).collect();
+        self.shared.sort_unstable();
+    }
+
+    /// Positions of multipliers that the equations leave undetermined.
+    pub(super) fn shared(&self) -> &[usize] {
+        &self.shared
     }
 
     /// Number of unknowns.
@@ -84,7 +98,7 @@ impl Pattern {
     }
 
     /// Where each column starts among the entries.
-    fn columns(&self) -> &[usize] {
+    pub(super) fn columns(&self) -> &[usize] {
         self.lower.col_ptr()
     }
 
@@ -101,6 +115,11 @@ impl Pattern {
     /// Position of an unknown in the order of elimination.
     pub fn position(&self, unknown: usize) -> usize {
         self.position[unknown] as usize
+    }
+
+    /// The unknown at a position.
+    pub(super) fn unknown(&self, position: usize) -> usize {
+        self.order[position] as usize
     }
 
     /// Index of the entry of two unknowns among the values of a matrix.

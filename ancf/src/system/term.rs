@@ -146,6 +146,11 @@ pub trait Term: Send + Sync {
         }
     }
 
+    /// What its k-th constraint ties, in words: "position along x".
+    fn tie(&self, k: usize) -> String {
+        format!("equation {}", k + 1)
+    }
+
     /// Whether matter can be in this state: not turned inside out.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
         true

@@ -107,7 +107,8 @@ fn column_of_any_element() {
     let beam = rod::beam(&mut line).clone();
     let [name, section, material] = [beam.name, beam.section, beam.material];
     let (from, to, elements, slopes) = (beam.from, beam.to, beam.elements, Slopes::Gradient);
-    line.bodies = vec![Body::Cable(Cable { name, from, to, elements, section, material, slopes })];
+    line.bodies =
+        vec![Body::Cable(Cable { name, from, to, elements, section, material, slopes, motion: beam.motion })];
     assert_near("cable", slender(line), 1.0, 1e-5);
 }
 

@@ -11,6 +11,8 @@ mod beams;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/cables.rs"]
 mod cables;
+#[path = "common/links.rs"]
+mod links;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/rod.rs"]
 mod rod;
@@ -23,7 +25,7 @@ use ancf::mechanics::{
     Perpendicular,
 };
 use ancf::model::{Damping, Material, MaterialLaw, Section};
-use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
+use ancf::system::{Energy, Level, Local, LocalMatrix, Term, Weights};
 use beams::Make;
 use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
 use sample::{
@@ -120,8 +122,8 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
 
 const LENGTH: f64 = 0.7;
 
-/// Constraints and loads on two tilted bodies of two elements each, at nodes and between them.
-fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
+/// Two tilted bodies of two elements each.
+fn bodies() -> [BeamMesh; 2] {
     let mesh = |first, rotation: Rotation3<f64>| {
         let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
         let lame = Material::elastic(2.0, 30.0, 0.3).lame();
@@ -148,7 +150,12 @@ fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
         let nodes = [0.0, 1.0, 2.0].map(|k| Node { position: frame[0] * (k * LENGTH), frame });
         BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
     };
-    let (a, b) = (mesh(0, Rotation3::identity()), mesh(36, Rotation3::from_euler_angles(0.4, -1.1, 2.3)));
+    [mesh(0, Rotation3::identity()), mesh(36, Rotation3::from_euler_angles(0.4, -1.1, 2.3))]
+}
+
+/// Constraints and loads on two bodies, at nodes and between them.
+fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
+    let [a, b] = bodies();
     let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
     let ground = Marker::fixed(across);
     let (point_a, point_b) = (a.point(0.31), b.point(LENGTH));
@@ -203,7 +210,10 @@ fn terms() -> Vec<Case> {
         let case = move |cable: cables::Cable| Case { name: cable.name, term: Box::new(cable.term), kind };
         cables::cables(damping, gravity).into_iter().map(case)
     });
-    beams(gravity).chain(others).chain(cables).collect()
+    let [a, b] = bodies();
+    let links = links::links(&a, &b).into_iter();
+    let links = links.map(|(name, term, kind)| Case { name: name.to_owned(), term, kind });
+    beams(gravity).chain(others).chain(cables).chain(links).collect()
 }
 
 #[test]
@@ -212,6 +222,28 @@ fn every_term_obeys_the_laws() {
     for case in terms() {
         for _ in 0..10 {
             obeys_laws(&case, &mut random);
+        }
+    }
+}
+
+/// Constraints at the levels of velocity and acceleration are derivatives in time along q + v h, t + h.
+#[test]
+fn levels_of_constraints_are_derivatives() {
+    let mut random = Random(1988);
+    for Case { name, term, kind } in terms() {
+        let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
+        let mut s = Sample::random(term, &mut random);
+        s.q *= kind.reach();
+        let along = |level: Level, h: f64| {
+            let q = &s.q + &s.v * h;
+            let at = Local { q: q.as_slice(), t: 0.3 + h, load: 1.0, ..s.local() };
+            let mut phi = DVector::zeros(m);
+            term.constraints(&at, level, phi.as_mut_slice());
+            phi
+        };
+        for (level, next) in [(Level::Position, Level::Velocity), (Level::Velocity, Level::Acceleration)] {
+            let slope = extrapolated_derivative(|h| along(level, h));
+            assert_close(&format!("{name}, {next:?} of {n}"), &along(next, 0.0), &slope, 1e-10);
         }
     }
 }
@@ -236,6 +268,9 @@ fn stress_stiffness_is_a_third_of_the_third_derivative() {
         let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
         if name.contains("NeoHookean") {
             continue; // Its stress is not linear in the strain: tests/hyperelastic.rs has it.
+        }
+        if name.starts_with("preloaded") {
+            continue; // It is stressed in the reference state, and by the load factor.
         }
         for _ in 0..5 {
             let mut s = Sample::rest(term);

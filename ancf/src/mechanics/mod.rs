@@ -1,6 +1,7 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system)
 //! and [`function`](crate::function).
 
+mod angle;
 mod attachment;
 mod axis;
 mod cable;
@@ -13,9 +14,11 @@ mod follower;
 mod force;
 mod formulation;
 mod frame;
+mod friction;
 mod hyperelastic;
 mod line;
 mod marker;
+mod measure;
 mod mesh;
 mod moment;
 mod profile;
@@ -23,8 +26,14 @@ mod quadrature;
 mod resultants;
 mod section;
 mod shape;
+mod slide;
+mod spring;
 mod station;
+mod strut;
+mod target;
+mod tie;
 
+pub use angle::Angle;
 pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
 pub use cable::Cable12;
@@ -36,8 +45,10 @@ pub use element::{Beam24, Beam27, Element, Profile};
 pub use follower::FollowerForce;
 pub use force::Force;
 pub use formulation::{CrossSection, Moments};
+pub use friction::Friction;
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
+pub use measure::{Measure, Part};
 pub use mesh::{BeamMesh, Blueprint, NodalVector};
 pub use moment::Moment;
 pub use profile::{Formulation, Medium};
@@ -45,4 +56,9 @@ pub use quadrature::{gauss, gauss2, gauss3};
 pub use resultants::across;
 pub use section::{Directors, Lame, SectionLaw, Stiffness};
 pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};
+pub use slide::Slide;
+pub use spring::Spring;
 pub use station::{Law, Station, StrainEnergy};
+pub use strut::Strut;
+pub use target::Target;
+pub use tie::Tie;

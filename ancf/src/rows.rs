@@ -11,6 +11,7 @@ use crate::system::{EquationsOfMotion, Power, State};
 /// |---|---|
 /// | `t`, in statics `load` | time, load factor |
 /// | `p.x p.y p.z`, `p.vx ..`, `p.ax ..` | motion of each probe `p`: position, velocity, acceleration |
+/// | `p.e0 p.e1 p.e2 p.e3`, `p.wx p.wy p.wz` | Euler parameters of its rotation since the reference state, angular velocity |
 /// | `p.N p.Qy p.Qz p.T p.My p.Mz` | its section forces, as the part beyond exerts them on the part before |
 /// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | its strain, Green's, in the section's frame |
 /// | `p.sxx ..` | its stress, second Piola-Kirchhoff |
@@ -45,6 +46,10 @@ impl Rows {
             match probe.quantity {
                 Quantity::Motion => {
                     columns.extend(["", "v", "a"].iter().flat_map(|prefix| vectors(name, prefix)));
+                }
+                Quantity::Rotation => {
+                    let names = ["e0", "e1", "e2", "e3", "wx", "wy", "wz"];
+                    columns.extend(names.map(|column| format!("{name}.{column}")));
                 }
                 Quantity::SectionForces => columns.extend(of(["N", "Qy", "Qz", "T", "My", "Mz"])),
                 Quantity::Strain => columns.extend(of(["exx", "eyy", "ezz", "exy", "exz", "eyz"])),
@@ -91,8 +96,8 @@ impl Rows {
             self.extend(reaction.moment, Dimension::ENERGY);
         }
         if self.parts {
-            for (_, mesh) in assembly.bodies() {
-                let StrainEnergy { axial, bending, shear, torsion, section, volume } = mesh.strain_energy(s);
+            for (_, body) in assembly.bodies() {
+                let StrainEnergy { axial, bending, shear, torsion, section, volume } = body.strain_energy(s);
                 for part in [axial, bending, shear, torsion, section, volume] {
                     self.push(part, Dimension::ENERGY);
                 }
@@ -113,19 +118,25 @@ impl Rows {
         for probe in &assembly.measures {
             match probe.quantity {
                 Quantity::Motion => {
-                    self.extend(probe.point.value(s), Dimension::LENGTH);
-                    self.extend(probe.point.sum(&s.v), Dimension::VELOCITY);
-                    self.extend(probe.point.sum(&s.a), Dimension::ACCELERATION);
+                    self.extend(probe.place.point.value(s), Dimension::LENGTH);
+                    self.extend(probe.place.point.sum(&s.v), Dimension::VELOCITY);
+                    self.extend(probe.place.point.sum(&s.a), Dimension::ACCELERATION);
+                }
+                Quantity::Rotation => {
+                    if let Some((parameters, velocity)) = probe.place.rotation(s) {
+                        self.row.extend(parameters);
+                        self.extend(velocity, Dimension::RATE);
+                    }
                 }
                 Quantity::SectionForces => {
-                    let mesh = assembly.mesh_of(probe.body);
+                    let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
                     let (wrench, frame) = (mesh.resultants(s, probe.s), mesh.section_frame(s, probe.s));
                     let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
                     self.extend(seen(wrench.force), Dimension::FORCE);
                     self.extend(seen(wrench.moment), Dimension::ENERGY);
                 }
                 Quantity::Strain | Quantity::Stress => {
-                    let mesh = assembly.mesh_of(probe.body);
+                    let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
                     let [strain, stress] = mesh.strain_and_stress(s, probe.s, probe.offset);
                     if probe.quantity == Quantity::Strain {
                         self.entries(&strain, Dimension::NUMBER);

@@ -42,6 +42,11 @@ impl Dimension {
     /// Mass per volume, F T²/L⁴.
     pub const DENSITY: Self = Self::new(-4, 2, 1);
 
+    /// F T²/L.
+    pub const MASS: Self = Self::new(-1, 2, 1);
+    /// Mass times L², of moments of inertia.
+    pub const INERTIA: Self = Self::new(1, 2, 1);
+
     /// The dimension Lˡ Tᵗ Fᶠ.
     pub const fn new(length: i32, time: i32, force: i32) -> Self {
         Self { length, time, force }

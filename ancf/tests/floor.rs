@@ -17,7 +17,7 @@ fn two() -> Model {
     let mut model = rod::revolute(2);
     let mut second = rod::beam(&mut model).clone();
     (second.name, second.from, second.to) = ("second".into(), [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
-    let a = Place { body: "second".into(), at: At::End(AtEnd::Start) };
+    let a = Place::new("second", At::End(AtEnd::Start));
     model.joints.push(Joint::Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) });
     model.bodies.push(Body::Beam(second));
     model

@@ -178,7 +178,7 @@ proptest! {
         let scales = Scales { length: 3.0, time: 10.0_f64.powf(power), force: 0.1 };
         let time = TimeFunction::Varying(varying);
         let mut model = Model::parse(include_str!("models/good/minimal.toml")).unwrap();
-        let on = Place { body: "rod".into(), at: At::Length(0.5) };
+        let on = Place::new("rod", At::Length(0.5));
         model.loads = vec![Load::Force { on, force: [1.0; 3], follower: false, time: time.clone() }];
         let scaled = model.scaled(&scales).loads[0].time().compile().unwrap().at(t / scales.time);
         let own = time.compile().unwrap().at(t);

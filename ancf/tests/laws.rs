@@ -22,12 +22,12 @@ mod sample;
 use ancf::function::Function;
 use ancf::mechanics::{
     BeamMesh, Blueprint, CableDamping, Coincide, Drive, Force, Formulation, Marker, Medium, Node,
-    Perpendicular,
+    Perpendicular, RigidBody,
 };
 use ancf::model::{Damping, Material, MaterialLaw, Section};
 use ancf::system::{Energy, Level, Local, LocalMatrix, Term, Weights};
 use beams::Make;
-use nalgebra::{DVector, Rotation3, SymmetricEigen, Vector3};
+use nalgebra::{DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
     tangent,
@@ -213,7 +213,15 @@ fn terms() -> Vec<Case> {
     let [a, b] = bodies();
     let links = links::links(&a, &b).into_iter();
     let links = links.map(|(name, term, kind)| Case { name: name.to_owned(), term, kind });
-    beams(gravity).chain(others).chain(cables).chain(links).collect()
+    let inertia = Matrix3::new(2.0, 0.1, 0.2, 0.1, 1.5, -0.3, 0.2, -0.3, 1.8);
+    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, gravity).terms();
+    let point = RigidBody::point(0, Vector3::x(), 3.0, gravity).terms();
+    let rigid = rigid.into_iter().chain(point).enumerate().map(|(k, term)| Case {
+        name: format!("rigid body, term {k}"),
+        term,
+        kind: Kind::Polynomial,
+    });
+    beams(gravity).chain(others).chain(cables).chain(links).chain(rigid).collect()
 }
 
 #[test]

@@ -35,7 +35,7 @@ fn with_second(mut model: Model, [x, y, z]: [f64; 3], joints: Vec<Joint>) -> Mod
 }
 
 fn second(end: AtEnd) -> Place {
-    Place { body: "second".into(), at: At::End(end) }
+    Place::new("second", At::End(end))
 }
 
 fn elbow() -> Joint {
@@ -179,8 +179,8 @@ fn a_long_chain() {
         let name = format!("link {k}");
         let link = Beam { name: name.clone(), from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..first.clone() };
         model.bodies.push(Body::Beam(link));
-        let a = Place { body: name, at: At::End(AtEnd::Start) };
-        let b = End::Place(Place { body: before, at: At::End(AtEnd::End) });
+        let a = Place::new(&name, At::End(AtEnd::Start));
+        let b = End::Place(Place::new(&before, At::End(AtEnd::End)));
         model.joints.push(Joint::Revolute { name: format!("hinge {k}"), a, b, axis: [0.0, 0.0, 1.0] });
     }
     let assembly = model.assemble().unwrap();

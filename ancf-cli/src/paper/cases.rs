@@ -57,7 +57,7 @@ pub fn time_unit(n: u32) -> f64 {
 impl Case {
     /// The model of n elements in a form, with a physical step in seconds.
     pub fn model(self, form: Form, n: u32, step: f64) -> Model {
-        let end = |end| Place { body: "beam".into(), at: At::End(end) };
+        let end = |end| Place::new("beam", At::End(end));
         let (name, a, b) = ("joint".to_owned(), end(AtEnd::Start), End::Ground);
         let joint = match self {
             Self::Cantilever => Joint::Clamp { name, a, b, fix: Some(Clamped::All) },

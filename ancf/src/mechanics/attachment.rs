@@ -1,6 +1,8 @@
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use super::Marker;
+use super::frame::section_frame;
+use crate::system::State;
 
 /// Where a joint, a load or a probe holds on to a body or to the ground: a point, and the directions that the body has there.
 #[derive(Clone, Debug)]
@@ -71,11 +73,35 @@ impl Attachment {
         }
     }
 
+    /// Euler parameters (e₀, e₁, e₂, e₃), e₀ ≥ 0, of the rotation from the reference state, and the angular velocity in the global
+    /// frame, if it has three directions. Of a section, those of the orthonormal frame that shares the skew of r_y and r_z,
+    /// and the mean spin of the two directions about its normal.
+    pub fn rotation(&self, s: &State) -> Option<([f64; 4], Vector3<f64>)> {
+        let [a, d, e] = self.axes()?;
+        let frame = |d: Vector3<f64>, e: Vector3<f64>| Matrix3::from_columns(&section_frame(d, e));
+        let reference = frame(d.reference(), e.reference());
+        let turned = frame(d.value(s), e.value(s)) * reference.transpose();
+        let quaternion = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turned));
+        let [i, j, k, w]: [f64; 4] = quaternion.coords.into();
+        let sign = if w < 0.0 { -1.0 } else { 1.0 };
+        Some(([w, i, j, k].map(|x| sign * x), spin([a, d, e].map(|axis| (axis.value(s), axis.sum(&s.v))))))
+    }
+
     /// The same, held at an arm from the point, given in the reference state.
     pub fn offset(self, arm: Vector3<f64>) -> Self {
         let point = Marker::combined([(1.0, &self.point), (1.0, &self.direction(arm))]);
         Self { point, ..self }
     }
+}
+
+/// The angular velocity of a frame by its directions and their rates. The normal n = d × e and its rate give the part across,
+/// the mean of d and e the part along n.
+fn spin([_, (d, d_rate), (e, e_rate)]: [(Vector3<f64>, Vector3<f64>); 3]) -> Vector3<f64> {
+    let area = d.cross(&e);
+    let normal = area.normalize();
+    let rate = (d_rate.cross(&e) + d.cross(&e_rate)) / area.norm();
+    let along = |x: Vector3<f64>, rate: Vector3<f64>| x.cross(&rate).dot(&normal) / x.norm_squared();
+    normal.cross(&rate) + normal * (0.5 * (along(d, d_rate) + along(e, e_rate)))
 }
 
 /// Numbers that are zero but for rounding, such as components along a frame's own directions, are zero.

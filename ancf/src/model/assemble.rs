@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
 use super::function::Clock;
-use super::ties::{JointEquations, On};
-use super::{Beam, Body, Formulation, Joint, Load, MaterialLaw, Model, ModelErrors, Place, Probe, Quantity};
-use crate::mechanics::{self, BeamMesh, Blueprint, CrossSection, Kind, Marker, Medium, Wrench};
+use super::ties::JointEquations;
+use super::{Beam, Body, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity};
+use crate::mechanics::{self, Attachment, BeamMesh, Kind, Marker, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -17,7 +17,7 @@ pub struct Assembly {
     pub measures: Vec<Measure>,
     /// Whether strain energies of bodies are recorded by part.
     pub energy_parts: bool,
-    bodies: Vec<(String, BeamMesh)>,
+    bodies: Vec<(String, mechanics::Body)>,
     joints: Vec<JointEquations>,
     breaks: Vec<f64>,
 }
@@ -29,8 +29,8 @@ pub struct Measure {
     pub name: String,
     /// What it records.
     pub quantity: Quantity,
-    /// The point.
-    pub point: Marker,
+    /// The point, and the directions there.
+    pub place: Attachment,
     /// Number of the body.
     pub body: usize,
     /// Arc length.
@@ -55,14 +55,14 @@ impl Assembly {
         self.joints.iter().map(|joint| joint.reaction(s))
     }
 
-    /// Names and meshes of the bodies.
-    pub fn bodies(&self) -> impl Iterator<Item = (&str, &BeamMesh)> {
-        self.bodies.iter().map(|(name, mesh)| (name.as_str(), mesh))
+    /// The bodies and their names.
+    pub fn bodies(&self) -> impl Iterator<Item = (&str, &mechanics::Body)> {
+        self.bodies.iter().map(|(name, body)| (name.as_str(), body))
     }
 
-    /// The mesh of a body by its number, as [`Measure`] has it.
-    pub fn mesh_of(&self, body: usize) -> &BeamMesh {
-        &self.bodies[body].1
+    /// The body of a number, as [`Measure`] has it.
+    pub fn body_of(&self, number: usize) -> &mechanics::Body {
+        &self.bodies[number].1
     }
 
     /// Times at which loads and drives or their rates jump, in order: steps are best ended there.
@@ -70,26 +70,29 @@ impl Assembly {
         &self.breaks
     }
 
-    /// The mesh of a body.
+    /// The mesh of a flexible body.
     pub fn mesh(&self, body: &str) -> Option<&BeamMesh> {
-        self.bodies.iter().find(|(name, _)| name == body).map(|(_, mesh)| mesh)
+        self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.mesh())
     }
 
     /// What an equation belongs to, in words: a node of a body, or a joint.
     pub fn name_of(&self, equation: usize) -> String {
         let mut first = 0;
-        for (name, mesh) in &self.bodies {
-            if let Some((node, vector)) = mesh.place_of(equation) {
-                let vector = match vector {
-                    Kind::Position => "r",
-                    Kind::Slope => "r_x",
-                    Kind::Y => "r_y",
-                    Kind::Z => "r_z",
-                };
+        for (name, body) in &self.bodies {
+            if let Some((node, kind)) = body.place_of(equation) {
                 let axis = ["x", "y", "z"][(equation - first) % 3];
-                return format!("body `{name}`, node {node}, {vector} along {axis}");
+                return match node {
+                    Some(node) => format!("body `{name}`, node {node}, {} along {axis}", word(kind)),
+                    None => format!("body `{name}`, {} along {axis}", director(kind)),
+                };
             }
-            first += mesh.coordinates();
+            first += body.coordinates();
+        }
+        for (name, body) in &self.bodies {
+            if equation < first + body.multipliers() {
+                return format!("body `{name}`, what keeps it rigid");
+            }
+            first += body.multipliers();
         }
         for joint in &self.joints {
             if equation < first + joint.multipliers() {
@@ -98,6 +101,26 @@ impl Assembly {
             first += joint.multipliers();
         }
         format!("equation {equation}")
+    }
+}
+
+/// A vector of a node.
+const fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Position => "r",
+        Kind::Slope => "r_x",
+        Kind::Y => "r_y",
+        Kind::Z => "r_z",
+    }
+}
+
+/// A vector of a rigid body.
+const fn director(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Position => "its centre",
+        Kind::Slope => "its first director",
+        Kind::Y => "its second director",
+        Kind::Z => "its third director",
     }
 }
 
@@ -124,35 +147,43 @@ impl Model {
         let bodies = self.meshes();
         let joints = self.joint_equations(&bodies, clock);
         let mut terms: Vec<Box<dyn Term>> = Vec::new();
-        for (_, mesh) in &bodies {
-            terms.extend(mesh.terms());
-        }
+        terms.extend(bodies.iter().flat_map(|(_, body)| body.terms()));
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         for load in &self.loads {
-            let (mesh, s) = self.locate(&bodies, load.on());
-            terms.push(load.term(mesh, s, clock));
+            terms.push(load.term(&self.attachment(&bodies, load.on()), clock));
         }
-        let probes =
-            self.probes.iter().map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2)).collect();
+        let probes = self
+            .probes
+            .iter()
+            .map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2.point))
+            .collect();
         let measures = self.probes.iter().flat_map(|probe| {
-            let (body, s, point) = self.probed(&bodies, probe);
+            let (body, s, place) = self.probed(&bodies, probe);
             probe.record.iter().map(move |&quantity| {
-                let (name, point, offset) = (probe.name.clone(), point.clone(), probe.offset);
-                Measure { name, quantity, point, body, s, offset }
+                let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
+                Measure { name, quantity, place, body, s, offset }
             })
         });
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
-        let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
-        let multipliers = joints.iter().map(JointEquations::multipliers).sum();
+        let coordinates = bodies.iter().map(|(_, body)| body.coordinates()).sum();
+        let of_joints: usize = joints.iter().map(JointEquations::multipliers).sum();
+        let multipliers = of_joints + bodies.iter().map(|(_, body)| body.multipliers()).sum::<usize>();
         let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
         Ok(Assembly { system, probes, measures, energy_parts, bodies, joints, breaks })
     }
 
-    /// Number of the body, arc length and point of a probe.
-    fn probed(&self, meshes: &[(String, BeamMesh)], probe: &Probe) -> (usize, f64, Marker) {
+    /// Number of the body, arc length and place of a probe.
+    fn probed(&self, bodies: &[(String, mechanics::Body)], probe: &Probe) -> (usize, f64, Attachment) {
         let index = self.body_of(&probe.on);
         let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
-        (index, s, meshes[index].1.material_point(s, y, z))
+        let place = self.attachment(bodies, &probe.on);
+        let point = match (place.axes(), &bodies[index].1) {
+            (Some([_, d, e]), mechanics::Body::Flexible(_)) => {
+                Marker::combined([(1.0, &place.point), (y, d), (z, e)])
+            }
+            _ => place.point.clone(),
+        };
+        (index, s, Attachment { point, ..place })
     }
 
     /// Breaks of all functions of time, in order.
@@ -171,20 +202,24 @@ impl Model {
         index.expect("a checked model names bodies that are there")
     }
 
-    /// The mesh and the arc length of a place.
-    fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
+    /// What a place holds on to.
+    fn attachment(&self, bodies: &[(String, mechanics::Body)], place: &Place) -> Attachment {
         let index = self.body_of(place);
-        (&meshes[index].1, self.bodies[index].arc_length(place.at))
+        let body = &self.bodies[index];
+        let point = body.point(place.at).expect("a checked place is on its body");
+        let attachment = bodies[index].1.attachment(body.arc_length(place.at), point);
+        if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
     }
 
-    /// The equations of the joints, multipliers counted on from joint to joint.
-    pub(super) fn joint_equations(&self, meshes: &[(String, BeamMesh)], clock: Clock) -> Vec<JointEquations> {
-        let mut first = 0;
+    /// The equations of the joints, multipliers counted on from the bodies' and from joint to joint.
+    pub(super) fn joint_equations(
+        &self,
+        bodies: &[(String, mechanics::Body)],
+        clock: Clock,
+    ) -> Vec<JointEquations> {
+        let mut first = bodies.iter().map(|(_, body)| body.multipliers()).sum();
         let equations = self.joints.iter().map(|joint| {
-            let find = |place: &Place| {
-                let (mesh, s) = self.locate(meshes, place);
-                On { mesh, s }
-            };
+            let find = |place: &Place| self.attachment(bodies, place);
             let equations = JointEquations::new(joint, self.is_locking(joint), first, clock, &find);
             first += equations.multipliers();
             equations
@@ -196,72 +231,5 @@ impl Model {
     fn is_locking(&self, joint: &Joint) -> bool {
         let body = &self.bodies[self.body_of(joint.ends().0)];
         matches!(body, Body::Beam(Beam { formulation: Formulation::Continuum, .. }))
-    }
-
-    /// The meshes of the bodies, coordinates counted on from body to body.
-    pub(super) fn meshes(&self) -> Vec<(String, BeamMesh)> {
-        let mut first = 0;
-        let meshes = self.bodies.iter().map(|body| {
-            let mesh = self.mesh(body, first);
-            first += mesh.coordinates();
-            (body.name().to_owned(), mesh)
-        });
-        meshes.collect()
-    }
-
-    fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
-        let material = &self.materials[body.material()];
-        let medium = Medium {
-            lame: material.lame(),
-            neo_hookean: material.law == MaterialLaw::NeoHookean,
-            density: material.density,
-            retardation: material.damping.strain,
-            drag: material.damping.mass,
-            gravity: Vector3::from(self.gravity),
-        };
-        let elements = body.elements() as usize;
-        let curve = body.curve().expect("a checked body has an axis");
-        let (total, up) = (curve.length(), body.up().expect("a checked body has a direction `up`"));
-        let nodes = |parts: usize, twist: f64| {
-            let at: Vec<f64> = (0..=parts).map(|k| total * k as f64 / parts as f64).collect();
-            curve.nodes(up, twist, &at)
-        };
-        let (length, slope) = (total / elements as f64, body.slope_length());
-        let section = |s: f64| self.cross_section(body, s / total);
-        let prismatic = !matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
-        let origin = Vector3::from(body.span()[0]);
-        let blueprint =
-            Blueprint { first, origin, length, slope, medium: &medium, section: &section, prismatic };
-        match body {
-            Body::Beam(beam) => match beam.formulation.two_node() {
-                Some(formulation) => {
-                    BeamMesh::two_node(&blueprint, &nodes(elements, beam.twist), formulation)
-                }
-                None => BeamMesh::three_node(&blueprint, &nodes(2 * elements, beam.twist)),
-            },
-            Body::Cable(_) => BeamMesh::cable(&blueprint, &nodes(elements, 0.0)),
-        }
-    }
-
-    /// The section of a body at a part of its length.
-    fn cross_section(&self, body: &Body, part: f64) -> CrossSection {
-        let start = &self.sections[body.section()];
-        let section = match body {
-            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
-            _ => *start,
-        };
-        section.cross_section(self.materials[body.material()].poisson)
-    }
-}
-
-impl Formulation {
-    /// The formulation of the two-node element, if it is one.
-    const fn two_node(self) -> Option<mechanics::Formulation> {
-        match self {
-            Self::Continuum => Some(mechanics::Formulation::Continuum),
-            Self::Enhanced => Some(mechanics::Formulation::Enhanced),
-            Self::Linked => Some(mechanics::Formulation::Linked),
-            Self::Quadratic => None,
-        }
     }
 }

@@ -2,7 +2,8 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Shape;
+use super::check::ON_AXIS;
+use super::{PointMass, Rigid, Shape};
 use crate::mechanics::Curve;
 
 /// A body of the model.
@@ -13,6 +14,10 @@ pub enum Body {
     Beam(Beam),
     /// A cable: a line that stretches and bends, equally about every axis across, and has no torsion.
     Cable(Cable),
+    /// A body that does not deform.
+    Rigid(Rigid),
+    /// A point mass.
+    Mass(PointMass),
 }
 
 impl Body {
@@ -21,38 +26,40 @@ impl Body {
         match self {
             Self::Beam(beam) => &beam.name,
             Self::Cable(cable) => &cable.name,
+            Self::Rigid(rigid) => &rigid.name,
+            Self::Mass(mass) => &mass.name,
         }
     }
 
-    /// Name of the section, at the start.
-    pub fn section(&self) -> &str {
+    /// Names of section, at the start, and material of a flexible body.
+    pub fn stuff(&self) -> Option<(&str, &str)> {
         match self {
-            Self::Beam(beam) => &beam.section,
-            Self::Cable(cable) => &cable.section,
+            Self::Beam(beam) => Some((&beam.section, &beam.material)),
+            Self::Cable(cable) => Some((&cable.section, &cable.material)),
+            Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
-    /// Name of the material.
-    pub fn material(&self) -> &str {
-        match self {
-            Self::Beam(beam) => &beam.material,
-            Self::Cable(cable) => &cable.material,
-        }
+    /// Whether it is a beam or a cable.
+    pub const fn is_flexible(&self) -> bool {
+        matches!(self, Self::Beam(_) | Self::Cable(_))
     }
 
-    /// Number of elements.
+    /// Number of elements; none of a rigid body.
     pub const fn elements(&self) -> u32 {
         match self {
             Self::Beam(beam) => beam.elements,
             Self::Cable(cable) => cable.elements,
+            Self::Rigid(_) | Self::Mass(_) => 0,
         }
     }
 
-    /// Start and end of the axis.
+    /// Start and end of the axis; of a rigid body, its centre.
     pub const fn span(&self) -> [[f64; 3]; 2] {
         match self {
             Self::Beam(beam) => [beam.from, beam.to],
             Self::Cable(cable) => [cable.from, cable.to],
+            Self::Rigid(Rigid { center, .. }) | Self::Mass(PointMass { center, .. }) => [*center; 2],
         }
     }
 
@@ -64,6 +71,7 @@ impl Body {
         match self {
             Self::Beam(beam) => beam.shape.curve(from, to),
             Self::Cable(_) => Shape::Straight.curve(from, to),
+            Self::Rigid(_) | Self::Mass(_) => None,
         }
     }
 
@@ -75,9 +83,23 @@ impl Body {
     /// Arc length of a position on the axis.
     pub fn arc_length(&self, at: At) -> f64 {
         match at {
-            At::End(AtEnd::Start) => 0.0,
+            At::End(AtEnd::Start) | At::Point(_) => 0.0,
+            At::End(AtEnd::Center) => 0.5 * self.length(),
             At::End(AtEnd::End) => self.length(),
             At::Length(s) => s,
+        }
+    }
+
+    /// The point of a position in the reference state: of the axis, as far as it is one of it, or of a rigid body.
+    pub fn point(&self, at: At) -> Option<Vector3<f64>> {
+        let from = Vector3::from(self.span()[0]);
+        match (self.is_flexible(), at) {
+            (true, _) => {
+                let (curve, s) = (self.curve()?, self.arc_length(at));
+                (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
+            }
+            (false, At::Point(point)) => Some(Vector3::from(point)),
+            (false, _) => Some(from),
         }
     }
 
@@ -86,6 +108,7 @@ impl Body {
         let slopes = match self {
             Self::Beam(beam) => beam.slopes,
             Self::Cable(cable) => cable.slopes,
+            Self::Rigid(_) | Self::Mass(_) => Slopes::Gradient,
         };
         match slopes {
             Slopes::Gradient => 1.0,
@@ -224,32 +247,51 @@ pub enum Slopes {
     Length,
 }
 
-/// A point on the axis of a body.
+/// A point of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
     /// Name of the body.
     pub body: String,
-    /// Where on its axis.
+    /// Where on its axis, or where on a rigid body.
     pub at: At,
+    /// A rigid arm from there, fixed to the section, in the global frame at the start, length; none by default.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub offset: [f64; 3],
 }
 
-/// A position along the axis of a body: `"start"`, `"end"` or the arc length from the start.
+fn is_zero(offset: &[f64; 3]) -> bool {
+    *offset == [0.0; 3]
+}
+
+impl Place {
+    /// A place without an arm.
+    pub fn new(body: &str, at: At) -> Self {
+        Self { body: body.into(), at, offset: [0.0; 3] }
+    }
+}
+
+/// A position on a body: of a beam or a cable `"start"`, `"center"`, `"end"` or the arc length from the start; of a rigid
+/// body `"center"` or a point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum At {
-    /// One of the two ends.
+    /// One that has a name.
     End(AtEnd),
     /// Arc length from the start in the undeformed state, length.
     Length(#[schemars(extend("minimum" = 0))] f64),
+    /// A point of a rigid body, where it is at the start, length.
+    Point([f64; 3]),
 }
 
-/// The two ends of an axis.
+/// Positions that have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AtEnd {
     /// Where the axis starts.
     Start,
+    /// The middle of the axis, or the centre of mass of a rigid body.
+    Center,
     /// Where the axis ends.
     End,
 }

@@ -2,19 +2,20 @@
 
 use nalgebra::Vector3;
 
+use super::check_abilities::abilities;
 use super::check_bodies::{bodies, cables, formulations};
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
 use super::times;
-use super::{Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
+use super::{At, AtEnd, Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory that a run needs for an element.
 const BYTES_PER_ELEMENT: f64 = 12e3;
 /// Rounding of a position along an axis, relative to its length.
-const ON_AXIS: f64 = 1e-9;
+pub(super) const ON_AXIS: f64 = 1e-9;
 /// How far apart, relative to the longer body, two places may be that a joint connects.
 pub(super) const COINCIDENT: f64 = 1e-6;
 
@@ -22,7 +23,7 @@ pub(super) const COINCIDENT: f64 = 1e-6;
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
-    let of_times = [times::functions, times::drives, times::ground_points, times::lines];
+    let of_times = [times::functions, times::drives, times::ground_points, abilities];
     rules.iter().chain(&of_times).flat_map(|rule| rule(model)).collect()
 }
 
@@ -150,14 +151,40 @@ fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> 
         let error = unknown(format!("{path}.body"), "body", &place.body, names);
         return Some(error.rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name"))));
     };
-    let (s, length) = (body.arc_length(place.at), body.length());
-    let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
-    beyond.then(|| {
-        let wanted = format!("at most {}, the length of {}", number(length), quoted(body.name()));
-        let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
-        let rests_on = rests_on.into_iter().chain([format!("{path}.body")]);
-        finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on)
-    })
+    let rests_on = |keys: [&str; 3]| {
+        let keys = keys.map(|key| format!("{owner}.{key}"));
+        keys.into_iter().chain([format!("{path}.body")]).collect::<Vec<_>>()
+    };
+    let name = quoted(body.name());
+    match (body, place.at) {
+        (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
+            let wanted =
+                format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
+            Some(finding(format!("{path}.at"), "a point", wanted).rests_on(rests_on(["kind"; 3])))
+        }
+        (Body::Beam(_) | Body::Cable(_), at) => {
+            let (s, length) = (body.arc_length(at), body.length());
+            let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
+            beyond.then(|| {
+                let wanted = format!("at most {}, the length of {name}", number(length));
+                finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
+            })
+        }
+        (Body::Rigid(_), At::Point(_)) | (_, At::End(AtEnd::Center)) => None,
+        (_, at) => {
+            let found = match at {
+                At::End(AtEnd::Start) => "\"start\"".into(),
+                At::End(_) => "\"end\"".into(),
+                At::Length(s) => number(s),
+                At::Point(_) => "a point".into(),
+            };
+            let wanted = match body {
+                Body::Mass(_) => format!("\"center\": {name} is a point mass"),
+                _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
+            };
+            Some(finding(format!("{path}.at"), found, wanted).rests_on(rests_on(["kind"; 3])))
+        }
+    }
 }
 
 /// The first body of a name; that there is only one is another rule.
@@ -183,16 +210,17 @@ fn joints(model: &Model) -> Vec<Finding> {
 
 fn rule_of_joint(model: &Model, path: &str, a: &Place, b: &Place) -> Option<Finding> {
     let ((path_a, body_a), (path_b, body_b)) = (body(model, a)?, body(model, b)?);
-    let (s_a, s_b) = (body_a.arc_length(a.at), body_b.arc_length(b.at));
+    let (r_a, r_b) = (model.point(a)?, model.point(b)?);
     let length = body_a.length().max(body_b.length());
-    if path_a == path_b && (s_a - s_b).abs() <= ON_AXIS * length {
+    let length = if length > 0.0 { length } else { model.length() };
+    let near = (body_a.arc_length(a.at) - body_b.arc_length(b.at)).abs() <= ON_AXIS * length;
+    if path_a == path_b && near && (r_a - r_b).norm() <= ON_AXIS * length {
         let wanted = "a place on another body, or \"ground\"";
         return Some(
             finding(format!("{path}.b"), "the same place as `a`", wanted)
                 .rests_on(ends(path, &path_a, &path_b)),
         );
     }
-    let (r_a, r_b) = (point(body_a, s_a)?, point(body_b, s_b)?);
     let apart = (r_a - r_b).norm();
     (apart > COINCIDENT * length).then(|| {
         let found = format!("a place that is {} away from `a`", number(apart));
@@ -211,12 +239,6 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     places.into_iter().chain(axes).collect()
 }
 
-/// The point of an undeformed axis at arc length s, if the axis reaches that far.
-pub(super) fn point(body: &Body, s: f64) -> Option<Vector3<f64>> {
-    let curve = body.curve()?;
-    (s <= curve.length() * (1.0 + ON_AXIS)).then(|| Vector3::from(body.span()[0]) + curve.at(s).0)
-}
-
 /// The scales of the paper are for its model.
 fn scales(model: &Model) -> Vec<Finding> {
     let path = || "scales.kind".to_owned();
@@ -225,6 +247,10 @@ fn scales(model: &Model) -> Vec<Finding> {
     if model.scales == ScaleChoice::Paper && model.bodies.len() != 1 {
         let found = format!("\"paper\" in a model of {} bodies", model.bodies.len());
         findings.push(finding(path(), found, "a model of one body").hint(hint).rests_on(["bodies".into()]));
+    }
+    if model.scales == ScaleChoice::Paper && model.bodies.iter().any(|body| !body.is_flexible()) {
+        let found = "\"paper\" in a model with a rigid body";
+        findings.push(finding(path(), found, "a model of one beam").hint(hint).rests_on(["bodies".into()]));
     }
     if model.scales == ScaleChoice::Paper && model.gravity == [0.0; 3] {
         let error = finding(

@@ -2,12 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::check::{
-    COINCIDENT, beams_of, bodies_of, body, finding, is_direction, joints_of, no_direction, unknown,
-};
+use super::check::{COINCIDENT, beams_of, bodies_of, finding, is_direction, no_direction, unknown};
 use super::schema::number;
 use super::survey::Finding;
-use super::{Beam, Body, End, Formulation, Joint, MaterialLaw, Model, Shape};
+use super::{Beam, Body, Formulation, MaterialLaw, Model, Shape};
+use crate::mechanics::is_inertia;
 
 /// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
 pub(super) fn bodies(model: &Model) -> Vec<Finding> {
@@ -15,8 +14,12 @@ pub(super) fn bodies(model: &Model) -> Vec<Finding> {
     for (path, body) in bodies_of(model) {
         let sections = || model.sections.keys().map(String::as_str).collect();
         let materials = || model.materials.keys().map(String::as_str).collect();
-        if !model.sections.contains_key(body.section()) {
-            let error = unknown(format!("{path}.section"), "section", body.section(), sections());
+        let Some((section, material)) = body.stuff() else {
+            findings.extend(rule_of_inertia(&path, body));
+            continue;
+        };
+        if !model.sections.contains_key(section) {
+            let error = unknown(format!("{path}.section"), "section", section, sections());
             findings.push(error.rests_on(["sections".into()]));
         }
         if let Body::Beam(Beam { section_end: Some(end), .. }) = body
@@ -25,8 +28,8 @@ pub(super) fn bodies(model: &Model) -> Vec<Finding> {
             let error = unknown(format!("{path}.section_end"), "section", end, sections());
             findings.push(error.rests_on(["sections".into()]));
         }
-        if !model.materials.contains_key(body.material()) {
-            let error = unknown(format!("{path}.material"), "material", body.material(), materials());
+        if !model.materials.contains_key(material) {
+            let error = unknown(format!("{path}.material"), "material", material, materials());
             findings.push(error.rests_on(["materials".into()]));
         }
         findings.extend(rule_of_axis(&path, body));
@@ -34,12 +37,23 @@ pub(super) fn bodies(model: &Model) -> Vec<Finding> {
     findings
 }
 
+/// Moments of inertia are those of matter: none exceeds the sum of the others.
+fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
+    let Body::Rigid(rigid) = body else { return None };
+    (!is_inertia(&rigid.tensor())).then(|| {
+        let wanted = "principal moments above 0, none larger than the sum of the other two";
+        let listed = rigid.inertia.map(number).join(", ");
+        finding(format!("{path}.inertia"), format!("[{listed}]"), wanted)
+            .rests_on([format!("{path}.products")])
+    })
+}
+
 fn rule_of_axis(path: &str, body: &Body) -> Option<Finding> {
     let axis = [format!("{path}.from"), format!("{path}.to"), format!("{path}.shape")];
     let [from, to] = body.span().map(Vector3::from);
     let (straight, shape) = match body {
         Body::Beam(beam) => (beam.shape.is_straight(), Some(&beam.shape)),
-        Body::Cable(_) => (true, None),
+        Body::Cable(_) | Body::Rigid(_) | Body::Mass(_) => (true, None),
     };
     let up = if let Body::Beam(beam) = body { beam.up } else { None };
     match (body.curve(), up) {
@@ -96,13 +110,12 @@ fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -
     })
 }
 
-/// A cable bends equally about every axis across, and has no section to hold.
+/// A cable bends equally about every axis across.
 pub(super) fn cables(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, body) in bodies_of(model) {
-        let (Body::Cable(cable), Some(section)) = (body, model.sections.get(body.section())) else {
-            continue;
-        };
+        let Body::Cable(cable) = body else { continue };
+        let Some(section) = model.sections.get(&cable.section) else { continue };
         let m = section.moments();
         if (m.yy - m.zz).abs() > 1e-9 * m.yy.max(m.zz) {
             let error = finding(
@@ -123,23 +136,6 @@ pub(super) fn cables(model: &Model) -> Vec<Finding> {
                 "one whose law is \"st_venant_kirchhoff\"",
             );
             findings.push(error.rests_on(["materials".into()]));
-        }
-    }
-    for (path, joint) in joints_of(model) {
-        let (a, b) = joint.ends();
-        let places = [("a", Some(a)), ("b", if let End::Place(b) = b { Some(b) } else { None })];
-        for (key, place) in places {
-            let on_cable = place
-                .and_then(|place| body(model, place))
-                .is_some_and(|(_, body)| matches!(body, Body::Cable(_)));
-            if on_cable && matches!(joint, Joint::Revolute { .. }) {
-                let error = finding(
-                    format!("{path}.{key}"),
-                    "a hinge on a cable, which has no section to turn",
-                    "a \"spherical\" joint, or a beam",
-                );
-                findings.push(error.rests_on(["bodies".into()]));
-            }
         }
     }
     findings

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::function::Clock;
 use super::{Place, TimeFunction};
-use crate::mechanics::{BeamMesh, FollowerForce, Force, Moment};
+use crate::mechanics::{Attachment, FollowerForce, Force, Moment};
 use crate::system::Term;
 
 /// A load on a body. Gravity is a property of the model.
@@ -71,23 +71,23 @@ impl Load {
         }
     }
 
-    /// The load on a mesh at an arc length.
-    pub(super) fn term(&self, mesh: &BeamMesh, s: f64, clock: Clock) -> Box<dyn Term> {
-        let function = clock.function(self.time());
-        let [_, d, e] = mesh.axes(s);
-        match self {
-            Self::Force { force, follower: false, .. } => {
-                Box::new(Force::varying(&mesh.point(s), Vector3::from(*force), function))
+    /// The load on a place.
+    pub(super) fn term(&self, on: &Attachment, clock: Clock) -> Box<dyn Term> {
+        let (point, function) = (&on.point, clock.function(self.time()));
+        // Moments and followers are refused where there are no directions.
+        let directors = on.axes().map(|[_, d, e]| [d, e]);
+        match (self, directors) {
+            (Self::Force { force, follower: true, .. }, Some(directors)) => {
+                Box::new(FollowerForce::new(point, directors, Vector3::from(*force), function))
             }
-            Self::Force { force, follower: true, .. } => {
-                let point = mesh.point(s);
-                Box::new(FollowerForce::new(&point, [&d, &e], Vector3::from(*force), function))
+            (Self::Moment { moment, follower: true, .. }, Some(directors)) => {
+                Box::new(Moment::follower(directors, Vector3::from(*moment), function))
             }
-            Self::Moment { moment, follower: false, .. } => {
-                Box::new(Moment::new([&d, &e], Vector3::from(*moment), function))
+            (Self::Moment { moment, .. }, Some(directors)) => {
+                Box::new(Moment::new(directors, Vector3::from(*moment), function))
             }
-            Self::Moment { moment, follower: true, .. } => {
-                Box::new(Moment::follower([&d, &e], Vector3::from(*moment), function))
+            (Self::Force { force: load, .. } | Self::Moment { moment: load, .. }, _) => {
+                Box::new(Force::varying(point, Vector3::from(*load), function))
             }
         }
     }

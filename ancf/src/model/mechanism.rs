@@ -129,8 +129,8 @@ impl Rigid {
     fn new(assembly: &Assembly, s: &State) -> Self {
         let mut owner = vec![None; s.q.len()];
         let mut bodies = Vec::new();
-        for (b, (_, mesh)) in assembly.bodies().enumerate() {
-            let vectors: Vec<NodalVector> = mesh.vectors(s).collect();
+        for (b, (_, body)) in assembly.bodies().enumerate() {
+            let vectors = body.vectors(s);
             for (k, vector) in vectors.iter().enumerate() {
                 owner[vector.first..vector.first + 3].fill(Some((b, k)));
             }

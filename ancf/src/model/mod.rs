@@ -4,6 +4,7 @@ mod analysis;
 mod assemble;
 mod body;
 mod check;
+mod check_abilities;
 mod check_bodies;
 mod cubature;
 mod equilibrium;
@@ -13,9 +14,11 @@ mod joint;
 mod load;
 mod material;
 mod mechanism;
+mod meshes;
 mod output;
 mod read;
 mod redundant;
+mod rigid;
 mod rigidity;
 mod scale;
 mod schema;
@@ -43,6 +46,7 @@ pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
 pub use output::{Output, Probe, Quantity};
+pub use rigid::{PointMass, Rigid};
 pub use scale::{Chosen, ScaleChoice};
 pub use schema::{schema, schema_text};
 pub use section::Section;
@@ -63,10 +67,12 @@ pub struct Model {
     #[serde(default)]
     pub gravity: [f64; 3],
     /// Materials by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub materials: BTreeMap<String, Material>,
     /// Cross-sections by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sections: BTreeMap<String, Section>,
-    /// The flexible bodies.
+    /// The bodies, flexible and rigid.
     #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
     /// Joints that tie bodies to the ground or to each other.

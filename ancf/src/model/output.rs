@@ -38,6 +38,9 @@ impl Probe {
 pub enum Quantity {
     /// Position, velocity and acceleration of the point.
     Motion,
+    /// Euler parameters of the rotation of the section or the rigid body since the undeformed state, and its angular velocity
+    /// in the global frame: `e0`, `e1`, `e2`, `e3`, `wx`, `wy`, `wz`.
+    Rotation,
     /// Axial force, shear forces, torque and bending moments of the section, as the part beyond exerts them on the part before,
     /// in the frame of the section: `N`, `Qy`, `Qz`, `T`, `My`, `Mz`.
     SectionForces,

@@ -15,7 +15,14 @@ const INDEPENDENT: f64 = 1e-8;
 pub(super) fn repeated_joints(model: &Model) -> Vec<Finding> {
     let mut independent: Vec<BTreeMap<usize, f64>> = Vec::new();
     let mut findings = Vec::new();
-    for (k, joint) in model.joint_equations(&model.meshes(), Clock::Runs).iter().enumerate() {
+    let bodies = model.meshes();
+    for term in bodies.iter().flat_map(|(_, body)| body.terms()).filter(|term| !term.multipliers().is_empty())
+    {
+        for row in rows(term.as_ref()) {
+            independent.extend(orthogonal(row, &independent));
+        }
+    }
+    for (k, joint) in model.joint_equations(&bodies, Clock::Runs).iter().enumerate() {
         let rows: Vec<_> = joint.terms().flat_map(|term| rows(term.as_ref())).collect();
         let (count, before) = (rows.len(), independent.len());
         for row in rows {

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::function::Clock;
 use super::{Clamped, End, Ground, Joint, Place};
-use crate::mechanics::{BeamMesh, Coincide, Drive, Marker, Perpendicular, Wrench, across};
+use crate::mechanics::{Attachment, Coincide, Directions, Drive, Marker, Perpendicular, Wrench, across};
 use crate::system::{State, Term};
 
 /// The equations of one joint.
@@ -19,42 +19,25 @@ pub(super) struct JointEquations {
     drives: Vec<Drive>,
 }
 
-/// A place on a mesh.
-#[derive(Clone, Copy)]
-pub(super) struct On<'a> {
-    pub(super) mesh: &'a BeamMesh,
-    pub(super) s: f64,
-}
-
-impl On<'_> {
-    fn direction(&self, x: Vector3<f64>) -> Marker {
-        self.mesh.direction(self.s, x)
-    }
-
-    fn axes(&self) -> [Marker; 3] {
-        self.mesh.axes(self.s)
-    }
-
-    fn reference_axes(&self) -> [Vector3<f64>; 3] {
-        self.mesh.reference_axes(self.s)
-    }
-}
-
 /// Cosine of the angle beyond which sections or lines that meet are at a corner: 5°.
 const CORNER: f64 = 0.996;
 
 impl JointEquations {
     /// The equations of a joint, by multipliers from `first` on. `locking` says whether its end `a` is on a beam of the
     /// continuum formulation.
-    pub(super) fn new<'a>(
+    pub(super) fn new(
         joint: &Joint,
         locking: bool,
         first: usize,
         clock: Clock,
-        find: &impl Fn(&Place) -> On<'a>,
+        find: &impl Fn(&Place) -> Attachment,
     ) -> Self {
         let (a, b) = joint.ends();
-        let (here, there) = (find(a), if let End::Place(place) = b { Some(find(place)) } else { None });
+        let here = find(a);
+        let there = match b {
+            End::Place(place) => find(place),
+            End::Ground | End::Point(_) => Attachment::ground(here.point.reference()),
+        };
         let mut equations = Self {
             name: joint.name().to_owned(),
             next: first,
@@ -63,23 +46,21 @@ impl JointEquations {
             perpendicular: Vec::new(),
             drives: Vec::new(),
         };
-        let point = here.mesh.point(here.s);
         let place = equations.take(3);
-        equations.coincide.push(match (b, there) {
-            (End::Point(Ground { point: target }), _) => {
-                Coincide::toward(&point, Vector3::from(*target), place)
+        equations.coincide.push(match b {
+            End::Point(Ground { point: target }) => {
+                Coincide::toward(&here.point, Vector3::from(*target), place)
             }
-            (_, Some(there)) => Coincide::points(&point, &there.mesh.point(there.s), place),
-            _ => Coincide::points(&point, &Marker::fixed(point.reference()), place),
+            _ => Coincide::points(&here.point, &there.point, place),
         });
         let fixed =
             |fix: &Option<Clamped>| fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
         match joint {
             Joint::Spherical { .. } => {}
-            Joint::Clamp { fix, .. } => equations.clamp(here, there, fixed(fix)),
+            Joint::Clamp { fix, .. } => equations.clamp(&here, &there, fixed(fix)),
             Joint::Drive { axis, angle, time, fix, .. } => {
                 let (axis, function) = (Vector3::from(*axis).normalize(), clock.function(time));
-                for &direction in fixed(fix).of(&here.reference_axes()) {
+                for &direction in fixed(fix).of(&reference(&here)) {
                     let multipliers = equations.take(3);
                     let a = here.direction(direction);
                     equations.drives.push(Drive::new(&a, axis, *angle, function.clone(), multipliers));
@@ -88,7 +69,7 @@ impl JointEquations {
             Joint::Revolute { axis, .. } => {
                 let axis = Vector3::from(*axis).normalize();
                 for normal in across(axis) {
-                    equations.keep_angle(&here.direction(axis), &opposite(there, normal));
+                    equations.keep_angle(&here.direction(axis), &there.direction(normal));
                 }
             }
         }
@@ -129,41 +110,48 @@ impl JointEquations {
         self.perpendicular.push(Perpendicular::new(a, b, multiplier));
     }
 
-    /// Ties orientations, between beams, cables and the ground.
-    fn clamp(&mut self, here: On<'_>, there: Option<On<'_>>, fix: Clamped) {
-        let axes = here.reference_axes();
-        let sections = (here.mesh.has_sections(), there.is_none_or(|there| there.mesh.has_sections()));
-        match (sections, there, fix) {
-            ((true, true), Some(there), Clamped::Section) if corner(&axes, &there.reference_axes()) => {
-                self.tie_corner(here.axes(), there.axes());
+    /// Ties orientations.
+    fn clamp(&mut self, here: &Attachment, there: &Attachment, fix: Clamped) {
+        use Directions::{Line, None, Rigid, Section};
+        match (&here.directions, &there.directions) {
+            (None, _) | (_, None) => {}
+            (Rigid(_), Rigid(_)) => {
+                let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+                for k in 0..3 {
+                    self.keep_angle(&here.direction(axes[k]), &there.direction(axes[(k + 1) % 3]));
+                }
             }
-            ((true, true), ..) => self.tie_directions(here, there, fix.of(&axes)),
+            (Section(a), Section(b)) if fix == Clamped::Section && corner(a, b) => self.tie_corner(a, b),
+            (Section(_), Section(_) | Rigid(_)) => {
+                self.tie_directions(here, there, fix.of(&reference(here)));
+            }
+            (Rigid(_), Section(_)) => self.tie_directions(here, there, fix.of(&reference(there))),
             // A line has a tangent only: it stays normal to what the other end has across it.
-            ((true, false), Some(line), _) => {
-                let tangent = line.reference_axes()[0].normalize();
+            (Line(tangent), Line(other)) if lines_corner(tangent, other) => self.keep_angle(tangent, other),
+            (Line(tangent), Line(_)) => self.tie_directions(here, there, &[tangent.reference()]),
+            (Line(tangent), Section(_) | Rigid(_)) => {
+                if fix == Clamped::All {
+                    return self.tie_directions(here, there, &[tangent.reference()]);
+                }
+                let tangent = tangent.reference().normalize();
                 for normal in across(tangent) {
-                    self.keep_angle(&line.direction(tangent), &here.direction(normal));
+                    self.keep_angle(&here.direction(tangent), &there.direction(normal));
                 }
             }
-            ((false, true), _, Clamped::Section) => {
-                let tangent = axes[0].normalize();
+            (Section(_) | Rigid(_), Line(tangent)) => {
+                let tangent = tangent.reference().normalize();
                 for normal in across(tangent) {
-                    self.keep_angle(&here.direction(tangent), &opposite(there, normal));
+                    self.keep_angle(&there.direction(tangent), &here.direction(normal));
                 }
             }
-            ((false, false), Some(there), _) if lines_corner(&axes, &there.reference_axes()) => {
-                self.keep_angle(&here.axes()[0], &there.axes()[0]);
-            }
-            _ => self.tie_directions(here, there, &axes[..1]),
         }
     }
 
-    fn tie_directions(&mut self, here: On<'_>, there: Option<On<'_>>, directions: &[Vector3<f64>]) {
+    fn tie_directions(&mut self, here: &Attachment, there: &Attachment, directions: &[Vector3<f64>]) {
         for &direction in directions {
             let multipliers = self.take(3);
-            let tie =
-                Coincide::directions(&here.direction(direction), &opposite(there, direction), multipliers);
-            self.coincide.push(tie);
+            let (a, b) = (here.direction(direction), there.direction(direction));
+            self.coincide.push(Coincide::directions(&a, &b, multipliers));
         }
     }
 
@@ -171,8 +159,8 @@ impl JointEquations {
     /// each section may change its size.
     ///
     /// Of the four products of r_y, r_z of one with r_y, r_z of the other the three whose rates tell rotations apart best.
-    fn tie_corner(&mut self, [_, d, e]: [Marker; 3], [_, y, z]: [Marker; 3]) {
-        let pairs = [(&d, &y), (&d, &z), (&e, &y), (&e, &z)];
+    fn tie_corner(&mut self, [_, d, e]: &[Marker; 3], [_, y, z]: &[Marker; 3]) {
+        let pairs = [(d, y), (d, z), (e, y), (e, z)];
         let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));
         let volume = |left: usize| {
             let kept: Vec<_> = (0..4).filter(|&k| k != left).map(|k| turns[k]).collect();
@@ -185,20 +173,20 @@ impl JointEquations {
     }
 }
 
-/// A direction of the other end: of a body, or of the ground.
-fn opposite(there: Option<On<'_>>, direction: Vector3<f64>) -> Marker {
-    there.map_or_else(|| Marker::fixed(direction), |there| there.direction(direction))
+/// Directions in the reference state, of an end that has three.
+fn reference(end: &Attachment) -> [Vector3<f64>; 3] {
+    end.axes().map_or([Vector3::zeros(); 3], |axes| axes.each_ref().map(|axis| axis.reference()))
 }
 
 /// Whether the sections of two beams are not parallel.
-fn corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
-    let [a, b] = [a, b].map(|axes| axes[1].cross(&axes[2]).normalize());
+fn corner(a: &[Marker; 3], b: &[Marker; 3]) -> bool {
+    let [a, b] = [a, b].map(|axes| axes[1].reference().cross(&axes[2].reference()).normalize());
     a.dot(&b).abs() < CORNER
 }
 
 /// Whether two lines are not parallel.
-fn lines_corner(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> bool {
-    a[0].normalize().dot(&b[0].normalize()).abs() < CORNER
+fn lines_corner(a: &Marker, b: &Marker) -> bool {
+    a.reference().normalize().dot(&b.reference().normalize()).abs() < CORNER
 }
 
 impl Clamped {

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::check::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, point};
+use super::check::{COINCIDENT, body, finding, is_direction, joints_of, no_direction};
 use super::schema::number;
 use super::survey::Finding;
-use super::{Analysis, Body, End, Joint, Model, TimeFunction, Varying};
+use super::{Analysis, End, Joint, Model, TimeFunction, Varying};
 
 /// An angle that is none, in radians.
 const TURNED: f64 = 1e-6;
@@ -104,9 +104,9 @@ pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
         let (owner, body) = body(model, a)?;
-        let at = point(body, body.arc_length(a.at))?;
-        let apart = (at - Vector3::from(b.point)).norm();
-        (is_dynamic(model) && apart > COINCIDENT * body.length()).then(|| {
+        let apart = (model.point(a)? - Vector3::from(b.point)).norm();
+        let length = if body.is_flexible() { body.length() } else { model.length() };
+        (is_dynamic(model) && apart > COINCIDENT * length).then(|| {
             let found = format!("a point that is {} away from `a`", number(apart));
             let wanted = "in dynamics, the point of `a` in the undeformed state";
             let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
@@ -115,26 +115,4 @@ pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
         })
     };
     joints_of(model).filter_map(rule).collect()
-}
-
-/// What needs a section that turns is not asked of a cable, which is a line.
-pub(super) fn lines(model: &Model) -> Vec<Finding> {
-    let is_cable = |place| matches!(body(model, place), Some((_, Body::Cable(_))));
-    let loads = loads_of(model).filter_map(|(path, load)| {
-        let what = match load {
-            super::Load::Moment { .. } => "a moment on a cable",
-            super::Load::Force { follower: true, .. } => "a follower on a cable",
-            super::Load::Force { .. } => return None,
-        };
-        is_cable(load.on()).then_some((path, "on", what))
-    });
-    let drives = joints_of(model).filter_map(|(path, joint)| {
-        let driven = matches!(joint, Joint::Drive { .. }) && is_cable(joint.ends().0);
-        driven.then_some((path, "a", "a drive of a cable"))
-    });
-    let unfit = loads.chain(drives).map(|(path, key, what)| {
-        finding(format!("{path}.{key}.body"), what, "a beam, which has sections that turn")
-            .rests_on(["bodies".into()])
-    });
-    unfit.collect()
 }

@@ -67,19 +67,19 @@ pub(crate) fn spherical(elements: u32) -> Model {
 
 /// The start of the rod.
 pub(crate) fn start() -> Place {
-    Place { body: "rod".into(), at: At::End(AtEnd::Start) }
+    Place::new("rod", At::End(AtEnd::Start))
 }
 
 /// The end of the rod.
 pub(crate) fn end() -> Place {
-    Place { body: "rod".into(), at: At::End(AtEnd::End) }
+    Place::new("rod", At::End(AtEnd::End))
 }
 
 /// The first body.
 pub(crate) fn beam(model: &mut Model) -> &mut Beam {
     match &mut model.bodies[0] {
         Body::Beam(beam) => beam,
-        Body::Cable(_) => panic!("the rod is a beam"),
+        _ => panic!("the rod is a beam"),
     }
 }
 

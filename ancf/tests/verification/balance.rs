@@ -32,7 +32,7 @@ fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
     branch.name = "branch".into();
     (branch.from, branch.elements) = ([FORK, 0.0, 0.0], 1);
     branch.to = std::array::from_fn(|i| branch.from[i] + ELEMENT * along[i]);
-    let place = |body: &str, at| Place { body: body.into(), at };
+    let place = |body: &str, at| Place::new(body, at);
     let start = place(&branch.name, At::End(AtEnd::Start));
     model.joints.push(joint(start, End::Place(place("rod", At::Length(FORK)))));
     model.bodies.push(Body::Beam(branch));
@@ -271,7 +271,7 @@ fn dissipation() {
 fn long_steps_end_at_the_equilibrium() {
     let with_force = |step: f64, duration: f64| {
         let mut model = rod::cantilever(20);
-        let on = Place { body: model.bodies[0].name().to_owned(), at: At::End(AtEnd::End) };
+        let on = Place::new(model.bodies[0].name(), At::End(AtEnd::End));
         model.loads.push(model::Load::force(on, [0.0, -10.0, 0.0]));
         let settings = rod::settings(&mut model);
         *settings = model::Dynamics::new(duration, step); // consistent start, halved steps where needed

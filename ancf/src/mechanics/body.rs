@@ -1,0 +1,77 @@
+use nalgebra::Vector3;
+
+use super::{Attachment, BeamMesh, Kind, NodalVector, RigidBody, StrainEnergy};
+use crate::system::{State, Term};
+
+/// A body as coordinates and terms.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// A beam or a cable of elements.
+    Flexible(BeamMesh),
+    /// A rigid body or a point mass.
+    Rigid(RigidBody),
+}
+
+impl Body {
+    /// Its mesh, if it is flexible.
+    pub const fn mesh(&self) -> Option<&BeamMesh> {
+        match self {
+            Self::Flexible(mesh) => Some(mesh),
+            Self::Rigid(_) => None,
+        }
+    }
+
+    /// Number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        match self {
+            Self::Flexible(mesh) => mesh.coordinates(),
+            Self::Rigid(body) => body.coordinates(),
+        }
+    }
+
+    /// Number of multipliers of its own.
+    pub const fn multipliers(&self) -> usize {
+        match self {
+            Self::Flexible(_) => 0,
+            Self::Rigid(body) => body.multipliers(),
+        }
+    }
+
+    /// Its terms.
+    pub fn terms(&self) -> Vec<Box<dyn Term>> {
+        match self {
+            Self::Flexible(mesh) => mesh.terms(),
+            Self::Rigid(body) => body.terms(),
+        }
+    }
+
+    /// What joints, loads and probes hold on to: at an arc length of a flexible body, at a point of the reference state of a
+    /// rigid one.
+    pub fn attachment(&self, s: f64, point: Vector3<f64>) -> Attachment {
+        match self {
+            Self::Flexible(mesh) => mesh.attachment(s),
+            Self::Rigid(body) => body.attachment(point),
+        }
+    }
+
+    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    pub fn vectors(&self, s: &State) -> Vec<NodalVector> {
+        match self {
+            Self::Flexible(mesh) => mesh.vectors(s).collect(),
+            Self::Rigid(body) => body.vectors(s).collect(),
+        }
+    }
+
+    /// The node, if it has nodes, and the vector that a coordinate belongs to, if it is one of this body.
+    pub fn place_of(&self, coordinate: usize) -> Option<(Option<usize>, Kind)> {
+        match self {
+            Self::Flexible(mesh) => mesh.place_of(coordinate).map(|(node, kind)| (Some(node), kind)),
+            Self::Rigid(body) => body.place_of(coordinate).map(|kind| (None, kind)),
+        }
+    }
+
+    /// Strain energy by part.
+    pub fn strain_energy(&self, state: &State) -> StrainEnergy {
+        self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))
+    }
+}

@@ -1,0 +1,106 @@
+//! What a body cannot do it is not asked to: a cable has a tangent only, a point mass no directions, a rigid body no strain.
+
+use super::check::{body, finding, joints_of};
+use super::schema::quoted;
+use super::survey::Finding;
+use super::{Body, End, Joint, Load, Model, Place, Quantity};
+
+/// What is asked of a place.
+enum Ability {
+    /// To tie a direction.
+    Direction,
+    /// To turn about any axis.
+    Section,
+    /// To be turned by a driven clamp.
+    Driven,
+    /// To carry section forces, strain and stress.
+    Strain,
+}
+
+pub(super) fn abilities(model: &Model) -> Vec<Finding> {
+    let joints = joints_of(model).flat_map(|(path, joint)| {
+        let (a, b) = joint.ends();
+        let wanted = match joint {
+            Joint::Spherical { .. } => None,
+            Joint::Clamp { .. } => Some((Ability::Direction, "a clamp")),
+            Joint::Revolute { .. } => Some((Ability::Section, "a hinge")),
+            Joint::Drive { .. } => Some((Ability::Driven, "a drive")),
+        };
+        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
+        let ends = [(format!("{path}.a"), a)].into_iter().chain(b);
+        ends.filter_map(move |(path, place)| {
+            let (ability, what) = wanted.as_ref()?;
+            rule(model, &path, place, ability, what)
+        })
+        .collect::<Vec<_>>()
+    });
+    let loads = model.loads.iter().enumerate().filter_map(|(i, load)| {
+        let what = match load {
+            Load::Moment { .. } => "a moment",
+            Load::Force { follower: true, .. } => "a follower",
+            Load::Force { .. } => return None,
+        };
+        rule(model, &format!("loads[{i}].on"), load.on(), &Ability::Section, what)
+    });
+    let probes = model.probes.iter().enumerate().flat_map(|(i, probe)| {
+        let path = format!("probes[{i}].on");
+        let of = |quantity: &Quantity| match quantity {
+            Quantity::Motion => None,
+            Quantity::Rotation => Some((Ability::Section, "a rotation")),
+            Quantity::SectionForces => Some((Ability::Strain, "section forces")),
+            Quantity::Strain => Some((Ability::Strain, "strain")),
+            Quantity::Stress => Some((Ability::Strain, "stress")),
+        };
+        let rules = probe.record.iter().filter_map(of);
+        rules.filter_map(|(ability, what)| rule(model, &path, &probe.on, &ability, what)).collect::<Vec<_>>()
+    });
+    joints.chain(loads).chain(probes).chain(arms(model)).collect()
+}
+
+fn rule(model: &Model, path: &str, place: &Place, ability: &Ability, what: &str) -> Option<Finding> {
+    let (_, body) = body(model, place)?;
+    let (found, wanted) = match (body, ability) {
+        (Body::Cable(_), Ability::Section | Ability::Driven) => {
+            (format!("{what} of a cable, which has no section to turn"), "a beam or a rigid body")
+        }
+        (Body::Mass(_), Ability::Direction) => (
+            format!("{what} of a point mass, which has no directions"),
+            "a \"spherical\" joint, or another body",
+        ),
+        (Body::Mass(_), Ability::Section | Ability::Driven) => {
+            (format!("{what} of a point mass, which has no directions"), "a beam or a rigid body")
+        }
+        (Body::Rigid(_), Ability::Driven) => {
+            (format!("{what} that clamps a rigid body"), "a beam, or a driven \"revolute\" joint")
+        }
+        (Body::Rigid(_) | Body::Mass(_), Ability::Strain) => {
+            (format!("{what} of {}, which is rigid", quoted(body.name())), "a beam or a cable")
+        }
+        _ => return None,
+    };
+    Some(finding(format!("{path}.body"), found, wanted).rests_on(["bodies".into()]))
+}
+
+/// Arms are fixed to sections and to rigid bodies.
+fn arms(model: &Model) -> Vec<Finding> {
+    let joints = joints_of(model).flat_map(|(path, joint)| {
+        let (a, b) = joint.ends();
+        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
+        [(format!("{path}.a"), a)].into_iter().chain(b)
+    });
+    let loads = model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}].on"), load.on()));
+    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
+    let armed = joints.chain(loads).chain(probes).filter(|(_, place)| place.offset != [0.0; 3]);
+    let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {
+        Body::Beam(_) | Body::Rigid(_) => None,
+        Body::Cable(_) | Body::Mass(_) => {
+            let error = finding(
+                format!("{path}.offset"),
+                "an arm on a body without sections",
+                "a beam or a rigid body",
+            );
+            Some(error.rests_on(["bodies".into()]))
+        }
+    });
+    unfit.collect()
+}

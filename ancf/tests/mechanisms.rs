@@ -40,7 +40,15 @@ fn second(end: AtEnd) -> Place {
 
 fn elbow() -> Joint {
     let (a, b) = (second(AtEnd::Start), End::Place(rod::end()));
-    Joint::Revolute { name: "elbow".into(), a, b, axis: [0.0, 0.0, 1.0] }
+    Joint::Revolute {
+        name: "elbow".into(),
+        a,
+        b,
+        axis: [0.0, 0.0, 1.0],
+        drive: None,
+        spring: None,
+        friction: None,
+    }
 }
 
 #[test]

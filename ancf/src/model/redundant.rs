@@ -22,21 +22,38 @@ pub(super) fn repeated_joints(model: &Model) -> Vec<Finding> {
             independent.extend(orthogonal(row, &independent));
         }
     }
-    for (k, joint) in model.joint_equations(&bodies, Clock::Runs).iter().enumerate() {
-        let rows: Vec<_> = joint.terms().flat_map(|term| rows(term.as_ref())).collect();
-        let (count, before) = (rows.len(), independent.len());
+    let joints = model.joint_equations(&bodies, Clock::Runs);
+    let of_joints = joints.iter().map(|joint| joint.terms().collect()).enumerate();
+    let of_joints = of_joints.map(|(k, terms)| (format!("joints[{k}]"), "joints", terms));
+    let of_couplings = model.coupling_terms(&bodies, &joints).into_iter().enumerate();
+    let of_couplings = of_couplings.map(|(k, term)| (format!("couplings[{k}]"), "couplings", vec![term]));
+    for (path, noun, terms) in of_joints.chain(of_couplings) {
+        let (rows, before) = (shared_rows(&terms), independent.len());
+        let count = rows.len();
         for row in rows {
             independent.extend(orthogonal(row, &independent));
         }
         let repeated = count - (independent.len() - before);
         if repeated > 0 {
             let found = format!("{repeated} of {count} equations that repeat those of earlier joints");
-            findings.push(
-                ModelError::new(format!("joints[{k}]"), found, "joints that tie each motion once").into(),
-            );
+            findings.push(ModelError::new(path, found, format!("{noun} that tie each motion once")).into());
         }
     }
     findings
+}
+
+/// The rows of terms that may share multipliers, as those of a slide do: the first that is not empty stands.
+fn shared_rows(terms: &[Box<dyn Term>]) -> Vec<BTreeMap<usize, f64>> {
+    let mut shared: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
+    for term in terms {
+        for (multiplier, row) in term.multipliers().zip(rows(term.as_ref())) {
+            let known = shared.entry(multiplier).or_default();
+            if known.is_empty() {
+                *known = row;
+            }
+        }
+    }
+    shared.into_values().collect()
 }
 
 /// The rows of Φ_q of one term in the reference state, each of length one.

@@ -149,6 +149,7 @@ impl Model {
             sections,
             bodies,
             joints,
+            couplings: _,
             loads,
             scales: _,
             analysis,
@@ -162,6 +163,7 @@ impl Model {
             sections: sections.into_iter().map(|(name, s)| (name, s.scaled(scales))).collect(),
             bodies: bodies.into_iter().map(|body| body.scaled(scales)).collect(),
             joints: joints.into_iter().map(|joint| joint.scaled(scales)).collect(),
+            couplings: self.scaled_couplings(scales),
             loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
             scales: ScaleChoice::None,
             analysis: analysis.scaled(scales),
@@ -178,7 +180,7 @@ impl Model {
     }
 }
 
-fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
+pub(super) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
     x / scales.unit(of)
 }
 
@@ -266,7 +268,7 @@ impl Shape {
 }
 
 impl Place {
-    fn scaled(self, s: &Scales) -> Self {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
         let Self { body, at, offset } = self;
         let at = match at {
             At::End(end) => At::End(end),
@@ -277,20 +279,44 @@ impl Place {
     }
 }
 
+impl End {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
+        match self {
+            Self::Ground => Self::Ground,
+            Self::Place(place) => Self::Place(place.scaled(s)),
+            Self::Point(Ground { point }) => {
+                Self::Point(Ground { point: vector(point, Dimension::LENGTH, s) })
+            }
+        }
+    }
+}
+
 impl Joint {
     fn scaled(self, s: &Scales) -> Self {
-        let end = |b| match b {
-            End::Ground => End::Ground,
-            End::Place(place) => End::Place(place.scaled(s)),
-            End::Point(Ground { point }) => End::Point(Ground { point: vector(point, Dimension::LENGTH, s) }),
-        };
         match self {
-            Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: end(b), fix },
-            Self::Revolute { name, a, b, axis } => Self::Revolute { name, a: a.scaled(s), b: end(b), axis },
-            Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: end(b) },
+            Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: b.scaled(s), fix },
+            Self::Revolute { name, a, b, axis, drive, spring, friction } => Self::Revolute {
+                name,
+                a: a.scaled(s),
+                b: b.scaled(s),
+                axis,
+                drive: drive.map(|drive| drive.scaled(s)),
+                spring: spring.map(|spring| spring.scaled(s)),
+                friction: friction.map(|friction| friction.scaled(s)),
+            },
+            Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: b.scaled(s) },
             Self::Drive { name, a, axis, angle, time, fix } => {
                 Self::Drive { name, a: a.scaled(s), axis, angle, time: time.scaled(s), fix }
             }
+            Self::Universal(joint) => Self::Universal(joint.scaled(s)),
+            Self::Cylindrical(joint) => Self::Cylindrical(joint.scaled(s)),
+            Self::Prismatic(joint) => Self::Prismatic(joint.scaled(s)),
+            Self::Planar(joint) => Self::Planar(joint.scaled(s)),
+            Self::PointOnLine(joint) => Self::PointOnLine(joint.scaled(s)),
+            Self::Distance(joint) => Self::Distance(joint.scaled(s)),
+            Self::Slide(joint) => Self::Slide(joint.scaled(s)),
+            Self::Bushing(joint) => Self::Bushing(joint.scaled(s)),
+            Self::Spring(joint) => Self::Spring(joint.scaled(s)),
         }
     }
 }
@@ -315,7 +341,7 @@ impl Load {
 }
 
 impl TimeFunction {
-    fn scaled(self, s: &Scales) -> Self {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
         let time = |x| number(x, Dimension::TIME, s);
         let Self::Varying(varying) = self else { return self };
         Self::Varying(match varying {

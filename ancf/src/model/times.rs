@@ -18,7 +18,10 @@ fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
 /// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
 pub(super) fn functions(model: &Model) -> Vec<Finding> {
     let of_loads = loads_of(model).map(|(path, load)| (path, load.time()));
-    let of_joints = joints_of(model).filter_map(|(path, joint)| Some((path, joint.time()?)));
+    let of_joints = joints_of(model).flat_map(|(path, joint)| {
+        let times = joint.times().into_iter();
+        times.map(|(table, time)| (format!("{path}{table}"), time)).collect::<Vec<_>>()
+    });
     of_loads.chain(of_joints).filter_map(|(path, time)| rule_of_function(&path, time)).collect()
 }
 
@@ -76,13 +79,7 @@ pub(super) fn drives(model: &Model) -> Vec<Finding> {
             findings.push(no_direction(format!("{path}.axis"), *axis));
         }
         let key = format!("{path}.time");
-        let jumps = match time {
-            TimeFunction::Varying(Varying::Step { .. }) => true,
-            TimeFunction::Varying(Varying::Table { times, .. }) => {
-                times.windows(2).any(|pair| pair[0] == pair[1])
-            }
-            _ => false,
-        };
+        let jumps = time.jumps();
         let start = time.compile().map_or(0.0, |function| angle * function.value(0.0));
         if jumps {
             findings.push(finding(key, "a function that jumps", "one that bodies can follow"));
@@ -95,7 +92,7 @@ pub(super) fn drives(model: &Model) -> Vec<Finding> {
     findings
 }
 
-fn is_dynamic(model: &Model) -> bool {
+pub(super) fn is_dynamic(model: &Model) -> bool {
     matches!(model.analysis, Analysis::Dynamics(_))
 }
 
@@ -103,6 +100,9 @@ fn is_dynamic(model: &Model) -> bool {
 pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
+        if joint.spans() {
+            return None;
+        }
         let (owner, body) = body(model, a)?;
         let apart = (model.point(a)? - Vector3::from(b.point)).norm();
         let length = if body.is_flexible() { body.length() } else { model.length() };

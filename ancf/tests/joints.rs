@@ -1,0 +1,411 @@
+//! Joints, springs, couplings and drives, against mechanics of the textbook.
+
+#[expect(dead_code, reason = "other test binaries use the rest")]
+#[path = "common/run.rs"]
+mod run;
+
+use std::f64::consts::{PI, TAU};
+
+use ancf::Model;
+use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
+use ancf::model::ScaleChoice;
+use ancf::system::{EquationsOfMotion, Level, Weights};
+use nalgebra::Vector3;
+use run::Run;
+
+fn model(text: &str) -> Model {
+    Model::parse(text)
+        .unwrap_or_else(|errors| panic!("{:#?}", errors.iter().map(ToString::to_string).collect::<Vec<_>>()))
+}
+
+/// A rigid body of mass 2 with its centre at (0.4, 0.1, −0.2), held at the origin by a joint of these keys.
+fn body(keys: &str) -> String {
+    format!(
+        r#"
+bodies = [{{ kind = "rigid", name = "body", center = [0.4, 0.1, -0.2], mass = 2, inertia = [0.05, 0.07, 0.06], products = [0.01, 0, 0.005] }}]
+probes = [{{ name = "center", on = {{ body = "body", at = "center" }}, record = ["motion", "rotation"] }}]
+[[joints]]
+name = "joint"
+a = {{ body = "body", at = [0, 0, 0] }}
+{keys}
+"#
+    )
+}
+
+const DYNAMICS: &str =
+    "[analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 1e-3\nscheme = { spectral_radius = 0.8 }\n";
+const STATICS: &str = "[analysis]\nkind = \"statics\"\nstop = { rule = \"energy\", tolerance = 1e-10 }\n";
+
+/// Keys of every joint between one body and the ground, and the motions that it leaves.
+const KINDS: [(&str, usize); 13] = [
+    ("kind = \"clamp\"", 0),
+    ("kind = \"revolute\"\naxis = [1, 2, 0.5]", 1),
+    (
+        "kind = \"revolute\"\naxis = [1, 2, 0.5]\ndrive = { angle = 2, time = { kind = \"sine\", frequency = 0.5 } }",
+        0,
+    ),
+    ("kind = \"revolute\"\naxis = [1, 2, 0.5]\nfriction = { moment = 0.5, rate = 0.01 }", 1),
+    ("kind = \"spherical\"", 3),
+    ("kind = \"universal\"\naxis_a = [1, 0, 0.2]\naxis_b = [0, 1, 0.3]", 2),
+    ("kind = \"cylindrical\"\naxis = [1, 2, 0.5]", 2),
+    ("kind = \"cylindrical\"\naxis = [1, 2, 0.5]\ndrive = { rate = 3 }\nfeed = { speed = 0.2 }", 0),
+    ("kind = \"prismatic\"\naxis = [1, 2, 0.5]", 1),
+    ("kind = \"planar\"\nnormal = [0.1, 0.2, 1]", 3),
+    ("kind = \"point_on_line\"\naxis = [1, 2, 0.5]", 4),
+    ("kind = \"distance\"\nb = { point = [0, 0.3, 1] }", 5),
+    (
+        "kind = \"distance\"\nb = { point = [0, 0.3, 1] }\nchange = 0.2\ntime = { kind = \"sine\", frequency = 1 }",
+        5,
+    ),
+];
+
+/// Each joint leaves the motions that it should.
+#[test]
+fn motions_left() {
+    for (keys, left) in KINDS {
+        let assembly = model(&(body(keys) + DYNAMICS)).assemble().unwrap();
+        let free = assembly.free_motions(&assembly.rest());
+        let words: Vec<_> = free.iter().map(ToString::to_string).collect();
+        assert_eq!(free.len(), left, "{keys}: {words:?}");
+    }
+}
+
+/// In a swing constraints hold to rounding, what a joint exerts is what its body lacks to fall free, and energies are
+/// balanced to the order of the scheme.
+#[test]
+fn swings() {
+    for (keys, _) in KINDS {
+        let text = String::from("gravity = [0, 0, -9.81]\n") + &body(keys) + DYNAMICS;
+        let swing = model(&text);
+        let run = Run::of(&swing);
+        let (force, acceleration) = (run.vectors("joint.f"), run.vectors("center.a"));
+        for (k, (force, a)) in force.iter().zip(&acceleration).enumerate() {
+            let wanted = (a + Vector3::z() * 9.81) * 2.0;
+            assert!((force - wanted).norm() < 1e-6 * (20.0 + wanted.norm()), "{keys}, {k}: {force} {wanted}");
+        }
+        let size = run.column("kinetic").iter().fold(1.0, |size: f64, x| size.max(*x));
+        let worst = run.column("balance").iter().fold(0.0, |worst: f64, x| worst.max(x.abs()));
+        assert!(worst < 1e-3 * size, "{keys}: {worst:e} of {size}");
+        let assembly = swing.assemble().unwrap();
+        let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+        let scheme = Scheme::generalized_alpha(0.8);
+        let mut dynamics = Dynamics::new(&assembly.system, scheme, newton, 4, assembly.rest());
+        dynamics.restart(0.0).unwrap();
+        let mut phi = vec![0.0; assembly.system.multipliers()];
+        for k in 1..=500 {
+            dynamics.advance(f64::from(k) * 2e-3).unwrap();
+            assembly.system.constraints(dynamics.state(), Level::Position, &mut phi);
+            assert!(phi.iter().all(|x| x.abs() < 1e-10), "{keys}: {phi:?}");
+        }
+    }
+}
+
+/// A weight held by one joint: the joint carries it, and the moment about the place.
+#[test]
+fn reactions_of_statics() {
+    let held = [
+        "kind = \"clamp\"",
+        "kind = \"revolute\"\naxis = [1, 2, 0.5]\ndrive = { rate = 1 }",
+        "kind = \"cylindrical\"\naxis = [1, 2, 0.5]\ndrive = { rate = 1 }\nfeed = { speed = 1 }",
+        "kind = \"prismatic\"\naxis = [1, 2, 0.5]\ndrive = { speed = 1 }",
+    ];
+    for keys in held {
+        let run = Run::of(&model(&(String::from("gravity = [1, 2, -9.81]\n") + &body(keys) + STATICS)));
+        let weight = Vector3::new(1.0, 2.0, -9.81) * 2.0;
+        let (force, moment) = (run.vectors("joint.f"), run.vectors("joint.m"));
+        let wanted = Vector3::new(0.4, 0.1, -0.2).cross(&weight);
+        assert!((force.last().unwrap() + weight).norm() < 1e-9, "{keys}: {force:?}");
+        assert!((moment.last().unwrap() + wanted).norm() < 1e-9, "{keys}: {moment:?} for {wanted}");
+    }
+}
+
+/// A plate at rest on a plane is carried by it, and by a moment; a rod draws along itself.
+#[test]
+fn reactions_of_rest() {
+    let gravity = "gravity = [0, 0, -10]\n".to_owned();
+    let run = Run::of(&model(&(gravity.clone() + &body("kind = \"planar\"\nnormal = [0, 0, 1]") + DYNAMICS)));
+    let (force, moment) = (run.vectors("joint.f"), run.vectors("joint.m"));
+    assert!((force[500] - Vector3::new(0.0, 0.0, 20.0)).norm() < 1e-9, "{}", force[500]);
+    // About the origin: the weight at (0.4, 0.1).
+    assert!((moment[500] - Vector3::new(2.0, -8.0, 0.0)).norm() < 1e-9, "{}", moment[500]);
+}
+
+/// The output of a Cardan joint at the angle β turns cos β/(1 − sin² β cos² θ) times as fast as its input.
+#[test]
+fn cardan() {
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let run = Run::of(&model(&format!(
+        r#"
+bodies = [
+  {{ kind = "rigid", name = "input", center = [-0.2, 0, 0], mass = 1, inertia = [0.01, 0.02, 0.02] }},
+  {{ kind = "rigid", name = "output", center = [{x}, {y}, 0], mass = 1, inertia = [0.01, 0.01, 0.01] }},
+]
+joints = [
+  {{ kind = "revolute", name = "bearing", a = {{ body = "input", at = [-0.4, 0, 0] }}, axis = [1, 0, 0], drive = {{ rate = 3 }} }},
+  {{ kind = "universal", name = "cross", a = {{ body = "output", at = [0, 0, 0] }}, b = {{ body = "input", at = [0, 0, 0] }}, axis_a = [0, 0, 1], axis_b = [0, 1, 0] }},
+  {{ kind = "point_on_line", name = "end", a = {{ body = "output", at = [{x}, {y}, 0] }}, axis = [{x}, {y}, 0] }},
+]
+probes = [{{ name = "out", on = {{ body = "output", at = "center" }}, record = ["rotation"] }}]
+{DYNAMICS}"#,
+        x = 0.4 * cos,
+        y = 0.4 * sin,
+    )));
+    for (k, omega) in run.vectors("out.w").iter().enumerate().skip(20) {
+        let angle = 3.0 * run.column("t")[k];
+        assert!((run.column("bearing.angle")[k] - angle).abs() < 1e-9);
+        let wanted = 3.0 * cos / (1.0 - (sin * angle.cos()).powi(2));
+        let found = omega.dot(&Vector3::new(cos, sin, 0.0));
+        assert!((found - wanted).abs() < 2e-4, "{k}: {found} for {wanted}");
+    }
+}
+
+/// Two wheels of inertia 0.5 and 0.3, and a rack of mass 2 on the second.
+fn gears(keys: &str) -> Model {
+    model(&format!(
+        r#"
+bodies = [
+  {{ kind = "rigid", name = "first", center = [0, 0, 0], mass = 1, inertia = [0.3, 0.3, 0.5] }},
+  {{ kind = "rigid", name = "second", center = [1, 0, 0], mass = 1, inertia = [0.2, 0.2, 0.3] }},
+  {{ kind = "rigid", name = "rack", center = [1, 1, 0], mass = 2, inertia = [0.1, 0.1, 0.1] }},
+]
+joints = [
+  {{ kind = "revolute", name = "one", a = {{ body = "first", at = "center" }}, axis = [0, 0, 1] {keys} }},
+  {{ kind = "revolute", name = "two", a = {{ body = "second", at = "center" }}, axis = [0, 0, 1] }},
+  {{ kind = "prismatic", name = "guide", a = {{ body = "rack", at = "center" }}, axis = [1, 0, 0] }},
+]
+couplings = [
+  {{ name = "teeth", joints = [{{ joint = "one", factor = 1 }}, {{ joint = "two", factor = 2 }}] }},
+  {{ name = "pinion", joints = [{{ joint = "two", factor = 1 }}, {{ joint = "guide", factor = -4 }}] }},
+]
+{DYNAMICS}"#
+    ))
+}
+
+/// Gears keep their ratio over ten turns, and a motor feels the inertia of all.
+#[test]
+fn gear_train() {
+    let driven = gears(&format!(", drive = {{ rate = {} }}", 20.0 * PI));
+    let run = Run::of(&driven);
+    let last = |run: &Run, name: &str| *run.column(name).last().unwrap();
+    assert!((last(&run, "one.angle") - 10.0 * TAU).abs() < 1e-9);
+    assert!((last(&run, "two.angle") + 5.0 * TAU).abs() < 1e-9);
+    assert!((last(&run, "guide.displacement") + 1.25 * TAU).abs() < 1e-9);
+    // θ₁ = t³: the moment about the axis is (0.5 + 0.3/4 + 2/64) θ̈₁, most of it by the coupling.
+    let angle = r#", drive = { angle = 1, time = { kind = "expression", text = "t^3" } }"#;
+    for scales in [ScaleChoice::None, ScaleChoice::Given { length: 0.3, force: 7.0, time: Some(0.2) }] {
+        let run = Run::of(&Model { scales, ..gears(angle) });
+        assert!((last(&run, "two.angle") + 0.5).abs() < 1e-9);
+        assert!((last(&run, "guide.displacement") + 0.125).abs() < 1e-9);
+        assert!((last(&run, "one.rate") - 3.0).abs() < 1e-4);
+        let kinetic = 0.5 * (0.5 + 0.3 / 4.0 + 2.0 / 64.0) * 9.0;
+        assert!((last(&run, "kinetic") - kinetic).abs() < 1e-3 * kinetic);
+        assert!((last(&run, "work") - kinetic).abs() < 1e-3 * kinetic);
+    }
+}
+
+/// A mass 1 on the way down a stiff beam at 30°, over element borders.
+fn incline(keys: &str) -> Model {
+    let (sin, cos) = (PI / 6.0).sin_cos();
+    model(&format!(
+        r#"
+gravity = [0, 0, -10]
+materials.stiff = {{ density = 10, young = 1e13 }}
+sections.round = {{ kind = "circle", diameter = 0.1 }}
+bodies = [
+  {{ kind = "beam", name = "ramp", from = [0, 0, {z}], to = [{x}, 0, 0], elements = 4, formulation = "linked", section = "round", material = "stiff" }},
+  {{ kind = "mass", name = "bead", center = [{bx}, 0, {bz}], mass = 1 }},
+]
+joints = [
+  {{ kind = "clamp", name = "top", a = {{ body = "ramp", at = "start" }} }},
+  {{ kind = "clamp", name = "foot", a = {{ body = "ramp", at = "end" }} }},
+  {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "ramp", at = 0.2 }} {keys} }},
+]
+{DYNAMICS}"#,
+        x = 4.0 * cos,
+        z = 4.0 * sin,
+        bx = 0.2 * cos,
+        bz = 3.8 * sin,
+    ))
+}
+
+/// s = s₀ + ½ g sin α t², with friction ½ (g sin α − F/m) t², and g cos α on the beam.
+#[test]
+fn bead_on_an_incline() {
+    for (keys, acceleration) in [("", 5.0), (", friction = { force = 2, speed = 1e-4 }", 3.0)] {
+        let run = Run::of(&incline(keys));
+        for (k, t) in run.column("t").iter().enumerate().skip(50) {
+            let (s, v) = (run.column("slide.position")[k], run.column("slide.speed")[k]);
+            assert!((s - 0.2 - 0.5 * acceleration * t * t).abs() < 2e-4, "{keys}: {s} at {t}");
+            assert!((v - acceleration * t).abs() < 1e-3, "{keys}: {v} at {t}");
+            let force = Vector3::new(run.column("slide.fx")[k], 0.0, run.column("slide.fz")[k]);
+            let normal = force.dot(&Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
+            assert!((normal - 10.0 * 0.75_f64.sqrt()).abs() < 0.05, "{keys}: {normal} at {t}");
+        }
+        assert!(run.column("slide.position").last().unwrap() > &1.2, "borders were crossed");
+    }
+}
+
+/// A bead that comes to the end of its beam is a failure with a name.
+#[test]
+fn bead_that_falls_off() {
+    let mut falling = incline("");
+    if let Some(dynamics) = falling.analysis.dynamics_mut() {
+        dynamics.duration = 2.0;
+    }
+    let mut series = ancf::record::Series::new();
+    let summary = ancf::simulate(&falling, &mut series).unwrap();
+    let ancf::Outcome::Failed { time, at, .. } = &summary.outcome else { panic!("{:?}", summary.outcome) };
+    // ½ 5 t² = 3.8.
+    assert!((time - 1.233).abs() < 0.01 && at.contains("slide"), "{time}, {at}");
+}
+
+/// A bead on a rod that turns: r = r₀ cosh ωt.
+#[test]
+fn bead_on_a_turning_rod() {
+    let run = Run::of(&model(&format!(
+        r#"
+materials.stiff = {{ density = 10, young = 1e13 }}
+sections.round = {{ kind = "circle", diameter = 0.1 }}
+bodies = [
+  {{ kind = "beam", name = "rod", from = [0, 0, 0], to = [2, 0, 0], elements = 3, formulation = "linked", section = "round", material = "stiff" }},
+  {{ kind = "mass", name = "bead", center = [0.4, 0, 0], mass = 1e-3 }},
+]
+joints = [
+  {{ kind = "revolute", name = "motor", a = {{ body = "rod", at = "start" }}, axis = [0, 0, 1], drive = {{ rate = 2 }} }},
+  {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "rod", at = 0.4 }} }},
+]
+{DYNAMICS}"#
+    )));
+    for (k, t) in run.column("t").iter().enumerate() {
+        let (r, wanted) = (run.column("slide.position")[k], 0.4 * (2.0 * t).cosh());
+        assert!((r - wanted).abs() < 1e-4, "{r} for {wanted} at {t}");
+    }
+}
+
+/// A mass on a spring and a damper, released from 0.1 beyond rest: a damped vibration.
+#[test]
+fn oscillator() {
+    let run = Run::of(&model(&format!(
+        r#"
+bodies = [{{ kind = "mass", name = "bob", center = [1, 0, 0], mass = 2 }}]
+joints = [{{ kind = "spring", name = "spring", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 200, damping = 4, length = 0.9 }}]
+{DYNAMICS}"#
+    )));
+    let omega = (100.0_f64 - 1.0).sqrt();
+    for (k, t) in run.column("t").iter().enumerate() {
+        let (sin, cos) = (omega * t).sin_cos();
+        let x = 0.1 * (-t).exp() * (cos + sin / omega);
+        assert!((run.column("spring.length")[k] - 0.9 - x).abs() < 2e-5, "at {t}");
+    }
+    assert!(run.column("balance").iter().all(|x| x.abs() < 1e-3));
+    assert!((run.column("spring.fx")[0] + 20.0).abs() < 1e-9);
+}
+
+/// A rope draws up to its length and lets go below.
+#[test]
+fn rope() {
+    let run = Run::of(&model(&format!(
+        r#"
+gravity = [0, 0, -10]
+bodies = [{{ kind = "mass", name = "bob", center = [0, 0, -0.5], mass = 1 }}]
+joints = [{{ kind = "spring", name = "rope", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 1e3, length = 1, tension_only = true }}]
+{DYNAMICS}"#
+    )));
+    for (k, t) in run.column("t").iter().enumerate() {
+        let (length, force) = (run.column("rope.length")[k], run.column("rope.fz")[k]);
+        assert!((force - 1e3 * (length - 1.0).max(0.0)).abs() < 1e-6, "at {t}");
+        if *t < 0.31 {
+            assert!((length - 0.5 - 5.0 * t * t).abs() < 1e-5, "{length} at {t}");
+        }
+    }
+    let longest = run.column("rope.length").iter().fold(0.0, |most: f64, x| most.max(*x));
+    // ½ k x² = m g (0.5 + x).
+    let stretch = (10.0 + (100.0_f64 + 2.0 * 1e3 * 5.0).sqrt()) / 1e3;
+    assert!((longest - 1.0 - stretch).abs() < 2e-4, "{longest} for {}", 1.0 + stretch);
+}
+
+/// Forces and moments over stiffnesses; large moments turn by ½ sin 2φ.
+#[test]
+fn bushing() {
+    let held = |moment: f64| {
+        let keys =
+            "kind = \"bushing\"\nstiffness = [100, 200, 300, 10, 20, 30]\ndamping = [1, 1, 1, 1, 1, 1]\n";
+        let loads = format!(
+            "[[loads]]\nkind = \"moment\"\non = {{ body = \"body\", at = \"center\" }}\nmoment = [0, 0, {moment}]\n"
+        );
+        Run::of(&model(&(body(keys) + &loads + STATICS)))
+    };
+    let turned = held(9.0);
+    let half = *turned.column("center.e0").last().unwrap();
+    let angle = 2.0 * half.acos();
+    assert!((30.0 * 0.5 * (2.0 * angle).sin() - 9.0).abs() < 1e-6, "{angle}");
+    assert!((turned.column("joint.mz").last().unwrap() + 9.0).abs() < 1e-6);
+    let keys = "kind = \"bushing\"\nstiffness = [100, 200, 300, 1e6, 1e6, 1e6]\n";
+    let run = Run::of(&model(&(String::from("gravity = [1, 2, 3]\n") + &body(keys) + STATICS)));
+    for (axis, start, wanted) in [("x", 0.4, 0.02), ("y", 0.1, 0.02), ("z", -0.2, 0.02)] {
+        let moved = run.column(&format!("center.{axis}")).last().unwrap() - start;
+        assert!((moved - wanted).abs() < 1e-4, "{axis}: {moved}");
+    }
+}
+
+/// A hinge with a torsion spring set to 0.3: θ = 0.3 (1 − cos ωt), ω² = k/J.
+#[test]
+fn torsion_pendulum() {
+    let run = Run::of(&model(&format!(
+        r#"
+bodies = [{{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }}]
+joints = [{{ kind = "revolute", name = "wire", a = {{ body = "disc", at = "center" }}, axis = [0, 0, 1], spring = {{ stiffness = 20, angle = 0.3 }} }}]
+{DYNAMICS}"#
+    )));
+    for (k, t) in run.column("t").iter().enumerate() {
+        let wanted = 0.3 * (1.0 - (10.0 * t).cos());
+        assert!((run.column("wire.angle")[k] - wanted).abs() < 3e-4, "at {t}");
+        let moment = -20.0 * (run.column("wire.angle")[k] - 0.3);
+        assert!((run.column("wire.mz")[k] - moment).abs() < 1e-6, "at {t}");
+    }
+}
+
+/// Angles without a coordinate are counted over whole turns, from row to row.
+#[test]
+fn angles_count_turns() {
+    let bodies = body("kind = \"revolute\"\naxis = [0, 0, 1]");
+    let load =
+        "[[loads]]\nkind = \"moment\"\non = { body = \"body\", at = \"center\" }\nmoment = [0, 0, 20]\n";
+    let run = Run::of(&model(&(bodies + load + DYNAMICS)));
+    let inertia = 0.06 + 2.0 * (0.4_f64.powi(2) + 0.1_f64.powi(2));
+    let last = |name: &str| *run.column(name).last().unwrap();
+    assert!((last("joint.angle") - 10.0 / inertia).abs() < 1e-3, "{}", last("joint.angle"));
+    assert!((last("joint.rate") - 20.0 / inertia).abs() < 1e-3, "{}", last("joint.rate"));
+}
+
+/// The same motions in other units.
+#[test]
+fn units() {
+    let scales = ScaleChoice::Given { length: 0.03, force: 7e4, time: Some(0.013) };
+    for (keys, _) in KINDS {
+        let text = String::from("gravity = [0, 0, -9.81]\n") + &body(keys) + DYNAMICS;
+        let (a, b) = (Run::of(&model(&text)), Run::of(&Model { scales, ..model(&text) }));
+        for ((name, one), (_, other)) in a.columns().zip(b.columns()) {
+            if ["residual", "increment", "drift", "iterations"].contains(&name) {
+                continue;
+            }
+            let size = one.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+            for (x, y) in one.iter().zip(other) {
+                assert!((x - y).abs() < 1e-5 * size, "{keys}, {name}: {x} {y}");
+            }
+        }
+    }
+}
+
+/// Natural frequencies of what joint coordinates spring.
+#[test]
+fn modes_of_a_torsion_pendulum() {
+    let text = r#"
+bodies = [{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }]
+joints = [{ kind = "revolute", name = "wire", a = { body = "disc", at = "center" }, axis = [0, 0, 1], spring = { stiffness = 20 } }]
+analysis = { kind = "modes", count = 1 }
+"#;
+    let run = Run::of(&model(text));
+    assert!((run.column("squared")[0] - 100.0).abs() < 1e-6, "{:?}", run.column("squared"));
+    let _ = Weights::MASS;
+}

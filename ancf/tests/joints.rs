@@ -9,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::ScaleChoice;
-use ancf::system::{EquationsOfMotion, Level, Weights};
-use nalgebra::Vector3;
+use ancf::system::{EquationsOfMotion, Level};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use run::Run;
 
 fn model(text: &str) -> Model {
@@ -70,14 +70,36 @@ fn motions_left() {
     }
 }
 
+/// What the joint exerts about the centre is the rate of the angular momentum R J Rᵀ ω.
+fn turns_as_euler_has_it(keys: &str, run: &Run) {
+    let inertia = Matrix3::new(0.05, 0.01, 0.0, 0.01, 0.07, 0.005, 0.0, 0.005, 0.06);
+    let [e0, e1, e2, e3] = ["e0", "e1", "e2", "e3"].map(|name| run.column(&format!("center.{name}")));
+    let turned = |k: usize| {
+        let rotation = UnitQuaternion::new_normalize(Quaternion::new(e0[k], e1[k], e2[k], e3[k]));
+        rotation.to_rotation_matrix().into_inner()
+    };
+    let (omega, force, moment) = (run.vectors("center.w"), run.vectors("joint.f"), run.vectors("joint.m"));
+    let momentum = |k: usize| turned(k) * inertia * turned(k).transpose() * omega[k];
+    for k in (100..1900).step_by(50) {
+        let rate = (momentum(k + 1) - momentum(k - 1)) / 1e-3;
+        let arm = turned(k) * Vector3::new(-0.4, -0.1, 0.2);
+        let about = moment[k] + arm.cross(&force[k]);
+        assert!((rate - about).norm() < 1e-2 * (1.0 + about.norm()), "{keys}, {k}: {about} for {rate}");
+    }
+}
+
 /// In a swing constraints hold to rounding, what a joint exerts is what its body lacks to fall free, and energies are
 /// balanced to the order of the scheme.
 #[test]
 fn swings() {
     for (keys, _) in KINDS {
         let text = String::from("gravity = [0, 0, -9.81]\n") + &body(keys) + DYNAMICS;
-        let swing = model(&text);
+        let mut swing = model(&text);
+        if let Some(dynamics) = swing.analysis.dynamics_mut() {
+            dynamics.step = ancf::model::Step::Fixed(5e-4);
+        }
         let run = Run::of(&swing);
+        turns_as_euler_has_it(keys, &run);
         let (force, acceleration) = (run.vectors("joint.f"), run.vectors("center.a"));
         for (k, (force, a)) in force.iter().zip(&acceleration).enumerate() {
             let wanted = (a + Vector3::z() * 9.81) * 2.0;
@@ -235,13 +257,98 @@ fn bead_on_an_incline() {
         let run = Run::of(&incline(keys));
         for (k, t) in run.column("t").iter().enumerate().skip(50) {
             let (s, v) = (run.column("slide.position")[k], run.column("slide.speed")[k]);
-            assert!((s - 0.2 - 0.5 * acceleration * t * t).abs() < 2e-4, "{keys}: {s} at {t}");
-            assert!((v - acceleration * t).abs() < 1e-3, "{keys}: {v} at {t}");
+            // Friction sets in within the first step, half of which goes without.
+            let late = if keys.is_empty() { 0.0 } else { 0.5 * 1e-3 * 2.0 };
+            assert!((s - 0.2 - 0.5 * acceleration * t * t).abs() < 2e-4 + late * t, "{keys}: {s} at {t}");
+            assert!((v - acceleration * t).abs() < 2e-4 + 1.2 * late, "{keys}: {v} at {t}");
             let force = Vector3::new(run.column("slide.fx")[k], 0.0, run.column("slide.fz")[k]);
             let normal = force.dot(&Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
             assert!((normal - 10.0 * 0.75_f64.sqrt()).abs() < 0.05, "{keys}: {normal} at {t}");
         }
         assert!(run.column("slide.position").last().unwrap() > &1.2, "borders were crossed");
+    }
+}
+
+/// A weight on a cantilever bends it by P a³/(3 E I), wherever it was led, and what leads it across element borders does
+/// the work.
+#[test]
+fn weight_led_along_a_cantilever() {
+    let at = |place: f64, way: f64| {
+        model(&format!(
+            r#"
+gravity = [0, 0, -10]
+materials.stiff = {{ density = 1e-6, young = 2e11 }}
+sections.round = {{ kind = "circle", diameter = 0.05 }}
+bodies = [
+  {{ kind = "beam", name = "arm", from = [0, 0, 0], to = [2, 0, 0], elements = 5, formulation = "linked", section = "round", material = "stiff" }},
+  {{ kind = "mass", name = "weight", center = [{place}, 0, 0], mass = 10 }},
+]
+joints = [
+  {{ kind = "clamp", name = "root", a = {{ body = "arm", at = "start" }} }},
+  {{ kind = "slide", name = "trolley", a = {{ body = "weight", at = "center" }}, b = {{ body = "arm", at = {place} }}, drive = {{ displacement = {way} }} }},
+]
+probes = [{{ name = "weight", on = {{ body = "weight", at = "center" }} }}]
+{STATICS}"#
+        ))
+    };
+    let bending = 2e11 * PI * 0.05_f64.powi(4) / 64.0;
+    for (place, way) in [(1.6, 0.0), (0.5, 0.7), (1.1, 0.6), (1.9, -0.8)] {
+        let run = Run::of(&at(place, way));
+        let last = |name: &str| *run.column(name).last().unwrap();
+        let (end, wanted) = (place + way, -100.0 * (place + way).powi(3) / (3.0 * bending));
+        assert!((last("trolley.position") - end).abs() < 1e-9, "{place}: {}", last("trolley.position"));
+        assert!(
+            (last("weight.z") - wanted).abs() < 2e-2 * wanted.abs(),
+            "{place}: {} {wanted}",
+            last("weight.z")
+        );
+        assert!((last("trolley.fz") - 100.0).abs() < 1e-6, "{place}: {}", last("trolley.fz"));
+        assert!((last("root.my") + 100.0 * end).abs() < 0.1, "{place}: {}", last("root.my"));
+    }
+}
+
+/// Joints between flexible beams: a Cardan joint and a guide between sections carry what statics says.
+#[test]
+fn joints_of_beams() {
+    let text = |joint: &str| {
+        format!(
+            r#"
+materials.steel = {{ density = 7850, young = 2e11 }}
+sections.round = {{ kind = "circle", diameter = 0.05 }}
+bodies = [
+  {{ kind = "beam", name = "first", from = [0, 0, 0], to = [1, 0, 0], elements = 2, formulation = "linked", section = "round", material = "steel" }},
+  {{ kind = "beam", name = "second", from = [1, 0, 0], to = [2, 0, 0], elements = 2, formulation = "linked", section = "round", material = "steel" }},
+]
+loads = [{{ kind = "force", on = {{ body = "second", at = "center" }}, force = [0, 10, 20] }}]
+[[joints]]
+kind = "clamp"
+name = "left"
+a = {{ body = "first", at = "start" }}
+[[joints]]
+kind = "clamp"
+name = "right"
+a = {{ body = "second", at = "end" }}
+[[joints]]
+name = "middle"
+a = {{ body = "second", at = "start" }}
+b = {{ body = "first", at = "end" }}
+{joint}
+{STATICS}"#
+        )
+    };
+    // A hinge carries no moment about its axes, a guide no force along its.
+    let cardan = Run::of(&model(&text("kind = \"universal\"\naxis_a = [0, 1, 0]\naxis_b = [0, 0, 1]")));
+    let guide = Run::of(&model(&text("kind = \"prismatic\"\naxis = [0, 1, 0]")));
+    let last = |run: &Run, name: &str| *run.column(name).last().unwrap();
+    for name in ["middle.my", "middle.mz"] {
+        assert!(last(&cardan, name).abs() < 1e-2, "{name}: {}", last(&cardan, name));
+    }
+    assert!(last(&guide, "middle.fy").abs() < 1e-3, "{}", last(&guide, "middle.fy"));
+    // Half of a beam clamped at both ends and cut in the middle carries 5/32 of what presses at a quarter.
+    assert!((last(&cardan, "middle.fz") + 20.0 * 5.0 / 32.0).abs() < 1e-2, "{}", last(&cardan, "middle.fz"));
+    for run in [&cardan, &guide] {
+        let sum = run.vectors("left.f").last().unwrap() + run.vectors("right.f").last().unwrap();
+        assert!((sum + Vector3::new(0.0, 10.0, 20.0)).norm() < 1e-6, "{sum}");
     }
 }
 
@@ -259,7 +366,7 @@ fn bead_that_falls_off() {
     assert!((time - 1.233).abs() < 0.01 && at.contains("slide"), "{time}, {at}");
 }
 
-/// A bead on a rod that turns: r = r₀ cosh ωt.
+/// A bead on a rod that turns by θ = 2 t³: r̈ = θ̇² r, which a series in t solves.
 #[test]
 fn bead_on_a_turning_rod() {
     let run = Run::of(&model(&format!(
@@ -271,14 +378,20 @@ bodies = [
   {{ kind = "mass", name = "bead", center = [0.4, 0, 0], mass = 1e-3 }},
 ]
 joints = [
-  {{ kind = "revolute", name = "motor", a = {{ body = "rod", at = "start" }}, axis = [0, 0, 1], drive = {{ rate = 2 }} }},
+  {{ kind = "revolute", name = "motor", a = {{ body = "rod", at = "start" }}, axis = [0, 0, 1], drive = {{ angle = 2, time = {{ kind = "expression", text = "t^3" }} }} }},
   {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "rod", at = 0.4 }} }},
 ]
 {DYNAMICS}"#
     )));
     for (k, t) in run.column("t").iter().enumerate() {
-        let (r, wanted) = (run.column("slide.position")[k], 0.4 * (2.0 * t).cosh());
-        assert!((r - wanted).abs() < 1e-4, "{r} for {wanted} at {t}");
+        // r = r₀ Σ cₙ t⁶ⁿ, cₙ₊₁ (6n + 6)(6n + 5) = 36 cₙ.
+        let (mut sum, mut part) = (0.0, 0.4);
+        for n in 0..10 {
+            sum += part;
+            part *= 36.0 * t.powi(6) / f64::from((6 * n + 6) * (6 * n + 5));
+        }
+        let r = run.column("slide.position")[k];
+        assert!((r - sum).abs() < 1e-4, "{r} for {sum} at {t}");
     }
 }
 
@@ -370,12 +483,14 @@ joints = [{{ kind = "revolute", name = "wire", a = {{ body = "disc", at = "cente
 fn angles_count_turns() {
     let bodies = body("kind = \"revolute\"\naxis = [0, 0, 1]");
     let load =
-        "[[loads]]\nkind = \"moment\"\non = { body = \"body\", at = \"center\" }\nmoment = [0, 0, 20]\n";
+        "[[loads]]\nkind = \"moment\"\non = { body = \"body\", at = \"center\" }\nmoment = [0, 0, 8]\n";
     let run = Run::of(&model(&(bodies + load + DYNAMICS)));
     let inertia = 0.06 + 2.0 * (0.4_f64.powi(2) + 0.1_f64.powi(2));
     let last = |name: &str| *run.column(name).last().unwrap();
-    assert!((last("joint.angle") - 10.0 / inertia).abs() < 1e-3, "{}", last("joint.angle"));
-    assert!((last("joint.rate") - 20.0 / inertia).abs() < 1e-3, "{}", last("joint.rate"));
+    assert!((last("joint.angle") - 4.0 / inertia).abs() < 1e-3, "{}", last("joint.angle"));
+    // Directors that turn by ω h in a step are second order in that.
+    let (rate, h) = (8.0 / inertia, 1e-3);
+    assert!((last("joint.rate") - rate).abs() < rate * (rate * h).powi(2), "{}", last("joint.rate"));
 }
 
 /// The same motions in other units.
@@ -407,5 +522,4 @@ analysis = { kind = "modes", count = 1 }
 "#;
     let run = Run::of(&model(text));
     assert!((run.column("squared")[0] - 100.0).abs() < 1e-6, "{:?}", run.column("squared"));
-    let _ = Weights::MASS;
 }

@@ -24,6 +24,7 @@ pub(crate) fn free(elements: u32) -> Model {
         sections: [("circle".into(), Section::Circle { diameter: 0.02 })].into(),
         bodies: vec![Body::Beam(beam)],
         joints: Vec::new(),
+        couplings: Vec::new(),
         loads: Vec::new(),
         scales: ScaleChoice::None,
         analysis: Analysis::Dynamics(Dynamics {

@@ -512,6 +512,41 @@ fn units() {
     }
 }
 
+/// A base that shakes leads a rigid body along, turned as it was: the drive gives m ẍ − m g, and the moment about its place.
+#[test]
+fn shaken_base() {
+    let keys = "kind = \"drive\"\ndisplacement = [0.1, 0, 0.2]\ntime = { kind = \"expression\", text = \"1 - cos(4*t)\" }";
+    let text = String::from("gravity = [0, 0, -10]\n") + &body(keys) + DYNAMICS;
+    let run = Run::of(&model(&text));
+    let (force, moment, center) = (run.vectors("joint.f"), run.vectors("joint.m"), run.vectors("center."));
+    for (k, t) in run.column("t").iter().enumerate().skip(20) {
+        let way = Vector3::new(0.1, 0.0, 0.2);
+        let wanted = (way * 16.0 * (4.0 * t).cos() + Vector3::z() * 10.0) * 2.0;
+        let first = Vector3::new(0.4, 0.1, -0.2);
+        assert!((center[k] - first - way * (1.0 - (4.0 * t).cos())).norm() < 1e-9, "at {t}");
+        assert!((force[k] - wanted).norm() < 1e-3 * wanted.norm(), "{} for {wanted} at {t}", force[k]);
+        assert!((moment[k] - first.cross(&wanted)).norm() < 1e-3 * wanted.norm(), "at {t}");
+    }
+}
+
+/// A model with every joint and every key is the same in other units, its couplings too.
+#[test]
+fn units_of_every_key() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/good/joints.toml");
+    let model = Model::read(path).unwrap();
+    let scales = ScaleChoice::Given { length: 0.25, force: 1024.0, time: Some(0.125) };
+    let (a, b) = (Run::of(&model), Run::of(&Model { scales, ..model.clone() }));
+    for ((name, one), (_, other)) in a.columns().zip(b.columns()) {
+        if ["residual", "increment", "drift", "iterations"].contains(&name) {
+            continue;
+        }
+        let size = one.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+        for (x, y) in one.iter().zip(other) {
+            assert!((x - y).abs() < 1e-6 * size, "{name}: {x} {y}");
+        }
+    }
+}
+
 /// Natural frequencies of what joint coordinates spring.
 #[test]
 fn modes_of_a_torsion_pendulum() {

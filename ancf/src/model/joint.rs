@@ -61,19 +61,23 @@ pub enum Joint {
         #[serde(default)]
         b: End,
     },
-    /// A clamp to a frame that turns about the place as it is told.
+    /// A clamp to a frame that turns about the place and moves as it is told.
     Drive {
         /// Name in outputs and messages.
         #[schemars(length(min = 1))]
         name: String,
-        /// The end that is turned, and receives the reaction.
+        /// The end that is led, and receives the reaction.
         a: Place,
-        /// Direction of the axis in the global frame; its length does not matter.
-        axis: [f64; 3],
+        /// Direction of the axis in the global frame; its length does not matter. Without one the frame does not turn.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        axis: Option<[f64; 3]>,
         /// Angle by which the function of time is multiplied, in radians; 1 by default.
         #[serde(default = "one")]
         angle: f64,
-        /// Function of time; statics ignores it and turns with the load.
+        /// Displacement by which the function of time is multiplied, length; none by default.
+        #[serde(default)]
+        displacement: [f64; 3],
+        /// Function of time; statics ignores it, turns and moves with the load.
         time: TimeFunction,
         /// Which gradients are tied besides the position, by default as those of a clamp.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -183,6 +187,11 @@ impl Joint {
             | Self::Slide(Slide { drive, spring, friction, .. }) => Acting::moving(drive, spring, friction),
             _ => Acting::default(),
         }
+    }
+
+    /// Whether it leads its place away.
+    pub(super) fn moves_place(&self) -> bool {
+        matches!(self, Self::Drive { displacement, .. } if *displacement != [0.0; 3])
     }
 
     /// Whether its ends are meant to be apart.

@@ -8,6 +8,7 @@ use super::freedom::{Freedom, Source};
 use super::function::Clock;
 use super::joint_rows as rows;
 use super::{Bushing, Distance, Joint, PointSpring};
+use crate::function::Function;
 use crate::mechanics::{
     Angle, Attachment, ElementAxis, Friction, Measure, Slide, Spring, Strut, Target, Tie, Wrench,
 };
@@ -65,6 +66,11 @@ impl Links {
             links.displacement(rows::along(a, b, axis), &acting, coupled(Freed::Displacement));
         };
         match joint {
+            Joint::Drive { displacement, time, .. } if joint.moves_place() => {
+                for (row, way) in rows::meeting(a, b).into_iter().zip(displacement) {
+                    self.tie(row, Target::new(*way, self.clock.function(time)));
+                }
+            }
             Joint::Clamp { .. } | Joint::Spherical { .. } | Joint::Drive { .. } => {}
             Joint::Revolute { axis, .. } => angle(self, unit(*axis), joint.turning()),
             Joint::Universal(j) => self.keep(rows::universal(a, b, [j.axis_a, j.axis_b].map(unit))),
@@ -155,7 +161,7 @@ impl Links {
             self.tie(measure(), drive.target(self.clock));
         }
         if let Some([stiffness, damping, rest]) = acting.spring {
-            let rest = Target::new(rest, crate::function::Function::ONE);
+            let rest = Target::new(rest, Function::ONE);
             self.links.push(Link::Spring(Spring::set(measure(), stiffness, damping, rest)));
         }
         if let Some([force, creep]) = acting.friction {

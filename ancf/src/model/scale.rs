@@ -305,8 +305,9 @@ impl Joint {
                 friction: friction.map(|friction| friction.scaled(s)),
             },
             Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: b.scaled(s) },
-            Self::Drive { name, a, axis, angle, time, fix } => {
-                Self::Drive { name, a: a.scaled(s), axis, angle, time: time.scaled(s), fix }
+            Self::Drive { name, a, axis, angle, displacement, time, fix } => {
+                let displacement = vector(displacement, Dimension::LENGTH, s);
+                Self::Drive { name, a: a.scaled(s), axis, angle, displacement, time: time.scaled(s), fix }
             }
             Self::Universal(joint) => Self::Universal(joint.scaled(s)),
             Self::Cylindrical(joint) => Self::Cylindrical(joint.scaled(s)),

@@ -82,18 +82,21 @@ impl JointEquations {
         if !ties {
             return;
         }
-        let place = self.take(3);
-        self.coincide.push(match joint.ends().1 {
-            End::Point(Ground { point: target }) => {
-                Coincide::toward(&here.point, Vector3::from(*target), place)
-            }
-            _ => Coincide::points(&here.point, &there.point, place),
-        });
+        if !joint.moves_place() {
+            let place = self.take(3);
+            self.coincide.push(match joint.ends().1 {
+                End::Point(Ground { point: target }) => {
+                    Coincide::toward(&here.point, Vector3::from(*target), place)
+                }
+                _ => Coincide::points(&here.point, &there.point, place),
+            });
+        }
         let fixed =
             |fix: &Option<Clamped>| fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
         match joint {
             Joint::Clamp { fix, .. } => self.clamp(here, there, fixed(fix)),
-            Joint::Drive { axis, angle, time, fix, .. } => {
+            Joint::Drive { axis: None, fix, .. } => self.clamp(here, there, fixed(fix)),
+            Joint::Drive { axis: Some(axis), angle, time, fix, .. } => {
                 let (axis, function) = (Vector3::from(*axis).normalize(), clock.function(time));
                 for &direction in fixed(fix).of(&reference(here)) {
                     let multipliers = self.take(3);

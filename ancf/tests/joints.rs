@@ -1,5 +1,8 @@
-//! Joints, springs, couplings and drives, against mechanics of the textbook.
+//! Joints, couplings and drives, against mechanics of the textbook.
+#![cfg(test)]
 
+#[path = "common/held.rs"]
+mod held;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/run.rs"]
 mod run;
@@ -10,31 +13,9 @@ use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::ScaleChoice;
 use ancf::system::{EquationsOfMotion, Level};
+use held::{DYNAMICS, STATICS, body, model};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use run::Run;
-
-fn model(text: &str) -> Model {
-    Model::parse(text)
-        .unwrap_or_else(|errors| panic!("{:#?}", errors.iter().map(ToString::to_string).collect::<Vec<_>>()))
-}
-
-/// A rigid body of mass 2 with its centre at (0.4, 0.1, −0.2), held at the origin by a joint of these keys.
-fn body(keys: &str) -> String {
-    format!(
-        r#"
-bodies = [{{ kind = "rigid", name = "body", center = [0.4, 0.1, -0.2], mass = 2, inertia = [0.05, 0.07, 0.06], products = [0.01, 0, 0.005] }}]
-probes = [{{ name = "center", on = {{ body = "body", at = "center" }}, record = ["motion", "rotation"] }}]
-[[joints]]
-name = "joint"
-a = {{ body = "body", at = [0, 0, 0] }}
-{keys}
-"#
-    )
-}
-
-const DYNAMICS: &str =
-    "[analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 1e-3\nscheme = { spectral_radius = 0.8 }\n";
-const STATICS: &str = "[analysis]\nkind = \"statics\"\nstop = { rule = \"energy\", tolerance = 1e-10 }\n";
 
 /// Keys of every joint between one body and the ground, and the motions that it leaves.
 const KINDS: [(&str, usize); 13] = [
@@ -225,88 +206,6 @@ fn gear_train() {
     }
 }
 
-/// A mass 1 on the way down a stiff beam at 30°, over element borders.
-fn incline(keys: &str) -> Model {
-    let (sin, cos) = (PI / 6.0).sin_cos();
-    model(&format!(
-        r#"
-gravity = [0, 0, -10]
-materials.stiff = {{ density = 10, young = 1e13 }}
-sections.round = {{ kind = "circle", diameter = 0.1 }}
-bodies = [
-  {{ kind = "beam", name = "ramp", from = [0, 0, {z}], to = [{x}, 0, 0], elements = 4, formulation = "linked", section = "round", material = "stiff" }},
-  {{ kind = "mass", name = "bead", center = [{bx}, 0, {bz}], mass = 1 }},
-]
-joints = [
-  {{ kind = "clamp", name = "top", a = {{ body = "ramp", at = "start" }} }},
-  {{ kind = "clamp", name = "foot", a = {{ body = "ramp", at = "end" }} }},
-  {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "ramp", at = 0.2 }} {keys} }},
-]
-{DYNAMICS}"#,
-        x = 4.0 * cos,
-        z = 4.0 * sin,
-        bx = 0.2 * cos,
-        bz = 3.8 * sin,
-    ))
-}
-
-/// s = s₀ + ½ g sin α t², with friction ½ (g sin α − F/m) t², and g cos α on the beam.
-#[test]
-fn bead_on_an_incline() {
-    for (keys, acceleration) in [("", 5.0), (", friction = { force = 2, speed = 1e-4 }", 3.0)] {
-        let run = Run::of(&incline(keys));
-        for (k, t) in run.column("t").iter().enumerate().skip(50) {
-            let (s, v) = (run.column("slide.position")[k], run.column("slide.speed")[k]);
-            // Friction sets in within the first step, half of which goes without.
-            let late = if keys.is_empty() { 0.0 } else { 0.5 * 1e-3 * 2.0 };
-            assert!((s - 0.2 - 0.5 * acceleration * t * t).abs() < 2e-4 + late * t, "{keys}: {s} at {t}");
-            assert!((v - acceleration * t).abs() < 2e-4 + 1.2 * late, "{keys}: {v} at {t}");
-            let force = Vector3::new(run.column("slide.fx")[k], 0.0, run.column("slide.fz")[k]);
-            let normal = force.dot(&Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
-            assert!((normal - 10.0 * 0.75_f64.sqrt()).abs() < 0.05, "{keys}: {normal} at {t}");
-        }
-        assert!(run.column("slide.position").last().unwrap() > &1.2, "borders were crossed");
-    }
-}
-
-/// A weight on a cantilever bends it by P a³/(3 E I), wherever it was led, and what leads it across element borders does
-/// the work.
-#[test]
-fn weight_led_along_a_cantilever() {
-    let at = |place: f64, way: f64| {
-        model(&format!(
-            r#"
-gravity = [0, 0, -10]
-materials.stiff = {{ density = 1e-6, young = 2e11 }}
-sections.round = {{ kind = "circle", diameter = 0.05 }}
-bodies = [
-  {{ kind = "beam", name = "arm", from = [0, 0, 0], to = [2, 0, 0], elements = 5, formulation = "linked", section = "round", material = "stiff" }},
-  {{ kind = "mass", name = "weight", center = [{place}, 0, 0], mass = 10 }},
-]
-joints = [
-  {{ kind = "clamp", name = "root", a = {{ body = "arm", at = "start" }} }},
-  {{ kind = "slide", name = "trolley", a = {{ body = "weight", at = "center" }}, b = {{ body = "arm", at = {place} }}, drive = {{ displacement = {way} }} }},
-]
-probes = [{{ name = "weight", on = {{ body = "weight", at = "center" }} }}]
-{STATICS}"#
-        ))
-    };
-    let bending = 2e11 * PI * 0.05_f64.powi(4) / 64.0;
-    for (place, way) in [(1.6, 0.0), (0.5, 0.7), (1.1, 0.6), (1.9, -0.8)] {
-        let run = Run::of(&at(place, way));
-        let last = |name: &str| *run.column(name).last().unwrap();
-        let (end, wanted) = (place + way, -100.0 * (place + way).powi(3) / (3.0 * bending));
-        assert!((last("trolley.position") - end).abs() < 1e-9, "{place}: {}", last("trolley.position"));
-        assert!(
-            (last("weight.z") - wanted).abs() < 2e-2 * wanted.abs(),
-            "{place}: {} {wanted}",
-            last("weight.z")
-        );
-        assert!((last("trolley.fz") - 100.0).abs() < 1e-6, "{place}: {}", last("trolley.fz"));
-        assert!((last("root.my") + 100.0 * end).abs() < 0.1, "{place}: {}", last("root.my"));
-    }
-}
-
 /// Joints between flexible beams: a Cardan joint and a guide between sections carry what statics says.
 #[test]
 fn joints_of_beams() {
@@ -349,132 +248,6 @@ b = {{ body = "first", at = "end" }}
     for run in [&cardan, &guide] {
         let sum = run.vectors("left.f").last().unwrap() + run.vectors("right.f").last().unwrap();
         assert!((sum + Vector3::new(0.0, 10.0, 20.0)).norm() < 1e-6, "{sum}");
-    }
-}
-
-/// A bead that comes to the end of its beam is a failure with a name.
-#[test]
-fn bead_that_falls_off() {
-    let mut falling = incline("");
-    if let Some(dynamics) = falling.analysis.dynamics_mut() {
-        dynamics.duration = 2.0;
-    }
-    let mut series = ancf::record::Series::new();
-    let summary = ancf::simulate(&falling, &mut series).unwrap();
-    let ancf::Outcome::Failed { time, at, .. } = &summary.outcome else { panic!("{:?}", summary.outcome) };
-    // ½ 5 t² = 3.8.
-    assert!((time - 1.233).abs() < 0.01 && at.contains("slide"), "{time}, {at}");
-}
-
-/// A bead on a rod that turns by θ = 2 t³: r̈ = θ̇² r, which a series in t solves.
-#[test]
-fn bead_on_a_turning_rod() {
-    let run = Run::of(&model(&format!(
-        r#"
-materials.stiff = {{ density = 10, young = 1e13 }}
-sections.round = {{ kind = "circle", diameter = 0.1 }}
-bodies = [
-  {{ kind = "beam", name = "rod", from = [0, 0, 0], to = [2, 0, 0], elements = 3, formulation = "linked", section = "round", material = "stiff" }},
-  {{ kind = "mass", name = "bead", center = [0.4, 0, 0], mass = 1e-3 }},
-]
-joints = [
-  {{ kind = "revolute", name = "motor", a = {{ body = "rod", at = "start" }}, axis = [0, 0, 1], drive = {{ angle = 2, time = {{ kind = "expression", text = "t^3" }} }} }},
-  {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "rod", at = 0.4 }} }},
-]
-{DYNAMICS}"#
-    )));
-    for (k, t) in run.column("t").iter().enumerate() {
-        // r = r₀ Σ cₙ t⁶ⁿ, cₙ₊₁ (6n + 6)(6n + 5) = 36 cₙ.
-        let (mut sum, mut part) = (0.0, 0.4);
-        for n in 0..10 {
-            sum += part;
-            part *= 36.0 * t.powi(6) / f64::from((6 * n + 6) * (6 * n + 5));
-        }
-        let r = run.column("slide.position")[k];
-        assert!((r - sum).abs() < 1e-4, "{r} for {sum} at {t}");
-    }
-}
-
-/// A mass on a spring and a damper, released from 0.1 beyond rest: a damped vibration.
-#[test]
-fn oscillator() {
-    let run = Run::of(&model(&format!(
-        r#"
-bodies = [{{ kind = "mass", name = "bob", center = [1, 0, 0], mass = 2 }}]
-joints = [{{ kind = "spring", name = "spring", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 200, damping = 4, length = 0.9 }}]
-{DYNAMICS}"#
-    )));
-    let omega = (100.0_f64 - 1.0).sqrt();
-    for (k, t) in run.column("t").iter().enumerate() {
-        let (sin, cos) = (omega * t).sin_cos();
-        let x = 0.1 * (-t).exp() * (cos + sin / omega);
-        assert!((run.column("spring.length")[k] - 0.9 - x).abs() < 2e-5, "at {t}");
-    }
-    assert!(run.column("balance").iter().all(|x| x.abs() < 1e-3));
-    assert!((run.column("spring.fx")[0] + 20.0).abs() < 1e-9);
-}
-
-/// A rope draws up to its length and lets go below.
-#[test]
-fn rope() {
-    let run = Run::of(&model(&format!(
-        r#"
-gravity = [0, 0, -10]
-bodies = [{{ kind = "mass", name = "bob", center = [0, 0, -0.5], mass = 1 }}]
-joints = [{{ kind = "spring", name = "rope", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 1e3, length = 1, tension_only = true }}]
-{DYNAMICS}"#
-    )));
-    for (k, t) in run.column("t").iter().enumerate() {
-        let (length, force) = (run.column("rope.length")[k], run.column("rope.fz")[k]);
-        assert!((force - 1e3 * (length - 1.0).max(0.0)).abs() < 1e-6, "at {t}");
-        if *t < 0.31 {
-            assert!((length - 0.5 - 5.0 * t * t).abs() < 1e-5, "{length} at {t}");
-        }
-    }
-    let longest = run.column("rope.length").iter().fold(0.0, |most: f64, x| most.max(*x));
-    // ½ k x² = m g (0.5 + x).
-    let stretch = (10.0 + (100.0_f64 + 2.0 * 1e3 * 5.0).sqrt()) / 1e3;
-    assert!((longest - 1.0 - stretch).abs() < 2e-4, "{longest} for {}", 1.0 + stretch);
-}
-
-/// Forces and moments over stiffnesses; large moments turn by ½ sin 2φ.
-#[test]
-fn bushing() {
-    let held = |moment: f64| {
-        let keys =
-            "kind = \"bushing\"\nstiffness = [100, 200, 300, 10, 20, 30]\ndamping = [1, 1, 1, 1, 1, 1]\n";
-        let loads = format!(
-            "[[loads]]\nkind = \"moment\"\non = {{ body = \"body\", at = \"center\" }}\nmoment = [0, 0, {moment}]\n"
-        );
-        Run::of(&model(&(body(keys) + &loads + STATICS)))
-    };
-    let turned = held(9.0);
-    let half = *turned.column("center.e0").last().unwrap();
-    let angle = 2.0 * half.acos();
-    assert!((30.0 * 0.5 * (2.0 * angle).sin() - 9.0).abs() < 1e-6, "{angle}");
-    assert!((turned.column("joint.mz").last().unwrap() + 9.0).abs() < 1e-6);
-    let keys = "kind = \"bushing\"\nstiffness = [100, 200, 300, 1e6, 1e6, 1e6]\n";
-    let run = Run::of(&model(&(String::from("gravity = [1, 2, 3]\n") + &body(keys) + STATICS)));
-    for (axis, start, wanted) in [("x", 0.4, 0.02), ("y", 0.1, 0.02), ("z", -0.2, 0.02)] {
-        let moved = run.column(&format!("center.{axis}")).last().unwrap() - start;
-        assert!((moved - wanted).abs() < 1e-4, "{axis}: {moved}");
-    }
-}
-
-/// A hinge with a torsion spring set to 0.3: θ = 0.3 (1 − cos ωt), ω² = k/J.
-#[test]
-fn torsion_pendulum() {
-    let run = Run::of(&model(&format!(
-        r#"
-bodies = [{{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }}]
-joints = [{{ kind = "revolute", name = "wire", a = {{ body = "disc", at = "center" }}, axis = [0, 0, 1], spring = {{ stiffness = 20, angle = 0.3 }} }}]
-{DYNAMICS}"#
-    )));
-    for (k, t) in run.column("t").iter().enumerate() {
-        let wanted = 0.3 * (1.0 - (10.0 * t).cos());
-        assert!((run.column("wire.angle")[k] - wanted).abs() < 3e-4, "at {t}");
-        let moment = -20.0 * (run.column("wire.angle")[k] - 0.3);
-        assert!((run.column("wire.mz")[k] - moment).abs() < 1e-6, "at {t}");
     }
 }
 
@@ -545,16 +318,4 @@ fn units_of_every_key() {
             assert!((x - y).abs() < 1e-6 * size, "{name}: {x} {y}");
         }
     }
-}
-
-/// Natural frequencies of what joint coordinates spring.
-#[test]
-fn modes_of_a_torsion_pendulum() {
-    let text = r#"
-bodies = [{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }]
-joints = [{ kind = "revolute", name = "wire", a = { body = "disc", at = "center" }, axis = [0, 0, 1], spring = { stiffness = 20 } }]
-analysis = { kind = "modes", count = 1 }
-"#;
-    let run = Run::of(&model(text));
-    assert!((run.column("squared")[0] - 100.0).abs() < 1e-6, "{:?}", run.column("squared"));
 }

@@ -266,6 +266,21 @@ fn angles_count_turns() {
     assert!((last("joint.rate") - rate).abs() < rate * (rate * h).powi(2), "{}", last("joint.rate"));
 }
 
+/// Steps of almost half a turn do not take a body for one that is turned the other way.
+#[test]
+fn large_steps_find_the_right_half_turn() {
+    for rate in [20.0, 40.0, 60.0] {
+        let keys = format!("kind = \"revolute\"\naxis = [0, 0, 1]\ndrive = {{ rate = {rate} }}");
+        let text = body(&keys) + &DYNAMICS.replace("1e-3", "0.05");
+        let run = Run::of(&model(&text));
+        for (t, center) in run.column("t").iter().zip(run.vectors("center.")) {
+            let (sin, cos) = (rate * t).sin_cos();
+            let wanted = Vector3::new(0.4 * cos - 0.1 * sin, 0.4 * sin + 0.1 * cos, -0.2);
+            assert!((center - wanted).norm() < 1e-8, "{rate}: {center} for {wanted} at {t}");
+        }
+    }
+}
+
 /// The same motions in other units.
 #[test]
 fn units() {

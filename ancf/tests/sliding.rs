@@ -102,6 +102,43 @@ joints = [
     }
 }
 
+/// Error control follows a bead over borders, on a soft beam that swings.
+#[test]
+fn bead_by_error_control() {
+    let soft = |step: &str, young: &str| {
+        let text = format!(
+            r#"
+gravity = [0, 0, -10]
+materials.soft = {{ density = 1000, young = {young}, damping = {{ strain = 1e-3 }} }}
+sections.round = {{ kind = "circle", diameter = 0.05 }}
+bodies = [
+  {{ kind = "cable", name = "line", from = [0, 0, 0], to = [2, 0, 0], elements = 8, section = "round", material = "soft" }},
+  {{ kind = "mass", name = "bead", center = [0.3, 0, 0], mass = 0.5 }},
+]
+joints = [
+  {{ kind = "spherical", name = "left", a = {{ body = "line", at = "start" }} }},
+  {{ kind = "spherical", name = "right", a = {{ body = "line", at = "end" }} }},
+  {{ kind = "slide", name = "slide", a = {{ body = "bead", at = "center" }}, b = {{ body = "line", at = 0.3 }} }},
+]
+[analysis]
+kind = "dynamics"
+duration = 1
+step = {step}
+scheme = {{ spectral_radius = 0.8 }}
+"#
+        );
+        Run::of(&model(&text))
+    };
+    let (fine, adaptive) = (soft("2.5e-4", "2e6"), soft("{ tolerance = 1e-4 }", "2e6"));
+    let last = |run: &Run, name: &str| *run.column(name).last().unwrap();
+    let [s, t] = [&fine, &adaptive].map(|run| last(run, "slide.position"));
+    assert!((s - t).abs() < 2e-3, "{s} and {t}");
+    assert!(s > 0.6, "borders were crossed: {s}");
+    let size = fine.column("kinetic").iter().fold(0.0, |size: f64, x| size.max(*x));
+    let worst = fine.column("balance").iter().fold(0.0, |worst: f64, x| worst.max(x.abs()));
+    assert!(worst < 1e-2 * size, "{worst} of {size}");
+}
+
 /// A weight on a cantilever bends it by P a³/(3 E I), wherever it was led, and what leads it across element borders does
 /// the work.
 #[test]

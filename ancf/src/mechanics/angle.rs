@@ -9,8 +9,8 @@ use crate::system::{Level, Local, LocalMatrix, State, Term, Weights};
 /// through the axis that is turned by θ.
 ///
 /// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground across the axis, v = axis × u, and u along
-/// p in the reference state. Being an unknown that is followed in time, θ counts turns. Φ is zero for θ + π too: a step must turn
-/// by less than a right angle.
+/// p in the reference state. Being an unknown that is followed in time, θ counts turns. Φ is zero for θ + π too, where p is
+/// against u: that is not admissible. A step must turn by less than half a turn.
 ///
 /// Units: none, λ is the moment about the axis.
 #[derive(Clone, Debug)]
@@ -128,6 +128,11 @@ impl Term for Angle {
 
     fn massless(&self) -> &[usize] {
         &self.coordinates[..=THETA]
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let Values { p, along, .. } = self.values(at.q);
+        p.dot(&along) > 0.0
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {

@@ -28,6 +28,7 @@ mod redundant;
 mod rigid;
 mod rigidity;
 mod scale;
+mod scale_joints;
 mod schema;
 mod scheme;
 mod section;

@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Ground, Joint, Load, Material, Model, Output,
-    Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, Load, Material, Model, Output, Place, PointMass,
+    Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -184,7 +184,7 @@ pub(super) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
     x / scales.unit(of)
 }
 
-fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
+pub(super) fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
     x.map(|x| number(x, of, scales))
 }
 
@@ -276,49 +276,6 @@ impl Place {
             At::Point(x) => At::Point(vector(x, Dimension::LENGTH, s)),
         };
         Self { body, at, offset: vector(offset, Dimension::LENGTH, s) }
-    }
-}
-
-impl End {
-    pub(super) fn scaled(self, s: &Scales) -> Self {
-        match self {
-            Self::Ground => Self::Ground,
-            Self::Place(place) => Self::Place(place.scaled(s)),
-            Self::Point(Ground { point }) => {
-                Self::Point(Ground { point: vector(point, Dimension::LENGTH, s) })
-            }
-        }
-    }
-}
-
-impl Joint {
-    fn scaled(self, s: &Scales) -> Self {
-        match self {
-            Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: b.scaled(s), fix },
-            Self::Revolute { name, a, b, axis, drive, spring, friction } => Self::Revolute {
-                name,
-                a: a.scaled(s),
-                b: b.scaled(s),
-                axis,
-                drive: drive.map(|drive| drive.scaled(s)),
-                spring: spring.map(|spring| spring.scaled(s)),
-                friction: friction.map(|friction| friction.scaled(s)),
-            },
-            Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: b.scaled(s) },
-            Self::Drive { name, a, axis, angle, displacement, time, fix } => {
-                let displacement = vector(displacement, Dimension::LENGTH, s);
-                Self::Drive { name, a: a.scaled(s), axis, angle, displacement, time: time.scaled(s), fix }
-            }
-            Self::Universal(joint) => Self::Universal(joint.scaled(s)),
-            Self::Cylindrical(joint) => Self::Cylindrical(joint.scaled(s)),
-            Self::Prismatic(joint) => Self::Prismatic(joint.scaled(s)),
-            Self::Planar(joint) => Self::Planar(joint.scaled(s)),
-            Self::PointOnLine(joint) => Self::PointOnLine(joint.scaled(s)),
-            Self::Distance(joint) => Self::Distance(joint.scaled(s)),
-            Self::Slide(joint) => Self::Slide(joint.scaled(s)),
-            Self::Bushing(joint) => Self::Bushing(joint.scaled(s)),
-            Self::Spring(joint) => Self::Spring(joint.scaled(s)),
-        }
     }
 }
 

@@ -1,3 +1,5 @@
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::mechanics::StrainEnergy;
@@ -16,6 +18,10 @@ use crate::system::{EquationsOfMotion, Power, State};
 /// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | its strain, Green's, in the section's frame |
 /// | `p.sxx ..` | its stress, second Piola-Kirchhoff |
 /// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment that each joint `j` exerts on its end `a` |
+/// | `j.angle j.rate` | of hinges and sleeves: angle of `a` about the axis, counted on over whole turns, and its rate |
+/// | `j.displacement j.speed` | of sliders: displacement along the axis, and its rate |
+/// | `j.position j.speed` | of slides: arc length from the start of the undeformed beam, and its rate |
+/// | `j.length j.speed` | of rods and springs: distance of the ends, and its rate |
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
 /// | `iterations`, ... | what the analysis says of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
@@ -30,6 +36,8 @@ pub struct Rows {
     parts: bool,
     /// Total energy of the first state.
     initial: Option<f64>,
+    /// Angles of the row before, by freedom.
+    angles: Vec<f64>,
 }
 
 /// Places of a symmetric matrix in columns.
@@ -59,6 +67,9 @@ impl Rows {
         for name in assembly.joints() {
             columns.extend(["f", "m"].iter().flat_map(|prefix| vectors(name, prefix)));
         }
+        for (joint, freedom) in assembly.freedoms() {
+            columns.extend(freedom.columns().map(|column| format!("{joint}.{column}")));
+        }
         if assembly.energy_parts {
             let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
             columns
@@ -70,7 +81,14 @@ impl Rows {
                 .map(|&own| own.to_owned()),
         );
         let row = Vec::with_capacity(columns.len());
-        Self { row, columns, scales, parts: assembly.energy_parts, initial: None }
+        Self {
+            row,
+            columns,
+            scales,
+            parts: assembly.energy_parts,
+            initial: None,
+            angles: vec![0.0; assembly.freedoms().count()],
+        }
     }
 
     /// Names of the columns.
@@ -95,6 +113,7 @@ impl Rows {
             self.extend(reaction.force, Dimension::FORCE);
             self.extend(reaction.moment, Dimension::ENERGY);
         }
+        self.freedoms(assembly, s);
         if self.parts {
             for (_, body) in assembly.bodies() {
                 let StrainEnergy { axial, bending, shear, torsion, section, volume } = body.strain_energy(s);
@@ -145,6 +164,19 @@ impl Rows {
                     }
                 }
             }
+        }
+    }
+
+    fn freedoms(&mut self, assembly: &Assembly, s: &State) {
+        for (k, (_, freedom)) in assembly.freedoms().enumerate() {
+            let [mut value, rate] = freedom.at(s);
+            if freedom.wraps() {
+                value += TAU * ((self.angles[k] - value) / TAU).round();
+                self.angles[k] = value;
+            }
+            let [of_value, of_rate] = freedom.dimensions();
+            self.push(value, of_value);
+            self.push(rate, of_rate);
         }
     }
 

@@ -46,6 +46,9 @@ fn linkage() -> Model {
         a: place("second", AtEnd::Start),
         b: End::Place(rod::end()),
         axis: [0.3, -0.1, 0.9],
+        drive: None,
+        spring: None,
+        friction: None,
     });
     model.probes = vec![Probe::of_motion("tip", tip.clone())];
     model.loads = loads(tip);

@@ -40,7 +40,15 @@ fn second(end: AtEnd) -> Place {
 
 fn elbow() -> Joint {
     let (a, b) = (second(AtEnd::Start), End::Place(rod::end()));
-    Joint::Revolute { name: "elbow".into(), a, b, axis: [0.0, 0.0, 1.0] }
+    Joint::Revolute {
+        name: "elbow".into(),
+        a,
+        b,
+        axis: [0.0, 0.0, 1.0],
+        drive: None,
+        spring: None,
+        friction: None,
+    }
 }
 
 #[test]
@@ -181,7 +189,15 @@ fn a_long_chain() {
         model.bodies.push(Body::Beam(link));
         let a = Place::new(&name, At::End(AtEnd::Start));
         let b = End::Place(Place::new(&before, At::End(AtEnd::End)));
-        model.joints.push(Joint::Revolute { name: format!("hinge {k}"), a, b, axis: [0.0, 0.0, 1.0] });
+        model.joints.push(Joint::Revolute {
+            name: format!("hinge {k}"),
+            a,
+            b,
+            axis: [0.0, 0.0, 1.0],
+            drive: None,
+            spring: None,
+            friction: None,
+        });
     }
     let assembly = model.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());

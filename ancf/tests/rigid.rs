@@ -1,5 +1,7 @@
 //! Rigid bodies and point masses, against mechanics of the textbook.
+#![cfg(test)]
 
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/run.rs"]
 mod run;
 

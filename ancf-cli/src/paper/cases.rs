@@ -61,7 +61,15 @@ impl Case {
         let (name, a, b) = ("joint".to_owned(), end(AtEnd::Start), End::Ground);
         let joint = match self {
             Self::Cantilever => Joint::Clamp { name, a, b, fix: Some(Clamped::All) },
-            Self::Revolute => Joint::Revolute { name, a, b, axis: [0.0, 0.0, 1.0] },
+            Self::Revolute => Joint::Revolute {
+                name,
+                a,
+                b,
+                axis: [0.0, 0.0, 1.0],
+                drive: None,
+                spring: None,
+                friction: None,
+            },
             Self::Spherical => Joint::Spherical { name, a, b },
         };
         let (slopes, scales) = match form {
@@ -79,6 +87,7 @@ impl Case {
                 ..Beam::straight("beam", [[0.0; 3], [LENGTH, 0.0, 0.0]], n, "rod", "steel")
             })],
             joints: vec![joint],
+            couplings: Vec::new(),
             loads: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {

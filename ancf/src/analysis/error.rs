@@ -17,8 +17,10 @@ pub enum Failure {
     /// Increments stopped to decrease above the rounding error.
     #[error("the iteration stagnated above the rounding error: a smaller step may help")]
     Stagnated,
-    /// The solution that was found turns an element inside out.
-    #[error("the solution turns an element inside out: a smaller step may help")]
+    /// The solution that was found is one that a term does not admit.
+    #[error(
+        "the solution turns an element inside out, or a slider leaves its beam, or ends of a spring meet: a smaller step may help"
+    )]
     Inverted,
     /// The equilibrium that was found is not as stable as the one before it, and nothing between them tells why.
     #[error("the stability changed within the step: a smaller step may help")]

@@ -2,10 +2,12 @@
 
 mod expression;
 mod grammar;
+mod integral;
 mod table;
 mod varying;
 
 pub use expression::Expression;
 pub use grammar::ExpressionError;
+pub use integral::Integral;
 pub use table::Table;
 pub use varying::{Function, Instant};

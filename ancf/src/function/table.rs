@@ -30,6 +30,11 @@ impl Table {
         }
     }
 
+    /// Its points (t, f).
+    pub(super) fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
     /// The times of its points.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let mut times: Vec<f64> = self.points.iter().map(|[time, _]| *time).collect();

@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::{Expression, Table};
+use super::{Expression, Integral, Table};
 
 /// A function f of time t, a pure number.
 ///
@@ -41,6 +41,8 @@ pub enum Function {
         /// The t of the formula at time 1.
         unit: f64,
     },
+    /// The integral of another function from 0 on; time.
+    Integral(Arc<Integral>),
 }
 
 /// A function at one time.
@@ -57,6 +59,11 @@ pub struct Instant {
 impl Function {
     /// The function that is always 1.
     pub const ONE: Self = Self::Constant(1.0);
+
+    /// Its integral from 0 on, if there is a closed form: there is, but of formulas.
+    pub fn integral(self) -> Option<Self> {
+        Some(Self::Integral(Arc::new(Integral::new(self)?)))
+    }
 
     /// Whether it is the same at all times.
     pub const fn is_constant(&self) -> bool {
@@ -83,6 +90,7 @@ impl Function {
                 let (sin, cos) = (omega * t + phase).sin_cos();
                 Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
+            Self::Integral(integral) => integral.at(t),
             Self::Expression { formula, unit } => {
                 let Instant { value, rate, acceleration } = formula.at(t * unit);
                 Instant { value, rate: rate * unit, acceleration: acceleration * unit * unit }
@@ -95,6 +103,7 @@ impl Function {
         match self {
             Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } => Vec::new(),
             Self::Table(table) => table.breaks(),
+            Self::Integral(integral) => integral.breaks(),
             Self::Ramp { start, end } => vec![*start, *end],
             Self::Step { at, until } => [Some(*at), *until].into_iter().flatten().collect(),
         }

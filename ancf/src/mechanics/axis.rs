@@ -50,6 +50,11 @@ impl ElementAxis {
         Self { vectors: self.vectors.iter().map(local).collect(), ..self.clone() }
     }
 
+    /// The magnitudes that vector i is made of.
+    pub(super) fn size(&self, i: usize, q: &[f64]) -> f64 {
+        self.reference[i].norm() + vector(q, self.vectors[i]).norm()
+    }
+
     /// Weights of the vectors in r, dr/ds and d²r/ds² at an arc length; of three vectors the fourth is 0.
     pub fn weights(&self, s: f64) -> [[f64; 4]; 3] {
         match self.shape {

@@ -94,6 +94,11 @@ impl Coincide {
         Self::new(a, b, first, true)
     }
 
+    /// Whether it ties points, not directions.
+    pub const fn is_of_points(&self) -> bool {
+        !self.direction
+    }
+
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
         let coordinates = joined(a, b);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));

@@ -1,6 +1,7 @@
 //! FLOOR 1b: mechanics as terms. Elements, markers, constraints, forces; knows only [`system`](crate::system)
 //! and [`function`](crate::function).
 
+mod angle;
 mod attachment;
 mod axis;
 mod body;
@@ -15,9 +16,11 @@ mod follower;
 mod force;
 mod formulation;
 mod frame;
+mod friction;
 mod hyperelastic;
 mod line;
 mod marker;
+mod measure;
 mod mesh;
 mod moment;
 mod morison;
@@ -27,9 +30,15 @@ mod resultants;
 mod rigid;
 mod section;
 mod shape;
+mod slide;
 mod spread;
+mod spring;
 mod station;
+mod strut;
+mod target;
+mod tie;
 
+pub use angle::Angle;
 pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
 pub use body::Body;
@@ -43,8 +52,10 @@ pub use fluid::{Fluid, Hull};
 pub use follower::FollowerForce;
 pub use force::Force;
 pub use formulation::{CrossSection, Moments};
+pub use friction::Friction;
 pub use hyperelastic::{NeoHookean, SectionPoint};
 pub use marker::Marker;
+pub use measure::{Measure, Part};
 pub use mesh::{BeamMesh, Blueprint, NodalVector};
 pub use moment::Moment;
 pub use morison::Morison;
@@ -54,5 +65,10 @@ pub use resultants::across;
 pub use rigid::{RigidBody, is_inertia};
 pub use section::{Directors, Lame, SectionLaw, Stiffness};
 pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};
+pub use slide::Slide;
 pub use spread::Piece;
+pub use spring::Spring;
 pub use station::{Law, Station, StrainEnergy};
+pub use strut::Strut;
+pub use target::Target;
+pub use tie::Tie;

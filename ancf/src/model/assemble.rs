@@ -3,10 +3,15 @@ use std::collections::BTreeSet;
 use nalgebra::Vector3;
 
 use super::closing::Closed;
+use super::freedom::Freedom;
 use super::function::Clock;
-use super::ties::JointEquations;
-use super::{Beam, Body, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity, Redundant};
-use crate::mechanics::{self, Attachment, BeamMesh, Kind, Marker, Wrench};
+use super::ties::{Holds, JointEquations};
+use super::{
+    Beam, Body, Coupled, Coupling, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity,
+    Redundant,
+};
+use crate::mechanics::Measure as Measured;
+use crate::mechanics::{self, Attachment, BeamMesh, ElementAxis, Kind, Marker, Tie, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -22,6 +27,7 @@ pub struct Assembly {
     pub energy_parts: bool,
     bodies: Vec<(String, mechanics::Body)>,
     pub(super) joints: Vec<JointEquations>,
+    couplings: Vec<String>,
     pub(super) redundant: Vec<Redundant>,
     pub(super) undetermined: BTreeSet<usize>,
     pub(super) closed: Option<Closed>,
@@ -61,6 +67,13 @@ impl Assembly {
         self.joints.iter().map(|joint| joint.reaction(s))
     }
 
+    /// The angles and displacements by which joints move, with the names of the joints.
+    pub fn freedoms(&self) -> impl Iterator<Item = (&str, &Freedom)> {
+        self.joints
+            .iter()
+            .flat_map(|joint| joint.freedoms().iter().map(|freedom| (joint.name.as_str(), freedom)))
+    }
+
     /// The bodies and their names.
     pub fn bodies(&self) -> impl Iterator<Item = (&str, &mechanics::Body)> {
         self.bodies.iter().map(|(name, body)| (name.as_str(), body))
@@ -94,6 +107,12 @@ impl Assembly {
             }
             first += body.coordinates();
         }
+        for joint in &self.joints {
+            if equation < first + joint.coordinates() {
+                return format!("joint `{}`, its freedom", joint.name);
+            }
+            first += joint.coordinates();
+        }
         for (name, body) in &self.bodies {
             if equation < first + body.multipliers() {
                 return format!("body `{name}`, what keeps it rigid");
@@ -106,7 +125,10 @@ impl Assembly {
             }
             first += joint.multipliers();
         }
-        format!("equation {equation}")
+        match self.couplings.get(equation.wrapping_sub(first)) {
+            Some(name) => format!("coupling `{name}`"),
+            None => format!("equation {equation}"),
+        }
     }
 }
 
@@ -155,6 +177,7 @@ impl Model {
         let mut terms: Vec<Box<dyn Term>> = Vec::new();
         terms.extend(bodies.iter().flat_map(|(_, body)| body.terms()));
         terms.extend(joints.iter().flat_map(JointEquations::terms));
+        terms.extend(self.coupling_terms(&bodies, &joints));
         for load in &self.loads {
             if let Some(place) = load.on() {
                 terms.extend(load.term(&self.attachment(&bodies, place), clock));
@@ -174,10 +197,10 @@ impl Model {
             })
         });
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
-        let coordinates = bodies.iter().map(|(_, body)| body.coordinates()).sum();
-        let of_joints: usize = joints.iter().map(JointEquations::multipliers).sum();
-        let multipliers = of_joints + bodies.iter().map(|(_, body)| body.multipliers()).sum::<usize>();
+        let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
+        let multipliers = multipliers + self.couplings.len();
         let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
+        let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
         let assembly = Assembly {
             system,
@@ -186,6 +209,7 @@ impl Model {
             energy_parts,
             bodies,
             joints,
+            couplings,
             redundant,
             undetermined,
             closed,
@@ -194,6 +218,13 @@ impl Model {
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
         Ok(Assembly { closed, ..assembly })
+    }
+
+    /// Numbers of coordinates and multipliers of bodies and joints.
+    pub(super) fn numbers(bodies: &[(String, mechanics::Body)], joints: &[JointEquations]) -> [usize; 2] {
+        let of_bodies = bodies.iter().map(|(_, body)| [body.coordinates(), body.multipliers()]);
+        let of_joints = joints.iter().map(|joint| [joint.coordinates(), joint.multipliers()]);
+        of_bodies.chain(of_joints).fold([0, 0], |[n, m], [c, l]| [n + c, m + l])
     }
 
     /// Number of the body, arc length and place of a probe.
@@ -212,7 +243,7 @@ impl Model {
 
     /// Breaks of all functions of time, in order.
     pub(super) fn breaks(&self, clock: Clock) -> Vec<f64> {
-        let of_joints = self.joints.iter().filter_map(Joint::time);
+        let of_joints = self.joints.iter().flat_map(Joint::times).map(|(_, time)| time);
         let functions = self.loads.iter().map(Load::time).chain(of_joints);
         let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();
         breaks.sort_unstable_by(f64::total_cmp);
@@ -241,19 +272,58 @@ impl Model {
         bodies: &[(String, mechanics::Body)],
         clock: Clock,
     ) -> Vec<JointEquations> {
-        let mut first = bodies.iter().map(|(_, body)| body.multipliers()).sum();
-        let equations = self.joints.iter().map(|joint| {
-            let find = |place: &Place| self.attachment(bodies, place);
-            let equations = JointEquations::new(joint, self.is_locking(joint), first, clock, &find);
-            first += equations.multipliers();
+        let mut first = Self::numbers(bodies, &[]);
+        let held = Held { model: self, bodies };
+        let equations = self.joints.iter().enumerate().map(|(number, joint)| {
+            let (locking, coupled) = (self.is_locking(joint), |freed| self.is_coupled(number, freed));
+            let equations = JointEquations::new(joint, locking, first, clock, coupled, &held);
+            first = [first[0] + equations.coordinates(), first[1] + equations.multipliers()];
             equations.with_gap(self.gap(joint))
         });
         equations.collect()
+    }
+
+    /// The equations of the couplings, by multipliers after those of the joints.
+    pub(super) fn coupling_terms(
+        &self,
+        bodies: &[(String, mechanics::Body)],
+        joints: &[JointEquations],
+    ) -> Vec<Box<dyn Term>> {
+        let [_, first] = Self::numbers(bodies, joints);
+        let part = |measure: Measured, part: &Coupled| {
+            let (joint, freed) = self.coupled(part)?;
+            let coordinate = joints[joint].freedoms().iter().find_map(|freedom| freedom.coupled(freed))?;
+            Some(measure.plus(coordinate, part.factor))
+        };
+        let tie = |(k, coupling): (usize, &Coupling)| {
+            let measure = coupling.joints.iter().try_fold(Measured::default(), part);
+            let measure = measure.expect("a checked coupling names freedoms that are there");
+            Box::new(Tie::new(measure, first + k)) as Box<dyn Term>
+        };
+        self.couplings.iter().enumerate().map(tie).collect()
     }
 
     /// Whether the first end of a joint is on a beam of the continuum formulation.
     fn is_locking(&self, joint: &Joint) -> bool {
         let body = &self.bodies[self.body_of(joint.ends().0)];
         matches!(body, Body::Beam(Beam { formulation: Formulation::Continuum, .. }))
+    }
+}
+
+/// The bodies of a model, for its joints to hold on to.
+struct Held<'a> {
+    model: &'a Model,
+    bodies: &'a [(String, mechanics::Body)],
+}
+
+impl Holds for Held<'_> {
+    fn attachment(&self, place: &Place) -> Attachment {
+        self.model.attachment(self.bodies, place)
+    }
+
+    fn beam(&self, place: &Place) -> Option<(Vec<ElementAxis>, f64)> {
+        let index = self.model.body_of(place);
+        let axes = self.bodies[index].1.mesh()?.element_axes().collect();
+        Some((axes, self.model.bodies[index].arc_length(place.at)))
     }
 }

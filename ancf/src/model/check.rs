@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::check_abilities::abilities;
 use super::check_bodies::{bodies, cables, formulations};
 use super::check_loads;
+use super::check_joints;
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
@@ -26,7 +27,16 @@ pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     let of_times = [times::functions, times::drives, times::ground_points, abilities];
     let of_loads = [check_loads::stretches, check_loads::fluids, check_loads::bases];
-    rules.iter().chain(&of_times).chain(&of_loads).flat_map(|rule| rule(model)).collect()
+    let of_joints = [
+        check_joints::axes,
+        check_joints::spans,
+        check_joints::slides,
+        check_joints::acting,
+        check_joints::distances,
+        check_joints::couplings,
+    ];
+    let special = of_times.iter().chain(&of_loads).chain(&of_joints);
+    rules.iter().chain(special).flat_map(|rule| rule(model)).collect()
 }
 
 pub(super) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
@@ -66,7 +76,9 @@ fn names(model: &Model) -> Vec<Finding> {
 fn columns(model: &Model) -> Vec<Finding> {
     let joints = joints_of(model).map(|(path, joint)| (path, joint.name()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
-    rule_of_names(joints.chain(probes).collect())
+    let couplings = model.couplings.iter().enumerate();
+    let couplings = couplings.map(|(i, coupling)| (format!("couplings[{i}]"), &*coupling.name));
+    rule_of_names(joints.chain(probes).chain(couplings).collect())
 }
 
 fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
@@ -194,16 +206,11 @@ pub(super) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m B
     bodies_of(model).find(|(_, body)| body.name() == place.body)
 }
 
-/// Joints connect two places that coincide in the undeformed state; hinges have an axis.
+/// Joints connect two places that coincide in the undeformed state.
 fn joints(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        if let Joint::Revolute { axis, .. } = joint
-            && !is_direction(*axis)
-        {
-            findings.push(no_direction(format!("{path}.axis"), *axis));
-        }
-        if let (a, End::Place(b)) = joint.ends() {
+        if let ((a, End::Place(b)), false) = (joint.ends(), joint.spans()) {
             findings.extend(rule_of_joint(model, &path, a, b));
         }
     }

@@ -21,17 +21,12 @@ enum Ability {
 pub(super) fn abilities(model: &Model) -> Vec<Finding> {
     let joints = joints_of(model).flat_map(|(path, joint)| {
         let (a, b) = joint.ends();
-        let wanted = match joint {
-            Joint::Spherical { .. } => None,
-            Joint::Clamp { .. } => Some((Ability::Direction, "a clamp")),
-            Joint::Revolute { .. } => Some((Ability::Section, "a hinge")),
-            Joint::Drive { .. } => Some((Ability::Driven, "a drive")),
-        };
-        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
-        let ends = [(format!("{path}.a"), a)].into_iter().chain(b);
-        ends.filter_map(move |(path, place)| {
-            let (ability, what) = wanted.as_ref()?;
-            rule(model, format!("{path}.body"), &place.body, ability, what)
+        let [of_a, of_b] = asked(joint);
+        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b, of_b)) } else { None };
+        let ends = [(format!("{path}.a"), a, of_a)].into_iter().chain(b);
+        ends.filter_map(|(path, place, wanted)| {
+            let (ability, what) = wanted?;
+            rule(model, format!("{path}.body"), &place.body, &ability, what)
         })
         .collect::<Vec<_>>()
     });
@@ -63,6 +58,25 @@ pub(super) fn abilities(model: &Model) -> Vec<Finding> {
             .collect::<Vec<_>>()
     });
     joints.chain(loads).chain(probes).chain(arms(model)).collect()
+}
+
+/// What a joint asks of its ends.
+fn asked(joint: &Joint) -> [Option<(Ability, &'static str)>; 2] {
+    let both = |ability: fn() -> Ability, what| [Some((ability(), what)), Some((ability(), what))];
+    let section = |what| both(|| Ability::Section, what);
+    match joint {
+        Joint::Spherical { .. } | Joint::Distance(_) | Joint::Slide(_) | Joint::Spring(_) => [None, None],
+        Joint::Clamp { .. } => both(|| Ability::Direction, "a clamp"),
+        Joint::Revolute { .. } => section("a hinge"),
+        Joint::Drive { axis: Some(_), .. } => both(|| Ability::Driven, "a drive"),
+        Joint::Drive { axis: None, .. } => [None, None],
+        Joint::Universal(_) => section("a universal joint"),
+        Joint::Cylindrical(_) => section("a cylindrical joint"),
+        Joint::Prismatic(_) => section("a prismatic joint"),
+        Joint::Planar(_) => section("a planar joint"),
+        Joint::Bushing(_) => section("a bushing"),
+        Joint::PointOnLine(_) => [None, Some((Ability::Section, "a guide line"))],
+    }
 }
 
 fn rule(model: &Model, path: String, name: &str, ability: &Ability, what: &str) -> Option<Finding> {

@@ -160,6 +160,15 @@ impl Joint {
             Self::Revolute { .. } => "revolute",
             Self::Spherical { .. } => "spherical",
             Self::Drive { .. } => "drive",
+            Self::Universal(_) => "universal joint",
+            Self::Cylindrical(_) => "cylindrical joint",
+            Self::Prismatic(_) => "prismatic joint",
+            Self::Planar(_) => "planar joint",
+            Self::PointOnLine(_) => "point on a line",
+            Self::Distance(_) => "rod",
+            Self::Slide(_) => "slide",
+            Self::Bushing(_) => "bushing",
+            Self::Spring(_) => "spring",
         }
     }
 
@@ -167,8 +176,12 @@ impl Joint {
     const fn ties(&self) -> usize {
         match self {
             Self::Clamp { .. } | Self::Drive { .. } => 6,
-            Self::Revolute { .. } => 5,
-            Self::Spherical { .. } => 3,
+            Self::Revolute { .. } | Self::Prismatic(_) => 5,
+            Self::Universal(_) | Self::Cylindrical(_) => 4,
+            Self::Spherical { .. } | Self::Planar(_) => 3,
+            Self::PointOnLine(_) | Self::Slide(_) => 2,
+            Self::Distance(_) => 1,
+            Self::Bushing(_) | Self::Spring(_) => 0,
         }
     }
 }
@@ -196,6 +209,7 @@ fn plural(kind: &str) -> String {
         "point mass" => "point masses".into(),
         "force per length" => "forces per length".into(),
         "moment per length" => "moments per length".into(),
+        "point on a line" => "points on lines".into(),
         kind => format!("{kind}s"),
     }
 }

@@ -78,6 +78,15 @@ fn one() -> f64 {
 }
 
 impl TimeFunction {
+    /// Whether its value jumps, as far as is known: a formula does not tell.
+    pub(super) fn jumps(&self) -> bool {
+        match self {
+            Self::Varying(Varying::Step { .. }) => true,
+            Self::Varying(Varying::Table { times, .. }) => times.windows(2).any(|pair| pair[0] == pair[1]),
+            _ => false,
+        }
+    }
+
     /// The function to be evaluated.
     ///
     /// # Errors

@@ -1,7 +1,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Place, TimeFunction};
+use super::acting::Acting;
+use super::{
+    AngularDrive, AngularFriction, AngularSpring, Bushing, Cylindrical, Distance, Place, Planar, PointOnLine,
+    PointSpring, Prismatic, Slide, TimeFunction, Universal,
+};
 
 /// A joint between a body and the ground or another body.
 ///
@@ -36,6 +40,15 @@ pub enum Joint {
         b: End,
         /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
         axis: [f64; 3],
+        /// Prescribes the angle.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        drive: Option<AngularDrive>,
+        /// A torsion spring and a damper.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        spring: Option<AngularSpring>,
+        /// Dry friction.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        friction: Option<AngularFriction>,
     },
     /// A ball joint: ties the position.
     Spherical {
@@ -48,24 +61,46 @@ pub enum Joint {
         #[serde(default)]
         b: End,
     },
-    /// A clamp to a frame that turns about the place as it is told.
+    /// A clamp to a frame that turns about the place and moves as it is told.
     Drive {
         /// Name in outputs and messages.
         #[schemars(length(min = 1))]
         name: String,
-        /// The end that is turned, and receives the reaction.
+        /// The end that is led, and receives the reaction.
         a: Place,
-        /// Direction of the axis in the global frame; its length does not matter.
-        axis: [f64; 3],
+        /// Direction of the axis in the global frame; its length does not matter. Without one the frame does not turn.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        axis: Option<[f64; 3]>,
         /// Angle by which the function of time is multiplied, in radians; 1 by default.
         #[serde(default = "one")]
         angle: f64,
-        /// Function of time; statics ignores it and turns with the load.
+        /// Displacement by which the function of time is multiplied, length; none by default.
+        #[serde(default)]
+        displacement: [f64; 3],
+        /// Function of time; statics ignores it, turns and moves with the load.
         time: TimeFunction,
         /// Which gradients are tied besides the position, by default as those of a clamp.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         fix: Option<Clamped>,
     },
+    /// Two shafts that meet.
+    Universal(Universal),
+    /// A pin in a sleeve.
+    Cylindrical(Cylindrical),
+    /// A slider in a straight guide.
+    Prismatic(Prismatic),
+    /// A plate on a plane.
+    Planar(Planar),
+    /// A point on a straight line.
+    PointOnLine(PointOnLine),
+    /// A massless rod with balls at its ends.
+    Distance(Distance),
+    /// A bead on a beam.
+    Slide(Slide),
+    /// An elastic mount.
+    Bushing(Bushing),
+    /// A spring and a damper between two points.
+    Spring(PointSpring),
 }
 
 /// What a drive is tied to.
@@ -76,30 +111,92 @@ fn one() -> f64 {
 }
 
 impl Joint {
+    /// A hinge on which nothing acts.
+    pub fn revolute(name: &str, a: Place, b: End, axis: [f64; 3]) -> Self {
+        Self::Revolute { name: name.into(), a, b, axis, drive: None, spring: None, friction: None }
+    }
+
     /// Name in outputs and messages.
     pub fn name(&self) -> &str {
         match self {
             Self::Clamp { name, .. }
             | Self::Revolute { name, .. }
             | Self::Spherical { name, .. }
-            | Self::Drive { name, .. } => name,
+            | Self::Drive { name, .. }
+            | Self::Universal(Universal { name, .. })
+            | Self::Cylindrical(Cylindrical { name, .. })
+            | Self::Prismatic(Prismatic { name, .. })
+            | Self::Planar(Planar { name, .. })
+            | Self::PointOnLine(PointOnLine { name, .. })
+            | Self::Distance(Distance { name, .. })
+            | Self::Slide(Slide { name, .. })
+            | Self::Bushing(Bushing { name, .. })
+            | Self::Spring(PointSpring { name, .. }) => name,
         }
     }
 
     /// The two ends.
     pub fn ends(&self) -> (&Place, &End) {
         match self {
-            Self::Clamp { a, b, .. } | Self::Revolute { a, b, .. } | Self::Spherical { a, b, .. } => (a, b),
             Self::Drive { a, .. } => (a, &GROUND),
+            Self::Clamp { a, b, .. }
+            | Self::Revolute { a, b, .. }
+            | Self::Spherical { a, b, .. }
+            | Self::Universal(Universal { a, b, .. })
+            | Self::Cylindrical(Cylindrical { a, b, .. })
+            | Self::Prismatic(Prismatic { a, b, .. })
+            | Self::Planar(Planar { a, b, .. })
+            | Self::PointOnLine(PointOnLine { a, b, .. })
+            | Self::Distance(Distance { a, b, .. })
+            | Self::Slide(Slide { a, b, .. })
+            | Self::Bushing(Bushing { a, b, .. })
+            | Self::Spring(PointSpring { a, b, .. }) => (a, b),
         }
     }
 
-    /// Its function of time, if it has one.
-    pub const fn time(&self) -> Option<&TimeFunction> {
+    /// Its functions of time, and the tables that have them as `time`.
+    pub fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
         match self {
-            Self::Clamp { .. } | Self::Revolute { .. } | Self::Spherical { .. } => None,
-            Self::Drive { time, .. } => Some(time),
+            Self::Drive { time, .. } | Self::Distance(Distance { time, .. }) => vec![("", time)],
+            Self::Cylindrical(Cylindrical { drive, feed, .. }) => {
+                let drive = drive.iter().map(|drive| (".drive", &drive.time));
+                drive.chain(feed.iter().map(|feed| (".feed", &feed.time))).collect()
+            }
+            Self::Revolute { drive, .. } => drive.iter().map(|drive| (".drive", &drive.time)).collect(),
+            Self::Prismatic(Prismatic { drive, .. }) | Self::Slide(Slide { drive, .. }) => {
+                drive.iter().map(|drive| (".drive", &drive.time)).collect()
+            }
+            _ => Vec::new(),
         }
+    }
+
+    /// What acts along its angle.
+    pub(super) fn turning(&self) -> Acting<'_> {
+        match self {
+            Self::Revolute { drive, spring, friction, .. } => Acting::turning(drive, spring, friction),
+            Self::Cylindrical(Cylindrical { drive, spring, .. }) => Acting::turning(drive, spring, &None),
+            _ => Acting::default(),
+        }
+    }
+
+    /// What acts along its displacement.
+    pub(super) fn moving(&self) -> Acting<'_> {
+        match self {
+            Self::Cylindrical(Cylindrical { feed, .. }) => Acting::moving(feed, &None, &None),
+            Self::Prismatic(Prismatic { drive, spring, friction, .. })
+            | Self::Slide(Slide { drive, spring, friction, .. }) => Acting::moving(drive, spring, friction),
+            _ => Acting::default(),
+        }
+    }
+
+    /// Whether it leads its place away.
+    pub(super) fn moves_place(&self) -> bool {
+        matches!(self, Self::Drive { displacement, .. } if *displacement != [0.0; 3])
+    }
+
+    /// Whether its ends are meant to be apart.
+    pub(super) const fn spans(&self) -> bool {
+        matches!(self, Self::Distance(_) | Self::Spring(_))
     }
 }
 

@@ -55,10 +55,11 @@ impl Assembly {
     /// and is held; in the reference state at λ = 0 it is not. Elastic bodies move freely in no other way.
     pub fn free_motions(&self, s: &State) -> Vec<FreeMotion> {
         let rigid = Rigid::new(self, s);
-        let unknowns = 6 * rigid.bodies.len();
+        let unknowns = 6 * rigid.bodies.len() + rigid.own.len();
         let motions: Vec<(usize, Sparse)> = rigid.kernel(self, s).vectors(unknowns).into_iter().collect();
         let free = self.without_stiffness(s, &rigid, &motions);
-        free.iter().map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
+        let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
+        moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
     }
 
     /// Those combinations of motions that cost no force.
@@ -111,9 +112,11 @@ impl Assembly {
 }
 
 /// The bodies of an assembly as rigid ones. Unknowns of body b: 6 b + 0, 1, 2 translations, 3, 4, 5 rotations about the
-/// global axes through the origin times its length.
+/// global axes through the origin times its length. Coordinates of joints, which no body owns, are the unknowns after these.
 struct Rigid {
     bodies: Vec<RigidBody>,
+    /// Coordinates of joints.
+    own: Vec<usize>,
     /// Body and vector that each coordinate belongs to.
     owner: Vec<Option<(usize, usize)>>,
 }
@@ -148,13 +151,14 @@ impl Rigid {
         for (body, joint) in bodies.iter_mut().zip(joint) {
             body.locate(joint);
         }
-        Self { bodies, owner }
+        let own = (0..owner.len()).filter(|&c| owner[c].is_none()).collect();
+        Self { bodies, own, owner }
     }
 
     /// The velocities that all joints admit and that move something.
     fn kernel(&self, assembly: &Assembly, s: &State) -> Kernel {
         let mut kernel = Kernel::default();
-        let translation = |unknown: usize| unknown % 6 < 3;
+        let translation = |unknown: usize| unknown >= 6 * self.bodies.len() || unknown % 6 < 3;
         for (b, body) in self.bodies.iter().enumerate() {
             for spin in body.idle_spins() {
                 let row = (0..3).map(|k| (6 * b + 3 + k, spin[k])).collect();
@@ -206,7 +210,14 @@ impl Rigid {
                 .enumerate()
                 .map(move |(j, x)| (6 * b + j, x))
         });
-        motions.into_iter().flatten()
+        let own = self.own.binary_search(&coordinate).ok().map(|k| (6 * self.bodies.len() + k, 1.0));
+        motions.into_iter().flatten().chain(own)
+    }
+
+    /// Whether a motion, told by a free unknown, is one of bodies.
+    fn moves_bodies(&self, leader: usize, motion: &Sparse) -> bool {
+        let bodies = 6 * self.bodies.len();
+        leader < bodies || motion.keys().any(|&unknown| unknown < bodies)
     }
 
     /// The coordinates that a motion moves, and how far.
@@ -220,6 +231,8 @@ impl Rigid {
                 moved.extend((0..3).map(|k| (vector.first + k, sum[k])));
             }
         }
+        let joints = motion.range(6 * self.bodies.len()..);
+        moved.extend(joints.map(|(unknown, y)| (self.own[unknown - 6 * self.bodies.len()], *y)));
         moved
     }
 

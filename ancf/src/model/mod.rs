@@ -1,20 +1,27 @@
 //! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
 
+mod acting;
 mod analysis;
 mod assemble;
 mod body;
 mod check;
 mod check_abilities;
 mod check_bodies;
+mod check_joints;
 mod check_loads;
 mod closing;
+mod coupling;
 mod cubature;
 mod diagnosis;
 mod equilibrium;
 mod error;
 mod fluid;
+mod freedom;
 mod function;
 mod joint;
+mod joint_kinds;
+mod joint_rows;
+mod link;
 mod load;
 mod material;
 mod mechanism;
@@ -26,6 +33,7 @@ mod redundant;
 mod rigid;
 mod rigidity;
 mod scale;
+mod scale_joints;
 mod schema;
 mod scheme;
 mod section;
@@ -41,16 +49,22 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use acting::{AngularDrive, AngularFriction, AngularSpring, LinearDrive, LinearFriction, LinearSpring};
 pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use closing::Closed;
+pub use coupling::{Coupled, Coupling, Freed};
 pub use diagnosis::Diagnosis;
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
 pub use error::{ModelError, ModelErrors, Position};
 pub use fluid::Fluid;
+pub use freedom::Freedom;
 pub use function::{TimeFunction, Varying};
 pub use joint::{Clamped, End, Ground, Joint};
+pub use joint_kinds::{
+    Bushing, Cylindrical, Distance, Planar, PointOnLine, PointSpring, Prismatic, Slide, Universal,
+};
 pub use load::Load;
 pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
@@ -89,6 +103,9 @@ pub struct Model {
     /// Joints that tie bodies to the ground or to each other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<Joint>,
+    /// Gears, racks, belts: joints that move together.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub couplings: Vec<Coupling>,
     /// Loads besides gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Load>,

@@ -28,7 +28,7 @@ impl Model {
     ///
     /// ```
     /// let errors = ancf::model::Model::parse("gravity = [0, -9.81]").unwrap_err();
-    /// assert_eq!(errors[4].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
+    /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
         let mut document = Document::parse(text);

@@ -63,7 +63,10 @@ impl<'a> Constraints<'a> {
         let mut rows = vec![Sparse::new(); self.multipliers];
         for term in &self.terms {
             for (multiplier, row) in term.multipliers().zip(constraint_rows(*term, s)) {
-                rows[multiplier] = row;
+                // The terms of a slide share multipliers; one of them is active.
+                if rows[multiplier].is_empty() {
+                    rows[multiplier] = row;
+                }
             }
         }
         rows
@@ -181,9 +184,11 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
     let meshes = model.meshes();
     let joints = model.joint_equations(&meshes, clock);
     let bodies = meshes.iter().flat_map(|(_, body)| body.terms());
-    let terms: Vec<Box<dyn Term>> = bodies.chain(joints.iter().flat_map(JointEquations::terms)).collect();
+    let of_joints = joints.iter().flat_map(JointEquations::terms);
+    let couplings = model.coupling_terms(&meshes, &joints);
+    let terms: Vec<Box<dyn Term>> = bodies.chain(of_joints).chain(couplings).collect();
     let constraints = Constraints::new(terms.iter().map(AsRef::as_ref), &joints);
-    let coordinates = meshes.iter().map(|(_, body)| body.coordinates()).sum();
+    let [coordinates, _] = Model::numbers(&meshes, &joints);
     let rest = State::rest(coordinates, constraints.multipliers);
     let found = constraints.dependences(&rest, INDEPENDENT);
     if found.is_empty() {
@@ -273,7 +278,10 @@ impl JointEquations {
     /// What each of its equations ties, in words; those that tie the same are counted.
     pub(super) fn ties(&self) -> Vec<String> {
         let mut terms: Vec<Box<dyn Term>> = self.terms().collect();
+        terms.retain(|term| !term.multipliers().is_empty());
         terms.sort_by_key(|term| term.multipliers().start);
+        // The terms of a slide share multipliers.
+        terms.dedup_by_key(|term| term.multipliers().start);
         let names = terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.tie(k)));
         let names: Vec<String> = names.collect();
         let number = |i: usize| {

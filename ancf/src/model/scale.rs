@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, End, Fluid, Ground, Joint, Load, Material, Model,
-    Output, Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Cable, Damping, Dynamics, Fluid, Load, Material, Model, Output, Place,
+    PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -149,6 +149,7 @@ impl Model {
             sections,
             bodies,
             joints,
+            couplings: _,
             loads,
             assemble,
             scales: _,
@@ -163,6 +164,7 @@ impl Model {
             sections: sections.into_iter().map(|(name, s)| (name, s.scaled(scales))).collect(),
             bodies: bodies.into_iter().map(|body| body.scaled(scales)).collect(),
             joints: joints.into_iter().map(|joint| joint.scaled(scales)).collect(),
+            couplings: self.scaled_couplings(scales),
             loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
             assemble,
             scales: ScaleChoice::None,
@@ -180,11 +182,11 @@ impl Model {
     }
 }
 
-fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
+pub(super) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
     x / scales.unit(of)
 }
 
-fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
+pub(super) fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
     x.map(|x| number(x, of, scales))
 }
 
@@ -272,7 +274,7 @@ impl Shape {
 }
 
 impl Place {
-    fn scaled(self, s: &Scales) -> Self {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
         let Self { body, at, offset } = self;
         Self { body, at: at.scaled(s), offset: vector(offset, Dimension::LENGTH, s) }
     }
@@ -284,24 +286,6 @@ impl At {
             Self::End(end) => Self::End(end),
             Self::Length(x) => Self::Length(number(x, Dimension::LENGTH, s)),
             Self::Point(x) => Self::Point(vector(x, Dimension::LENGTH, s)),
-        }
-    }
-}
-
-impl Joint {
-    fn scaled(self, s: &Scales) -> Self {
-        let end = |b| match b {
-            End::Ground => End::Ground,
-            End::Place(place) => End::Place(place.scaled(s)),
-            End::Point(Ground { point }) => End::Point(Ground { point: vector(point, Dimension::LENGTH, s) }),
-        };
-        match self {
-            Self::Clamp { name, a, b, fix } => Self::Clamp { name, a: a.scaled(s), b: end(b), fix },
-            Self::Revolute { name, a, b, axis } => Self::Revolute { name, a: a.scaled(s), b: end(b), axis },
-            Self::Spherical { name, a, b } => Self::Spherical { name, a: a.scaled(s), b: end(b) },
-            Self::Drive { name, a, axis, angle, time, fix } => {
-                Self::Drive { name, a: a.scaled(s), axis, angle, time: time.scaled(s), fix }
-            }
         }
     }
 }
@@ -371,7 +355,7 @@ impl Fluid {
 }
 
 impl TimeFunction {
-    fn scaled(self, s: &Scales) -> Self {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
         let time = |x| number(x, Dimension::TIME, s);
         let Self::Varying(varying) = self else { return self };
         Self::Varying(match varying {

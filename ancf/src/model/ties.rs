@@ -3,9 +3,14 @@
 use nalgebra::Vector3;
 
 use super::closing::Gap;
+use super::coupling::Freed;
+use super::freedom::Freedom;
 use super::function::Clock;
+use super::link::{Ends, Links};
 use super::{Clamped, End, Ground, Joint, Place};
-use crate::mechanics::{Attachment, Coincide, Directions, Drive, Marker, Perpendicular, Wrench, across};
+use crate::mechanics::{
+    Attachment, Coincide, Directions, Drive, ElementAxis, Marker, Perpendicular, Wrench, across,
+};
 use crate::system::{State, Term};
 
 /// The equations of one joint.
@@ -14,69 +19,102 @@ pub(super) struct JointEquations {
     pub(super) name: String,
     /// The next free multiplier.
     next: usize,
-    first: usize,
+    /// The first coordinate of its own and the first multiplier.
+    first: [usize; 2],
     coincide: Vec<Coincide>,
     perpendicular: Vec<Perpendicular>,
     drives: Vec<Drive>,
+    links: Links,
+}
+
+/// What joints hold on to.
+pub(super) trait Holds {
+    /// A place.
+    fn attachment(&self, place: &Place) -> Attachment;
+
+    /// The axes of the elements of a flexible body, and the arc length of a place on it.
+    fn beam(&self, place: &Place) -> Option<(Vec<ElementAxis>, f64)>;
 }
 
 /// Cosine of the angle beyond which sections or lines that meet are at a corner: 5°.
 const CORNER: f64 = 0.996;
 
 impl JointEquations {
-    /// The equations of a joint, by multipliers from `first` on. `locking` says whether its end `a` is on a beam of the
-    /// continuum formulation.
+    /// The equations of a joint, by coordinates and multipliers from `first` on. `locking` says whether its end `a` is on a beam of
+    /// the continuum formulation, `coupled` which of its freedoms are coupled to others.
     pub(super) fn new(
         joint: &Joint,
         locking: bool,
-        first: usize,
+        first: [usize; 2],
         clock: Clock,
-        find: &impl Fn(&Place) -> Attachment,
+        coupled: impl Fn(Freed) -> bool,
+        bodies: &impl Holds,
     ) -> Self {
         let (a, b) = joint.ends();
-        let here = find(a);
+        let here = bodies.attachment(a);
         let there = match b {
-            End::Place(place) => find(place),
+            End::Place(place) => bodies.attachment(place),
+            End::Point(Ground { point }) if joint.spans() => Attachment::ground(Vector3::from(*point)),
             End::Ground | End::Point(_) => Attachment::ground(here.point.reference()),
         };
         let mut equations = Self {
             name: joint.name().to_owned(),
-            next: first,
+            next: first[1],
             first,
             coincide: Vec::new(),
             perpendicular: Vec::new(),
             drives: Vec::new(),
+            links: Links::new(first, clock),
         };
-        let place = equations.take(3);
-        equations.coincide.push(match b {
-            End::Point(Ground { point: target }) => {
-                Coincide::toward(&here.point, Vector3::from(*target), place)
-            }
-            _ => Coincide::points(&here.point, &there.point, place),
-        });
+        equations.tie(joint, locking, clock, [&here, &there]);
+        let beam =
+            if let (Joint::Slide(_), End::Place(place)) = (joint, b) { bodies.beam(place) } else { None };
+        let mut links = Links::new([first[0], equations.next], clock);
+        links.add(joint, &Ends { a: &here, b: &there, beam }, coupled);
+        Self { links, ..equations }
+    }
+
+    /// Ties points and directions, of the joints that do.
+    fn tie(&mut self, joint: &Joint, locking: bool, clock: Clock, [here, there]: [&Attachment; 2]) {
+        let ties = matches!(
+            joint,
+            Joint::Clamp { .. } | Joint::Revolute { .. } | Joint::Spherical { .. } | Joint::Drive { .. }
+        );
+        if !ties {
+            return;
+        }
+        if !joint.moves_place() {
+            let place = self.take(3);
+            self.coincide.push(match joint.ends().1 {
+                End::Point(Ground { point: target }) => {
+                    Coincide::toward(&here.point, Vector3::from(*target), place)
+                }
+                _ => Coincide::points(&here.point, &there.point, place),
+            });
+        }
         let fixed =
             |fix: &Option<Clamped>| fix.unwrap_or(if locking { Clamped::All } else { Clamped::Section });
         match joint {
-            Joint::Spherical { .. } => {}
-            Joint::Clamp { fix, .. } => equations.clamp(&here, &there, fixed(fix)),
-            Joint::Drive { axis, angle, time, fix, .. } => {
+            Joint::Clamp { fix, .. } => self.clamp(here, there, fixed(fix)),
+            Joint::Drive { axis: None, fix, .. } => self.clamp(here, there, fixed(fix)),
+            Joint::Drive { axis: Some(axis), angle, time, fix, .. } => {
                 let (axis, function) = (Vector3::from(*axis).normalize(), clock.function(time));
-                for &direction in fixed(fix).of(&reference(&here)) {
-                    let multipliers = equations.take(3);
+                for &direction in fixed(fix).of(&reference(here)) {
+                    let multipliers = self.take(3);
                     let a = here.direction(direction);
-                    equations.drives.push(Drive::new(&a, axis, *angle, function.clone(), multipliers));
+                    self.drives.push(Drive::new(&a, axis, *angle, function.clone(), multipliers));
                 }
             }
             Joint::Revolute { axis, .. } => {
                 let axis = Vector3::from(*axis).normalize();
                 for normal in across(axis) {
-                    equations.keep_angle(&here.direction(axis), &there.direction(normal));
+                    self.keep_angle(&here.direction(axis), &there.direction(normal));
                 }
-                let hinge = equations.perpendicular.drain(..).map(|angle| angle.named("hinge axis"));
-                equations.perpendicular = hinge.collect();
+                let hinge = self.perpendicular.drain(..).map(|angle| angle.named("hinge axis"));
+                self.perpendicular = hinge.collect();
             }
+            _ => {}
         }
-        equations
     }
 
     /// So many multipliers; returns the first.
@@ -87,10 +125,20 @@ impl JointEquations {
 
     /// Number of multipliers.
     pub(super) fn multipliers(&self) -> usize {
-        self.next - self.first
+        self.links.next()[1] - self.first[1]
     }
 
-    /// The same with its gap treated in one way or the other; places are tied first.
+    /// Number of coordinates of its own.
+    pub(super) fn coordinates(&self) -> usize {
+        self.links.next()[0] - self.first[0]
+    }
+
+    /// The angles and displacements by which it moves.
+    pub(super) fn freedoms(&self) -> &[Freedom] {
+        &self.links.freedoms
+    }
+
+    /// The same with its gap treated in one way or the other.
     pub(super) fn with_gap(mut self, gap: Gap) -> Self {
         let of = |place: Coincide| match gap {
             Gap::Kept => place.kept(),
@@ -100,27 +148,28 @@ impl JointEquations {
         self.coincide = self
             .coincide
             .into_iter()
-            .enumerate()
-            .map(|(i, tie)| if i == 0 { of(tie) } else { tie })
+            .map(|tie| if tie.is_of_points() { of(tie) } else { tie })
             .collect();
         self
     }
 
     /// What is between its places in the reference state.
     pub(super) fn gap(&self) -> Vector3<f64> {
-        self.coincide.first().map_or_else(Vector3::zeros, Coincide::gap)
+        let place = self.coincide.iter().find(|tie| tie.is_of_points());
+        place.map_or_else(Vector3::zeros, Coincide::gap)
     }
 
     /// Its multipliers.
-    pub(super) const fn range(&self) -> std::ops::Range<usize> {
-        self.first..self.next
+    pub(super) fn range(&self) -> std::ops::Range<usize> {
+        let [_, next] = self.links.next();
+        self.first[1]..next
     }
 
     pub(super) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
         let coincide = self.coincide.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
         let perpendicular = self.perpendicular.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
         let drives = self.drives.iter().cloned().map(|c| Box::new(c) as Box<dyn Term>);
-        coincide.chain(perpendicular).chain(drives)
+        coincide.chain(perpendicular).chain(drives).chain(self.links.terms())
     }
 
     /// What the joint exerts on its end `a`.
@@ -128,10 +177,10 @@ impl JointEquations {
         let coincide = self.coincide.iter().map(|c| c.reaction(s));
         let perpendicular = self.perpendicular.iter().map(|c| c.reaction(s));
         let drives = self.drives.iter().map(|c| c.reaction(s));
-        coincide.chain(perpendicular).chain(drives).fold(Wrench::default(), |sum, part| Wrench {
-            force: sum.force + part.force,
-            moment: sum.moment + part.moment,
-        })
+        coincide.chain(perpendicular).chain(drives).chain(self.links.reactions(s)).fold(
+            Wrench::default(),
+            |sum, part| Wrench { force: sum.force + part.force, moment: sum.moment + part.moment },
+        )
     }
 
     fn keep_angle(&mut self, a: &Marker, b: &Marker) {

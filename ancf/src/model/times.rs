@@ -9,6 +9,8 @@ use super::{Analysis, End, Joint, Model, TimeFunction, Varying};
 
 /// An angle that is none, in radians.
 const TURNED: f64 = 1e-6;
+/// What is wanted of a prescribed motion.
+const STARTS: &str = "a motion that starts from the undeformed state, at 0";
 
 /// Loads with their paths.
 pub(super) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::Load)> {
@@ -18,7 +20,10 @@ pub(super) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::L
 /// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
 pub(super) fn functions(model: &Model) -> Vec<Finding> {
     let of_loads = loads_of(model).map(|(path, load)| (path, load.time()));
-    let of_joints = joints_of(model).filter_map(|(path, joint)| Some((path, joint.time()?)));
+    let of_joints = joints_of(model).flat_map(|(path, joint)| {
+        let times = joint.times().into_iter();
+        times.map(|(table, time)| (format!("{path}{table}"), time)).collect::<Vec<_>>()
+    });
     of_loads.chain(of_joints).filter_map(|(path, time)| rule_of_function(&path, time)).collect()
 }
 
@@ -71,31 +76,31 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
 pub(super) fn drives(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let Joint::Drive { axis, angle, time, .. } = joint else { continue };
-        if !is_direction(*axis) {
-            findings.push(no_direction(format!("{path}.axis"), *axis));
+        let Joint::Drive { axis, angle, displacement, time, .. } = joint else { continue };
+        if let Some(axis) = axis.filter(|axis| !is_direction(*axis)) {
+            findings.push(no_direction(format!("{path}.axis"), axis));
         }
         let key = format!("{path}.time");
-        let jumps = match time {
-            TimeFunction::Varying(Varying::Step { .. }) => true,
-            TimeFunction::Varying(Varying::Table { times, .. }) => {
-                times.windows(2).any(|pair| pair[0] == pair[1])
-            }
-            _ => false,
-        };
-        let start = time.compile().map_or(0.0, |function| angle * function.value(0.0));
+        let jumps = time.jumps();
+        let start = time.compile().map_or(0.0, |function| function.value(0.0));
+        let turned = if axis.is_some() { angle * start } else { 0.0 };
+        let moved = Vector3::from(*displacement).norm() * start;
         if jumps {
             findings.push(finding(key, "a function that jumps", "one that bodies can follow"));
-        } else if is_dynamic(model) && start.abs() > TURNED {
-            let found = format!("an angle of {} at t = 0", number(start));
-            let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
+        } else if is_dynamic(model) && turned.abs() > TURNED {
+            let found = format!("an angle of {} at t = 0", number(turned));
+            let error = finding(key, found, STARTS);
             findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.angle")]) });
+        } else if is_dynamic(model) && moved.abs() > COINCIDENT * model.length() {
+            let found = format!("a displacement of {} at t = 0", number(moved));
+            let error = finding(key, found, STARTS);
+            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.displacement")]) });
         }
     }
     findings
 }
 
-fn is_dynamic(model: &Model) -> bool {
+pub(super) fn is_dynamic(model: &Model) -> bool {
     matches!(model.analysis, Analysis::Dynamics(_))
 }
 
@@ -103,6 +108,9 @@ fn is_dynamic(model: &Model) -> bool {
 pub(super) fn ground_points(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
+        if joint.spans() {
+            return None;
+        }
         let (owner, body) = body(model, a)?;
         let apart = (model.point(a)? - Vector3::from(b.point)).norm();
         let length = if body.is_flexible() { body.length() } else { model.length() };

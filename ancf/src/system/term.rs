@@ -151,7 +151,7 @@ pub trait Term: Send + Sync {
         format!("equation {}", k + 1)
     }
 
-    /// Whether matter can be in this state: not turned inside out.
+    /// Whether matter can be in this state: not turned inside out, not off the beam on which it slides.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
         true
     }

@@ -24,6 +24,7 @@ pub(crate) fn free(elements: u32) -> Model {
         sections: [("circle".into(), Section::Circle { diameter: 0.02 })].into(),
         bodies: vec![Body::Beam(beam)],
         joints: Vec::new(),
+        couplings: Vec::new(),
         loads: Vec::new(),
         assemble: false,
         scales: ScaleChoice::None,
@@ -54,7 +55,15 @@ pub(crate) fn clamped(elements: u32, fix: Clamped) -> Model {
 
 /// Hinged at its start about z.
 pub(crate) fn revolute(elements: u32) -> Model {
-    let hinge = Joint::Revolute { name: "root".into(), a: start(), b: End::Ground, axis: [0.0, 0.0, 1.0] };
+    let hinge = Joint::Revolute {
+        name: "root".into(),
+        a: start(),
+        b: End::Ground,
+        axis: [0.0, 0.0, 1.0],
+        drive: None,
+        spring: None,
+        friction: None,
+    };
     Model { joints: vec![hinge], ..free(elements) }
 }
 

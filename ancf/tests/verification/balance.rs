@@ -50,7 +50,18 @@ fn forks() -> [(&'static str, Model); 4] {
         ("clamp", branched(along, clamp(Clamped::All))),
         ("clamp of the section", branched(along, clamp(Clamped::Section))),
         ("spherical", branched(along, |a, b| Joint::Spherical { name: "fork".into(), a, b })),
-        ("revolute", branched(along, |a, b| Joint::Revolute { name: "fork".into(), a, b, axis: AXIS })),
+        (
+            "revolute",
+            branched(along, |a, b| Joint::Revolute {
+                name: "fork".into(),
+                a,
+                b,
+                axis: AXIS,
+                drive: None,
+                spring: None,
+                friction: None,
+            }),
+        ),
     ]
     .map(|(name, mut model)| {
         rod::material(&mut model).young /= 1000.0;
@@ -133,7 +144,15 @@ fn joints_hold() {
 #[test]
 fn action_is_reaction() {
     let [.., (_, mut hinged)] = forks();
-    hinged.joints[0] = Joint::Revolute { name: "root".into(), a: rod::start(), b: End::Ground, axis: AXIS };
+    hinged.joints[0] = Joint::Revolute {
+        name: "root".into(),
+        a: rod::start(),
+        b: End::Ground,
+        axis: AXIS,
+        drive: None,
+        spring: None,
+        friction: None,
+    };
     for (name, model) in forks().into_iter().chain([("hinged at the root", hinged)]) {
         let (assembly, states) = instants(&model);
         for s in states.iter().step_by(20) {
@@ -179,7 +198,15 @@ fn kept_angles(assembly: &Assembly, s: &State) -> usize {
 /// A start with velocities: with Φ_q v = 0 and the consistent accelerations, Φ(q + h v + ½ h² a) is of third order.
 #[test]
 fn consistent_start_in_motion() {
-    let model = branched([0.0, 0.6, 0.8], |a, b| Joint::Revolute { name: "fork".into(), a, b, axis: AXIS });
+    let model = branched([0.0, 0.6, 0.8], |a, b| Joint::Revolute {
+        name: "fork".into(),
+        a,
+        b,
+        axis: AXIS,
+        drive: None,
+        spring: None,
+        friction: None,
+    });
     let assembly = Model { joints: model.joints[1..].to_vec(), ..model }.assemble().unwrap();
     let mut s = assembly.rest();
     // All turn about one axis, the branch besides about its hinge.

@@ -38,6 +38,7 @@ impl<'a> Pace<'a> {
         let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics = Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.rest());
+        dynamics.take_in()?;
         if settings.start == Start::Consistent {
             dynamics.restart(0.0)?;
         }

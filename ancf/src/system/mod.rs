@@ -1,6 +1,7 @@
 //! FLOOR 0: equations of motion without mechanics. Coordinates, multipliers, sums of local terms, sparse matrices.
 
 mod assembly;
+mod encounter;
 mod equations;
 mod factor;
 mod kernel;
@@ -9,6 +10,7 @@ mod state;
 mod term;
 
 pub use assembly::System;
+pub use encounter::{Encounters, Pair};
 pub use equations::{Energy, EquationsOfMotion, Level, Power};
 pub use factor::{Factor, SingularMatrix};
 pub use kernel::{Kernel, Sparse};

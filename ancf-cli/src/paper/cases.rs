@@ -80,6 +80,7 @@ impl Case {
             })],
             joints: vec![joint],
             loads: Vec::new(),
+            contacts: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
                 scheme: Scheme::Adams,

@@ -144,7 +144,8 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let coordinates = bodies.iter().map(|(_, mesh)| mesh.coordinates()).sum();
         let multipliers = joints.iter().map(JointEquations::multipliers).sum();
-        let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
+        let system = System::new(coordinates, multipliers, terms).with(self.encounters(&bodies));
+        let breaks = self.breaks(clock);
         Ok(Assembly { system, probes, measures, energy_parts, bodies, joints, breaks })
     }
 
@@ -172,7 +173,7 @@ impl Model {
     }
 
     /// The mesh and the arc length of a place.
-    fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
+    pub(super) fn locate<'a>(&self, meshes: &'a [(String, BeamMesh)], place: &Place) -> (&'a BeamMesh, f64) {
         let index = self.body_of(place);
         (&meshes[index].1, self.bodies[index].arc_length(place.at))
     }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::check_bodies::{bodies, cables, formulations};
+use super::check_contacts::contacts;
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
@@ -20,8 +21,21 @@ pub(super) const COINCIDENT: f64 = 1e-6;
 
 /// The rules that a model breaks.
 pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
-    let rules =
-        [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
+    let rules = [
+        names,
+        columns,
+        sections,
+        bodies,
+        formulations,
+        cables,
+        size,
+        places,
+        joints,
+        contacts,
+        time,
+        scheme,
+        scales,
+    ];
     let of_times = [times::functions, times::drives, times::ground_points, times::lines];
     rules.iter().chain(&of_times).flat_map(|rule| rule(model)).collect()
 }
@@ -144,7 +158,7 @@ fn places(model: &Model) -> Vec<Finding> {
     ends.chain(loads).chain(probes).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
 }
 
-fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
+pub(super) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
     let Some((owner, body)) = body(model, place) else {
         let names = model.bodies.iter().map(Body::name).collect();
         let error = unknown(format!("{path}.body"), "body", &place.body, names);

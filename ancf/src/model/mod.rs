@@ -5,6 +5,8 @@ mod assemble;
 mod body;
 mod check;
 mod check_bodies;
+mod check_contacts;
+mod contact;
 mod cubature;
 mod equilibrium;
 mod error;
@@ -35,6 +37,7 @@ use serde::{Deserialize, Serialize};
 pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
+pub use contact::{Against, Contact};
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
 pub use error::{ModelError, ModelErrors, Position};
 pub use function::{TimeFunction, Varying};
@@ -75,6 +78,9 @@ pub struct Model {
     /// Loads besides gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Load>,
+    /// What bodies may touch: obstacles and each other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<Contact>,
     /// Units in which the equations are solved; the user's own by default.
     #[serde(default)]
     pub scales: ScaleChoice,

@@ -25,6 +25,7 @@ pub(crate) fn free(elements: u32) -> Model {
         bodies: vec![Body::Beam(beam)],
         joints: Vec::new(),
         loads: Vec::new(),
+        contacts: Vec::new(),
         scales: ScaleChoice::None,
         analysis: Analysis::Dynamics(Dynamics {
             duration: 2.0,

@@ -25,7 +25,15 @@ fn motion(assembly: &Assembly, start: State) -> Dynamics<'_, System> {
 }
 
 fn run(motion: &mut Dynamics<'_, System>, steps: u32, h: f64) {
-    (1..=steps).for_each(|k| drop(motion.advance(f64::from(k) * h).unwrap()));
+    for k in 1..=steps {
+        motion.advance(f64::from(k) * h).unwrap();
+    }
+}
+
+/// Of a body of length 0.1, vibrations apart.
+fn mean_velocity(assembly: &Assembly, body: &str, s: &State) -> Vector3<f64> {
+    let mesh = assembly.mesh(body).unwrap();
+    (0..50).map(|i| mesh.point(f64::from(i) * 0.002 + 0.001).sum(&s.v)).sum::<Vector3<f64>>() / 50.0
 }
 
 fn rod(contact: &str) -> Model {
@@ -50,7 +58,7 @@ fn what_falls_on_a_plane_bounces_back() {
         run(&mut motion, (4e-3 / h).round() as u32, h);
         assert_eq!(force(&assembly, motion.state(), "rod").norm(), 0.0, "it is off again");
         assert!((motion.energy().total() / before - 1.0).abs() < 1e-3);
-        let v = assembly.mesh("rod").unwrap().point(0.05).sum(&motion.state().v);
+        let v = mean_velocity(&assembly, "rod", motion.state());
         assert!((v.x - 0.3).abs() < 1e-9, "no friction, {}", v.x);
         (v.y - 1.0).abs()
     });
@@ -133,10 +141,10 @@ fn a_rope_on_a_drum_holds_by_friction() {
                 \"axle\", at = \"start\" } }\nbodies = [\"rope\"]\nstiffness = 1e6\nfriction = 0.3\nslip_speed = 1e-3";
     let model = model(
         "[sections.thin]\nkind = \"circle\"\ndiameter = 0.004\n\n[[bodies]]\nkind = \"beam\"\nname = \"rope\"\nfrom = [-0.1, 0, 0]\n\
-         to = [0.1, 0, 0]\nshape = { kind = \"arc\", through = [0, 0.1, 0] }\nelements = 16\nformulation = \
+         to = [0.1, 0, 0]\nshape = { kind = \"arc\", through = [0, 0.1, 0] }\nelements = 10\nformulation = \
          \"linked\"\nsection = \"thin\"\nmaterial = \"soft\"\n\n[[bodies]]\nkind = \"beam\"\nname = \"axle\"\nfrom = [0, 0, \
          -0.05]\nto = [0, 0, 0.05]\nelements = 1\nformulation = \"linked\"\nsection = \"round\"\nmaterial = \
-         \"stiff\"\n\n[[joints]]\nkind = \"spherical\"\nname = \"hook\"\na = { body = \"rope\", at = \"start\" }\n\n[[joints]]\n\
+         \"soft\"\n\n[[joints]]\nkind = \"spherical\"\nname = \"hook\"\na = { body = \"rope\", at = \"start\" }\n\n[[joints]]\n\
          kind = \"drive\"\nname = \"motor\"\na = { body = \"axle\", at = \"start\" }\naxis = [0, 0, 1]\nangle = -5\ntime = { \
          kind = \"expression\", text = \"t\" }\n\n[[loads]]\nkind = \"force\"\non = { body = \"rope\", at = \"end\" }\nforce = \
          [0, -1, 0]\n",
@@ -144,7 +152,7 @@ fn a_rope_on_a_drum_holds_by_friction() {
     );
     let assembly = model.assemble().unwrap();
     let mut motion = motion(&assembly, assembly.rest());
-    run(&mut motion, 600, 5e-4);
+    run(&mut motion, 200, 5e-4);
     let (hook, motor) = {
         let mut reactions = assembly.reactions(motion.state());
         (reactions.next().unwrap(), reactions.next().unwrap())
@@ -171,11 +179,7 @@ fn equal_rods_exchange_their_velocities() {
     let mut motion = motion(&assembly, pushed(&assembly, &[("fast", Vector3::new(0.0, -1.0, 0.0))]));
     let before = motion.energy().total();
     run(&mut motion, 300, 2e-5);
-    let [still, fast] = ["still", "fast"].map(|name| {
-        let mesh = assembly.mesh(name).unwrap();
-        // The mean velocity, without vibrations.
-        (0..50).map(|i| mesh.point(f64::from(i) * 0.002 + 0.001).sum(&motion.state().v).y).sum::<f64>() / 50.0
-    });
+    let [still, fast] = ["still", "fast"].map(|name| mean_velocity(&assembly, name, motion.state()).y);
     assert!((still + fast + 1.0).abs() < 1e-3, "momentum: {still}, {fast}");
     assert!((still + 1.0).abs() < 0.02 && fast.abs() < 0.02, "{still}, {fast}");
     assert!((motion.energy().total() / before - 1.0).abs() < 1e-2);
@@ -195,20 +199,20 @@ fn a_loop_does_not_pass_through_itself() {
         let mesh = assembly.mesh("hairpin").unwrap();
         let mut start = assembly.rest();
         for vector in mesh.vectors(&assembly.rest()).filter(|vector| vector.is_position()) {
-            start.v[vector.first + 1] = -20.0 * vector.value.y;
+            start.v[vector.first + 1] = -50.0 * vector.value.y;
         }
         let mut motion = motion(&assembly, start);
         let mut least = f64::INFINITY;
-        for k in 1..=200 {
-            motion.advance(f64::from(k) * 5e-4).unwrap();
+        for k in 1..=500 {
+            motion.advance(f64::from(k) * 2e-4).unwrap();
             let y = |s: f64| mesh.point(s).value(motion.state()).y;
             least = least.min(y(0.0) - y(mesh.length()));
         }
         least
     };
     assert!(least("") < 0.0, "the legs would cross");
-    let apart = least("with = { kind = \"bodies\" }\nstiffness = 1e6");
-    assert!(apart > 1.8 * RADIUS, "{apart}");
+    let apart = least("with = { kind = \"bodies\" }\nstiffness = 1e7");
+    assert!(apart > 1.5 * RADIUS, "{apart}");
 }
 
 /// Two crossed rods with clamped ends, loaded in the middle of the upper one.
@@ -239,7 +243,7 @@ fn crossed(turn: Rotation3<f64>, names: [&str; 2]) -> Model {
         "[[loads]]\nkind = \"force\"\non = {{ body = \"upper\", at = 0.5 }}\nforce = {}\n",
         at(0.0, 0.0, -2.0)
     );
-    let mut model = model(&text, "with = { kind = \"bodies\" }\nstiffness = 1e6");
+    let mut model = model(&text, "with = { kind = \"bodies\" }\nstiffness = 1e8\npoints = 100");
     model.analysis = ancf::model::Analysis::Statics(ancf::model::Statics::default());
     model
 }

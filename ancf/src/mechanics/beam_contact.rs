@@ -129,7 +129,7 @@ impl BeamContact {
         let distance = d.dot(d).sqrt();
         let n = d.map(|x| x / distance);
         let normal = self.law.smooth_normal(distance - self.radius, n.dot(rate)) * (self.length * share);
-        n.map(|x| x * normal) + self.law.smooth_tangential(normal, &n, rate)
+        n.map(|x| x * normal) + self.law.smooth_tangential(D::from(normal.re()), &n, rate)
     }
 
     /// ḋ and its derivative by s.

@@ -15,6 +15,10 @@ use super::frame::Real;
 /// Friction is Coulomb's, made smooth: −μ N w_t/√(w_t² + v₀²) with the sliding velocity w_t across the normal. Slower than v₀ it
 /// is viscous: what should stick creeps, at v₀ T/√(μ²N² − T²) under a force T.
 ///
+/// In tangents the N of friction is constant: ∂f_t/∂v is then symmetric, and Newton's method, whose other error goes from the
+/// normal to the tangential direction but not back, needs an iteration or two more. With the symmetric part of μ ∂N/∂q t
+/// it goes there and back: 30 iterations for 5.
+///
 /// Units: k force/length², δ length, c time/length, v₀ length/time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaw {

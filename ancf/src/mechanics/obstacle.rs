@@ -81,7 +81,7 @@ impl Form {
 /// ∂g/∂d on d and αₖ ∂g/∂a on xₖ. Friction f acts at p on the beam, and on the carrier as if it reached as far: −f on c
 /// and −ρₖ f on xₖ, ρ = X⁻¹d, by the relative velocity w = ḋ − Ẋ ρ. Momentum and angular momentum of both are thus kept,
 /// and the friction of a rope on a pulley has the lever that its tension has. The tangent is the symmetric part of the
-/// derivative, that of the pressure exact.
+/// derivative at constant N in the friction; without friction and damping it is exact.
 #[derive(Clone, Debug)]
 pub struct ObstacleContact {
     form: Form,
@@ -151,7 +151,7 @@ impl ObstacleContact {
         let reach = components(&axes, &d);
         let carried: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
-        let friction = self.law.smooth_tangential(normal, &n, &carried);
+        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &carried);
         let mut forces = Twelve::from_element(D::from(0.0));
         forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + &friction));
         for k in 0..3 {

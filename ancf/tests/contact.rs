@@ -1,14 +1,17 @@
 //! Contact of bodies with obstacles and with each other: against what is known of impact, sliding, ropes and pressing.
 #![cfg(test)]
 
+#[path = "common/run.rs"]
+mod run;
 #[path = "common/touching.rs"]
 mod touching;
 
-use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::Assembly;
+use ancf::model::{Assembly, At, AtEnd, Place, Probe};
 use ancf::system::{State, System};
+use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
+use run::{Run, distance};
 use touching::{force, model, pushed};
 
 const GRAVITY: f64 = 9.81;
@@ -24,7 +27,7 @@ fn motion(assembly: &Assembly, start: State) -> Dynamics<'_, System> {
     motion
 }
 
-fn run(motion: &mut Dynamics<'_, System>, steps: u32, h: f64) {
+fn advance(motion: &mut Dynamics<'_, System>, steps: u32, h: f64) {
     for k in 1..=steps {
         motion.advance(f64::from(k) * h).unwrap();
     }
@@ -55,7 +58,7 @@ fn what_falls_on_a_plane_bounces_back() {
         let start = pushed(&assembly, &[("rod", Vector3::new(0.3, -1.0, 0.0))]);
         let mut motion = motion(&assembly, start);
         let before = motion.energy().total();
-        run(&mut motion, (4e-3 / h).round() as u32, h);
+        advance(&mut motion, (4e-3 / h).round() as u32, h);
         assert_eq!(force(&assembly, motion.state(), "rod").norm(), 0.0, "it is off again");
         assert!((motion.energy().total() / before - 1.0).abs() < 1e-3);
         let v = mean_velocity(&assembly, "rod", motion.state());
@@ -74,12 +77,40 @@ fn what_an_impact_takes_is_in_the_books() {
         let start = pushed(&assembly, &[("rod", Vector3::new(0.5, -1.0, 0.4))]);
         let mut motion = motion(&assembly, start);
         let before = motion.energy().total();
-        run(&mut motion, (4e-3 / h).round() as u32, h);
+        advance(&mut motion, (4e-3 / h).round() as u32, h);
         let (after, lost) = (motion.energy().total(), motion.exchanged().dissipation);
         assert!(lost > 0.2 * before && lost < 0.9 * before, "{lost} of {before}");
         ((before - lost - after) / before).abs()
     });
     assert!(errors[1] < 1e-3 && errors[1] < 0.5 * errors[0], "{errors:?}");
+}
+
+/// A step from far above the floor into it is done again with what it meets there.
+#[test]
+fn a_step_does_not_overlook_what_it_meets() {
+    let assembly = rod(&FLOOR.replace("-0.0105", "-0.06")).assemble().unwrap();
+    let mut motion = motion(&assembly, pushed(&assembly, &[("rod", Vector3::new(0.0, -10.0, 0.0))]));
+    advance(&mut motion, 1, 5.2e-3);
+    assert!(force(&assembly, motion.state(), "rod").y > 0.0);
+    assert!(motion.energy().strain > 0.0, "it is among the equations");
+    let v = mean_velocity(&assembly, "rod", motion.state()).y;
+    assert!(v > -9.9, "{v}");
+}
+
+/// Lengths, times and forces in other units, defaults among them.
+#[test]
+fn units_do_not_matter() {
+    let mut model = rod(&format!("{FLOOR}\nfriction = 0.3\ndamping = 0.2"));
+    model.gravity = [3.0, -GRAVITY, 1.0];
+    model.probes = vec![Probe::of_motion("tip", Place { body: "rod".into(), at: At::End(AtEnd::End) })];
+    let settings = model.analysis.dynamics_mut().unwrap();
+    settings.duration = 0.02;
+    let (a, units) = (Run::of(&model), Scales { length: 0.037, time: 13.0, force: 2.9e5 });
+    let scaled = Run::of(&model.scaled(&units));
+    let back: Vec<_> = scaled.vectors("tip.").iter().map(|x| x * units.length).collect();
+    let apart = distance(&a.vectors("tip."), &back);
+    assert!(apart < 1e-9 * RADIUS, "{apart:e}");
+    assert!(a.column("dissipated").last().unwrap() > &1e-6, "it has touched");
 }
 
 /// At rest the floor bears the weight, at the depth at which the pressure is the weight per length.
@@ -90,7 +121,7 @@ fn the_floor_bears_what_rests_on_it() {
     model.materials.get_mut("stiff").unwrap().damping.mass = 3000.0;
     let assembly = model.assemble().unwrap();
     let mut motion = motion(&assembly, pushed(&assembly, &[("rod", Vector3::new(0.0, -0.1, 0.0))]));
-    run(&mut motion, 1000, 1e-3);
+    advance(&mut motion, 1000, 1e-3);
     let up = force(&assembly, motion.state(), "rod");
     let weight = LINE * 0.1 * GRAVITY;
     assert!((up - Vector3::y() * weight).norm() < 1e-6 * weight, "{up}");
@@ -121,7 +152,7 @@ fn what_is_on_a_slope_slides_or_creeps() {
             start.q[vector.first..vector.first + 3].copy_from_slice(lift.as_slice());
         }
         let mut motion = motion(&assembly, start);
-        run(&mut motion, 400, 5e-4);
+        advance(&mut motion, 400, 5e-4);
         let v = assembly.mesh("rod").unwrap().point(0.05).sum(&motion.state().v);
         let down = v.dot(&Vector3::new(cos, -sin, 0.0));
         if friction < sin / cos {
@@ -152,7 +183,7 @@ fn a_rope_on_a_drum_holds_by_friction() {
     );
     let assembly = model.assemble().unwrap();
     let mut motion = motion(&assembly, assembly.rest());
-    run(&mut motion, 200, 5e-4);
+    advance(&mut motion, 200, 5e-4);
     let (hook, motor) = {
         let mut reactions = assembly.reactions(motion.state());
         (reactions.next().unwrap(), reactions.next().unwrap())
@@ -178,7 +209,7 @@ fn equal_rods_exchange_their_velocities() {
     let assembly = model.assemble().unwrap();
     let mut motion = motion(&assembly, pushed(&assembly, &[("fast", Vector3::new(0.0, -1.0, 0.0))]));
     let before = motion.energy().total();
-    run(&mut motion, 300, 2e-5);
+    advance(&mut motion, 300, 2e-5);
     let [still, fast] = ["still", "fast"].map(|name| mean_velocity(&assembly, name, motion.state()).y);
     assert!((still + fast + 1.0).abs() < 1e-3, "momentum: {still}, {fast}");
     assert!((still + 1.0).abs() < 0.02 && fast.abs() < 0.02, "{still}, {fast}");

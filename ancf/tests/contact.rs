@@ -1,6 +1,7 @@
 //! Contact of bodies with obstacles and with each other: against what is known of impact, sliding, ropes and pressing.
 #![cfg(test)]
 
+#[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/run.rs"]
 mod run;
 #[path = "common/touching.rs"]

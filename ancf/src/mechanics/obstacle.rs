@@ -153,7 +153,7 @@ impl ObstacleContact {
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
         let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &carried);
         let mut forces = Twelve::from_element(D::from(0.0));
-        forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + &friction));
+        forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + friction));
         for k in 0..3 {
             let share = b.map(|x| x * normal * self.axis[k]) - friction.map(|x| x * reach[k]);
             forces.fixed_rows_mut::<3>(3 * k + 3).copy_from(&share);

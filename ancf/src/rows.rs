@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::mechanics::StrainEnergy;
 use crate::model::{Assembly, Quantity};
 use crate::scales::{Dimension, Scales};
-use crate::system::{EquationsOfMotion, Power, State};
+use crate::system::{Energy, Power, State};
 
 /// The columns of a run, and their values in one state, in the user's units.
 ///
@@ -96,14 +96,15 @@ impl Rows {
         &self.columns
     }
 
-    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `exchanged` is
-    /// what was supplied and dissipated so far, in those of the solver.
+    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `energy` is that
+    /// of the state and `exchanged` what was supplied and dissipated so far, in those of the solver.
     pub fn fill(
         &mut self,
         assembly: &Assembly,
         s: &State,
         first: f64,
         own: &[f64],
+        energy: Energy,
         exchanged: Power,
     ) -> &[f64] {
         self.row.clear();
@@ -123,7 +124,6 @@ impl Rows {
             }
         }
         self.row.extend(own);
-        let energy = assembly.system.energy(s);
         let initial = *self.initial.get_or_insert(energy.total());
         let Power { work, dissipation } = exchanged;
         let balance = initial + work - dissipation - energy.total();

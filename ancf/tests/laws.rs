@@ -11,6 +11,8 @@ mod beams;
 #[expect(dead_code, reason = "other test binaries use the rest")]
 #[path = "common/cables.rs"]
 mod cables;
+#[path = "common/contacts.rs"]
+mod contacts;
 #[path = "common/links.rs"]
 mod links;
 #[expect(dead_code, reason = "other test binaries use the rest")]
@@ -29,6 +31,7 @@ use ancf::mechanics::{
 use ancf::model::{Damping, Material, MaterialLaw, Section};
 use ancf::system::{Energy, Level, Local, LocalMatrix, Power, Term, Weights};
 use beams::Make;
+use contacts::Loss;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use sample::{
     Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
@@ -55,6 +58,8 @@ enum Kind {
     Damped,
     /// The same of forces that have no potential: only their books hold.
     Supplied,
+    /// Smooth, and its tangent is the derivative by the velocities, and one of the coordinates that leaves something out.
+    Rubbed,
 }
 
 impl Kind {
@@ -85,8 +90,12 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
     let term = term.as_ref();
     let ((n, m), rest) = (sizes(term), Sample::rest(term));
     let (mut s, z) = (Sample::random(term, random), random.vector(n + m));
-    s.q *= kind.reach();
-    let w = Weights { q: 1.3 + random.number(), v: random.number(), a: 1.3 + random.number() };
+    // The closest point of a beam is no smooth function where its centre of curvature is near.
+    s.q *= if name.starts_with("contact") { 0.5 * kind.reach() } else { kind.reach() };
+    let mut w = Weights { q: 1.3 + random.number(), v: random.number(), a: 1.3 + random.number() };
+    if *kind == Kind::Rubbed {
+        w.q = 0.0;
+    }
 
     // The tangent is the derivative of the residual, its constraint rows divided by w_q.
     let mut product = tangent(term, &s, w) * &z;
@@ -109,7 +118,9 @@ fn obeys_laws(Case { name, term, kind }: &Case, random: &mut Random) {
     if *kind != Kind::Supplied {
         assert_close(&format!("{name}: energy"), &power, &work, kind.tolerance());
     }
-    assert_eq!(energy(term, &rest), Energy::default(), "{name}: energy of the reference state");
+    if !name.starts_with("contact") {
+        assert_eq!(energy(term, &rest), Energy::default(), "{name}: energy of the reference state");
+    }
 
     // The mass matrix is not negative.
     let inertia = SymmetricEigen::new(mass(term, &s)).eigenvalues;
@@ -133,36 +144,39 @@ fn mass(term: &dyn Term, s: &Sample) -> DMatrix<f64> {
 }
 
 const LENGTH: f64 = 0.7;
+const ORIGIN: Vector3<f64> = Vector3::new(0.1, -0.2, 0.3);
+
+/// A tilted body of two elements.
+fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>) -> BeamMesh {
+    let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
+    let lame = Material::elastic(2.0, 30.0, 0.3).lame();
+    let medium = Medium {
+        lame,
+        neo_hookean: false,
+        density: 2.0,
+        retardation: 0.0,
+        drag: 0.0,
+        gravity: Vector3::zeros(),
+    };
+    let of = |_| section.clone();
+    let blueprint = Blueprint {
+        first,
+        origin,
+        length: LENGTH,
+        slope: LENGTH,
+        medium: &medium,
+        section: &of,
+        prismatic: true,
+    };
+    let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| rotation * axis);
+    let nodes = [0.0, 1.0, 2.0].map(|k| Node { position: frame[0] * (k * LENGTH), frame });
+    BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
+}
 
 /// Two tilted bodies of two elements each.
 fn bodies() -> [BeamMesh; 2] {
-    let mesh = |first, rotation: Rotation3<f64>| {
-        let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
-        let lame = Material::elastic(2.0, 30.0, 0.3).lame();
-        let medium = Medium {
-            lame,
-            neo_hookean: false,
-            density: 2.0,
-            retardation: 0.0,
-            drag: 0.0,
-            gravity: Vector3::zeros(),
-        };
-        let of = |_| section.clone();
-        let origin = Vector3::new(0.1, -0.2, 0.3);
-        let blueprint = Blueprint {
-            first,
-            origin,
-            length: LENGTH,
-            slope: LENGTH,
-            medium: &medium,
-            section: &of,
-            prismatic: true,
-        };
-        let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| rotation * axis);
-        let nodes = [0.0, 1.0, 2.0].map(|k| Node { position: frame[0] * (k * LENGTH), frame });
-        BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
-    };
-    [mesh(0, Rotation3::identity()), mesh(36, Rotation3::from_euler_angles(0.4, -1.1, 2.3))]
+    let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
+    [mesh(0, ORIGIN, Rotation3::identity()), mesh(36, ORIGIN, tilted)]
 }
 
 /// Constraints and loads on two bodies, at nodes and between them.
@@ -250,7 +264,20 @@ fn terms() -> Vec<Case> {
         let kind = if flows { Kind::Supplied } else { Kind::Damped };
         Case { name, term: Box::new(term), kind }
     });
-    beams(gravity).chain(others).chain(followers()).chain(cables).chain(wet).chain(links).chain(rigid).collect()
+    let a = mesh(0, ORIGIN, Rotation3::identity());
+    let b = mesh(36, Vector3::new(0.61, -0.68, 0.2), Rotation3::from_euler_angles(0.4, -0.3, 1.1));
+    let contacts = contacts::contacts(&a, &b, 0.31).into_iter();
+    let contacts = contacts.map(|(name, term, loss)| Case {
+        name,
+        term,
+        kind: match loss {
+            Loss::None => Kind::Smooth,
+            Loss::Damping => Kind::Damped,
+            Loss::Friction => Kind::Rubbed,
+        },
+    });
+    let free = beams(gravity).chain(others).chain(followers()).chain(cables).chain(wet);
+    free.chain(links).chain(rigid).chain(contacts).collect()
 }
 
 #[test]
@@ -322,8 +349,9 @@ fn stress_stiffness_is_a_third_of_the_third_derivative() {
     let mut random = Random(1961);
     for Case { name, term, kind } in terms() {
         let (term, (n, m)) = (term.as_ref(), sizes(term.as_ref()));
-        if name.contains("NeoHookean") {
-            continue; // Its stress is not linear in the strain: tests/hyperelastic.rs has it.
+        if name.contains("NeoHookean") || name.starts_with("contact") {
+            // The stress is not linear in the strain: tests/hyperelastic.rs has that one; contacts start without stress.
+            continue;
         }
         if kind == Kind::Supplied {
             continue; // It is no derivative of an energy, and not dead.

@@ -89,6 +89,7 @@ impl Case {
             joints: vec![joint],
             couplings: Vec::new(),
             loads: Vec::new(),
+            contacts: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
                 scheme: Scheme::Adams,

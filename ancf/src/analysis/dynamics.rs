@@ -1,7 +1,8 @@
 use super::consistent::{accelerations, velocities};
+use super::current::Current;
 use super::launch::launch;
 use super::{Failure, Newton, Report, Scheme, SolveError};
-use crate::system::{Energy, EquationsOfMotion, Level, Power, State};
+use crate::system::{Energy, EquationsOfMotion, Level, Power, SparseMatrix, State};
 
 /// How a step went.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,7 +41,7 @@ impl StepReport {
 /// Integration of equations of motion in time.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
-    pub(super) eom: &'a E,
+    pub(super) eom: Current<'a, E>,
     pub(super) scheme: Scheme,
     pub(super) newton: Newton,
     max_halvings: u32,
@@ -68,7 +69,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     pub fn new(eom: &'a E, scheme: Scheme, newton: Newton, max_halvings: u32, start: State) -> Self {
         let auxiliary = start.a.clone();
         Self {
-            eom,
+            eom: Current::new(eom),
             scheme,
             newton,
             max_halvings,
@@ -109,9 +110,10 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// If the mass matrix with the constraints is singular.
     pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
         self.state.t = t;
+        self.take_in()?;
         let Newton { matrix, factor, z, .. } = &mut self.newton;
-        velocities(self.eom, matrix, factor, &mut self.state, z)?;
-        accelerations(self.eom, matrix, factor, &mut self.state, z)?;
+        velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
+        accelerations(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.auxiliary.copy_from_slice(&self.state.a);
         self.power = self.eom.power(&self.state);
         self.h = 0.0;
@@ -125,7 +127,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// If the mass matrix with the constraints is singular.
     pub fn project_velocities(&mut self) -> Result<(), SolveError> {
         let Newton { matrix, factor, z, .. } = &mut self.newton;
-        velocities(self.eom, matrix, factor, &mut self.state, z)?;
+        velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.power = self.eom.power(&self.state);
         Ok(())
     }
@@ -160,18 +162,41 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
 
     /// Tries a step h that ends at the time `to`. Its end is then to be accepted or taken back; a failed one is taken back already.
     pub(super) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+        self.take_in()?;
         self.before.copy_from(&self.state);
-        let done = self.solve(h, to);
-        if done.is_err() {
+        let mut spent = 0;
+        loop {
+            let done = self.solve(h, to).inspect_err(|_| self.state.copy_from(&self.before))?;
+            let Some((eom, matrix)) = self.eom.completed(&self.state) else {
+                return Ok(Report { iterations: spent + done.iterations, ..done });
+            };
+            // Something acts at the end that was not among the equations.
             self.take_back();
+            self.renew(eom, matrix)?;
+            spent += done.iterations;
         }
-        done
+    }
+
+    /// Takes in the terms that may soon act. To be called before the first look at the energy; steps do it by themselves.
+    ///
+    /// # Errors
+    /// If memory does not suffice.
+    pub fn take_in(&mut self) -> Result<(), SolveError> {
+        match self.eom.ahead(&self.state) {
+            Some((eom, matrix)) => self.renew(eom, matrix),
+            None => Ok(()),
+        }
+    }
+
+    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.eom.replace(eom);
+        self.newton.adopt(matrix)
     }
 
     fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
         let [auxiliary, next] = &mut self.attempted;
         if self.fresh && !self.scheme.is_newmark() {
-            launch(self.eom, self.scheme, &mut self.newton, &mut self.state, auxiliary, h)?;
+            launch(&*self.eom, self.scheme, &mut self.newton, &mut self.state, auxiliary, h)?;
         } else {
             // a − v̇ is proportional to h (Brüls & Arnold 2008).
             let ratio = if self.h == 0.0 { 1.0 } else { h / self.h };
@@ -181,7 +206,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
         self.scheme.predict(&mut self.state, auxiliary, h);
         self.state.t = to;
-        let done = self.newton.solve(self.eom, &mut self.state, self.scheme.weights(h))?;
+        let done = self.newton.solve(&*self.eom, &mut self.state, self.scheme.weights(h))?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
             return Err(SolveError::after(done, to, Failure::Inverted, worst));
         }

@@ -1,6 +1,6 @@
 use super::mover::Mover;
 use super::{Failure, Newton, Report, SolveError};
-use crate::system::{EquationsOfMotion, State, Weights};
+use crate::system::{Energy, EquationsOfMotion, State, Weights};
 
 /// How an equilibrium was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -18,6 +18,8 @@ pub struct Equilibrium {
     /// Number of independent directions in which it is unstable: negative eigenvalues of the stiffness on the motions
     /// that the constraints leave, of the last matrix that was factorised. `None` if its factors do not tell.
     pub unstable: Option<usize>,
+    /// Its energies.
+    pub energy: Energy,
 }
 
 impl Equilibrium {
@@ -38,8 +40,8 @@ impl Equilibrium {
             return Err(SolveError::after(report, s.t, Failure::Inverted, worst));
         }
         let Report { iterations, residual, increment, floor } = report;
-        let unstable = newton.unstable(eom);
-        Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable })
+        let (unstable, energy) = (newton.unstable(eom), eom.energy(s));
+        Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
     /// The error that refuses this equilibrium.
@@ -55,6 +57,11 @@ impl Equilibrium {
             attempts: self.attempts + last.attempts,
             ..last
         }
+    }
+
+    /// Takes over another solution of the same attempt and adds up its cost.
+    pub(super) fn again(&self, last: Self) -> Self {
+        Self { iterations: self.iterations + last.iterations, ..last }
     }
 
     /// Adds up the cost of an attempt that failed.

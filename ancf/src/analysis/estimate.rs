@@ -79,7 +79,7 @@ impl Estimate {
         let (newton, s) = (&mut dynamics.newton, &dynamics.state);
         if done.iterations == 0 {
             let w = dynamics.scheme.weights(h);
-            solve(dynamics.eom, &mut newton.matrix, &mut newton.factor, s, w, &mut self.now)?;
+            solve(&*dynamics.eom, &mut newton.matrix, &mut newton.factor, s, w, &mut self.now)?;
         } else {
             let solved = newton.factor.solve(&newton.matrix, &mut self.now);
             solved.map_err(|_| SolveError::at(s.t, Failure::Singular))?;

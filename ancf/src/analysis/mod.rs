@@ -5,6 +5,7 @@ mod adaptive;
 mod arc;
 mod buckling;
 mod consistent;
+mod current;
 mod dynamics;
 mod equilibrium;
 mod error;

@@ -76,6 +76,16 @@ impl Newton {
         })
     }
 
+    /// Takes a matrix of another pattern in the place of its own.
+    ///
+    /// # Errors
+    /// If memory does not suffice for the factorisation.
+    pub(super) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?;
+        self.matrix = matrix;
+        Ok(())
+    }
+
     /// Tells the energy rule of an energy that a converged state has; before that the rule goes by the iterate's own.
     pub fn met(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);

@@ -1,11 +1,12 @@
 use std::ops::ControlFlow;
 
 use super::arc::{Metric, Plane, Tangent, response};
+use super::current::Current;
 use super::mover::Whole;
 use super::{
     ArcSteps, Equilibrium, EquilibriumError, Failure, Left, Limit, Newton, PathPoint, SolveError, Until,
 };
-use crate::system::{EquationsOfMotion, State};
+use crate::system::{Energy, EquationsOfMotion, SparseMatrix, State};
 
 /// Tangents at the two ends of a step differ by at most 60°, the chord from the first one by at most 30°: by cosines.
 const TURN: f64 = 0.5;
@@ -30,7 +31,7 @@ const PATIENCE: u32 = 6;
 /// Source: Keller (1977); Riks (1979); Crisfield (1981).
 #[derive(Debug)]
 pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
-    eom: &'a E,
+    eom: Current<'a, E>,
     newton: Newton,
     steps: ArcSteps,
     metric: Metric,
@@ -74,19 +75,26 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         start.a.fill(0.0);
         newton.bear(PATIENCE);
         let load = start.load;
-        let begin = |newton: &mut Newton, start: &mut State| {
-            let found = Equilibrium::find(newton, &mut Whole, eom, start)?;
-            response(newton, eom, start).map_err(|failure| found.refuse(failure, start))
+        let mut eom = Current::new(eom);
+        let mut begin = |newton: &mut Newton, start: &mut State| {
+            loop {
+                let found = Equilibrium::find(newton, &mut Whole, &*eom, start)?;
+                let Some((complete, matrix)) = eom.completed(start) else {
+                    return response(newton, &*eom, start).map_err(|failure| found.refuse(failure, start));
+                };
+                eom.replace(complete);
+                newton.adopt(matrix)?;
+            }
         };
         let response = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
             reached: load,
             load,
             cause,
         })?;
-        let metric = Metric::new(eom, &start, newton.matrix.clone(), &response);
+        let metric = Metric::new(&*eom, &start, newton.matrix.clone(), &response);
         let tangent = metric.tangent(response, start.q.len());
         newton.met(eom.energy(&start).largest());
-        let unstable = newton.unstable(eom);
+        let unstable = newton.unstable(&*eom);
         let ahead = Tangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
         Ok(Self {
@@ -117,6 +125,11 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// The current point.
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// The energies of the current point.
+    pub fn energy(&self) -> Energy {
+        self.eom.energy(&self.state)
     }
 
     /// Follows the path; `each` sees every point, limit points among them, and may break there.
@@ -150,7 +163,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
 
     /// Makes the point that was tried the current one.
     fn arrive(&mut self, arrival: Arrival) -> PathPoint {
-        self.newton.met(self.eom.energy(&self.trial).largest());
+        self.newton.met(arrival.found.energy.largest());
         self.state.copy_from(&self.trial);
         std::mem::swap(&mut self.tangent, &mut self.ahead);
         self.length += arrival.length;
@@ -250,18 +263,31 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
 
     /// The equilibrium at a length σ beyond the current point, and its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
-        self.trial.copy_from(&self.state);
-        self.tangent.move_by(length, &mut self.trial);
-        let found =
-            Equilibrium::find(&mut self.newton, &mut Plane(&self.tangent), self.eom, &mut self.trial)?;
-        self.look_ahead(found)
+        if let Some((eom, matrix)) = self.eom.ahead(&self.state) {
+            self.renew(eom, matrix)?;
+        }
+        let mut found = Equilibrium::default();
+        loop {
+            self.trial.copy_from(&self.state);
+            self.tangent.move_by(length, &mut self.trial);
+            let Self { newton, eom, tangent, trial, .. } = self;
+            found = found.again(Equilibrium::find(newton, &mut Plane(tangent), &**eom, trial)?);
+            let Some((eom, matrix)) = eom.completed(trial) else { return self.look_ahead(found) };
+            // Something acts there that was not among the equations.
+            self.renew(eom, matrix)?;
+        }
+    }
+
+    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.eom.replace(eom);
+        self.newton.adopt(matrix)
     }
 
     /// Sets the tangent at the trial state.
     fn look_ahead(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
-        let response = response(&mut self.newton, self.eom, &mut self.trial)
+        let response = response(&mut self.newton, &*self.eom, &mut self.trial)
             .map_err(|failure| found.refuse(failure, &self.trial))?;
-        found.unstable = self.newton.unstable(self.eom);
+        found.unstable = self.newton.unstable(&*self.eom);
         self.ahead = self.metric.tangent(response, self.trial.q.len());
         if self.ahead.product(&self.tangent) < 0.0 {
             self.ahead.scale(-1.0);
@@ -307,7 +333,12 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// Moves the trial state to a load factor close to its own.
     fn land(&mut self, target: f64, arrival: &mut Arrival) -> Result<(), SolveError> {
         self.trial.load = target;
-        let found = Equilibrium::find(&mut self.newton, &mut Whole, self.eom, &mut self.trial)?;
+        let mut found = Equilibrium::find(&mut self.newton, &mut Whole, &*self.eom, &mut self.trial)?;
+        while let Some((eom, matrix)) = self.eom.completed(&self.trial) {
+            self.renew(eom, matrix)?;
+            found =
+                found.again(Equilibrium::find(&mut self.newton, &mut Whole, &*self.eom, &mut self.trial)?);
+        }
         arrival.found = arrival.found.after(self.look_ahead(found)?);
         arrival.length = self.tangent.length(&self.state, &self.trial);
         Ok(())

@@ -1,8 +1,9 @@
 use std::ops::ControlFlow;
 
+use super::current::Current;
 use super::mover::LineSearch;
 use super::{Equilibrium, EquilibriumError, Failure, Newton, SolveError};
-use crate::system::{EquationsOfMotion, State};
+use crate::system::{Energy, EquationsOfMotion, SparseMatrix, State};
 
 /// Sizes of load increments, as parts of the way from the first load factor to the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +38,7 @@ const CLOSE: f64 = 1e-12;
 /// equilibrium near by, [`Path`](super::Path) leads.
 #[derive(Debug)]
 pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
-    eom: &'a E,
+    eom: Current<'a, E>,
     newton: Newton,
     increments: Increments,
     search: LineSearch,
@@ -59,7 +60,7 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         newton.bear(PATIENCE);
         let search = LineSearch::new(&start);
         let (unstable, before, trial) = (Some(0), None, start.clone());
-        Self { eom, newton, increments, search, state: start, unstable, before, trial }
+        Self { eom: Current::new(eom), newton, increments, search, state: start, unstable, before, trial }
     }
 
     /// The current state.
@@ -108,18 +109,47 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
 
     /// Finds the equilibrium at a load factor and makes it the current state.
     fn attempt(&mut self, load: f64, wary: bool) -> Result<Equilibrium, SolveError> {
-        self.predict(load);
-        let found = Equilibrium::find(&mut self.newton, &mut self.search, self.eom, &mut self.trial)?;
+        self.take_in()?;
+        let mut found = Equilibrium::default();
+        loop {
+            self.predict(load);
+            let Self { newton, search, eom, trial, .. } = self;
+            found = found.again(Equilibrium::find(newton, search, &**eom, trial)?);
+            let Some((eom, matrix)) = eom.completed(trial) else { break };
+            // Something acts there that was not among the equations.
+            self.renew(eom, matrix)?;
+        }
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
         if wary && lost {
             return Err(found.refuse(Failure::Unstable, &self.trial));
         }
-        self.newton.met(self.eom.energy(&self.trial).largest());
+        self.newton.met(found.energy.largest());
         let before = self.before.get_or_insert_with(|| self.state.clone());
         before.copy_from(&self.state);
         self.state.copy_from(&self.trial);
         self.unstable = found.unstable;
         Ok(found)
+    }
+
+    /// The energies of the current state.
+    pub fn energy(&self) -> Energy {
+        self.eom.energy(&self.state)
+    }
+
+    /// Takes in the terms that may soon act. To be called before the first look at the energy; increments do it by themselves.
+    ///
+    /// # Errors
+    /// If memory does not suffice.
+    pub fn take_in(&mut self) -> Result<(), SolveError> {
+        match self.eom.ahead(&self.state) {
+            Some((eom, matrix)) => self.renew(eom, matrix),
+            None => Ok(()),
+        }
+    }
+
+    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.eom.replace(eom);
+        self.newton.adopt(matrix)
     }
 
     /// Sets the trial state on the line through the last two equilibria.

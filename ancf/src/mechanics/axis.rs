@@ -78,6 +78,21 @@ impl ElementAxis {
         self.weights(s).map(|weights| (0..self.vectors.len()).map(|i| moved(i) * weights[i]).sum())
     }
 
+    /// The magnitudes that r and dr/ds are made of, Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|): ε times these bounds their rounding errors.
+    pub(super) fn sizes(&self, q: &[f64], s: f64) -> [f64; 2] {
+        let [values, slopes, _] = self.weights(s);
+        let size = |i: usize| self.reference[i].norm() + vector(q, self.vectors[i]).norm();
+        [values, slopes].map(|weights| (0..self.vectors.len()).map(|i| weights[i].abs() * size(i)).sum())
+    }
+
+    /// The points whose convex hull holds the element, given the coordinates q: those of Bézier.
+    pub(super) fn hull(&self, q: &[f64]) -> [Vector3<f64>; 4] {
+        let span = self.span();
+        let third = (span.end - span.start) / 3.0;
+        let ([a, from, _], [b, to, _]) = (self.at(q, span.start), self.at(q, span.end));
+        [a, a + from * third, b - to * third, b]
+    }
+
     /// Σᵢ Nᵢ x[vᵢ..vᵢ+3] and its two derivatives by s, of a vector over the coordinates: of velocities, say.
     pub fn sum(&self, x: &[f64], s: f64) -> [Vector3<f64>; 3] {
         let of = |weights: [f64; 4]| {

@@ -66,8 +66,12 @@ impl Marker {
 
     /// The magnitudes that its value is made of, |x₀| + Σᵢ |wᵢ| |q[vᵢ..vᵢ+3]|: ε times this bounds its rounding error.
     pub(super) fn size(&self, q: &[f64]) -> f64 {
-        let moved = |&(i, w): &(usize, f64)| w.abs() * Vector3::new(q[i], q[i + 1], q[i + 2]).norm();
-        self.reference.norm() + self.parts.iter().map(moved).sum::<f64>()
+        self.reference.norm() + self.sum_of_sizes(q)
+    }
+
+    /// Σᵢ |wᵢ| |x[vᵢ..vᵢ+3]|.
+    pub(super) fn sum_of_sizes(&self, x: &[f64]) -> f64 {
+        self.parts.iter().map(|&(i, w)| w.abs() * Vector3::new(x[i], x[i + 1], x[i + 2]).norm()).sum()
     }
 
     /// The same marker over the coordinates of a term, given their sorted list.

@@ -199,7 +199,8 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
-        let (system, breaks) = (System::new(coordinates, multipliers, terms), self.breaks(clock));
+        let system = System::new(coordinates, multipliers, terms).with(self.encounters(&bodies));
+        let breaks = self.breaks(clock);
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
         let assembly = Assembly {
@@ -258,7 +259,7 @@ impl Model {
     }
 
     /// What a place holds on to.
-    fn attachment(&self, bodies: &[(String, mechanics::Body)], place: &Place) -> Attachment {
+    pub(super) fn attachment(&self, bodies: &[(String, mechanics::Body)], place: &Place) -> Attachment {
         let index = self.body_of(place);
         let body = &self.bodies[index];
         let point = body.point(place.at).expect("a checked place is on its body");

@@ -4,13 +4,13 @@ use nalgebra::Vector3;
 
 use super::check_abilities::abilities;
 use super::check_bodies::{bodies, cables, formulations};
-use super::check_loads;
-use super::check_joints;
+use super::check_contacts::contacts;
 use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
 use super::times::{self, loads_of};
 use super::{At, AtEnd, Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
+use super::{check_joints, check_loads};
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
@@ -26,7 +26,7 @@ pub(super) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     let of_times = [times::functions, times::drives, times::ground_points, abilities];
-    let of_loads = [check_loads::stretches, check_loads::fluids, check_loads::bases];
+    let of_loads = [contacts, check_loads::stretches, check_loads::fluids, check_loads::bases];
     let of_joints = [
         check_joints::axes,
         check_joints::spans,
@@ -159,7 +159,7 @@ fn places(model: &Model) -> Vec<Finding> {
     ends.chain(loads).chain(probes).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
 }
 
-fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
+pub(super) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
     let Some((owner, body)) = body(model, place) else {
         let names = model.bodies.iter().map(Body::name).collect();
         let error = unknown(format!("{path}.body"), "body", &place.body, names);

@@ -7,9 +7,11 @@ mod body;
 mod check;
 mod check_abilities;
 mod check_bodies;
+mod check_contacts;
 mod check_joints;
 mod check_loads;
 mod closing;
+mod contact;
 mod coupling;
 mod cubature;
 mod diagnosis;
@@ -54,6 +56,7 @@ pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
 pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
 pub use closing::Closed;
+pub use contact::{Against, Contact};
 pub use coupling::{Coupled, Coupling, Freed};
 pub use diagnosis::Diagnosis;
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
@@ -112,6 +115,9 @@ pub struct Model {
     /// Whether gaps between the places of joints are closed before the analysis begins; they are refused by default.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub assemble: bool,
+    /// What bodies may touch: obstacles and each other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<Contact>,
     /// Units in which the equations are solved; the user's own by default.
     #[serde(default)]
     pub scales: ScaleChoice,

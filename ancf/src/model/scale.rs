@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Analysis, At, Beam, Body, Cable, Damping, Dynamics, Fluid, Load, Material, Model, Output, Place,
-    PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
+    Against, Analysis, At, Beam, Body, Cable, Contact, Damping, Dynamics, Fluid, Load, Material, Model,
+    Output, Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::scales::{Dimension, Scales};
 
@@ -152,6 +152,7 @@ impl Model {
             couplings: _,
             loads,
             assemble,
+            contacts,
             scales: _,
             analysis,
             probes,
@@ -167,6 +168,7 @@ impl Model {
             couplings: self.scaled_couplings(scales),
             loads: loads.into_iter().map(|load| load.scaled(scales)).collect(),
             assemble,
+            contacts: contacts.into_iter().map(|contact| contact.scaled(scales)).collect(),
             scales: ScaleChoice::None,
             analysis: analysis.scaled(scales),
             probes: probes
@@ -405,5 +407,42 @@ impl Analysis {
             max_iterations,
             max_halvings,
         })
+    }
+}
+
+impl Contact {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { with, bodies, radius, points, stiffness, transition, damping, friction, slip_speed } =
+            self;
+        let length = |x| number(x, Dimension::LENGTH, s);
+        Self {
+            with: with.scaled(s),
+            bodies,
+            radius: radius.map(length),
+            points,
+            stiffness: number(stiffness, Dimension::STRESS, s),
+            transition: transition.map(length),
+            damping: number(damping, Dimension::new(-1, 1, 0), s),
+            friction,
+            slip_speed: slip_speed.map(|x| number(x, Dimension::VELOCITY, s)),
+        }
+    }
+}
+
+impl Against {
+    fn scaled(self, s: &Scales) -> Self {
+        let length = |x| number(x, Dimension::LENGTH, s);
+        let vector = |x| vector(x, Dimension::LENGTH, s);
+        let place = |on: Option<Place>| on.map(|place| place.scaled(s));
+        match self {
+            Self::Plane { point, normal, on } => Self::Plane { point: vector(point), normal, on: place(on) },
+            Self::Sphere { center, radius, inside, on } => {
+                Self::Sphere { center: vector(center), radius: length(radius), inside, on: place(on) }
+            }
+            Self::Cylinder { point, axis, radius, inside, on } => {
+                Self::Cylinder { point: vector(point), axis, radius: length(radius), inside, on: place(on) }
+            }
+            Self::Bodies => Self::Bodies,
+        }
     }
 }

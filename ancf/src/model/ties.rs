@@ -145,11 +145,8 @@ impl JointEquations {
             Gap::Drawn => place.drawn(),
             Gap::Closed => place.closed(),
         };
-        self.coincide = self
-            .coincide
-            .into_iter()
-            .map(|tie| if tie.is_of_points() { of(tie) } else { tie })
-            .collect();
+        self.coincide =
+            self.coincide.into_iter().map(|tie| if tie.is_of_points() { of(tie) } else { tie }).collect();
         self
     }
 

@@ -30,7 +30,8 @@ impl Run<'_> {
                 let StepReport { iterations, residual, increment, drift, .. } = *report;
                 let own = [f64::from(iterations), residual, increment, drift];
                 let s = dynamics.state();
-                sink.record(rows.fill(assembly, s, s.t * scales.time, &own, dynamics.exchanged()))
+                let (t, energy) = (s.t * scales.time, dynamics.energy());
+                sink.record(rows.fill(assembly, s, t, &own, energy, dynamics.exchanged()))
             };
         let mut report = StepReport::default();
         loop {

@@ -6,7 +6,7 @@ use super::equilibria::{equilibrium, unloaded};
 use super::{Ended, Reason, Run};
 use crate::analysis::{Critical, Mode, buckling, modes};
 use crate::model::{About, Buckling, Modes};
-use crate::system::State;
+use crate::system::{EquationsOfMotion, State};
 
 impl Run<'_> {
     fn state_about(&self, about: About) -> Result<State, Reason> {
@@ -22,10 +22,13 @@ impl Run<'_> {
     /// Natural modes, one row each.
     pub(super) fn modes(&mut self, settings: &Modes) -> Ended {
         self.begin(&["frequency", "squared", "residual"])?;
-        let system = &self.assembly.system;
-        let found = self
-            .state_about(settings.about)
-            .and_then(|s| Ok(modes(system, system.matrix(), &s, settings.count as usize)?));
+        let found = self.state_about(settings.about).and_then(|s| {
+            let (system, count) = (&self.assembly.system, settings.count as usize);
+            Ok(match system.completed(&s) {
+                Some((complete, matrix)) => modes(&complete, matrix, &s, count)?,
+                None => modes(system, system.matrix(), &s, count)?,
+            })
+        });
         let rate = self.summary.scales.time.recip();
         match found {
             Ok(found) => self.shapes(found.modes.iter().map(|mode| {
@@ -43,7 +46,10 @@ impl Run<'_> {
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
         let found = self.held(&s).and_then(|()| {
             let (count, sense) = (settings.count as usize, settings.sense.into());
-            Ok(buckling(system, system.matrix(), &s, count, sense)?)
+            Ok(match system.completed(&s) {
+                Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense)?,
+                None => buckling(system, system.matrix(), &s, count, sense)?,
+            })
         });
         match found {
             Ok(found) => {

@@ -68,15 +68,19 @@ impl Run<'_> {
             Err(error) => return Ok(Err(error.into())),
         };
         let mut statics = analysis::Statics::new(&assembly.system, newton, increments, start);
-        let none = own(&Equilibrium::default());
+        if let Err(error) = statics.take_in() {
+            return Ok(Err(error.into()));
+        }
+        let (none, energy) = (own(&Equilibrium::default()), statics.energy());
         let mut written =
-            self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, Power::default()));
+            self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, energy, Power::default()));
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found), Power::default()));
+            written =
+                self.sink.record(rows.fill(assembly, s, s.load, &own(found), found.energy, Power::default()));
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, statics.state(), error));
@@ -103,14 +107,16 @@ impl Run<'_> {
             Err(reason) => return Ok(Err(reason)),
         };
         let none = [own(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
-        let mut written = self.sink.record(rows.fill(assembly, path.state(), 0.0, &none, Power::default()));
+        let first = rows.fill(assembly, path.state(), 0.0, &none, path.energy(), Power::default());
+        let mut written = self.sink.record(first);
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let until = Until { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &of_point(point), Power::default()));
+            let (own, energy) = (of_point(point), point.equilibrium.energy);
+            written = self.sink.record(rows.fill(assembly, s, s.load, &own, energy, Power::default()));
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, path.state(), error));

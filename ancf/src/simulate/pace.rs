@@ -39,6 +39,7 @@ impl<'a> Pace<'a> {
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics =
             Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.start(model));
+        dynamics.take_in()?;
         match settings.start {
             Start::Consistent => dynamics.restart(0.0)?,
             Start::Zero => dynamics.project_velocities()?,

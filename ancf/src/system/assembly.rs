@@ -1,16 +1,20 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::encounter::{Met, lacks, near};
 use super::{
-    Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, SparseMatrix, State, Term,
-    Weights,
+    Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, SparseMatrix,
+    State, Term, Weights,
 };
 
 /// Equations of motion as the sum of terms: gather, evaluate, scatter.
 pub struct System {
     coordinates: usize,
     multipliers: usize,
-    terms: Vec<Box<dyn Term>>,
+    terms: Vec<Arc<dyn Term>>,
+    /// What adds terms besides, and the pairs whose terms are the last ones, in ascending order.
+    encounters: Arc<[Arc<dyn Encounters>]>,
+    met: Vec<Met>,
     /// The terms that have multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
@@ -27,6 +31,9 @@ impl fmt::Debug for System {
             .finish_non_exhaustive()
     }
 }
+
+/// Pairs within this part of the margin are taken in before they act.
+const SOON: f64 = 0.5;
 
 /// The unknowns of one term, gathered from a state.
 struct Gathered {
@@ -65,8 +72,25 @@ impl System {
     /// # Panics
     /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
-        let unknowns: Vec<Vec<usize>> =
-            terms.iter().map(|term| unknowns(term.as_ref(), coordinates)).collect();
+        let terms = terms.into_iter().map(Arc::from).collect();
+        Self::of(coordinates, multipliers, terms, Arc::default(), Vec::new())
+    }
+
+    /// The same with terms that come and go; none of them is here before it is asked for
+    /// ([`ahead`](EquationsOfMotion::ahead), [`completed`](EquationsOfMotion::completed)).
+    #[must_use]
+    pub fn with(self, encounters: Vec<Arc<dyn Encounters>>) -> Self {
+        Self { encounters: encounters.into(), ..self }
+    }
+
+    fn of(
+        coordinates: usize,
+        multipliers: usize,
+        terms: Vec<Arc<dyn Term>>,
+        encounters: Arc<[Arc<dyn Encounters>]>,
+        met: Vec<Met>,
+    ) -> Self {
+        let unknowns: Vec<Vec<usize>> = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
         assert!(unknowns.iter().all(|u| u.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
         let defined: Vec<_> = terms.iter().map(|term| (term.massless(), term.multipliers())).collect();
         let pattern = Pattern::new(coordinates, multipliers, &unknowns, &defined);
@@ -76,7 +100,18 @@ impl System {
             .map(|(i, j)| pattern.slot(i, j))
             .collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
-        Self { coordinates, multipliers, terms, constraints, pattern: Arc::new(pattern), slots }
+        let pattern = Arc::new(pattern);
+        Self { coordinates, multipliers, terms, encounters, met, constraints, pattern, slots }
+    }
+
+    /// The same with the terms of other pairs, in ascending order.
+    fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
+        let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
+        let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
+        let system = Self::of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met);
+        let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+        let matrix = system.matrix();
+        (system, matrix)
     }
 
     /// The same with multipliers that redundant constraints leave undetermined: forces are shared by them in the least
@@ -90,7 +125,7 @@ impl System {
     }
 
     /// The terms.
-    pub fn terms(&self) -> &[Box<dyn Term>] {
+    pub fn terms(&self) -> &[Arc<dyn Term>] {
         &self.terms
     }
 
@@ -187,6 +222,24 @@ impl EquationsOfMotion for System {
         let mut gathered = Gathered::EMPTY;
         let wrong = self.terms.iter().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())));
         wrong.and_then(|term| term.coordinates().first().copied())
+    }
+
+    fn ahead(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+        let near = near(&self.encounters, s);
+        let met = || near.iter().map(|(pair, _)| *pair).collect();
+        lacks(&self.met, &near, SOON).then(|| self.meeting(met()))
+    }
+
+    fn completed(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+        let near = near(&self.encounters, s);
+        lacks(&self.met, &near, 0.0).then(|| {
+            // Those of the start of the step stay, so that repeating it comes to an end.
+            let mut met: Vec<Met> =
+                near.iter().map(|(pair, _)| *pair).chain(self.met.iter().copied()).collect();
+            met.sort_unstable();
+            met.dedup();
+            self.meeting(met)
+        })
     }
 
     fn energy(&self, s: &State) -> Energy {

@@ -98,6 +98,24 @@ pub trait EquationsOfMotion {
         None
     }
 
+    /// These equations with the terms that may soon act, and a matrix of their pattern, if one near this state is not here: to be
+    /// asked before a step. Terms such as contacts come and go ([`Encounters`](super::Encounters)).
+    fn ahead(&self, _s: &State) -> Option<(Self, SparseMatrix)>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
+    /// These equations with all terms that act in this state, and a matrix of their pattern, if one is not here: to be asked
+    /// after a step, which is to be repeated with them.
+    fn completed(&self, _s: &State) -> Option<(Self, SparseMatrix)>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 

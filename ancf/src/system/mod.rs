@@ -2,6 +2,7 @@
 
 mod assembly;
 mod dependence;
+mod encounter;
 mod equations;
 mod factor;
 mod kernel;
@@ -11,6 +12,7 @@ mod term;
 
 pub use assembly::System;
 pub use dependence::{Dependence, constraint_rows, dependences};
+pub use encounter::{Encounters, Pair};
 pub use equations::{Energy, EquationsOfMotion, Level, Power};
 pub use factor::{Factor, SingularMatrix};
 pub use kernel::{Kernel, Sparse};

@@ -82,6 +82,11 @@ impl Pattern {
         self.shared.sort_unstable();
     }
 
+    /// The unknowns that were said to be such.
+    pub(super) fn sharing(&self) -> impl Iterator<Item = usize> {
+        self.shared.iter().map(|&at| self.order[at] as usize)
+    }
+
     /// Positions of multipliers that the equations leave undetermined.
     pub(super) fn shared(&self) -> &[usize] {
         &self.shared

@@ -27,6 +27,7 @@ pub(crate) fn free(elements: u32) -> Model {
         couplings: Vec::new(),
         loads: Vec::new(),
         assemble: false,
+        contacts: Vec::new(),
         scales: ScaleChoice::None,
         analysis: Analysis::Dynamics(Dynamics {
             duration: 2.0,

@@ -136,12 +136,7 @@ fn the_later_joint_is_named() {
     assert_eq!(words(&with(rod::cantilever(2), [ball("ball", rod::start())])), later("ball", "root"));
     let swapped = with(rod::spherical(2), [clamp("clamp", rod::start(), Clamped::All)]);
     assert_eq!(words(&swapped), later("clamp", "root"));
-    let hinge = |name: &str| Joint::Revolute {
-        name: name.into(),
-        a: rod::start(),
-        b: End::Ground,
-        axis: [0.0, 0.0, 2.0],
-    };
+    let hinge = |name: &str| Joint::revolute(name, rod::start(), End::Ground, [0.0, 0.0, 2.0]);
     let twice = words(&with(rod::free(2), [hinge("one"), hinge("two")]));
     assert_eq!(twice[..3], later("two", "one"));
     assert_eq!(twice[3], "joint `two`: hinge axis, first equation, follows from joint `one`");
@@ -180,7 +175,15 @@ fn in_other_units() {
 fn drive(name: &str, text: &str) -> Joint {
     let time = TimeFunction::Varying(Varying::Expression { text: text.into(), unit: 1.0 });
     let (axis, fix) = ([0.0, 0.0, 1.0], Some(Clamped::Section));
-    Joint::Drive { name: name.into(), a: rod::start(), axis, angle: 1.0, time, fix }
+    Joint::Drive {
+        name: name.into(),
+        a: rod::start(),
+        axis: Some(axis),
+        angle: 1.0,
+        displacement: [0.0; 3],
+        time,
+        fix,
+    }
 }
 
 /// Drives that say the same are redundant, drives that do not are refused, in words.
@@ -239,7 +242,7 @@ fn a_four_bar_of_beams_is_not_redundant() {
         })
         .collect();
     let place = |k: usize, end| Place::new(names[k], At::End(end));
-    let hinge = |name: &str, a, b| Joint::Revolute { name: name.into(), a, b, axis: [0.0, 0.0, 1.0] };
+    let hinge = |name: &str, a, b| Joint::revolute(name, a, b, [0.0, 0.0, 1.0]);
     model.joints = vec![
         hinge("o", place(0, AtEnd::Start), End::Ground),
         hinge("a", place(1, AtEnd::Start), End::Place(place(0, AtEnd::End))),

@@ -1,0 +1,1 @@
+//! Mechanisms, shafts and springs.

@@ -1,0 +1,1 @@
+//! Ropes, moorings, strings and belts.

@@ -218,7 +218,7 @@ fn a_model_is_diagnosed() {
         "bodies:    1 beam\n",
         "joints:    1 clamp, 1 spherical\n",
         "loads:     1 gravity\n",
-        "equations: 252 coordinates, 15 of joints, 3 of them redundant\n",
+        "equations: 252 coordinates, 15 constraints, 3 of them redundant\n",
         "mobility:  -3 by Grübler's count, rigid bodies\n",
         "           0 by rank, rigid bodies\n",
         "           240 by rank, bodies that deform\n",

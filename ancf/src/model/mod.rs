@@ -36,6 +36,7 @@ mod rigid;
 mod rigidity;
 mod scale;
 mod scale_joints;
+mod scaled;
 mod schema;
 mod scheme;
 mod section;

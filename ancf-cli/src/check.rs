@@ -91,7 +91,7 @@ mod tests {
             "found unknown key `outputs`",
             "did you mean `output`?",
             "wanted an array of 3 numbers",
-            "7 errors",
+            "5 errors",
         ] {
             assert!(shown.contains(part), "{part} is not in {shown}");
         }

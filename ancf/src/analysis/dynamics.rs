@@ -20,6 +20,8 @@ pub struct StepReport {
     /// The largest |Φ_q v + Φ_t| of a constraint: what the velocities violate, while Φ = 0 is solved for. In the numbers of
     /// the solver, length/time for points and 1/time for directions. Second order in h, it need not grow.
     pub drift: f64,
+    /// The largest |Φ| of a constraint, in the numbers of the solver, length for points and 1 for directions.
+    pub violation: f64,
     /// Whether the rounding error of the residual ended an iteration.
     pub floor: bool,
 }
@@ -57,7 +59,7 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     pub(super) fresh: bool,
     /// aₙ and aₙ₊₁ of the current attempt.
     pub(super) attempted: [Vec<f64>; 2],
-    drift: Vec<f64>,
+    phi: Vec<f64>,
     /// The power of the current state.
     power: Power,
     exchanged: Power,
@@ -79,7 +81,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             auxiliary,
             h: 0.0,
             fresh: false,
-            drift: vec![0.0; start.lambda.len()],
+            phi: vec![0.0; start.lambda.len()],
             power: eom.power(&start),
             exchanged: Power::default(),
             state: start,
@@ -231,12 +233,18 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.exchanged.work += 0.5 * self.h * (self.power.work + power.work);
         self.exchanged.dissipation += 0.5 * self.h * (self.power.dissipation + power.dissipation);
         self.power = power;
-        self.eom.constraints(&self.state, Level::Velocity, &mut self.drift);
         report.iterations += done.iterations;
         report.substeps += 1;
         report.residual = done.residual;
         report.increment = done.increment;
-        report.drift = self.drift.iter().fold(0.0, |largest, rate| rate.abs().max(largest));
+        report.drift = self.largest(Level::Velocity);
+        report.violation = self.largest(Level::Position);
         report.floor |= done.floor;
+    }
+
+    /// The largest constraint at a level.
+    fn largest(&mut self, level: Level) -> f64 {
+        self.eom.constraints(&self.state, level, &mut self.phi);
+        self.phi.iter().fold(0.0, |largest, phi| phi.abs().max(largest))
     }
 }

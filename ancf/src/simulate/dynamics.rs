@@ -10,7 +10,7 @@ use crate::rows::Rows;
 use crate::system::System;
 
 /// The columns of a motion.
-const OWN: [&str; 4] = ["iterations", "residual", "increment", "drift"];
+const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
 impl Run<'_> {
     /// Steps through a motion, recording its instants.
@@ -27,8 +27,8 @@ impl Run<'_> {
         };
         let mut record =
             |sink: &mut dyn Sink, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
-                let StepReport { iterations, residual, increment, drift, .. } = *report;
-                let own = [f64::from(iterations), residual, increment, drift];
+                let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
+                let own = [f64::from(iterations), residual, increment, drift, violation];
                 let s = dynamics.state();
                 let (t, energy) = (s.t * scales.time, dynamics.energy());
                 sink.record(rows.fill(assembly, s, t, &own, energy, dynamics.exchanged()))

@@ -6,6 +6,7 @@
 mod run;
 
 use ancf::Model;
+use nalgebra::Vector3;
 use run::Run;
 
 fn model(text: &str) -> Model {
@@ -101,4 +102,37 @@ analysis = { kind = "statics", stop = { rule = "energy", tolerance = 1e-10 } }
     near("neck.fz", 30.0, 1e-9);
     near("neck.mx", 15.0, 1e-2);
     near("bob.fz", 10.0, 1e-9);
+}
+
+/// A free symmetric top: its axis turns about the angular momentum L at the rate |L|/J_t, and returns after a period. At half of it
+/// the axis is opposite, mirrored by L.
+#[test]
+fn free_top() {
+    let (transverse, axial, spin) = (2.0, 1.0, [0.5, 0.0, 3.0]);
+    let momentum = Vector3::new(transverse * spin[0], 0.0, axial * spin[2]);
+    let period = std::f64::consts::TAU * transverse / momentum.norm();
+    let run = Run::of(&model(&format!(
+        r#"
+bodies = [{{ kind = "rigid", name = "top", center = [0, 0, 0], mass = 3, inertia = [{transverse}, {transverse}, {axial}], motion = {{ spin = {spin:?}, velocity = [1, 0, -2] }} }}]
+probes = [
+  {{ name = "end", on = {{ body = "top", at = [0, 0, 1] }}, record = ["motion", "rotation"] }},
+  {{ name = "middle", on = {{ body = "top", at = "center" }} }},
+]
+analysis = {{ kind = "dynamics", duration = {period}, step = {step}, scheme = {{ spectral_radius = 1.0 }} }}
+"#,
+        step = period / 4000.0
+    )));
+    let axis: Vec<_> = run.vectors("end.").iter().zip(run.vectors("middle.")).map(|(a, b)| a - b).collect();
+    let about = momentum.normalize();
+    let mirrored = about * (2.0 * about.z) - Vector3::z();
+    assert!((axis[2000] - mirrored).norm() < 1e-5, "{:?}", axis[2000]);
+    assert!((axis[4000] - Vector3::z()).norm() < 1e-5, "{:?}", axis[4000]);
+    let [x, z] = ["middle.x", "middle.z"].map(|name| run.column(name)[4000]);
+    assert!((x - period).abs() < 1e-12 && (z + 2.0 * period).abs() < 1e-12, "{x} {z}");
+    let spins = run.vectors("end.w");
+    // J ω in a frame that turns with the axis is L.
+    for (a, w) in axis.iter().zip(&spins) {
+        let moved = w * transverse + a * ((axial - transverse) * a.dot(w));
+        assert!((moved - momentum).norm() < 1e-4 * momentum.norm(), "{moved:?}");
+    }
 }

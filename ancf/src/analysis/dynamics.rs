@@ -114,7 +114,12 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.state.t = t;
         self.take_in()?;
         let Newton { matrix, factor, z, .. } = &mut self.newton;
+        let before = self.eom.energy(&self.state).kinetic;
         velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
+        if self.h > 0.0 {
+            // A blow: prescribed motions whose rates jump do the work of impulses on the mean of both rates.
+            self.exchanged.work += self.eom.energy(&self.state).kinetic - before;
+        }
         accelerations(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.auxiliary.copy_from_slice(&self.state.a);
         self.power = self.eom.power(&self.state);

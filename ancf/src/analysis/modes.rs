@@ -64,7 +64,7 @@ pub fn modes(
     s: &State,
     count: usize,
 ) -> Result<Modes, EigenError> {
-    let count = count.min(eom.coordinates().saturating_sub(eom.multipliers()));
+    let count = count.min(eom.freedoms(s));
     if count == 0 {
         return Ok(Modes { modes: Vec::new(), rigid: 0 });
     }

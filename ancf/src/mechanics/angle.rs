@@ -72,6 +72,10 @@ impl Term for Angle {
         self.multiplier..self.multiplier + 1
     }
 
+    fn tie(&self, _: usize) -> String {
+        "definition of the angle".to_owned()
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0]);
         let Values { p, sin, cos, w, along } = self.values(at.q);

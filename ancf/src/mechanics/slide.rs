@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::constraint::AXES;
 use super::{ElementAxis, Marker, Wrench};
 use crate::system::{Level, Local, LocalMatrix, State, Term, Weights};
 
@@ -82,6 +83,10 @@ impl Term for Slide {
 
     fn multipliers(&self) -> Range<usize> {
         self.first..self.first + 3
+    }
+
+    fn tie(&self, k: usize) -> String {
+        format!("position along {}", AXES[k])
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

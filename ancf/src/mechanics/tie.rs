@@ -16,6 +16,7 @@ pub struct Tie {
     coordinates: Vec<usize>,
     massless: Vec<usize>,
     multiplier: usize,
+    tie: &'static str,
 }
 
 impl Tie {
@@ -27,8 +28,14 @@ impl Tie {
     /// Leads a measure.
     pub fn driven(measure: Measure, target: Target, multiplier: usize) -> Self {
         let coordinates = measure.coordinates();
-        let local = measure.within(&coordinates);
-        Self { global: measure, measure: local, target, coordinates, massless: Vec::new(), multiplier }
+        let (local, massless) = (measure.within(&coordinates), Vec::new());
+        Self { global: measure, measure: local, target, coordinates, massless, multiplier, tie: "guide" }
+    }
+
+    /// The same under a name that tells what it ties.
+    #[must_use]
+    pub fn named(self, tie: &'static str) -> Self {
+        Self { tie, ..self }
     }
 
     /// Makes the change of a measure a coordinate without mass: Φ = g(q) − g₀ − q[coordinate].
@@ -68,6 +75,10 @@ impl Term for Tie {
         self.measure.add_gradient(at.q, 1.0, &mut gradient[..n]);
         gradient[..n].iter().enumerate().for_each(|(i, x)| k.add(n, i, *x));
         self.measure.add_curvature(w.q * at.lambda[0], k);
+    }
+
+    fn tie(&self, _: usize) -> String {
+        self.tie.to_owned()
     }
 
     fn massless(&self) -> &[usize] {

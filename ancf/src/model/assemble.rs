@@ -27,7 +27,7 @@ pub struct Assembly {
     pub energy_parts: bool,
     bodies: Vec<(String, mechanics::Body)>,
     pub(super) joints: Vec<JointEquations>,
-    couplings: Vec<String>,
+    pub(super) couplings: Vec<String>,
     pub(super) redundant: Vec<Redundant>,
     pub(super) undetermined: BTreeSet<usize>,
     pub(super) closed: Option<Closed>,
@@ -299,7 +299,7 @@ impl Model {
         let tie = |(k, coupling): (usize, &Coupling)| {
             let measure = coupling.joints.iter().try_fold(Measured::default(), part);
             let measure = measure.expect("a checked coupling names freedoms that are there");
-            Box::new(Tie::new(measure, first + k)) as Box<dyn Term>
+            Box::new(Tie::new(measure, first + k).named("coupling")) as Box<dyn Term>
         };
         self.couplings.iter().enumerate().map(tie).collect()
     }

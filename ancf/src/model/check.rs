@@ -211,13 +211,13 @@ fn joints(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
         if let ((a, End::Place(b)), false) = (joint.ends(), joint.spans()) {
-            findings.extend(rule_of_joint(model, &path, a, b));
+            findings.extend(rule_of_joint(model, &path, joint, [a, b]));
         }
     }
     findings
 }
 
-fn rule_of_joint(model: &Model, path: &str, a: &Place, b: &Place) -> Option<Finding> {
+fn rule_of_joint(model: &Model, path: &str, joint: &Joint, [a, b]: [&Place; 2]) -> Option<Finding> {
     let ((path_a, body_a), (path_b, body_b)) = (body(model, a)?, body(model, b)?);
     let (r_a, r_b) = (model.point(a)?, model.point(b)?);
     let length = body_a.length().max(body_b.length());
@@ -230,12 +230,13 @@ fn rule_of_joint(model: &Model, path: &str, a: &Place, b: &Place) -> Option<Find
                 .rests_on(ends(path, &path_a, &path_b)),
         );
     }
-    let apart = (r_a - r_b).norm();
-    (!model.assemble && apart > COINCIDENT * length).then(|| {
+    let (apart, closes) = ((r_a - r_b).norm(), joint.closes());
+    (!(model.assemble && closes) && apart > COINCIDENT * length).then(|| {
         let found = format!("a place that is {} away from `a`", number(apart));
         let at = |r: Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
+        let who = if closes { "the gap" } else { "gaps of clamps, hinges and ball joints only" };
         finding(format!("{path}.b"), found, "places that coincide in the undeformed state")
-            .hint(format!("`a` is at {}, `b` at {}; `assemble = true` closes the gap", at(r_a), at(r_b)))
+            .hint(format!("`a` is at {}, `b` at {}; `assemble = true` closes {who}", at(r_a), at(r_b)))
             .rests_on(ends(path, &path_a, &path_b))
     })
 }

@@ -9,6 +9,7 @@ use super::schema::{number, quoted};
 use super::survey::Finding;
 use super::times::is_dynamic;
 use super::{Beam, Body, Coupled, End, Formulation, Joint, Model};
+use crate::system::LOCAL;
 
 /// Axes whose sine is less than this are parallel.
 const PARALLEL: f64 = 1e-3;
@@ -168,6 +169,12 @@ pub(super) fn distances(model: &Model) -> Vec<Finding> {
 pub(super) fn couplings(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, coupling) in model.couplings.iter().enumerate() {
+        let (count, most) = (coupling.joints.len(), LOCAL - 1);
+        if count > most {
+            let (found, wanted) =
+                (format!("{count} joints"), format!("at most {most}, or several couplings"));
+            findings.push(finding(format!("couplings[{i}].joints"), found, wanted));
+        }
         for (k, part) in coupling.joints.iter().enumerate() {
             let path = format!("couplings[{i}].joints[{k}]");
             findings.extend(rule_of_part(model, &path, part, &coupling.joints[..k]));

@@ -194,6 +194,11 @@ impl Joint {
         matches!(self, Self::Drive { displacement, .. } if *displacement != [0.0; 3])
     }
 
+    /// Whether a gap between its ends can be closed before the analysis begins.
+    pub(super) const fn closes(&self) -> bool {
+        matches!(self, Self::Clamp { .. } | Self::Revolute { .. } | Self::Spherical { .. })
+    }
+
     /// Whether its ends are meant to be apart.
     pub(super) const fn spans(&self) -> bool {
         matches!(self, Self::Distance(_) | Self::Spring(_))

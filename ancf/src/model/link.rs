@@ -25,6 +25,11 @@ enum Link {
     Friction(Friction),
 }
 
+/// What equations of several joints tie.
+const POSITION: &str = "position";
+const GUIDE: &str = "guide";
+const AXIS: &str = "axis";
+
 /// Parts of a joint, with the coordinates and multipliers that they use.
 #[derive(Debug)]
 pub(super) struct Links {
@@ -68,24 +73,30 @@ impl Links {
         match joint {
             Joint::Drive { displacement, time, .. } if joint.moves_place() => {
                 for (row, way) in rows::meeting(a, b).into_iter().zip(displacement) {
-                    self.tie(row, Target::new(*way, self.clock.function(time)));
+                    self.tie("driven position", row, Target::new(*way, self.clock.function(time)));
                 }
             }
             Joint::Clamp { .. } | Joint::Spherical { .. } | Joint::Drive { .. } => {}
             Joint::Revolute { axis, .. } => angle(self, unit(*axis), joint.turning()),
-            Joint::Universal(j) => self.keep(rows::universal(a, b, [j.axis_a, j.axis_b].map(unit))),
+            Joint::Universal(j) => {
+                self.keep(
+                    &[(POSITION, 3), ("angle of the arms", 1)],
+                    rows::universal(a, b, [j.axis_a, j.axis_b].map(unit)),
+                );
+            }
             Joint::Cylindrical(j) => {
-                self.keep(rows::cylindrical(a, b, unit(j.axis)));
+                self.keep(&[(GUIDE, 2), (AXIS, 2)], rows::cylindrical(a, b, unit(j.axis)));
                 angle(self, unit(j.axis), joint.turning());
                 moves(self, unit(j.axis), joint.moving());
             }
             Joint::Prismatic(j) => {
-                self.keep(rows::prismatic(a, b, unit(j.axis)));
+                let names = [(GUIDE, 2), (AXIS, 2), ("rotation about the axis", 1)];
+                self.keep(&names, rows::prismatic(a, b, unit(j.axis)));
                 moves(self, unit(j.axis), joint.moving());
             }
-            Joint::Planar(j) => self.keep(rows::planar(a, b, unit(j.normal))),
+            Joint::Planar(j) => self.keep(&[("plane", 1), ("normal", 2)], rows::planar(a, b, unit(j.normal))),
             Joint::PointOnLine(j) => {
-                self.keep(rows::on_line(a, b, unit(j.axis)));
+                self.keep(&[(GUIDE, 2)], rows::on_line(a, b, unit(j.axis)));
                 moves(self, unit(j.axis), Acting::default());
             }
             Joint::Distance(j) => self.distance(a, b, j),
@@ -105,13 +116,15 @@ impl Links {
         self.multiplier - count
     }
 
-    fn tie(&mut self, measure: Measure, target: Target) {
+    fn tie(&mut self, name: &'static str, measure: Measure, target: Target) {
         let multiplier = self.take(1);
-        self.links.push(Link::Tie(Tie::driven(measure, target, multiplier)));
+        self.links.push(Link::Tie(Tie::driven(measure, target, multiplier).named(name)));
     }
 
-    fn keep(&mut self, measures: Vec<Measure>) {
-        measures.into_iter().for_each(|measure| self.tie(measure, Target::NONE));
+    /// Keeps measures, so many of each name.
+    fn keep(&mut self, names: &[(&'static str, usize)], measures: Vec<Measure>) {
+        let names = names.iter().flat_map(|&(name, count)| std::iter::repeat_n(name, count));
+        names.zip(measures).for_each(|(name, measure)| self.tie(name, measure, Target::NONE));
     }
 
     fn angle(
@@ -138,7 +151,8 @@ impl Links {
         let mut coordinate = None;
         if coupled || acting.is_some() {
             let (own, multiplier) = (self.take_coordinate(), self.take(1));
-            self.links.push(Link::Tie(Tie::defining(own, measure.clone(), multiplier)));
+            let tie = Tie::defining(own, measure.clone(), multiplier);
+            self.links.push(Link::Tie(tie.named("definition of the displacement")));
             self.act(own, acting);
             coordinate = Some(own);
         }
@@ -158,7 +172,7 @@ impl Links {
     fn act(&mut self, coordinate: usize, acting: &Acting<'_>) {
         let measure = || Measure::coordinate(coordinate);
         if let Some(drive) = &acting.drive {
-            self.tie(measure(), drive.target(self.clock));
+            self.tie("drive", measure(), drive.target(self.clock));
         }
         if let Some([stiffness, damping, rest]) = acting.spring {
             let rest = Target::new(rest, Function::ONE);
@@ -171,7 +185,7 @@ impl Links {
 
     fn distance(&mut self, a: &Attachment, b: &Attachment, Distance { change, time, .. }: &Distance) {
         let (measure, length) = rows::half_square(a, b);
-        self.tie(measure, Target::of_length(length, *change, self.clock.function(time)));
+        self.tie("length", measure, Target::of_length(length, *change, self.clock.function(time)));
         self.freedoms.push(Freedom { source: Source::Length(rows::apart(a, b)), coordinate: None });
     }
 

@@ -7,10 +7,10 @@ use super::function::Clock;
 use super::survey::Finding;
 use super::ties::JointEquations;
 use super::{Analysis, Assembly, Model, ModelError};
-use crate::system::{Dependence, Level, Local, Sparse, State, Term, constraint_rows, dependences};
+use crate::system::{
+    Dependence, INDEPENDENT, Level, Local, Sparse, State, Term, all_constraint_rows, dependences,
+};
 
-/// A row is redundant if less than this part of it is independent of the others.
-const INDEPENDENT: f64 = 1e-8;
 /// Redundant equations agree if no more than this part of what they say is left over.
 const AGREE: f64 = 1e-9;
 /// Rounding bounds within which they agree as well.
@@ -21,24 +21,32 @@ const INSTANTS: u32 = 128;
 /// A joint equation that follows from others, in words: its forces are shared with theirs.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Redundant {
-    /// Name of the joint, the last in the model of those that depend on each other.
+    /// Name of the joint or coupling, the last in the model of those that depend on each other, couplings after joints.
     pub joint: String,
+    /// Whether it is a coupling.
+    pub coupling: bool,
     /// The equation, such as "hinge axis, second equation".
     pub equation: String,
-    /// Names of the joints from which it follows.
+    /// Names of the joints, then of the couplings, from which it follows.
     pub with: Vec<String>,
 }
 
 impl fmt::Display for Redundant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "joint `{}`: {}", self.joint, self.equation)?;
-        match self.with.as_slice() {
-            [] => write!(f, ", ties nothing that could move"),
-            [one] => write!(f, ", follows from joint `{one}`"),
-            [.., last] => {
-                let first = self.with[..self.with.len() - 1].iter().map(|name| format!("`{name}`"));
-                let first: Vec<String> = first.collect();
-                write!(f, ", follows from joints {} and `{last}`", first.join(", "))
+        let kind = if self.coupling { "coupling" } else { "joint" };
+        match self.coupling {
+            true => write!(f, "{kind} `{}`", self.joint)?,
+            false => write!(f, "{kind} `{}`: {}", self.joint, self.equation)?,
+        }
+        // What a coupling follows from may be a coupling too.
+        match (self.with.as_slice(), self.coupling) {
+            ([], _) => write!(f, ", ties nothing that could move"),
+            ([one], false) => write!(f, ", follows from joint `{one}`"),
+            ([one], true) => write!(f, ", follows from `{one}`"),
+            ([first @ .., last], _) => {
+                let joints = if self.coupling { "" } else { "joints " };
+                let first: Vec<String> = first.iter().map(|name| format!("`{name}`")).collect();
+                write!(f, ", follows from {joints}{} and `{last}`", first.join(", "))
             }
         }
     }
@@ -48,28 +56,32 @@ impl fmt::Display for Redundant {
 pub(super) struct Constraints<'a> {
     terms: Vec<&'a dyn Term>,
     joints: &'a [JointEquations],
+    /// Names of couplings; their multipliers are the last ones.
+    couplings: Vec<&'a str>,
     multipliers: usize,
 }
 
+/// What a multiplier belongs to, by number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Owner {
+    Joint(usize),
+    Coupling(usize),
+}
+
 impl<'a> Constraints<'a> {
-    pub(super) fn new(terms: impl IntoIterator<Item = &'a dyn Term>, joints: &'a [JointEquations]) -> Self {
+    pub(super) fn new(
+        terms: impl IntoIterator<Item = &'a dyn Term>,
+        joints: &'a [JointEquations],
+        couplings: impl IntoIterator<Item = &'a String>,
+    ) -> Self {
         let terms: Vec<_> = terms.into_iter().filter(|term| !term.multipliers().is_empty()).collect();
         let multipliers = terms.iter().map(|term| term.multipliers().end).max().unwrap_or(0);
-        Self { terms, joints, multipliers }
+        Self { terms, joints, couplings: couplings.into_iter().map(String::as_str).collect(), multipliers }
     }
 
     /// The rows of Φ_q in a state, by multiplier.
     fn rows(&self, s: &State) -> Vec<Sparse> {
-        let mut rows = vec![Sparse::new(); self.multipliers];
-        for term in &self.terms {
-            for (multiplier, row) in term.multipliers().zip(constraint_rows(*term, s)) {
-                // The terms of a slide share multipliers; one of them is active.
-                if rows[multiplier].is_empty() {
-                    rows[multiplier] = row;
-                }
-            }
-        }
-        rows
+        all_constraint_rows(self.terms.iter().copied(), self.multipliers, s)
     }
 
     /// The rows that follow from earlier ones in a state.
@@ -96,10 +108,19 @@ impl<'a> Constraints<'a> {
         reached
     }
 
-    /// The number of the joint that a multiplier belongs to, if it is one of a joint.
-    fn joint_of(&self, multiplier: usize) -> Option<usize> {
+    /// The joint or the coupling that a multiplier belongs to, if it is one of either.
+    fn owner(&self, multiplier: usize) -> Option<Owner> {
+        let coupling = multiplier.checked_sub(self.multipliers - self.couplings.len());
         let after = self.joints.partition_point(|joint| joint.range().start <= multiplier);
-        (0..after).rev().find(|&k| self.joints[k].range().contains(&multiplier))
+        let joint = || (0..after).rev().find(|&k| self.joints[k].range().contains(&multiplier));
+        coupling.map(Owner::Coupling).or_else(|| joint().map(Owner::Joint))
+    }
+
+    fn name(&self, owner: Owner) -> String {
+        match owner {
+            Owner::Joint(k) => self.joints[k].name.clone(),
+            Owner::Coupling(k) => self.couplings[k].to_owned(),
+        }
     }
 
     /// Dependences in words.
@@ -108,12 +129,17 @@ impl<'a> Constraints<'a> {
     }
 
     fn describe(&self, dependence: &Dependence) -> Option<Redundant> {
-        let row = dependence.row();
-        let own = &self.joints[self.joint_of(row)?];
-        let others: BTreeSet<usize> = dependence.others().filter_map(|row| self.joint_of(row)).collect();
-        let with = others.into_iter().map(|k| self.joints[k].name.clone()).collect();
-        let equation = own.ties()[row - own.range().start].clone();
-        Some(Redundant { joint: own.name.clone(), equation, with })
+        let (row, own) = (dependence.row(), self.owner(dependence.row())?);
+        let others: BTreeSet<Owner> = dependence.others().filter_map(|row| self.owner(row)).collect();
+        let with = others.into_iter().map(|other| self.name(other)).collect();
+        let (coupling, equation) = match own {
+            Owner::Joint(k) => {
+                let joint = &self.joints[k];
+                (false, joint.ties()[row - joint.range().start].clone())
+            }
+            Owner::Coupling(_) => (true, "coupling".to_owned()),
+        };
+        Some(Redundant { joint: self.name(own), coupling, equation, with })
     }
 
     /// Those dependences that contradict what they depend on, in the reference state or in one of some states of rest.
@@ -161,7 +187,8 @@ impl<'a> Constraints<'a> {
             term.constraints(&at, Level::Position, &mut phi[m.clone()]);
             let mut rounding = vec![0.0; n + m.len()];
             term.rounding(&at, &mut rounding);
-            floor[m].copy_from_slice(&rounding[n..]);
+            // The terms of a slide share multipliers.
+            floor[m].iter_mut().zip(&rounding[n..]).for_each(|(sum, part)| *sum += part);
         }
         [phi, floor]
     }
@@ -187,7 +214,11 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
     let of_joints = joints.iter().flat_map(JointEquations::terms);
     let couplings = model.coupling_terms(&meshes, &joints);
     let terms: Vec<Box<dyn Term>> = bodies.chain(of_joints).chain(couplings).collect();
-    let constraints = Constraints::new(terms.iter().map(AsRef::as_ref), &joints);
+    let constraints = Constraints::new(
+        terms.iter().map(AsRef::as_ref),
+        &joints,
+        model.couplings.iter().map(|coupling| &coupling.name),
+    );
     let [coordinates, _] = Model::numbers(&meshes, &joints);
     let rest = State::rest(coordinates, constraints.multipliers);
     let found = constraints.dependences(&rest, INDEPENDENT);
@@ -195,13 +226,13 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
         return Vec::new();
     }
     let states = instants(model).into_iter().map(|t| State { t, ..rest.clone() });
-    let mut findings: Vec<(usize, Redundant)> = Vec::new();
+    let mut findings: Vec<(Owner, Redundant)> = Vec::new();
     for dependence in constraints.contradictions(&found, Some(&rest), states) {
-        let joint = constraints.joint_of(dependence.row());
-        findings.extend(joint.zip(constraints.describe(dependence)));
+        let owner = constraints.owner(dependence.row());
+        findings.extend(owner.zip(constraints.describe(dependence)));
     }
-    let of = |joint: usize| {
-        let own: Vec<&Redundant> = findings.iter().filter(|(k, _)| *k == joint).map(|(_, own)| own).collect();
+    let of = |owner: Owner| {
+        let own: Vec<&Redundant> = findings.iter().filter(|(k, _)| *k == owner).map(|(_, own)| own).collect();
         let equations: Vec<&str> = own.iter().map(|own| own.equation.as_str()).collect();
         let with: BTreeSet<&String> = own.iter().flat_map(|own| &own.with).collect();
         let with: Vec<String> = with.into_iter().map(|name| format!("`{name}`")).collect();
@@ -209,10 +240,14 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
             [] => format!("equations that nothing can satisfy: {}", equations.join("; ")),
             _ => format!("equations that contradict {}: {}", with.join(", "), equations.join("; ")),
         };
-        ModelError::new(format!("joints[{joint}]"), found, "joints that agree where they tie the same").into()
+        let path = match owner {
+            Owner::Joint(k) => format!("joints[{k}]"),
+            Owner::Coupling(k) => format!("couplings[{k}]"),
+        };
+        ModelError::new(path, found, "joints that agree where they tie the same").into()
     };
-    let joints: BTreeSet<usize> = findings.iter().map(|(joint, _)| *joint).collect();
-    joints.into_iter().map(of).collect()
+    let owners: BTreeSet<Owner> = findings.iter().map(|(owner, _)| *owner).collect();
+    owners.into_iter().map(of).collect()
 }
 
 /// Times at which functions of time are compared.
@@ -259,7 +294,7 @@ impl Assembly {
     }
 
     pub(super) fn constraints(&self) -> Constraints<'_> {
-        Constraints::new(self.system.terms().iter().map(AsRef::as_ref), &self.joints)
+        Constraints::new(self.system.terms().iter().map(AsRef::as_ref), &self.joints, &self.couplings)
     }
 
     /// Finds out what is redundant, and has its multipliers shared.

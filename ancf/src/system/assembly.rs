@@ -1,6 +1,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::encounter::{Met, lacks, near};
 use super::{
     Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, SparseMatrix,
@@ -240,6 +241,16 @@ impl EquationsOfMotion for System {
             met.dedup();
             self.meeting(met)
         })
+    }
+
+    fn freedoms(&self, s: &State) -> usize {
+        let terms = self.constraints.iter().map(|&i| self.terms[i].as_ref());
+        // Constraints are redundant only where multipliers are shared.
+        let excess = match self.pattern.shared() {
+            [] => 0,
+            _ => dependences(all_constraint_rows(terms, self.multipliers, s), INDEPENDENT).len(),
+        };
+        (self.coordinates + excess).saturating_sub(self.multipliers)
     }
 
     fn energy(&self, s: &State) -> Energy {

@@ -22,6 +22,8 @@ impl Dependence {
     }
 }
 
+/// A row is redundant if less than this part of it is independent of the others.
+pub const INDEPENDENT: f64 = 1e-8;
 /// A pivot is at least this part of the largest entry of its row.
 const PIVOT: f64 = 0.1;
 /// Entries and coefficients below this part of what they are sums of are rounding.
@@ -207,4 +209,22 @@ pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<Sparse> {
         entries.filter(|(_, x)| *x != 0.0).collect()
     };
     (0..m).map(row).collect()
+}
+
+/// The rows of Φ_q of some terms in a state, by multiplier.
+pub fn all_constraint_rows<'a>(
+    terms: impl IntoIterator<Item = &'a dyn Term>,
+    multipliers: usize,
+    s: &State,
+) -> Vec<Sparse> {
+    let mut rows = vec![Sparse::new(); multipliers];
+    for term in terms {
+        for (multiplier, row) in term.multipliers().zip(constraint_rows(term, s)) {
+            // The terms of a slide share multipliers; one of them is active.
+            if rows[multiplier].is_empty() {
+                rows[multiplier] = row;
+            }
+        }
+    }
+    rows
 }

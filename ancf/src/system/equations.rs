@@ -116,6 +116,11 @@ pub trait EquationsOfMotion {
         None
     }
 
+    /// Number of motions that the constraints leave in a state: n less their rank.
+    fn freedoms(&self, _s: &State) -> usize {
+        self.coordinates().saturating_sub(self.multipliers())
+    }
+
     /// Kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 

@@ -277,16 +277,31 @@ impl Factor {
     }
 
     /// D: one over the root of the diagonal; for multipliers, where that is zero, one over the largest scaled entry.
+    ///
+    /// The diagonal of a coordinate without mass may be next to nothing, as a multiplier is: its scale is at most that by which
+    /// it counts as much as others in an equation that determines it.
     fn equilibrate(&mut self, k: &SparseMatrix) {
-        let Self { d, r: largest, .. } = self;
-        largest.fill(0.0);
+        let Self { d, r: largest, x: bound, .. } = self;
         for (d, diagonal) in d.iter_mut().zip(k.diagonal()) {
             *d = if diagonal == 0.0 { 1.0 } else { 1.0 / diagonal.abs().sqrt() };
         }
-        for border in k.pattern().border() {
-            let entry = k.values()[border.slot].abs() * d[border.coordinate];
-            largest[border.multiplier] = largest[border.multiplier].max(entry);
+        let massless = k.pattern().massless();
+        if !massless.is_empty() {
+            bound.fill(f64::INFINITY);
+            massless.iter().for_each(|&at| d[at] = 0.0);
+            scale_multipliers(k, d, largest);
+            for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
+                let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
+                if entry > 0.0 && others > 0.0 {
+                    bound[border.coordinate] = bound[border.coordinate].min(others / entry);
+                }
+            }
+            for &at in massless {
+                let own = 1.0 / k.values()[k.pattern().columns()[at]].abs().sqrt();
+                d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
+            }
         }
+        scale_multipliers(k, d, largest);
         for (d, &largest) in d.iter_mut().zip(&*largest) {
             if largest > 0.0 {
                 *d = 1.0 / largest;
@@ -308,6 +323,15 @@ impl Factor {
         let symbolic = SymbolicLu::try_new(full.symbolic()).map_err(|_| SingularMatrix)?;
         self.lu = Some(Lu::try_new_with_symbolic(symbolic, full.as_ref()).map_err(|_| SingularMatrix)?);
         Ok(())
+    }
+}
+
+/// The largest entry of each multiplier, scaled by the D of its coordinate.
+fn scale_multipliers(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
+    largest.fill(0.0);
+    for border in k.pattern().border() {
+        let entry = k.values()[border.slot].abs() * d[border.coordinate];
+        largest[border.multiplier] = largest[border.multiplier].max(entry);
     }
 }
 

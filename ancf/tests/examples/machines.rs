@@ -143,8 +143,9 @@ fn the_aligned_four_bar_is_a_parallelogram() {
         }
     }
     let run = Run::of(&model);
-    for (crank, rocker) in run.column("A.angle").iter().zip(run.column("D.angle")) {
-        close("angle of the rocker", *rocker, *crank, 1e-5);
+    // Once the vibration of the start is over.
+    for i in row(&run, 1.0)..run.column("t").len() {
+        close("angle of the rocker", run.column("D.angle")[i], run.column("A.angle")[i], 1e-8);
     }
     for column in ["coupler_end.z", "D.mx", "D.my", "D.fz"] {
         assert!(largest(&run, column) < 1e-9, "{column}: {}", largest(&run, column));

@@ -155,8 +155,8 @@ fn the_aligned_four_bar_is_a_parallelogram() {
 /// The motor does the work that strains the bars, and what moves them.
 #[test]
 fn the_motor_of_the_four_bar_pays_for_all_energy() {
-    let run = Run::of(&stepped("four_bar", 0.9, 5e-3, 2.0));
-    assert!(imbalance(&run) < 1e-3, "{}", imbalance(&run));
+    let run = Run::of(&stepped("four_bar", 0.9, 1e-3, 1.0));
+    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
 }
 
 /// Mass of the disc, reduced mass (Rayleigh) and stiffness of the shaft of the rotor.
@@ -182,6 +182,8 @@ fn the_rotor_whirls_as_jeffcotts() {
         close("y", middle.y, y, 0.03 * amplitude);
         close("z", middle.z, z, 0.03 * amplitude);
     }
+    let most = middle.iter().map(|r| r.y.hypot(r.z)).fold(0.0, f64::max);
+    close("largest deflection as stated", most, 0.635e-3, 0.02e-3);
     assert!(distance(&middle, &run.vectors("seat_of_disc.")) < 1e-10);
     assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
 }
@@ -249,14 +251,14 @@ fn the_motors_of_the_robot_arm_carry_its_weight() {
     let rigid = |t: f64| (rigid_arm(t + 1e-5)[0] - rigid_arm(t - 1e-5)[0]) / 2e-5 + rigid_arm(t)[1];
     let squares: f64 = t.iter().zip(torque).map(|(&t, torque)| (torque - rigid(t)).powi(2)).sum();
     let deviation = (squares / t.len() as f64).sqrt();
-    assert!(deviation < 0.06 * largest(&run, "shoulder.mz"), "torques deviate by {deviation}");
+    assert!(deviation < 0.02 * largest(&run, "shoulder.mz"), "torques deviate by {deviation}");
     assert!(distance(&run.vectors("hand."), &run.vectors("payload_at.")) < 1e-10);
 }
 
 #[test]
 fn the_robot_arm_keeps_its_books() {
-    let run = Run::of(&stepped("robot_arm", 1.0, 1e-3, 1.0));
-    assert!(imbalance(&run) < 1e-5, "{}", imbalance(&run));
+    let run = Run::of(&stepped("robot_arm", 1.0, 4e-4, 1.0));
+    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
 }
 
 /// Stiffness of the spring, mass of its wire.
@@ -274,7 +276,7 @@ fn the_weight_stretches_the_spring() {
     let sinks = 9.81 * (2.0 + mass / 2.0) / stiffness;
     close("sinking as stated", sinks, 5.83e-3, 1e-5);
     let last = |column| *run.column(column).last().unwrap();
-    close("sinking", -0.072 - last("weight_at.z"), sinks, 0.01 * sinks);
+    close("sinking", -0.072 - last("weight_at.z"), sinks, 0.005 * sinks);
     close("force at the bottom", last("bottom.fz"), 2.0 * 9.81, 1e-6);
     close("force at the top", last("top.fz"), (2.0 + mass) * 9.81, 1e-3 * 20.0);
     close("sideways", last("weight_at.x").hypot(last("weight_at.y")), 0.0, 1e-12);
@@ -320,7 +322,7 @@ fn the_stiff_double_pendulum_moves_as_two_rigid_rods() {
     let (stiff, rigid) = (Run::of(&stiff), Run::of(&Model::parse(&text).unwrap()));
     for place in ["elbow_point.", "tip."] {
         let apart = distance(&stiff.vectors(place), &rigid.vectors(place));
-        assert!(apart < 2e-3, "{place} is apart by {apart}");
+        assert!(apart < 2e-4, "{place} is apart by {apart}");
     }
 }
 
@@ -336,8 +338,8 @@ fn bar(name: &str, center: [f64; 3], mass: f64, [y, x]: [f64; 2]) -> Body {
 
 #[test]
 fn the_double_pendulum_keeps_its_energy() {
-    let run = Run::of(&stepped("double_pendulum", 1.0, 2e-4, 1.0));
-    assert!(imbalance(&run) < 1e-5, "{}", imbalance(&run));
+    let run = Run::of(&stepped("double_pendulum", 1.0, 5e-5, 0.4));
+    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
 }
 
 #[test]

@@ -22,6 +22,7 @@ mod right_angle_frame;
 mod roll_up;
 mod self_weight;
 mod single_element;
+mod slider_crank;
 mod spin_up;
 mod spinning_rod;
 
@@ -46,6 +47,7 @@ pub const ALL: &[Problem] = &[
     frequencies::PROBLEM,
     compound_pendulum::PROBLEM,
     spin_up::PROBLEM,
+    slider_crank::PROBLEM,
     flying_spaghetti::PROBLEM,
     right_angle_frame::PROBLEM,
     spinning_rod::PROBLEM,

@@ -55,7 +55,8 @@ fn energy(term: &dyn Term, s: &State) -> f64 {
 fn the_search_finds_what_all_pairs_would() {
     let assembly = bodies("");
     let law = ContactLaw { stiffness: 1e6, transition: 1e-4, damping: 0.0, friction: 0.0, slip_speed: 1.0 };
-    let skins: Vec<Skin> = assembly.bodies().filter_map(|(_, body)| Some(Skin::new(body.mesh()?, 0.01, 7))).collect();
+    let skins: Vec<Skin> =
+        assembly.bodies().filter_map(|(_, body)| Some(Skin::new(body.mesh()?, 0.01, 7))).collect();
     let elements: usize = assembly.bodies().filter_map(|(_, body)| Some(body.mesh()?.count())).sum();
     let contacts = BeamContacts::new(skins, law);
     let (rest, mut random, mut acting) = (assembly.rest(), Random(7), 0);

@@ -42,8 +42,7 @@ fn momenta(assembly: &Assembly, s: &State) -> [Vector3<f64>; 2] {
     let of = |vector: &ancf::mechanics::NodalVector| {
         Vector3::from_column_slice(&p[vector.first..vector.first + 3])
     };
-    let vectors: Vec<_> =
-        assembly.bodies().flat_map(|(_, mesh)| mesh.vectors(s)).collect();
+    let vectors: Vec<_> = assembly.bodies().flat_map(|(_, mesh)| mesh.vectors(s)).collect();
     let linear = vectors.iter().filter(|vector| vector.is_position()).map(of).sum();
     [linear, vectors.iter().map(|vector| vector.value.cross(&of(vector))).sum()]
 }

@@ -139,7 +139,7 @@ pub fn simulate(model: &Model, sink: &mut dyn Sink) -> Result<Summary, Error> {
         Analysis::Dynamics(settings) => run.dynamics(&scaled, settings),
         Analysis::Statics(settings) => run.statics(settings),
         Analysis::Path(settings) => run.path(settings),
-        Analysis::Modes(settings) => run.modes(settings),
+        Analysis::Modes(settings) => run.modes(&scaled, settings),
         Analysis::Buckling(settings) => run.buckling(settings),
     };
     // What was recorded is completed even if recording broke off.

@@ -18,6 +18,7 @@ mod mover;
 mod newton;
 mod path;
 mod scheme;
+mod settle;
 mod statics;
 mod waypoint;
 
@@ -32,5 +33,6 @@ pub use modes::{Mode, Modes, modes};
 pub use newton::{Newton, Report, Stop};
 pub use path::Path;
 pub use scheme::Scheme;
+pub use settle::settle;
 pub use statics::{Increments, Statics};
 pub use waypoint::{ArcSteps, Left, Limit, PathPoint, Until};

@@ -2,27 +2,31 @@ use std::io;
 use std::iter::once;
 use std::ops::ControlFlow;
 
-use super::equilibria::{equilibrium, unloaded};
+use super::equilibria::{equilibrium, settled, unloaded};
 use super::{Ended, Reason, Run};
 use crate::analysis::{Critical, Mode, buckling, modes};
-use crate::model::{About, Buckling, Modes};
+use crate::model::{About, Buckling, Model, Modes};
 use crate::system::{EquationsOfMotion, State};
 
 impl Run<'_> {
-    fn state_about(&self, about: About) -> Result<State, Reason> {
-        match about {
-            About::Reference => Ok(unloaded(self.assembly)),
-            About::Equilibrium => {
-                self.held(&unloaded(self.assembly))?;
-                equilibrium(self.assembly)
+    fn state_about(&self, model: &Model, about: About) -> Result<State, Reason> {
+        let start = unloaded(self.assembly);
+        match (about, self.held(&start)) {
+            (About::Reference, _) => Ok(start),
+            (About::Equilibrium, Ok(())) => equilibrium(self.assembly, start),
+            (About::Equilibrium, Err(free)) => {
+                // What nothing holds without loads may hang on them.
+                let settled = settled(self.assembly, model, start).map_err(|_| free)?;
+                self.held(&settled)?;
+                equilibrium(self.assembly, settled)
             }
         }
     }
 
     /// Natural modes, one row each.
-    pub(super) fn modes(&mut self, settings: &Modes) -> Ended {
+    pub(super) fn modes(&mut self, model: &Model, settings: &Modes) -> Ended {
         self.begin(&["frequency", "squared", "residual"])?;
-        let found = self.state_about(settings.about).and_then(|s| {
+        let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
             Ok(match system.completed(&s) {
                 Some((complete, matrix)) => modes(&complete, matrix, &s, count)?,

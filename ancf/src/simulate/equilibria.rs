@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 use super::blame::blame;
 use super::{Ended, Reason, Run, mechanism};
 use crate::analysis::{
-    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Limit, Newton, PathPoint, Until,
+    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Limit, Newton, PathPoint, SolveError, Until,
+    settle,
 };
-use crate::model::{Assembly, Path, Statics};
+use crate::model::{Assembly, Model, Path, ScaleChoice, Statics};
 use crate::rows::Rows;
 use crate::system::{Power, State};
 
@@ -25,14 +26,26 @@ pub(super) fn unloaded(assembly: &Assembly) -> State {
     State { load: 0.0, ..assembly.initial() }
 }
 
-/// The equilibrium under all loads by the default settings.
-pub(super) fn equilibrium(assembly: &Assembly) -> Result<State, Reason> {
+fn solver(assembly: &Assembly) -> Result<Newton, SolveError> {
     let Statics { stop, max_iterations, .. } = Statics::default();
-    let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
-    let start = unloaded(assembly);
+    Newton::new(assembly.system.matrix(), stop.into(), max_iterations)
+}
+
+/// The equilibrium under all loads by the default settings, from a state on.
+pub(super) fn equilibrium(assembly: &Assembly, start: State) -> Result<State, Reason> {
+    let newton = solver(assembly)?;
     let mut statics = analysis::Statics::new(&assembly.system, newton, Increments::default(), start);
     statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
     Ok(statics.state().clone())
+}
+
+/// The equilibrium of a model that nothing may hold but its loads, without contacts.
+pub(super) fn settled(assembly: &Assembly, model: &Model, mut s: State) -> Result<State, SolveError> {
+    // Weight swings a body of length L by the rate √(g/L), which is that of the automatic scales.
+    let own = Model { scales: ScaleChoice::Auto, ..model.clone() }.scales().scales;
+    s.load = 1.0;
+    settle(&assembly.system, &mut solver(assembly)?, &mut s, own.time.recip())?;
+    Ok(s)
 }
 
 impl Run<'_> {

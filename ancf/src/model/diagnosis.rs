@@ -14,7 +14,7 @@ pub struct Diagnosis {
     pub bodies: BTreeMap<&'static str, usize>,
     /// Joints by kind.
     pub joints: BTreeMap<&'static str, usize>,
-    /// Loads by kind, gravity among them.
+    /// Loads by kind, gravity and contacts among them.
     pub loads: BTreeMap<&'static str, usize>,
     /// Number of coordinates n.
     pub coordinates: usize,
@@ -92,12 +92,13 @@ impl Model {
             Load::Fluid(_) => "fluid",
         });
         let gravity = (self.gravity != [0.0; 3]).then_some("gravity");
-        count(loads.chain(gravity))
+        count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))
     }
 
-    /// 6 for each body, a cable too, and 3 for a point mass, less what each joint ties of two rigid bodies.
+    /// 6 for each body, a cable too, and 3 for a point mass, less what each joint ties of two rigid bodies, and one for
+    /// each coupling.
     fn gruebler(&self) -> isize {
-        let tied: usize = self.joints.iter().map(Joint::ties).sum();
+        let tied = self.joints.iter().map(Joint::ties).sum::<usize>() + self.couplings.len();
         let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
         free.sum::<isize>() - tied as isize
     }
@@ -172,17 +173,19 @@ impl Joint {
         }
     }
 
-    /// How many motions it takes from two rigid bodies.
-    const fn ties(&self) -> usize {
-        match self {
-            Self::Clamp { .. } | Self::Drive { .. } => 6,
-            Self::Revolute { .. } | Self::Prismatic(_) => 5,
-            Self::Universal(_) | Self::Cylindrical(_) => 4,
-            Self::Spherical { .. } | Self::Planar(_) => 3,
-            Self::PointOnLine(_) | Self::Slide(_) => 2,
-            Self::Distance(_) => 1,
-            Self::Bushing(_) | Self::Spring(_) => 0,
-        }
+    /// How many motions it takes from two rigid bodies, those that it drives among them.
+    fn ties(&self) -> usize {
+        let drives = self.times().iter().filter(|(key, _)| !key.is_empty()).count();
+        drives
+            + match self {
+                Self::Clamp { .. } | Self::Drive { .. } => 6,
+                Self::Revolute { .. } | Self::Prismatic(_) => 5,
+                Self::Universal(_) | Self::Cylindrical(_) => 4,
+                Self::Spherical { .. } | Self::Planar(_) => 3,
+                Self::PointOnLine(_) | Self::Slide(_) => 2,
+                Self::Distance(_) => 1,
+                Self::Bushing(_) | Self::Spring(_) => 0,
+            }
     }
 }
 

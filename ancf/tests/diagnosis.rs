@@ -31,7 +31,7 @@ fn counts_of_a_pendulum() {
         "bodies:    1 beam\n\
          joints:    1 revolute\n\
          loads:     gravity\n\
-         equations: 36 coordinates, 5 of joints, 0 of them redundant\n\
+         equations: 36 coordinates, 5 constraints, 0 of them redundant\n\
          mobility:  1 by Grübler's count, rigid bodies\n           \
          1 by rank, rigid bodies\n           \
          31 by rank, bodies that deform\n\

@@ -40,8 +40,7 @@ use kind::Kind;
 use magnet::Magnet;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use sample::{
-    Random, Sample, derivative, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness,
-    tangent,
+    Random, Sample, energy, extrapolated_derivative, residual, rounding, sizes, stress_stiffness, tangent,
 };
 
 fn assert_close(what: &str, a: &DVector<f64>, b: &DVector<f64>, tolerance: f64) {

@@ -25,7 +25,7 @@ use crate::system::{Energy, Power, State};
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
 /// | `iterations`, ... | what the analysis says of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
-/// | `work` | supplied since the start by prescribed motions and by loads without potential |
+/// | `work` | supplied since the start by prescribed motions, their blows included, and by loads without potential |
 /// | `dissipated` | lost since the start by damping, drag and friction |
 /// | `balance` | total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
 #[derive(Debug)]

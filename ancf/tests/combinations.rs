@@ -174,3 +174,35 @@ analysis = { kind = \"dynamics\", duration = 0.1, step = 5e-3, scheme = { spectr
         ]
     );
 }
+
+/// Bodies whose gap was closed touch where they are joined, and nothing pushes them apart.
+#[test]
+fn what_is_joined_by_closing_a_gap_is_not_in_contact() {
+    let text = |contact: &str| {
+        format!(
+            "assemble = true
+materials.steel = {{ density = 7850, young = 2.1e11 }}
+sections.round = {{ kind = \"circle\", diameter = 0.02 }}
+bodies = [
+  {{ kind = \"cable\", name = \"a\", from = [0, 0, 0], to = [1, 0, 0], elements = 2, section = \"round\", material = \"steel\" }},
+  {{ kind = \"cable\", name = \"b\", from = [1.05, 0, 0], to = [2, 0, 0], elements = 2, section = \"round\", material = \"steel\" }},
+]
+joints = [
+  {{ kind = \"spherical\", name = \"o\", a = {{ body = \"a\", at = \"start\" }} }},
+  {{ kind = \"spherical\", name = \"j\", a = {{ body = \"b\", at = \"start\" }}, b = {{ body = \"a\", at = \"end\" }} }},
+]
+contacts = [{contact}]
+analysis = {{ kind = \"dynamics\", duration = 0.01, step = 1e-3, scheme = {{ spectral_radius = 0.8 }} }}
+"
+        )
+    };
+    let contact = "{ with = { kind = \"bodies\" }, stiffness = 1e8 }";
+    let [with, without] = [contact, ""].map(|contact| {
+        let run = Run::of(&Model::parse(&text(contact)).unwrap());
+        [run.column("strain")[0], *run.column("kinetic").last().unwrap()]
+    });
+    assert!(
+        (with[0] - without[0]).abs() <= 1e-9 && (with[1] - without[1]).abs() <= 1e-9,
+        "{with:?} {without:?}"
+    );
+}

@@ -119,8 +119,8 @@ fn paths_and_critical_loads_are_the_same() {
     let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
     assert_eq!(one.summary.steps, two.summary.steps);
     assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9 * rod::LENGTH);
-    // Of the unloaded state, the first, nothing is known.
-    assert_eq!(one.column("unstable")[1..], two.column("unstable")[1..]);
+    let same = |(a, b): (&f64, &f64)| a == b || a.is_nan() && b.is_nan();
+    assert!(one.column("unstable").iter().zip(two.column("unstable")).all(same));
     let one = pushed(rod::clamped(4, Clamped::Section), buckling());
     let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
     let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-8 * a.abs();

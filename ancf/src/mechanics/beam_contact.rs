@@ -3,7 +3,7 @@ use num_dual::DualSVec64;
 
 use super::frame::{Real, constant};
 use super::{ContactLaw, ElementAxis, Marker};
-use crate::system::{Energy, LOCAL, Local, LocalMatrix, Term, Weights};
+use crate::system::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
 
 /// A point of one beam's axis against the axis of an element of another, or of the same beam elsewhere.
 ///
@@ -118,9 +118,10 @@ impl BeamContact {
         (apart[0].norm() < self.radius).then_some((foot, apart))
     }
 
-    /// Whether the bodies overlap in the reference state by more than a part of their radii.
-    pub(super) fn overlaps_at_rest(&self, part: f64) -> bool {
-        let q = [0.0; LOCAL];
+    /// Whether the bodies overlap in a state by more than a part of their radii.
+    pub(super) fn overlaps(&self, s: &State, part: f64) -> bool {
+        let mut q = [0.0; LOCAL];
+        self.coordinates.iter().zip(&mut q).for_each(|(&c, q)| *q = s.q[c]);
         self.apart(&q, self.closest(&q))[0].norm() < (1.0 - part) * self.radius
     }
 

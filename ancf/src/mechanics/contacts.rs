@@ -106,15 +106,20 @@ impl BeamContacts {
         });
         let first = starts.collect();
         let law = ContactLaw { stiffness: 0.5 * law.stiffness, ..law };
-        let mut contacts = Self { skins, law, elements, points, first, joined: Vec::new() };
+        let contacts = Self { skins, law, elements, points, first, joined: Vec::new() };
         let coordinates = contacts.skins.iter().flat_map(|skin| skin.axes.iter());
         let end = coordinates.flat_map(ElementAxis::coordinates).max().map_or(0, |last| last + 1);
-        let rest = State::rest(end, 0);
-        let near = contacts.near(&rest).into_iter();
-        let overlaps = |pair: &Pair| contacts.contact(*pair).overlaps_at_rest(JOINED);
-        let joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
-        contacts.joined = joined;
-        contacts
+        contacts.joined_in(&State::rest(end, 0))
+    }
+
+    /// The same with what overlaps in another state than the reference state taken to be joined.
+    #[must_use]
+    pub fn joined_in(mut self, s: &State) -> Self {
+        self.joined.clear();
+        let near = self.near(s).into_iter();
+        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED);
+        self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
+        self
     }
 
     fn contact(&self, [point, element]: Pair) -> BeamContact {

@@ -199,7 +199,7 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
-        let system = System::new(coordinates, multipliers, terms).with(self.encounters(&bodies));
+        let system = System::new(coordinates, multipliers, terms);
         let breaks = self.breaks(clock);
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
@@ -218,7 +218,10 @@ impl Model {
         };
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
-        Ok(Assembly { closed, ..assembly })
+        let mut assembly = Assembly { closed, ..assembly };
+        let encounters = self.encounters(&assembly.bodies, &assembly.initial());
+        assembly.system = assembly.system.with(encounters);
+        Ok(assembly)
     }
 
     /// Numbers of coordinates and multipliers of bodies and joints.

@@ -8,7 +8,7 @@ use super::{Beam, Body, Model, Place, Section};
 use crate::mechanics::{
     self, Attachment, BeamContacts, BeamMesh, ContactLaw, Form, Obstacle, ObstacleContacts, Skin,
 };
-use crate::system::Encounters;
+use crate::system::{Encounters, State};
 
 /// What bodies may touch, and how hard and rough they are there. Bodies are round tubes about their axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -185,8 +185,12 @@ impl Contact {
 }
 
 impl Model {
-    /// The contacts of a valid model.
-    pub(super) fn encounters(&self, built: &[(String, mechanics::Body)]) -> Vec<Arc<dyn Encounters>> {
+    /// The contacts of a valid model; what overlaps in the state in which analyses begin is joined.
+    pub(super) fn encounters(
+        &self,
+        built: &[(String, mechanics::Body)],
+        begin: &State,
+    ) -> Vec<Arc<dyn Encounters>> {
         let of = |contact: &Contact| -> Option<Arc<dyn Encounters>> {
             let bodies = contact.bodies(self).into_iter();
             let sized: Vec<_> = bodies
@@ -199,7 +203,7 @@ impl Model {
             };
             let (skins, law) = (sized.iter().map(skin).collect::<Vec<_>>(), contact.law(self, thinnest));
             let Some((form, point, axis)) = contact.with.obstacle() else {
-                return Some(Arc::new(BeamContacts::new(skins, law)));
+                return Some(Arc::new(BeamContacts::new(skins, law).joined_in(begin)));
             };
             let place = contact.with.on().map_or_else(
                 || Attachment::ground(point),

@@ -12,7 +12,7 @@ pub struct Coupling {
     /// Name in messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The joints and their factors.
+    /// The joints and their factors, 63 at most.
     #[schemars(length(min = 2))]
     pub joints: Vec<Coupled>,
 }

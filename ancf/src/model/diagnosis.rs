@@ -3,6 +3,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+use super::mechanism::number;
 use super::{Assembly, Body, End, Joint, Load, Model, ModelErrors, Redundant};
 use crate::analysis::consistent_velocities;
 use crate::system::{EquationsOfMotion, State};
@@ -219,11 +220,6 @@ fn plural(kind: &str) -> String {
 
 fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
-}
-
-/// Four digits.
-fn number(x: f64) -> String {
-    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
 impl Diagnosis {

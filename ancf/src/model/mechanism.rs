@@ -374,6 +374,6 @@ fn triple(x: &[f64; 3]) -> String {
 }
 
 /// Four digits.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }

@@ -1,139 +1,10 @@
-use nalgebra::Vector3;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Body, Model, Place, PointMass, Probe, Rigid};
+use super::{
+    Against, Analysis, At, Beam, Body, Cable, Contact, Damping, Dynamics, Fluid, Load, Material, Model,
+    Output, Place, PointMass, Probe, Rigid, ScaleChoice, Section, Shape, Step, TimeFunction, Varying,
+};
 use crate::scales::{Dimension, Scales};
 
-/// How the units of the equations are chosen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-pub enum ScaleChoice {
-    /// The user's own: the dimensional form.
-    #[default]
-    None,
-    /// Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7). For one beam under gravity.
-    Paper,
-    /// The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq. (7); each rounded to a
-    /// power of two, so that nothing is lost on the way to these units and back.
-    Auto,
-    /// Given by number.
-    Given {
-        /// Unit of length.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        length: f64,
-        /// Unit of force.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        force: f64,
-        /// Unit of time; by eq. (7) with the ρA of the longest body if left out.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        time: Option<f64>,
-    },
-}
-
-/// The units chosen for a model, and why.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
-    /// The units.
-    pub scales: Scales,
-    /// How they were chosen, in words.
-    pub reason: String,
-}
-
-/// What the units of a model are taken from.
-struct Largest {
-    name: String,
-    length: f64,
-    line_mass: f64,
-    /// The unit of force without gravity, and what it is.
-    force: f64,
-    of_force: &'static str,
-}
-
 impl Model {
-    /// The units in which the equations of this model are to be solved.
-    ///
-    /// The model must be a valid one (see [`Model::check`]).
-    pub fn scales(&self) -> Chosen {
-        if self.scales == ScaleChoice::None {
-            return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
-        }
-        let Largest { name, length, line_mass, force, of_force } = self.largest();
-        let weight = line_mass * length * Vector3::from(self.gravity).norm();
-        let (scales, reason) = match self.scales {
-            ScaleChoice::Given { length, force, time } => {
-                let by_eq_7 = Scales::from_force(length, force, line_mass);
-                (Scales { time: time.unwrap_or(by_eq_7.time), ..by_eq_7 }, "given".into())
-            }
-            ScaleChoice::Paper => (
-                Scales::from_force(length, weight / f64::from(self.bodies[0].elements()), line_mass),
-                format!("length of {name}, weight of one element, time by eq. (7)"),
-            ),
-            ScaleChoice::Auto | ScaleChoice::None if weight > 0.0 => (
-                Scales::from_force(length, weight, line_mass).rounded(),
-                format!("length and weight of {name}, time by eq. (7), as powers of two"),
-            ),
-            ScaleChoice::Auto | ScaleChoice::None => (
-                Scales::from_force(length, force, line_mass).rounded(),
-                format!("length L and {of_force} of {name}, time by eq. (7), as powers of two"),
-            ),
-        };
-        Chosen { scales, reason }
-    }
-
-    /// The longest flexible body; of rigid ones only, all of them.
-    fn largest(&self) -> Largest {
-        let flexible = self.bodies.iter().filter(|body| body.is_flexible());
-        if let Some(body) = flexible.max_by(|a, b| a.length().total_cmp(&b.length())) {
-            let (length, (line_mass, bending)) = (body.length(), self.line(body));
-            let (name, force) = (format!("the longest body, `{}`", body.name()), bending / length.powi(2));
-            return Largest { name, length, line_mass, force, of_force: "E I/L2" };
-        }
-        let (length, mass) = (self.length(), self.mass());
-        let name = "the whole model".into();
-        Largest { name, length, line_mass: mass / length, force: mass * length, of_force: "mass times L" }
-    }
-
-    /// The mass of all bodies.
-    pub fn mass(&self) -> f64 {
-        let mass = |body: &Body| match body {
-            Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
-            Body::Beam(_) | Body::Cable(_) => self.line(body).0 * body.length(),
-        };
-        self.bodies.iter().map(mass).sum()
-    }
-
-    /// The length of the longest body; of rigid ones only, the largest of their distances and radii of gyration.
-    pub fn length(&self) -> f64 {
-        let longest = self.bodies.iter().map(Body::length).fold(0.0, f64::max);
-        if longest > 0.0 {
-            return longest;
-        }
-        let centres = self.bodies.iter().map(|body| Vector3::from(body.span()[0]));
-        let joints = self.joints.iter().filter_map(|joint| self.point(joint.ends().0));
-        let points: Vec<Vector3<f64>> = centres.chain(joints).collect();
-        let gyration = self.bodies.iter().filter_map(|body| match body {
-            Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
-            _ => None,
-        });
-        let reach = points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
-        if reach > 0.0 { reach } else { 1.0 }
-    }
-
-    /// The point of a place in the reference state, if there is one.
-    pub(super) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
-        let body = self.bodies.iter().find(|body| body.name() == place.body)?;
-        Some(body.point(place.at)? + Vector3::from(place.offset))
-    }
-
-    /// ρA and the smaller E I of a flexible body.
-    fn line(&self, body: &Body) -> (f64, f64) {
-        let Some((section, material)) = body.stuff() else { return (0.0, 0.0) };
-        let (material, section) = (&self.materials[material], self.sections[section].moments());
-        (material.density * section.area, material.young * section.yy.min(section.zz))
-    }
-
     /// The same model in other units: what comes out is a model like any other, whose own scales are none.
     ///
     /// Tolerances of the absolute stopping rules stay as they are: they refer to the numbers of the solver.
@@ -187,4 +58,259 @@ pub(super) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
 
 pub(super) fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
     x.map(|x| number(x, of, scales))
+}
+
+// Each part is taken apart field by field, so that a new field cannot be forgotten here.
+
+impl Material {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { density, young, poisson, law, damping: Damping { strain, mass } } = self;
+        Self {
+            density: number(density, Dimension::DENSITY, s),
+            young: number(young, Dimension::STRESS, s),
+            poisson,
+            law,
+            damping: Damping {
+                strain: number(strain, Dimension::TIME, s),
+                mass: number(mass, Dimension::RATE, s),
+            },
+        }
+    }
+}
+
+impl Section {
+    fn scaled(self, s: &Scales) -> Self {
+        let length = |x| number(x, Dimension::LENGTH, s);
+        let second = |x| number(x, Dimension::SECOND_MOMENT, s);
+        match self {
+            Self::Circle { diameter } => Self::Circle { diameter: length(diameter) },
+            Self::Tube { outer, inner } => Self::Tube { outer: length(outer), inner: length(inner) },
+            Self::Rectangle { height, width } => {
+                Self::Rectangle { height: length(height), width: length(width) }
+            }
+            Self::Ellipse { height, width } => Self::Ellipse { height: length(height), width: length(width) },
+            Self::General { area, iy, iz, j, ky, kz, mass_iy, mass_iz } => Self::General {
+                area: number(area, Dimension::AREA, s),
+                iy: second(iy),
+                iz: second(iz),
+                j: j.map(second),
+                ky,
+                kz,
+                mass_iy: mass_iy.map(second),
+                mass_iz: mass_iz.map(second),
+            },
+        }
+    }
+}
+
+impl Body {
+    fn scaled(self, s: &Scales) -> Self {
+        let point = |x| vector(x, Dimension::LENGTH, s);
+        match self {
+            Self::Beam(beam) => {
+                let Beam { from, to, shape, motion, .. } = beam;
+                let (from, to, motion) = (point(from), point(to), motion.scaled(s));
+                Self::Beam(Beam { from, to, shape: shape.scaled(s), motion, ..beam })
+            }
+            Self::Cable(cable) => {
+                let (from, to, motion) = (point(cable.from), point(cable.to), cable.motion.scaled(s));
+                Self::Cable(Cable { from, to, motion, ..cable })
+            }
+            Self::Rigid(Rigid { name, center, mass, inertia, products, motion }) => {
+                let moments = |x| vector(x, Dimension::INERTIA, s);
+                let mass = number(mass, Dimension::MASS, s);
+                let (inertia, products) = (moments(inertia), moments(products));
+                let (center, motion) = (point(center), motion.scaled(s));
+                Self::Rigid(Rigid { name, center, mass, inertia, products, motion })
+            }
+            Self::Mass(PointMass { name, center, mass, motion }) => {
+                let mass = number(mass, Dimension::MASS, s);
+                Self::Mass(PointMass { name, center: point(center), mass, motion: motion.scaled(s) })
+            }
+        }
+    }
+}
+
+impl Shape {
+    fn scaled(self, s: &Scales) -> Self {
+        let point = |x| vector(x, Dimension::LENGTH, s);
+        match self {
+            Self::Straight => Self::Straight,
+            Self::Arc { through } => Self::Arc { through: point(through) },
+            Self::Helix { center, axis, turns } => Self::Helix { center: point(center), axis, turns },
+            Self::Spline { through } => Self::Spline { through: through.into_iter().map(point).collect() },
+        }
+    }
+}
+
+impl Place {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
+        let Self { body, at, offset } = self;
+        Self { body, at: at.scaled(s), offset: vector(offset, Dimension::LENGTH, s) }
+    }
+}
+
+impl At {
+    fn scaled(self, s: &Scales) -> Self {
+        match self {
+            Self::End(end) => Self::End(end),
+            Self::Length(x) => Self::Length(number(x, Dimension::LENGTH, s)),
+            Self::Point(x) => Self::Point(vector(x, Dimension::LENGTH, s)),
+        }
+    }
+}
+
+impl Load {
+    fn scaled(self, s: &Scales) -> Self {
+        match self {
+            Self::Force { on, force, follower, time } => Self::Force {
+                on: on.scaled(s),
+                force: vector(force, Dimension::FORCE, s),
+                follower,
+                time: time.scaled(s),
+            },
+            Self::Moment { on, moment, follower, time } => Self::Moment {
+                on: on.scaled(s),
+                moment: vector(moment, Dimension::ENERGY, s),
+                follower,
+                time: time.scaled(s),
+            },
+            Self::DistributedForce { body, from, to, force, force_end, follower, time } => {
+                let per_length = |x| vector(x, Dimension::FORCE_PER_LENGTH, s);
+                Self::DistributedForce {
+                    body,
+                    from: from.scaled(s),
+                    to: to.scaled(s),
+                    force: per_length(force),
+                    force_end: force_end.map(per_length),
+                    follower,
+                    time: time.scaled(s),
+                }
+            }
+            Self::DistributedMoment { body, from, to, moment, moment_end, follower, time } => {
+                let per_length = |x| vector(x, Dimension::FORCE, s);
+                Self::DistributedMoment {
+                    body,
+                    from: from.scaled(s),
+                    to: to.scaled(s),
+                    moment: per_length(moment),
+                    moment_end: moment_end.map(per_length),
+                    follower,
+                    time: time.scaled(s),
+                }
+            }
+            Self::BaseAcceleration { acceleration, time } => Self::BaseAcceleration {
+                acceleration: vector(acceleration, Dimension::ACCELERATION, s),
+                time: time.scaled(s),
+            },
+            Self::Fluid(fluid) => Self::Fluid(fluid.scaled(s)),
+        }
+    }
+}
+
+impl Fluid {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { bodies, density, current, time, diameter, area, drag, added_mass } = self;
+        Self {
+            bodies,
+            density: number(density, Dimension::DENSITY, s),
+            current: vector(current, Dimension::VELOCITY, s),
+            time: time.scaled(s),
+            diameter: diameter.map(|x| number(x, Dimension::LENGTH, s)),
+            area: area.map(|x| number(x, Dimension::AREA, s)),
+            drag,
+            added_mass,
+        }
+    }
+}
+
+impl TimeFunction {
+    pub(super) fn scaled(self, s: &Scales) -> Self {
+        let time = |x| number(x, Dimension::TIME, s);
+        let Self::Varying(varying) = self else { return self };
+        Self::Varying(match varying {
+            Varying::Table { times, values } => {
+                Varying::Table { times: times.into_iter().map(time).collect(), values }
+            }
+            Varying::Ramp { start, end } => Varying::Ramp { start: time(start), end: time(end) },
+            Varying::Step { at, until } => Varying::Step { at: time(at), until: until.map(time) },
+            Varying::Sine { frequency, phase } => {
+                Varying::Sine { frequency: number(frequency, Dimension::RATE, s), phase }
+            }
+            // The text is the user's, in the user's time.
+            Varying::Expression { text, unit } => {
+                Varying::Expression { text, unit: number(unit, Dimension::RATE, s) }
+            }
+        })
+    }
+}
+
+impl Output {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { interval, every, energy_parts, csv, npz } = self;
+        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, energy_parts, csv, npz }
+    }
+}
+
+impl Analysis {
+    fn scaled(self, s: &Scales) -> Self {
+        // Load factors and counts have no units.
+        let dynamics = match self {
+            Self::Dynamics(dynamics) => dynamics,
+            Self::Statics(_) | Self::Path(_) | Self::Modes(_) | Self::Buckling(_) => return self,
+        };
+        let Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings } = dynamics;
+        let time = |x| number(x, Dimension::TIME, s);
+        Self::Dynamics(Dynamics {
+            duration: time(duration),
+            step: match step {
+                Step::Fixed(step) => Step::Fixed(time(step)),
+                Step::Adaptive { tolerance, initial, largest } => {
+                    Step::Adaptive { tolerance, initial: initial.map(time), largest: largest.map(time) }
+                }
+            },
+            scheme,
+            start,
+            stop,
+            max_iterations,
+            max_halvings,
+        })
+    }
+}
+
+impl Contact {
+    fn scaled(self, s: &Scales) -> Self {
+        let Self { with, bodies, radius, points, stiffness, transition, damping, friction, slip_speed } =
+            self;
+        let length = |x| number(x, Dimension::LENGTH, s);
+        Self {
+            with: with.scaled(s),
+            bodies,
+            radius: radius.map(length),
+            points,
+            stiffness: number(stiffness, Dimension::STRESS, s),
+            transition: transition.map(length),
+            damping: number(damping, Dimension::new(-1, 1, 0), s),
+            friction,
+            slip_speed: slip_speed.map(|x| number(x, Dimension::VELOCITY, s)),
+        }
+    }
+}
+
+impl Against {
+    fn scaled(self, s: &Scales) -> Self {
+        let length = |x| number(x, Dimension::LENGTH, s);
+        let vector = |x| vector(x, Dimension::LENGTH, s);
+        let place = |on: Option<Place>| on.map(|place| place.scaled(s));
+        match self {
+            Self::Plane { point, normal, on } => Self::Plane { point: vector(point), normal, on: place(on) },
+            Self::Sphere { center, radius, inside, on } => {
+                Self::Sphere { center: vector(center), radius: length(radius), inside, on: place(on) }
+            }
+            Self::Cylinder { point, axis, radius, inside, on } => {
+                Self::Cylinder { point: vector(point), axis, radius: length(radius), inside, on: place(on) }
+            }
+            Self::Bodies => Self::Bodies,
+        }
+    }
 }

@@ -45,16 +45,14 @@ const SIMEON: [[f64; 3]; 20] = [
 /// The largest deflection, mm.
 const LARGEST: f64 = 1.87;
 
-fn model(formulation: &str) -> String {
-    format!(
-        r#"
+const MODEL: &str = r#"
         output.interval = 5e-4
-        materials.steel = {{ density = 7870, young = 2e11, poisson = 0.3 }}
-        sections.square = {{ kind = "rectangle", height = 0.008, width = 0.008 }}
+        materials.steel = { density = 7870, young = 2e11, poisson = 0.3 }
+        sections.square = { kind = "rectangle", height = 0.008, width = 0.008 }
         probes = [
-          {{ name = "pin", on = {{ body = "rod", at = "start" }} }},
-          {{ name = "middle", on = {{ body = "rod", at = 0.15 }} }},
-          {{ name = "block", on = {{ body = "block", at = "center" }} }},
+          { name = "pin", on = { body = "rod", at = "start" } },
+          { name = "middle", on = { body = "rod", at = 0.15 } },
+          { name = "block", on = { body = "block", at = "center" } },
         ]
 
         [[bodies]]
@@ -63,7 +61,7 @@ fn model(formulation: &str) -> String {
         center = [0, 0, 0]
         mass = 0.36
         inertia = [0.001, 0.002, 0.002727]
-        motion = {{ spin = [0, 0, 150] }}
+        motion = { spin = [0, 0, 150] }
 
         [[bodies]]
         kind = "beam"
@@ -71,10 +69,10 @@ fn model(formulation: &str) -> String {
         from = [0.15, 0, 0]
         to = [0.45, 0, 0]
         elements = 8
-        formulation = "{formulation}"
+        formulation = "FORMULATION"
         section = "square"
         material = "steel"
-        motion = {{ velocity = [0, 22.5, 0], spin = [0, 0, -75] }}
+        motion = { velocity = [0, 22.5, 0], spin = [0, 0, -75] }
 
         [[bodies]]
         kind = "mass"
@@ -85,27 +83,27 @@ fn model(formulation: &str) -> String {
         [[joints]]
         kind = "revolute"
         name = "motor"
-        a = {{ body = "crank", at = "center" }}
+        a = { body = "crank", at = "center" }
         axis = [0, 0, 1]
-        drive = {{ rate = 150 }}
+        drive = { rate = 150 }
 
         [[joints]]
         kind = "revolute"
         name = "crank pin"
-        a = {{ body = "rod", at = "start" }}
-        b = {{ body = "crank", at = [0.15, 0, 0] }}
+        a = { body = "rod", at = "start" }
+        b = { body = "crank", at = [0.15, 0, 0] }
         axis = [0, 0, 1]
 
         [[joints]]
         kind = "spherical"
         name = "block pin"
-        a = {{ body = "block", at = "center" }}
-        b = {{ body = "rod", at = "end" }}
+        a = { body = "block", at = "center" }
+        b = { body = "rod", at = "end" }
 
         [[joints]]
         kind = "point_on_line"
         name = "guide"
-        a = {{ body = "block", at = "center" }}
+        a = { body = "block", at = "center" }
         axis = [1, 0, 0]
 
         [scales]
@@ -115,9 +113,11 @@ fn model(formulation: &str) -> String {
         kind = "dynamics"
         duration = 0.1
         step = 2e-5
-        scheme = {{ spectral_radius = 0.9 }}
-        "#
-    )
+        scheme = { spectral_radius = 0.9 }
+        "#;
+
+fn model(formulation: &str) -> String {
+    MODEL.replace("FORMULATION", formulation)
 }
 
 /// t and the deflection of the rod's middle from its chord, mm.

@@ -18,13 +18,12 @@ use run::Run;
 const SOLVER: [&str; 5] = ["iterations", "residual", "increment", "drift", "balance"];
 
 /// A model of `models/`, with a shorter motion and a finer end of iterations.
-fn model(name: &str, duration: f64) -> Model {
+fn model(name: &str, duration: f64, stop: Stop) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(name).with_extension("toml");
     let mut model = Model::read(&path).unwrap();
-    let fine = Stop::Energy { tolerance: 1e-13 };
     match &mut model.analysis {
-        Analysis::Dynamics(dynamics) => (dynamics.duration, dynamics.stop) = (duration, fine),
-        Analysis::Statics(statics) => statics.stop = fine,
+        Analysis::Dynamics(dynamics) => (dynamics.duration, dynamics.stop) = (duration, stop),
+        Analysis::Statics(statics) => statics.stop = stop,
         _ => {}
     }
     model
@@ -82,8 +81,10 @@ fn compare(name: &str, one: &Run, other: &Run, tolerance: f64) {
     }
 }
 
-fn check(name: &str, duration: f64) {
-    let model = model(name, duration);
+const FINE: Stop = Stop::Energy { tolerance: 1e-13 };
+
+fn check(name: &str, duration: f64, stop: Stop) {
+    let model = model(name, duration, stop);
     let one = Run::of(&model);
     compare(name, &one, &Run::of(&reversed(model.clone())), 1e-9);
     compare(name, &one, &Run::of(&rotated(model)), 1e-9);
@@ -91,25 +92,27 @@ fn check(name: &str, duration: f64) {
 
 #[test]
 fn two_pendulums() {
-    check("double_pendulum", 0.1);
+    check("double_pendulum", 0.1, FINE);
 }
 
 #[test]
 fn a_frame() {
-    check("lees_frame", 0.0);
+    check("lees_frame", 0.0, FINE);
 }
 
 #[test]
 fn bodies_of_all_kinds() {
-    check("bow", 0.05);
+    check("bow", 0.05, FINE);
 }
 
+/// With friction the tangent is not exact and iterations end slowly. An energy of 1e-26 is below their rounding, so that chance
+/// decides when they give up and halve the step: then the error of the step is what differs.
 #[test]
 fn a_contact_on_a_rigid_body() {
-    check("belt", 0.03);
+    check("belt", 0.03, Stop::Increment { tolerance: 1e-12 });
 }
 
 #[test]
 fn a_line_in_water() {
-    check("mooring", 0.0);
+    check("mooring", 0.0, FINE);
 }

@@ -4,9 +4,12 @@ use std::ops::ControlFlow;
 
 use super::equilibria::{equilibrium, settled, unloaded};
 use super::{Ended, Reason, Run};
-use crate::analysis::{Critical, Mode, buckling, modes};
+use crate::analysis::{Critical, EigenError, Mode, buckling, modes};
 use crate::model::{About, Buckling, Model, Modes};
 use crate::system::{EquationsOfMotion, State};
+
+/// Relative residual of what is no mode.
+const WRONG: f64 = 1e-3;
 
 impl Run<'_> {
     fn state_about(&self, model: &Model, about: About) -> Result<State, Reason> {
@@ -18,7 +21,10 @@ impl Run<'_> {
                 // What nothing holds without loads may hang on them.
                 let settled = settled(self.assembly, model, start).map_err(|_| free)?;
                 self.held(&settled)?;
-                equilibrium(self.assembly, settled)
+                match self.assembly.system.completed(&settled) {
+                    Some(_) => equilibrium(self.assembly, settled),
+                    None => Ok(settled),
+                }
             }
         }
     }
@@ -35,6 +41,10 @@ impl Run<'_> {
         });
         let rate = self.summary.scales.time.recip();
         match found {
+            // Not seen but where a motion without stiffness escaped notice: no result rather than a wrong one.
+            Ok(found) if found.modes.iter().any(|mode| mode.residual > WRONG) => {
+                Ok(Err(EigenError::NotConverged.into()))
+            }
             Ok(found) => self.shapes(found.modes.iter().map(|mode| {
                 let Mode { squared, shape, residual } = mode;
                 let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);

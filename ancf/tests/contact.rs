@@ -8,7 +8,7 @@ mod run;
 mod touching;
 
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::{Assembly, At, AtEnd, Place, Probe};
+use ancf::model::{Assembly, At, Named, Place, Probe};
 use ancf::system::{State, System};
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -103,7 +103,7 @@ fn a_step_does_not_overlook_what_it_meets() {
 fn units_do_not_matter() {
     let mut model = rod(&format!("{FLOOR}\nfriction = 0.3\ndamping = 0.2"));
     model.gravity = [3.0, -GRAVITY, 1.0];
-    model.probes = vec![Probe::of_motion("tip", Place::new("rod", At::End(AtEnd::End)))];
+    model.probes = vec![Probe::of_motion("tip", Place::new("rod", At::Named(Named::End)))];
     let settings = model.analysis.dynamics_mut().unwrap();
     settings.duration = 0.02;
     let (a, units) = (Run::of(&model), Scales { length: 0.037, time: 13.0, force: 2.9e5 });

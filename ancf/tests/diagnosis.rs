@@ -5,7 +5,7 @@
 #[path = "common/rod.rs"]
 mod rod;
 
-use ancf::model::{Analysis, At, AtEnd, Beam, Body, End, Joint, Place, Statics};
+use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Statics};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
@@ -19,8 +19,8 @@ fn beside(mut model: Model, names: &[&str]) -> Model {
     model
 }
 
-fn end(body: &str, end: AtEnd) -> Place {
-    Place::new(body, At::End(end))
+fn end(body: &str, end: Named) -> Place {
+    Place::new(body, At::Named(end))
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn counts_of_a_pendulum() {
 #[test]
 fn what_is_loose_is_named() {
     let mut model = beside(rod::cantilever(1), &["alone", "one", "two"]);
-    let (a, b) = (end("two", AtEnd::Start), End::Place(end("one", AtEnd::End)));
+    let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
     model.joints.push(Joint::Spherical { name: "elbow".into(), a, b });
     let diagnosis = model.diagnose().unwrap();
     assert_eq!(diagnosis.unconnected, ["alone"]);

@@ -10,7 +10,7 @@ mod run;
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
 use ancf::model::{
-    Analysis, Assembly, At, AtEnd, Beam, Body, End, Ground, InitialMotion, Joint, Place, Probe, Start,
+    Analysis, Assembly, At, Beam, Body, End, Ground, InitialMotion, Joint, Named, Place, Probe, Start,
     Statics,
 };
 use ancf::system::{EquationsOfMotion, State, Weights};
@@ -179,7 +179,7 @@ fn a_loose_body_is_moved() {
     let (from, to) = ([1.0, 0.03, 0.0], [1.4, 0.03, 0.3]);
     let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
     model.bodies.push(Body::Beam(second));
-    let a = Place::new("second", At::End(AtEnd::Start));
+    let a = Place::new("second", At::Named(Named::Start));
     model.joints.push(Joint::Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) });
     let refused = model.check().unwrap_err();
     assert!(refused[0].hint.as_ref().unwrap().ends_with("; `assemble = true` closes the gap"), "{refused}");
@@ -212,10 +212,10 @@ fn statics_starts_closed() {
         ..rod::beam(&mut model).clone()
     };
     model.bodies.push(Body::Beam(hanger));
-    let hanger = Place::new("hanger", At::End(AtEnd::Start));
+    let hanger = Place::new("hanger", At::Named(Named::Start));
     model.joints.push(Joint::Clamp { name: "hang".into(), a: hanger, b: End::Place(a), fix: None });
     model.analysis = Analysis::Statics(Statics::default());
-    model.probes.push(Probe::of_motion("foot", Place::new("hanger", At::End(AtEnd::Start))));
+    model.probes.push(Probe::of_motion("foot", Place::new("hanger", At::Named(Named::Start))));
     model.probes.push(Probe::of_motion("middle", Place::new("rod", At::Length(0.5))));
     let run = Run::of(&model);
     assert!(distance(&run.vectors("foot."), &run.vectors("middle.")) < 1e-12);

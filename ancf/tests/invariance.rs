@@ -10,7 +10,7 @@ mod rod;
 mod run;
 
 use ancf::model::{
-    At, AtEnd, Body, Clamped, End, Joint, Load, Material, Place, Probe, ScaleChoice, Section, Slopes, Start,
+    At, Body, Clamped, End, Joint, Load, Material, Named, Place, Probe, ScaleChoice, Section, Slopes, Start,
     Step, TimeFunction, Varying,
 };
 use ancf::{Model, Scales};
@@ -39,11 +39,11 @@ fn linkage() -> Model {
     let mut second = beam.clone();
     (second.name, second.from, second.to, second.elements) = ("second".into(), beam.to, [1.1, 0.4, 0.1], 1);
     model.bodies.push(Body::Beam(second));
-    let place = |body: &str, at| Place::new(body, At::End(at));
-    let tip = place("second", AtEnd::End);
+    let place = |body: &str, at| Place::new(body, At::Named(at));
+    let tip = place("second", Named::End);
     model.joints.push(Joint::Revolute {
         name: "elbow".into(),
-        a: place("second", AtEnd::Start),
+        a: place("second", Named::Start),
         b: End::Place(rod::end()),
         axis: [0.3, -0.1, 0.9],
         drive: None,
@@ -242,8 +242,8 @@ fn direction_of_a_beam() {
         }
         let swap = |place: &mut Place| {
             place.at = match place.at {
-                At::End(AtEnd::Start) => At::End(AtEnd::End),
-                At::End(AtEnd::End) => At::End(AtEnd::Start),
+                At::Named(Named::Start) => At::Named(Named::End),
+                At::Named(Named::End) => At::Named(Named::Start),
                 _ => panic!("joints are at the ends"),
             }
         };
@@ -306,9 +306,9 @@ fn beams_in_one_piece() {
     (second.name, second.from, second.to, second.elements) =
         ("second".into(), [2.0 / 3.0, 0.0, 0.0], [1.0, 0.0, 0.0], 1);
     halves.bodies.push(Body::Beam(second));
-    let place = |at| Place::new("second", At::End(at));
-    halves.probes[0].on = place(AtEnd::End);
-    let (a, b) = (place(AtEnd::Start), End::Place(rod::end()));
+    let place = |at| Place::new("second", At::Named(at));
+    halves.probes[0].on = place(Named::End);
+    let (a, b) = (place(Named::Start), End::Place(rod::end()));
     halves.joints.push(Joint::Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) });
     same(whole, &halves, identity, [1.0; 2]);
 }

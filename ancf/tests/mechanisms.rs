@@ -9,7 +9,7 @@ mod rod;
 
 use ancf::Model;
 use ancf::analysis::modes;
-use ancf::model::{At, AtEnd, Beam, Body, Clamped, End, Joint, Motion, Place};
+use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place};
 use ancf::system::State;
 
 use equilibrium::equilibrium;
@@ -34,12 +34,12 @@ fn with_second(mut model: Model, [x, y, z]: [f64; 3], joints: Vec<Joint>) -> Mod
     model
 }
 
-fn second(end: AtEnd) -> Place {
-    Place::new("second", At::End(end))
+fn second(end: Named) -> Place {
+    Place::new("second", At::Named(end))
 }
 
 fn elbow() -> Joint {
-    let (a, b) = (second(AtEnd::Start), End::Place(rod::end()));
+    let (a, b) = (second(Named::Start), End::Place(rod::end()));
     Joint::Revolute {
         name: "elbow".into(),
         a,
@@ -123,8 +123,8 @@ fn a_chain_names_all_that_moves() {
 #[test]
 fn a_truss_flaps_about_its_diagonal() {
     let ball = |name: &str, a, b| Joint::Spherical { name: name.into(), a, b };
-    let top = ball("top", second(AtEnd::End), End::Ground);
-    let elbow = ball("elbow", second(AtEnd::Start), End::Place(rod::end()));
+    let top = ball("top", second(Named::End), End::Ground);
+    let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
     let assembly = truss.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());
@@ -187,8 +187,8 @@ fn a_long_chain() {
         let name = format!("link {k}");
         let link = Beam { name: name.clone(), from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..first.clone() };
         model.bodies.push(Body::Beam(link));
-        let a = Place::new(&name, At::End(AtEnd::Start));
-        let b = End::Place(Place::new(&before, At::End(AtEnd::End)));
+        let a = Place::new(&name, At::Named(Named::Start));
+        let b = End::Place(Place::new(&before, At::Named(Named::End)));
         model.joints.push(Joint::Revolute {
             name: format!("hinge {k}"),
             a,

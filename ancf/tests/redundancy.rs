@@ -11,7 +11,7 @@ mod run;
 use std::time::Instant;
 
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Buckling, Clamped, End, Formulation, Ground, Joint, Load, Modes, Path,
+    Analysis, At, Beam, Body, Buckling, Clamped, End, Formulation, Ground, Joint, Load, Modes, Named, Path,
     Place, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
@@ -242,15 +242,15 @@ fn a_four_bar_of_beams_is_not_redundant() {
             Body::Beam(Beam { name, from, to, formulation: Formulation::Linked, ..first.clone() })
         })
         .collect();
-    let place = |k: usize, end| Place::new(names[k], At::End(end));
+    let place = |k: usize, end| Place::new(names[k], At::Named(end));
     let hinge = |name: &str, a, b| Joint::revolute(name, a, b, [0.0, 0.0, 1.0]);
     model.joints = vec![
-        hinge("o", place(0, AtEnd::Start), End::Ground),
-        hinge("a", place(1, AtEnd::Start), End::Place(place(0, AtEnd::End))),
-        hinge("b", place(2, AtEnd::Start), End::Place(place(1, AtEnd::End))),
-        hinge("c", place(2, AtEnd::End), End::Ground),
+        hinge("o", place(0, Named::Start), End::Ground),
+        hinge("a", place(1, Named::Start), End::Place(place(0, Named::End))),
+        hinge("b", place(2, Named::Start), End::Place(place(1, Named::End))),
+        hinge("c", place(2, Named::End), End::Ground),
     ];
-    model.probes[0].on = place(1, AtEnd::End);
+    model.probes[0].on = place(1, Named::End);
     let diagnosis = model.diagnose().unwrap();
     assert_eq!((diagnosis.gruebler, diagnosis.motions.len(), diagnosis.redundant.len()), (-2, 1, 0));
     assert!(
@@ -258,7 +258,7 @@ fn a_four_bar_of_beams_is_not_redundant() {
     );
     // A second hinge on the first shares its forces and changes nothing.
     let one = short(model);
-    let two = with(one.clone(), [hinge("again", place(0, AtEnd::Start), End::Ground)]);
+    let two = with(one.clone(), [hinge("again", place(0, Named::Start), End::Ground)]);
     assert_eq!(words(&two).len(), 5);
     let (one, two) = (Run::of(&one), Run::of(&two));
     assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9);
@@ -276,7 +276,7 @@ fn a_thousand_joints() {
     model.bodies.clear();
     for k in 0..500 {
         let (y, name) = (f64::from(k), format!("rod {k}"));
-        let place = Place::new(&name, At::End(AtEnd::Start));
+        let place = Place::new(&name, At::Named(Named::Start));
         model.bodies.push(Body::Beam(Beam { name, from: [0.0, y, 0.0], to: [1.0, y, 0.0], ..first.clone() }));
         for n in 0..2 {
             model.joints.push(clamp(&format!("clamp {k} {n}"), place.clone(), Clamped::All));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Output, Place, Probe,
+    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, Output, Place, Probe,
     ScaleChoice, Scheme, Section, Slopes, Start,
 };
 
@@ -57,8 +57,8 @@ pub fn time_unit(n: u32) -> f64 {
 impl Case {
     /// The model of n elements in a form, with a physical step in seconds.
     pub fn model(self, form: Form, n: u32, step: f64) -> Model {
-        let end = |end| Place::new("beam", At::End(end));
-        let (name, a, b) = ("joint".to_owned(), end(AtEnd::Start), End::Ground);
+        let end = |end| Place::new("beam", At::Named(end));
+        let (name, a, b) = ("joint".to_owned(), end(Named::Start), End::Ground);
         let joint = match self {
             Self::Cantilever => Joint::Clamp { name, a, b, fix: Some(Clamped::All) },
             Self::Revolute => Joint::Revolute {
@@ -97,7 +97,7 @@ impl Case {
                 // The last whole step, as the paper has it.
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
-            probes: vec![Probe::of_motion("tip", end(AtEnd::End))],
+            probes: vec![Probe::of_motion("tip", end(Named::End))],
             assemble: false,
             output: Output::default(),
         }

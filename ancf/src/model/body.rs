@@ -83,9 +83,9 @@ impl Body {
     /// Arc length of a position on the axis.
     pub fn arc_length(&self, at: At) -> f64 {
         match at {
-            At::End(AtEnd::Start) | At::Point(_) => 0.0,
-            At::End(AtEnd::Center) => 0.5 * self.length(),
-            At::End(AtEnd::End) => self.length(),
+            At::Named(Named::Start) | At::Point(_) => 0.0,
+            At::Named(Named::Center) => 0.5 * self.length(),
+            At::Named(Named::End) => self.length(),
             At::Length(s) => s,
         }
     }
@@ -94,12 +94,12 @@ impl Body {
     pub fn point(&self, at: At) -> Option<Vector3<f64>> {
         let from = Vector3::from(self.span()[0]);
         match (self, at) {
-            (Self::Beam(_) | Self::Cable(_), At::End(_) | At::Length(_)) => {
+            (Self::Beam(_) | Self::Cable(_), At::Named(_) | At::Length(_)) => {
                 let (curve, s) = (self.curve()?, self.arc_length(at));
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
             (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
-            (Self::Rigid(_) | Self::Mass(_), At::End(AtEnd::Center)) => Some(from),
+            (Self::Rigid(_) | Self::Mass(_), At::Named(Named::Center)) => Some(from),
             _ => None,
         }
     }
@@ -285,7 +285,7 @@ impl Place {
 #[serde(untagged)]
 pub enum At {
     /// One that has a name.
-    End(AtEnd),
+    Named(Named),
     /// Arc length from the start in the undeformed state, length.
     Length(#[schemars(extend("minimum" = 0))] f64),
     /// A point of a rigid body, where it is at the start, length.
@@ -295,7 +295,7 @@ pub enum At {
 /// Positions that have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum AtEnd {
+pub enum Named {
     /// Where the axis starts.
     Start,
     /// The middle of the axis, or the centre of mass of a rigid body.

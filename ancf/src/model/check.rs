@@ -9,7 +9,7 @@ use super::schema::{listed, nearest, number, quoted};
 use super::scheme::{scheme, time};
 use super::survey::{Finding, did_you_mean, join};
 use super::times::{self, loads_of};
-use super::{At, AtEnd, Beam, Body, End, Joint, Model, ModelError, Place, ScaleChoice, Section};
+use super::{At, Beam, Body, End, Joint, Model, ModelError, Named, Place, ScaleChoice, Section};
 use super::{check_joints, check_loads};
 
 /// Elements beyond which a model is taken for a slip of the pen.
@@ -184,11 +184,11 @@ pub(super) fn rule_of_place(model: &Model, path: String, place: &Place) -> Optio
                 finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
             })
         }
-        (Body::Rigid(_), At::Point(_)) | (_, At::End(AtEnd::Center)) => None,
+        (Body::Rigid(_), At::Point(_)) | (_, At::Named(Named::Center)) => None,
         (_, at) => {
             let found = match at {
-                At::End(AtEnd::Start) => "\"start\"".into(),
-                At::End(_) => "\"end\"".into(),
+                At::Named(Named::Start) => "\"start\"".into(),
+                At::Named(_) => "\"end\"".into(),
                 At::Length(s) => number(s),
                 At::Point(_) => "a point".into(),
             };

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::function::Clock;
-use super::{At, AtEnd, Fluid, Place, TimeFunction};
+use super::{At, Fluid, Named, Place, TimeFunction};
 use crate::mechanics::{Attachment, FollowerForce, Force, Moment};
 use crate::system::Term;
 
@@ -94,11 +94,11 @@ pub enum Load {
 }
 
 fn start() -> At {
-    At::End(AtEnd::Start)
+    At::Named(Named::Start)
 }
 
 fn end() -> At {
-    At::End(AtEnd::End)
+    At::Named(Named::End)
 }
 
 /// Part of a body, and a load per length at its two ends.

@@ -55,7 +55,7 @@ use serde::{Deserialize, Serialize};
 pub use acting::{AngularDrive, AngularFriction, AngularSpring, LinearDrive, LinearFriction, LinearSpring};
 pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
-pub use body::{At, AtEnd, Beam, Body, Cable, Formulation, Place, Slopes};
+pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
 pub use closing::Closed;
 pub use contact::{Against, Contact};
 pub use coupling::{Coupled, Coupling, Freed};

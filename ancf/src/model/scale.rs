@@ -153,7 +153,7 @@ impl Place {
 impl At {
     fn scaled(self, s: &Scales) -> Self {
         match self {
-            Self::End(end) => Self::End(end),
+            Self::Named(name) => Self::Named(name),
             Self::Length(x) => Self::Length(number(x, Dimension::LENGTH, s)),
             Self::Point(x) => Self::Point(vector(x, Dimension::LENGTH, s)),
         }

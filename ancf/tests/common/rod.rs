@@ -4,7 +4,7 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, AtEnd, Beam, Body, Clamped, Dynamics, End, Joint, Material, Output, Place, Probe,
+    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, Output, Place, Probe,
     ScaleChoice, Scheme, Section, Start, Step, Stop,
 };
 
@@ -78,12 +78,12 @@ pub(crate) fn spherical(elements: u32) -> Model {
 
 /// The start of the rod.
 pub(crate) fn start() -> Place {
-    Place::new("rod", At::End(AtEnd::Start))
+    Place::new("rod", At::Named(Named::Start))
 }
 
 /// The end of the rod.
 pub(crate) fn end() -> Place {
-    Place::new("rod", At::End(AtEnd::End))
+    Place::new("rod", At::Named(Named::End))
 }
 
 /// The first body.

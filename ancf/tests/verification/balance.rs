@@ -8,7 +8,7 @@
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_start};
-use ancf::model::{self, Assembly, At, AtEnd, Body, Clamped, End, Joint, Place, Start};
+use ancf::model::{self, Assembly, At, Body, Clamped, End, Joint, Named, Place, Start};
 use ancf::system::{EquationsOfMotion, State, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -33,7 +33,7 @@ fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
     (branch.from, branch.elements) = ([FORK, 0.0, 0.0], 1);
     branch.to = std::array::from_fn(|i| branch.from[i] + ELEMENT * along[i]);
     let place = |body: &str, at| Place::new(body, at);
-    let start = place(&branch.name, At::End(AtEnd::Start));
+    let start = place(&branch.name, At::Named(Named::Start));
     model.joints.push(joint(start, End::Place(place("rod", At::Length(FORK)))));
     model.bodies.push(Body::Beam(branch));
     model
@@ -298,7 +298,7 @@ fn dissipation() {
 fn long_steps_end_at_the_equilibrium() {
     let with_force = |step: f64, duration: f64| {
         let mut model = rod::cantilever(20);
-        let on = Place::new(model.bodies[0].name(), At::End(AtEnd::End));
+        let on = Place::new(model.bodies[0].name(), At::Named(Named::End));
         model.loads.push(model::Load::force(on, [0.0, -10.0, 0.0]));
         let settings = rod::settings(&mut model);
         *settings = model::Dynamics::new(duration, step); // consistent start, halved steps where needed

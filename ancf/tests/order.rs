@@ -15,7 +15,7 @@ use ancf::model::{Analysis, Stop};
 use run::Run;
 
 /// Columns that tell of the solver.
-const SOLVER: [&str; 5] = ["iterations", "residual", "increment", "drift", "balance"];
+const SOLVER: [&str; 6] = ["iterations", "residual", "increment", "drift", "violation", "balance"];
 
 /// A model of `models/`, with a shorter motion and a finer end of iterations.
 fn model(name: &str, duration: f64, stop: Stop) -> Model {

@@ -38,7 +38,7 @@ impl Tie {
         Self { tie, ..self }
     }
 
-    /// Makes the change of a measure a coordinate without mass: Φ = g(q) − g₀ − q[coordinate].
+    /// Makes the change of a measure a coordinate without mass: Φ = g(q) − g₀ − q_c.
     pub fn defining(coordinate: usize, measure: Measure, multiplier: usize) -> Self {
         Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
     }

@@ -73,7 +73,7 @@ impl<'a> Conclusion<'a> {
         let Summary { time, steps, iterations, .. } = summary;
         let newton = count(*iterations, "Newton iteration");
         match self.analysis {
-            Analysis::Dynamics(_) => format!("{} to t = {time}, {newton}", count(*steps, "step")),
+            Analysis::Dynamics(_) => format!("{} to t = {}, {newton}", count(*steps, "step"), short(*time)),
             Analysis::Statics(_) if *steps == 0 => "no equilibrium".to_owned(),
             Analysis::Statics(_) => {
                 let increments = if *steps > 1 { format!(" in {steps} increments") } else { String::new() };

@@ -25,9 +25,9 @@ use crate::system::{Energy, Power, State};
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
 /// | `iterations`, ... | what the analysis says of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
-/// | `work` | supplied since the start by prescribed motions, their blows included, and by loads without potential |
-/// | `dissipated` | lost since the start by damping, drag and friction |
-/// | `balance` | total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
+/// | `work` | of motions: supplied since the start by prescribed motions, their blows included, and by loads without potential |
+/// | `dissipated` | of motions: lost since the start by damping, drag and friction |
+/// | `balance` | of motions: total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
 #[derive(Debug)]
 pub struct Rows {
     columns: Vec<String>,
@@ -42,6 +42,9 @@ pub struct Rows {
 
 /// Places of a symmetric matrix in columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// Name of the first column of a motion.
+pub(crate) const TIME: &str = "t";
 
 impl Rows {
     /// Columns of an assembly whose numbers are in the given units: the first, those of probes and joints, `own`, energies.
@@ -75,11 +78,10 @@ impl Rows {
             columns
                 .extend(assembly.bodies().flat_map(|(body, _)| parts.map(|part| format!("{body}.{part}"))));
         }
-        columns.extend(
-            own.iter()
-                .chain(&["kinetic", "strain", "potential", "work", "dissipated", "balance"])
-                .map(|&own| own.to_owned()),
-        );
+        // Equilibria have no history that could be booked.
+        let books: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
+        let energies = own.iter().chain(&["kinetic", "strain", "potential"]).chain(books);
+        columns.extend(energies.map(|&column| column.to_owned()));
         let row = Vec::with_capacity(columns.len());
         Self {
             row,
@@ -97,7 +99,7 @@ impl Rows {
     }
 
     /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `energy` is that
-    /// of the state and `exchanged` what was supplied and dissipated so far, in those of the solver.
+    /// of the state and `exchanged`, of motions, what was supplied and dissipated so far, in those of the solver.
     pub fn fill(
         &mut self,
         assembly: &Assembly,
@@ -105,7 +107,7 @@ impl Rows {
         first: f64,
         own: &[f64],
         energy: Energy,
-        exchanged: Power,
+        exchanged: Option<Power>,
     ) -> &[f64] {
         self.row.clear();
         self.row.push(first);
@@ -124,11 +126,14 @@ impl Rows {
             }
         }
         self.row.extend(own);
-        let initial = *self.initial.get_or_insert(energy.total());
-        let Power { work, dissipation } = exchanged;
-        let balance = initial + work - dissipation - energy.total();
-        for energy in [energy.kinetic, energy.strain, energy.potential, work, dissipation, balance] {
-            self.push(energy, Dimension::ENERGY);
+        for part in [energy.kinetic, energy.strain, energy.potential] {
+            self.push(part, Dimension::ENERGY);
+        }
+        if let Some(Power { work, dissipation }) = exchanged {
+            let initial = *self.initial.get_or_insert(energy.total());
+            for part in [work, dissipation, initial + work - dissipation - energy.total()] {
+                self.push(part, Dimension::ENERGY);
+            }
         }
         &self.row
     }

@@ -6,7 +6,7 @@ use super::{Ended, Reason, Run};
 use crate::analysis::{self, StepReport};
 use crate::model::{Dynamics, Model};
 use crate::record::Sink;
-use crate::rows::Rows;
+use crate::rows::{Rows, TIME};
 use crate::system::System;
 
 /// The columns of a motion.
@@ -16,7 +16,7 @@ impl Run<'_> {
     /// Steps through a motion, recording its instants.
     pub(super) fn dynamics(&mut self, model: &Model, settings: &Dynamics) -> Ended {
         let (assembly, scales) = (self.assembly, self.summary.scales);
-        let mut rows = Rows::new(assembly, scales, "t", &OWN);
+        let mut rows = Rows::new(assembly, scales, TIME, &OWN);
         self.sink.begin(rows.columns())?;
         let mut pace = match Pace::new(model, settings, assembly, assembly.breaks().to_vec()) {
             Ok(pace) => pace,
@@ -31,7 +31,7 @@ impl Run<'_> {
                 let own = [f64::from(iterations), residual, increment, drift, violation];
                 let s = dynamics.state();
                 let (t, energy) = (s.t * scales.time, dynamics.energy());
-                sink.record(rows.fill(assembly, s, t, &own, energy, dynamics.exchanged()))
+                sink.record(rows.fill(assembly, s, t, &own, energy, Some(dynamics.exchanged())))
             };
         let mut report = StepReport::default();
         loop {

@@ -9,7 +9,7 @@ use crate::analysis::{
 };
 use crate::model::{Assembly, Model, Path, ScaleChoice, Statics};
 use crate::rows::Rows;
-use crate::system::{Power, State};
+use crate::system::State;
 
 /// The columns of an equilibrium; those of a path besides.
 const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
@@ -87,15 +87,13 @@ impl Run<'_> {
             return Ok(Err(error.into()));
         }
         let (none, energy) = (own(&Equilibrium::default()), statics.energy());
-        let mut written =
-            self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, energy, Power::default()));
+        let mut written = self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, energy, None));
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
-            written =
-                self.sink.record(rows.fill(assembly, s, s.load, &own(found), found.energy, Power::default()));
+            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found), found.energy, None));
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, statics.state(), error));
@@ -122,7 +120,7 @@ impl Run<'_> {
             Err(reason) => return Ok(Err(reason)),
         };
         let none = [own(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
-        let first = rows.fill(assembly, path.state(), 0.0, &none, path.energy(), Power::default());
+        let first = rows.fill(assembly, path.state(), 0.0, &none, path.energy(), None);
         let mut written = self.sink.record(first);
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
@@ -131,7 +129,7 @@ impl Run<'_> {
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
             let (own, energy) = (of_point(point), point.equilibrium.energy);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &own, energy, Power::default()));
+            written = self.sink.record(rows.fill(assembly, s, s.load, &own, energy, None));
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, path.state(), error));

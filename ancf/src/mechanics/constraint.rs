@@ -27,14 +27,6 @@ pub(super) fn direction(reference: Vector3<f64>) -> String {
     }
 }
 
-/// The sorted coordinates of two markers, each once.
-fn joined(a: &Marker, b: &Marker) -> Vec<usize> {
-    let mut coordinates: Vec<usize> = a.coordinates().chain(b.coordinates()).collect();
-    coordinates.sort_unstable();
-    coordinates.dedup();
-    coordinates
-}
-
 /// Three linear equations: a − b keeps its reference value. Ties two points, or two directions.
 ///
 /// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b. Points may be a gap g = b₀ − a₀ apart in the reference state: it is
@@ -100,7 +92,7 @@ impl Coincide {
     }
 
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
-        let coordinates = joined(a, b);
+        let coordinates = Marker::joined([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (gap, by_load) = (Vector3::zeros(), false);
         Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
@@ -192,7 +184,7 @@ pub struct Perpendicular {
 impl Perpendicular {
     /// Keeps the angle of two directions, by the given multiplier.
     pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
-        let coordinates = joined(a, b);
+        let coordinates = Marker::joined([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
         Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }

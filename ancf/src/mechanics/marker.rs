@@ -54,6 +54,14 @@ impl Marker {
         self.parts.iter().flat_map(|&(first, _)| first..first + 3)
     }
 
+    /// The coordinates of several markers, sorted, each once.
+    pub(super) fn joined<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
+        let mut coordinates: Vec<usize> = markers.into_iter().flat_map(Self::coordinates).collect();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        coordinates
+    }
+
     /// Σᵢ wᵢ x[vᵢ..vᵢ+3] of a vector over the coordinates: displacement, velocity or acceleration of the marker.
     pub fn sum(&self, x: &[f64]) -> Vector3<f64> {
         self.parts.iter().map(|&(i, w)| Vector3::new(x[i], x[i + 1], x[i + 2]) * w).sum()

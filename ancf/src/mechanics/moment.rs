@@ -36,10 +36,7 @@ enum Direction {
 impl Moment {
     /// The moment, times a function of time, on the directors r_y and r_z of a place.
     pub fn new(directors: [&Marker; 2], moment: Vector3<f64>, function: Function) -> Self {
-        let mut coordinates: Vec<usize> =
-            directors.iter().flat_map(|director| director.coordinates()).collect();
-        coordinates.sort_unstable();
-        coordinates.dedup();
+        let coordinates = Marker::joined(directors);
         let directors = directors.map(|director| director.within(&coordinates));
         Self { directors, coordinates, direction: Direction::Global(moment), function }
     }

@@ -111,9 +111,7 @@ impl ObstacleContact {
         let [x, y, z] = obstacle.place.axes()?;
         let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.point)]);
         let global = [d, x.clone(), y.clone(), z.clone()];
-        let mut coordinates: Vec<usize> = global.iter().flat_map(|marker| marker.coordinates()).collect();
-        coordinates.sort_unstable();
-        coordinates.dedup();
+        let coordinates = Marker::joined(&global);
         let markers = global.each_ref().map(|marker| marker.within(&coordinates));
         let Obstacle { form, axis, .. } = *obstacle;
         Some(Self { form, axis, markers, coordinates, global, radius, length, law })

@@ -149,6 +149,11 @@ fn size(model: &Model) -> Vec<Finding> {
 
 /// Places are on bodies that are there.
 fn places(model: &Model) -> Vec<Finding> {
+    places_of(model).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
+}
+
+/// All places of joints, loads and probes.
+pub(super) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
     let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let ends = joints_of(model).flat_map(|(path, joint)| {
@@ -156,14 +161,12 @@ fn places(model: &Model) -> Vec<Finding> {
         let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
         [(format!("{path}.a"), a)].into_iter().chain(b)
     });
-    ends.chain(loads).chain(probes).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
+    ends.chain(loads).chain(probes)
 }
 
 pub(super) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
     let Some((owner, body)) = body(model, place) else {
-        let names = model.bodies.iter().map(Body::name).collect();
-        let error = unknown(format!("{path}.body"), "body", &place.body, names);
-        return Some(error.rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name"))));
+        return Some(unknown_body(model, format!("{path}.body"), &place.body));
     };
     let rests_on = |keys: [&str; 3]| {
         let keys = keys.map(|key| format!("{owner}.{key}"));
@@ -201,9 +204,20 @@ pub(super) fn rule_of_place(model: &Model, path: String, place: &Place) -> Optio
     }
 }
 
-/// The first body of a name; that there is only one is another rule.
+/// The body of a place.
 pub(super) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
-    bodies_of(model).find(|(_, body)| body.name() == place.body)
+    named(model, &place.body)
+}
+
+/// The first body of a name; that there is only one is another rule.
+pub(super) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
+    bodies_of(model).find(|(_, body)| body.name() == name)
+}
+
+/// A name that no body has.
+pub(super) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
+    let names = model.bodies.iter().map(Body::name).collect();
+    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
 }
 
 /// Joints connect two places that coincide in the undeformed state.

@@ -1,6 +1,6 @@
 //! What a body cannot do it is not asked to: a cable has a tangent only, a point mass no directions, a rigid body no strain.
 
-use super::check::{bodies_of, body, finding, joints_of};
+use super::check::{body, finding, joints_of, named, places_of};
 use super::schema::quoted;
 use super::survey::Finding;
 use super::times::loads_of;
@@ -80,7 +80,7 @@ fn asked(joint: &Joint) -> [Option<(Ability, &'static str)>; 2] {
 }
 
 fn rule(model: &Model, path: String, name: &str, ability: &Ability, what: &str) -> Option<Finding> {
-    let (_, body) = bodies_of(model).find(|(_, body)| body.name() == name)?;
+    let (_, body) = named(model, name)?;
     let (found, wanted) = match (body, ability) {
         (Body::Cable(_), Ability::Section | Ability::Driven) => {
             (format!("{what} of a cable, which has no section to turn"), "a beam or a rigid body")
@@ -105,14 +105,7 @@ fn rule(model: &Model, path: String, name: &str, ability: &Ability, what: &str) 
 
 /// Arms are fixed to sections and to rigid bodies.
 fn arms(model: &Model) -> Vec<Finding> {
-    let joints = joints_of(model).flat_map(|(path, joint)| {
-        let (a, b) = joint.ends();
-        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
-        [(format!("{path}.a"), a)].into_iter().chain(b)
-    });
-    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
-    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
-    let armed = joints.chain(loads).chain(probes).filter(|(_, place)| place.offset != [0.0; 3]);
+    let armed = places_of(model).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {
         Body::Beam(_) | Body::Rigid(_) => None,
         Body::Cable(_) | Body::Mass(_) => {

@@ -1,6 +1,6 @@
 //! The rules of contacts that the schema cannot say.
 
-use super::check::{bodies_of, finding, is_direction, no_direction, rule_of_place, unknown};
+use super::check::{body, finding, is_direction, named, no_direction, rule_of_place, unknown_body};
 use super::schema::quoted;
 use super::survey::Finding;
 use super::{Against, Body, Contact, Model};
@@ -15,11 +15,11 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
     let mut findings = Vec::new();
     for (i, name) in contact.bodies.iter().enumerate() {
         let key = format!("{path}.bodies[{i}]");
-        if !model.bodies.iter().any(|body| body.name() == name) {
-            let names = model.bodies.iter().map(Body::name).collect();
-            let error = unknown(key, "body", name, names);
-            findings.push(error.rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name"))));
-        } else if model.bodies.iter().any(|body| body.name() == name && !body.is_flexible()) {
+        let Some((_, body)) = named(model, name) else {
+            findings.push(unknown_body(model, key, name));
+            continue;
+        };
+        if !body.is_flexible() {
             let found = format!("{}, which is rigid", quoted(name));
             findings.push(finding(key, found, "a beam or a cable").rests_on(["bodies".into()]));
         } else if contact.bodies[..i].contains(name) {
@@ -49,10 +49,9 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
 fn rules_of_carrier(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {
     let Some(place) = contact.with.on() else { return Vec::new() };
     let mut findings: Vec<_> = rule_of_place(model, format!("{path}.with.on"), place).into_iter().collect();
-    let carrier = model.bodies.iter().find(|body| body.name() == place.body);
-    let without = match carrier {
-        Some(Body::Cable(_)) => Some("an obstacle on a cable"),
-        Some(Body::Mass(_)) => Some("an obstacle on a point mass"),
+    let without = match body(model, place) {
+        Some((_, Body::Cable(_))) => Some("an obstacle on a cable"),
+        Some((_, Body::Mass(_))) => Some("an obstacle on a point mass"),
         _ => None,
     };
     if let Some(found) = without {

@@ -1,19 +1,10 @@
 //! The rules of loads that the schema cannot say, but for those of functions of time.
 
-use super::check::{ON_AXIS, bodies_of, finding, unknown};
+use super::check::{ON_AXIS, finding, named, unknown_body};
 use super::schema::{number, quoted};
 use super::survey::Finding;
 use super::times::loads_of;
 use super::{At, Beam, Body, Load, Model};
-
-fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
-    bodies_of(model).find(|(_, body)| body.name() == name)
-}
-
-fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
-    let names = model.bodies.iter().map(Body::name).collect();
-    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
-}
 
 /// Loads per length are on bodies that are there, on a part of them that has a length.
 pub(super) fn stretches(model: &Model) -> Vec<Finding> {

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::Assembly;
 use crate::mechanics::NodalVector;
-use crate::system::{EquationsOfMotion, Kernel, LOCAL, Local, LocalMatrix, Sparse, State, Term, Weights};
+use crate::system::{EquationsOfMotion, Kernel, Sparse, State, Term, Weights, constraint_rows};
 
 /// What a rigid body does in a free motion. Points in the units of the assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,19 +175,11 @@ impl Rigid {
 
     /// The rows Φ_q of one term on rigid motions, relative to the magnitudes that they are sums of.
     fn rows(&self, term: &dyn Term, s: &State) -> Vec<Sparse> {
-        let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
-        let zero = vec![0.0; n];
-        let q: Vec<f64> = coordinates.iter().map(|&c| s.q[c]).collect();
-        let lambda = &s.lambda[term.multipliers()];
-        let at = Local { q: &q, v: &zero, a: &zero, lambda, t: s.t, load: s.load };
-        let mut storage = vec![0.0; LOCAL * LOCAL];
-        let mut border = LocalMatrix::zero(n + m, &mut storage);
-        term.tangent(&at, Weights { q: 0.0, v: 0.0, a: 0.0 }, &mut border);
-        let row = |multiplier: usize| {
+        let on_rigid = |of_term: Sparse| {
             let (mut row, mut magnitude) = (Sparse::new(), Sparse::new());
-            for (i, &c) in coordinates.iter().enumerate() {
+            for (c, entry) in of_term {
                 for (unknown, x) in self.motions_of(c) {
-                    let product = border.get(n + multiplier, i) * x;
+                    let product = entry * x;
                     *row.entry(unknown).or_default() += product;
                     *magnitude.entry(unknown).or_default() += product.abs();
                 }
@@ -196,7 +188,7 @@ impl Rigid {
             row.values_mut().for_each(|x| *x /= if size > 0.0 { size } else { 1.0 });
             row
         };
-        (0..m).map(row).collect()
+        constraint_rows(term, s).into_iter().map(on_rigid).collect()
     }
 
     /// What the six motions of its body do to a coordinate.

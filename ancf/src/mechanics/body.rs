@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::{Attachment, BeamMesh, Kind, Marker, NodalVector, RigidBody, StrainEnergy};
-use crate::system::{State, Term};
+use crate::system::{Batch, State, Term};
 
 /// A body as coordinates and terms.
 #[derive(Clone, Debug)]
@@ -43,6 +43,11 @@ impl Body {
             Self::Flexible(mesh) => mesh.terms(),
             Self::Rigid(body) => body.terms(),
         }
+    }
+
+    /// Batches of its terms, each with the number of its first one.
+    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
+        self.mesh().map_or_else(Vec::new, BeamMesh::batches)
     }
 
     /// Sums Σ m x of its masses and positions, part by part: times an acceleration, the forces of a uniform field.

@@ -9,7 +9,7 @@ use super::{
     CrossSection, Directions, Formulation, Interpolation, Kind, Lame, Marker, Medium, Node, Profile,
     QuadraticShape, StrainEnergy,
 };
-use crate::system::{State, Term};
+use crate::system::{Batch, State, Term};
 
 /// The elements of a body, all of one kind.
 #[derive(Clone, Debug)]
@@ -201,6 +201,11 @@ impl BeamMesh {
             Elements::Three(elements) => boxed(elements),
             Elements::Cable(elements) => boxed(elements),
         }
+    }
+
+    /// Batches of its terms, each with the number of its first one.
+    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
+        Vec::new()
     }
 
     /// Strain energy of all elements by part.

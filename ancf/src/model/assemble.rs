@@ -174,8 +174,12 @@ impl Model {
         self.check()?;
         let bodies = self.meshes();
         let joints = self.joint_equations(&bodies, clock);
-        let mut terms: Vec<Box<dyn Term>> = Vec::new();
-        terms.extend(bodies.iter().flat_map(|(_, body)| body.terms()));
+        let (mut terms, mut batches): (Vec<Box<dyn Term>>, Vec<_>) = Default::default();
+        for (_, body) in &bodies {
+            let first = terms.len();
+            batches.extend(body.batches().into_iter().map(|(at, batch)| (first + at, batch)));
+            terms.extend(body.terms());
+        }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         terms.extend(self.coupling_terms(&bodies, &joints));
         for load in &self.loads {
@@ -199,7 +203,7 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
-        let system = System::new(coordinates, multipliers, terms);
+        let system = System::new(coordinates, multipliers, terms).batched(batches);
         let breaks = self.breaks(clock);
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);

@@ -1,11 +1,12 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::batch::{Batch, Batched, GatheredLanes, LowerLanes};
 use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::encounter::{Met, lacks, near};
 use super::{
-    Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, SparseMatrix,
-    State, Term, Weights,
+    Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, Scatter,
+    SparseMatrix, State, Term, Weights,
 };
 
 /// Equations of motion as the sum of terms: gather, evaluate, scatter.
@@ -19,8 +20,11 @@ pub struct System {
     /// The terms that have multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
-    /// Where the lower triangle of each term's matrix goes, term after term.
-    slots: Vec<u32>,
+    /// Where each term's matrix goes.
+    scatters: Vec<Scatter>,
+    /// What evaluates terms side by side, and the terms that are evaluated one by one.
+    batches: Arc<[Batched]>,
+    alone: Vec<usize>,
 }
 
 impl fmt::Debug for System {
@@ -95,21 +99,47 @@ impl System {
         assert!(unknowns.iter().all(|u| u.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
         let defined: Vec<_> = terms.iter().map(|term| (term.massless(), term.multipliers())).collect();
         let pattern = Pattern::new(coordinates, multipliers, &unknowns, &defined);
-        let slots = unknowns
-            .iter()
-            .flat_map(|u| (0..u.len()).flat_map(move |j| (j..u.len()).map(move |i| (u[i], u[j]))))
-            .map(|(i, j)| pattern.slot(i, j))
-            .collect();
+        let scatters = unknowns.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
-        let pattern = Arc::new(pattern);
-        Self { coordinates, multipliers, terms, encounters, met, constraints, pattern, slots }
+        let (pattern, alone, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
+        Self {
+            coordinates,
+            multipliers,
+            terms,
+            encounters,
+            met,
+            constraints,
+            pattern,
+            scatters,
+            batches,
+            alone,
+        }
+    }
+
+    /// The same with terms evaluated side by side: each batch with the number of its first term.
+    ///
+    /// # Panics
+    /// If the terms are not alike: a mistake in code, not in input.
+    #[must_use]
+    pub fn batched(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
+        let batches = batches.into_iter().map(|(first, batch)| Batched::new(first, batch, &self.terms));
+        let batches = batches.collect();
+        self.in_batches(batches)
+    }
+
+    fn in_batches(self, batches: Arc<[Batched]>) -> Self {
+        let mut alone = vec![true; self.terms.len()];
+        batches.iter().for_each(|batched| alone[batched.terms()].fill(false));
+        let alone = (0..self.terms.len()).filter(|&i| alone[i]).collect();
+        Self { batches, alone, ..self }
     }
 
     /// The same with the terms of other pairs, in ascending order.
     fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
         let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
         let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
-        let system = Self::of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met);
+        let system = Self::of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met)
+            .in_batches(Arc::clone(&self.batches));
         let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
         let matrix = system.matrix();
         (system, matrix)
@@ -135,11 +165,16 @@ impl System {
         SparseMatrix::zero(Arc::clone(&self.pattern))
     }
 
-    /// Sums a vector over the terms: `share` adds to the local rows.
-    fn sum(&self, s: &State, sum: &mut [f64], share: impl Fn(&dyn Term, &Local<'_>, &mut [f64])) {
-        sum.fill(0.0);
+    /// Adds a vector summed over some of the terms: `share` adds to the local rows.
+    fn add<'a>(
+        &self,
+        terms: impl Iterator<Item = &'a Arc<dyn Term>>,
+        s: &State,
+        sum: &mut [f64],
+        share: impl Fn(&dyn Term, &Local<'_>, &mut [f64]),
+    ) {
         let (mut gathered, mut rows) = (Gathered::EMPTY, [0.0; LOCAL]);
-        for term in &self.terms {
+        for term in terms {
             let term = term.as_ref();
             let local = gathered.gather(s, term);
             let n = local.q.len() + local.lambda.len();
@@ -155,20 +190,27 @@ impl System {
         }
     }
 
-    /// Sums a matrix over the terms: `share` adds to the lower triangle of the local one.
-    fn sum_matrix(&self, k: &mut SparseMatrix, mut share: impl FnMut(&dyn Term, &mut LocalMatrix<'_>)) {
-        let values = k.values_mut();
-        values.fill(0.0);
-        let (mut storage, mut slots) = ([0.0; LOCAL * LOCAL], self.slots.iter());
-        for term in &self.terms {
-            let term = term.as_ref();
+    /// Adds a matrix summed over some of the terms: `share` adds to the lower triangle of the local one.
+    fn add_matrix(
+        &self,
+        terms: impl Iterator<Item = usize>,
+        values: &mut [f64],
+        mut share: impl FnMut(&dyn Term, &mut LocalMatrix<'_>),
+    ) {
+        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+        for i in terms {
+            let term = self.terms[i].as_ref();
             let size = term.coordinates().len() + term.multipliers().len();
             let mut block = LocalMatrix::zero(size, &mut storage);
             share(term, &mut block);
-            for (value, &slot) in block.lower().zip(&mut slots) {
-                values[slot as usize] += value;
-            }
+            let lower = block.lower();
+            self.scatters[i].add(values, |k| lower[k]);
         }
+    }
+
+    /// The terms that no batch evaluates.
+    fn alone(&self) -> impl Iterator<Item = &Arc<dyn Term>> {
+        self.alone.iter().map(|&i| &self.terms[i])
     }
 }
 
@@ -187,7 +229,10 @@ impl EquationsOfMotion for System {
     }
 
     fn residual(&self, s: &State, r: &mut [f64]) {
-        self.sum(s, r, |term, at, rows| term.residual(at, rows));
+        r.fill(0.0);
+        let mut gathered = GatheredLanes::EMPTY;
+        self.batches.iter().for_each(|batched| gathered.add_residual(s, batched, r));
+        self.add(self.alone(), s, r, |term, at, rows| term.residual(at, rows));
     }
 
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
@@ -200,7 +245,8 @@ impl EquationsOfMotion for System {
     }
 
     fn rounding(&self, s: &State, floor: &mut [f64]) {
-        self.sum(s, floor, |term, at, rows| term.rounding(at, rows));
+        floor.fill(0.0);
+        self.add(self.terms.iter(), s, floor, |term, at, rows| term.rounding(at, rows));
     }
 
     fn pattern(&self) -> &Pattern {
@@ -208,20 +254,35 @@ impl EquationsOfMotion for System {
     }
 
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
+        let values = k.values_mut();
+        values.fill(0.0);
+        let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
+        for batched in &*self.batches {
+            lower.add_tangent(batched, &lanes.gather(s, batched), w, &self.scatters, values);
+        }
         let mut gathered = Gathered::EMPTY;
-        self.sum_matrix(k, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+        let alone = self.alone.iter().copied();
+        self.add_matrix(alone, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
+        let values = k.values_mut();
+        values.fill(0.0);
         let (mut at, mut increment) = (Gathered::EMPTY, Gathered::EMPTY);
-        self.sum_matrix(k, |term, block| {
+        self.add_matrix(0..self.terms.len(), values, |term, block| {
             term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
         });
     }
 
     fn inadmissible(&self, s: &State) -> Option<usize> {
-        let mut gathered = Gathered::EMPTY;
-        let wrong = self.terms.iter().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())));
+        let (mut gathered, mut lanes) = (Gathered::EMPTY, GatheredLanes::EMPTY);
+        let of = |batched: &Batched| {
+            let wrong = batched.batch.inadmissible(&lanes.gather(s, batched));
+            wrong.map(|lane| &self.terms[batched.first + lane])
+        };
+        let batched = self.batches.iter().find_map(of);
+        let wrong = batched
+            .or_else(|| self.alone().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref()))));
         wrong.and_then(|term| term.coordinates().first().copied())
     }
 
@@ -254,16 +315,23 @@ impl EquationsOfMotion for System {
     }
 
     fn energy(&self, s: &State) -> Energy {
-        let (mut gathered, mut energy) = (Gathered::EMPTY, Energy::default());
-        for term in &self.terms {
+        let (mut gathered, mut lanes, mut energy) =
+            (Gathered::EMPTY, GatheredLanes::EMPTY, Energy::default());
+        for batched in &*self.batches {
+            energy += batched.batch.energy(&lanes.gather(s, batched));
+        }
+        for term in self.alone() {
             energy += term.energy(&gathered.gather(s, term.as_ref()));
         }
         energy
     }
 
     fn power(&self, s: &State) -> Power {
-        let (mut gathered, mut power) = (Gathered::EMPTY, Power::default());
-        for term in &self.terms {
+        let (mut gathered, mut lanes, mut power) = (Gathered::EMPTY, GatheredLanes::EMPTY, Power::default());
+        for batched in &*self.batches {
+            power += batched.batch.power(&lanes.gather(s, batched));
+        }
+        for term in self.alone() {
             power += term.power(&gathered.gather(s, term.as_ref()));
         }
         power

@@ -1,6 +1,7 @@
 //! FLOOR 0: equations of motion without mechanics. Coordinates, multipliers, sums of local terms, sparse matrices.
 
 mod assembly;
+mod batch;
 mod dependence;
 mod encounter;
 mod equations;
@@ -8,10 +9,12 @@ mod factor;
 mod kernel;
 mod matrix;
 mod pattern;
+mod scatter;
 mod state;
 mod term;
 
 pub use assembly::System;
+pub use batch::{Batch, LANES, Lanes, LocalLanes};
 pub use dependence::{Dependence, INDEPENDENT, all_constraint_rows, constraint_rows, dependences};
 pub use encounter::{Encounters, Pair};
 pub use equations::{Energy, EquationsOfMotion, Level, Power};
@@ -19,5 +22,6 @@ pub use factor::{Factor, SingularMatrix};
 pub use kernel::{Kernel, Sparse};
 pub use matrix::SparseMatrix;
 pub use pattern::Pattern;
+pub use scatter::Scatter;
 pub use state::{State, Weights};
 pub use term::{LOCAL, Local, LocalMatrix, Term, dissipated, supplied};

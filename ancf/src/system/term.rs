@@ -22,7 +22,7 @@ pub struct Local<'a> {
     pub load: f64,
 }
 
-/// A small symmetric matrix over the coordinates, then the multipliers, of a term. Only entries (i, j) with i ≥ j count.
+/// A small symmetric matrix over the coordinates, then the multipliers, of a term: the lower triangle, i ≥ j, by columns.
 #[derive(Debug)]
 pub struct LocalMatrix<'a> {
     size: usize,
@@ -30,9 +30,9 @@ pub struct LocalMatrix<'a> {
 }
 
 impl<'a> LocalMatrix<'a> {
-    /// A zero matrix of `size` rows in `storage`, which holds at least size² numbers.
+    /// A zero matrix of `size` rows in `storage`, which holds at least size (size + 1)/2 numbers.
     pub fn zero(size: usize, storage: &'a mut [f64]) -> Self {
-        let values = &mut storage[..size * size];
+        let values = &mut storage[..size * (size + 1) / 2];
         values.fill(0.0);
         Self { size, values }
     }
@@ -40,22 +40,27 @@ impl<'a> LocalMatrix<'a> {
     /// Adds to entry (i, j), i ≥ j.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         debug_assert!(i >= j && i < self.size, "only the lower triangle counts");
-        self.values[j * self.size + i] += value;
+        self.values[self.at(i, j)] += value;
     }
 
     /// Entry (i, j), i ≥ j.
     pub fn get(&self, i: usize, j: usize) -> f64 {
-        self.values[j * self.size + i]
+        self.values[self.at(i, j)]
+    }
+
+    /// The lower triangle by columns.
+    pub fn lower(&self) -> &[f64] {
+        self.values
+    }
+
+    /// Where entry (i, j) is: column j ends with row n − 1 at (j + 1) n − j (j + 1)/2 − 1.
+    const fn at(&self, i: usize, j: usize) -> usize {
+        j * self.size - j * (j + 1) / 2 + i
     }
 
     /// Subtracts another matrix of its size.
     fn subtract(&mut self, other: &LocalMatrix<'_>) {
         self.values.iter_mut().zip(&*other.values).for_each(|(value, other)| *value -= other);
-    }
-
-    /// The lower triangle by columns, column j starting with its diagonal.
-    pub fn lower(&self) -> impl Iterator<Item = f64> {
-        (0..self.size).flat_map(move |j| self.values[j * self.size + j..(j + 1) * self.size].iter().copied())
     }
 }
 

@@ -118,6 +118,8 @@ impl Adaptive {
         end: f64,
         report: &mut StepReport,
     ) -> Result<f64, SolveError> {
+        // The estimate filters by it.
+        dynamics.newton.tangent.renew();
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
         let error = error.inspect_err(|_| dynamics.take_back())?;

@@ -120,8 +120,8 @@ pub(super) fn response(
     eom.residual(s, &mut r);
     let mut response = load_rate(eom, s, &r);
     response.iter_mut().for_each(|x| *x = -*x);
-    newton.factorise(eom, s, Weights::STIFFNESS)?;
-    newton.factor.solve(&newton.matrix, &mut response).map_err(|_| Failure::Singular)?;
+    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
+    newton.tangent.factor.solve(&newton.tangent.matrix, &mut response).map_err(|_| Failure::Singular)?;
     Ok(response)
 }
 

@@ -1,6 +1,7 @@
 use super::consistent::{accelerations, velocities};
 use super::current::Current;
 use super::launch::launch;
+use super::trend::Trend;
 use super::{Failure, Newton, Report, Scheme, SolveError};
 use crate::system::{Energy, EquationsOfMotion, Level, Power, SparseMatrix, State};
 
@@ -59,6 +60,7 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     pub(super) fresh: bool,
     /// aₙ and aₙ₊₁ of the current attempt.
     pub(super) attempted: [Vec<f64>; 2],
+    trend: Trend,
     phi: Vec<f64>,
     /// The power of the current state.
     power: Power,
@@ -68,7 +70,8 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
 impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// Starts from a state, accelerations as they are (see [`restart`](Self::restart)); a step whose iteration fails is halved
     /// up to `max_halvings` times.
-    pub fn new(eom: &'a E, scheme: Scheme, newton: Newton, max_halvings: u32, start: State) -> Self {
+    pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
+        newton.reuse();
         let auxiliary = start.a.clone();
         Self {
             eom: Current::new(eom),
@@ -79,6 +82,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             before: start.clone(),
             attempted: [auxiliary.clone(), auxiliary.clone()],
             auxiliary,
+            trend: Trend::new(start.q.len() + start.lambda.len()),
             h: 0.0,
             fresh: false,
             phi: vec![0.0; start.lambda.len()],
@@ -113,7 +117,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
         self.state.t = t;
         self.take_in()?;
-        let Newton { matrix, factor, z, .. } = &mut self.newton;
+        let Newton { tangent, z, .. } = &mut self.newton;
+        let (matrix, factor) = tangent.lend();
         let before = self.eom.energy(&self.state).kinetic;
         velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
         if self.h > 0.0 {
@@ -125,6 +130,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.power = self.eom.power(&self.state);
         self.h = 0.0;
         self.fresh = true;
+        self.trend.restart();
         Ok(())
     }
 
@@ -133,7 +139,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// # Errors
     /// If the mass matrix with the constraints is singular.
     pub fn project_velocities(&mut self) -> Result<(), SolveError> {
-        let Newton { matrix, factor, z, .. } = &mut self.newton;
+        let Newton { tangent, z, .. } = &mut self.newton;
+        let (matrix, factor) = tangent.lend();
         velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.power = self.eom.power(&self.state);
         Ok(())
@@ -173,7 +180,17 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.before.copy_from(&self.state);
         let mut spent = 0;
         loop {
-            let done = self.solve(h, to).inspect_err(|_| self.state.copy_from(&self.before))?;
+            let done = match self.solve(h, to) {
+                Ok(done) => done,
+                Err(error) => {
+                    self.take_back();
+                    if !self.newton.tangent.improve() {
+                        return Err(error);
+                    }
+                    spent += error.iterations;
+                    continue;
+                }
+            };
             let Some((eom, matrix)) = self.eom.completed(&self.state) else {
                 return Ok(Report { iterations: spent + done.iterations, ..done });
             };
@@ -213,7 +230,9 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
         self.scheme.predict(&mut self.state, auxiliary, h);
         self.state.t = to;
-        let done = self.newton.solve(&*self.eom, &mut self.state, self.scheme.weights(h))?;
+        let weights = self.scheme.weights(h);
+        self.trend.add_to(&mut self.state, weights, h);
+        let done = self.newton.solve(&*self.eom, &mut self.state, weights)?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
             return Err(SolveError::after(done, to, Failure::Inverted, worst));
         }
@@ -231,6 +250,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// Makes the end of the attempt the current state.
     pub(super) fn accept(&mut self, done: &Report, report: &mut StepReport) {
         self.h = self.state.t - self.before.t;
+        self.trend.note(&self.before, &self.state, self.h, &self.newton.tangent.matrix);
         self.fresh = false;
         std::mem::swap(&mut self.auxiliary, &mut self.attempted[1]);
         self.newton.met(self.eom.energy(&self.state).largest());

@@ -31,7 +31,7 @@ pub(super) struct Estimate {
 
 impl Estimate {
     pub(super) fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, mass: f64) -> Self {
-        let mut matrix = dynamics.newton.matrix.clone();
+        let mut matrix = dynamics.newton.tangent.matrix.clone();
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
         let (now, before, rate) = (zeros.clone(), zeros.clone(), zeros.clone());
@@ -79,9 +79,10 @@ impl Estimate {
         let (newton, s) = (&mut dynamics.newton, &dynamics.state);
         if done.iterations == 0 {
             let w = dynamics.scheme.weights(h);
-            solve(&*dynamics.eom, &mut newton.matrix, &mut newton.factor, s, w, &mut self.now)?;
+            let (matrix, factor) = newton.tangent.lend();
+            solve(&*dynamics.eom, matrix, factor, s, w, &mut self.now)?;
         } else {
-            let solved = newton.factor.solve(&newton.matrix, &mut self.now);
+            let solved = newton.tangent.factor.solve(&newton.tangent.matrix, &mut self.now);
             solved.map_err(|_| SolveError::at(s.t, Failure::Singular))?;
         }
         self.now[n..].fill(0.0);

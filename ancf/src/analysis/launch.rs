@@ -27,7 +27,8 @@ pub(super) fn launch<E: EquationsOfMotion>(
     let n = s.q.len();
     let mut rate = rate(eom, newton, s, h * PART)?;
     rate.resize(newton.z.len(), 0.0);
-    let Newton { matrix, factor, r, z, .. } = newton;
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, factor) = tangent.lend();
     eom.tangent(s, Weights::MASS, matrix);
     matrix.multiply(&rate, r);
     z.copy_from_slice(r);
@@ -61,7 +62,8 @@ fn rate<E: EquationsOfMotion>(
             ahead.v[i] += d * s.a[i];
         }
         ahead.t += d;
-        let Newton { matrix, factor, z, .. } = &mut *newton;
+        let Newton { tangent, z, .. } = &mut *newton;
+        let (matrix, factor) = tangent.lend();
         accelerations(eom, matrix, factor, &mut ahead, z)?;
         rate.iter_mut().zip(&ahead.a).for_each(|(rate, a)| *rate += weight * a);
     }

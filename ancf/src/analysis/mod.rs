@@ -20,6 +20,8 @@ mod path;
 mod scheme;
 mod settle;
 mod statics;
+mod tangent;
+mod trend;
 mod waypoint;
 
 pub use adaptive::{Adaptive, Control};

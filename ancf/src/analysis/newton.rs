@@ -2,8 +2,9 @@ use std::ops::ControlFlow;
 
 use super::floor::raise_to_achievable;
 use super::mover::{Linear, Mover, Whole, dot};
+use super::tangent::Tangent;
 use super::{Failure, SolveError};
-use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
+use crate::system::{EquationsOfMotion, SparseMatrix, State, Weights};
 
 /// When a Newton iteration ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +14,8 @@ pub enum Stop {
     ///
     /// The products are free of units, of the choice of slope coordinates and of the frame of reference: iterations in
     /// any of them end alike. Newton's method converges quadratically, so the error left behind is far below the
-    /// tolerance, which is relative to the size of the motion in the energy norm.
+    /// tolerance, which is relative to the size of the motion in the energy norm. Where tangents are used again increments
+    /// fall by a rate θ, and what they leave, θ/(1 − θ) times the last one, has to be at most a thousandth of the tolerance.
     Energy(f64),
     /// |r|₂ is at most this number, forces and constraints alike. Depends on units.
     Residual(f64),
@@ -35,13 +37,15 @@ pub struct Report {
 }
 
 /// Newton's method with the exact tangent for equations of motion, with its working storage.
+///
+/// In [`Dynamics`](super::Dynamics) under the rule [`Stop::Energy`] a tangent is used again as long as this is cheaper than
+/// a new one; the rules of absolute numbers, which are there to compare with others, get a new one in each iteration.
 #[derive(Debug)]
 pub struct Newton {
     stop: Stop,
     max_iterations: u32,
     patience: u32,
-    pub(super) matrix: SparseMatrix,
-    pub(super) factor: Factor,
+    pub(super) tangent: Tangent,
     pub(super) r: Vec<f64>,
     pub(super) z: Vec<f64>,
     floor: Vec<f64>,
@@ -52,6 +56,8 @@ pub struct Newton {
 
 /// A residual within this many times its rounding bound cannot be told from zero.
 const FLOOR: f64 = 8.0;
+/// What increments leave may be so much of the tolerance.
+const NEAR: f64 = 1e-3;
 /// So many iterations without progress are a stagnation, unless more patience is asked for.
 const STUCK: u32 = 3;
 
@@ -66,8 +72,7 @@ impl Newton {
             stop,
             max_iterations,
             patience: STUCK,
-            factor: Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?,
-            matrix,
+            tangent: Tangent::new(matrix).map_err(SolveError::at_start)?,
             r: zeros.clone(),
             z: zeros.clone(),
             floor: zeros,
@@ -81,9 +86,14 @@ impl Newton {
     /// # Errors
     /// If memory does not suffice for the factorisation.
     pub(super) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), SolveError> {
-        self.factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?;
-        self.matrix = matrix;
-        Ok(())
+        self.tangent.adopt(matrix).map_err(SolveError::at_start)
+    }
+
+    /// Lets tangents be used again, if the rule for the end of the iteration knows what is left.
+    pub(super) fn reuse(&mut self) {
+        if matches!(self.stop, Stop::Energy(_)) {
+            self.tangent.reuse();
+        }
     }
 
     /// Tells the energy rule of an energy that a converged state has; before that the rule goes by the iterate's own.
@@ -123,6 +133,7 @@ impl Newton {
         let mut progress = Progress::default();
         self.weights = w;
         self.z.fill(0.0);
+        self.tangent.begin(w);
         loop {
             eom.residual(s, &mut self.r);
             progress.report.residual = norm(&self.r);
@@ -133,6 +144,7 @@ impl Newton {
                 .increment(mover, eom, s, w, &mut progress.report)
                 .map_err(|failure| self.error(failure, eom, s, progress.report))?;
             if let ControlFlow::Break(end) = self.judge_increment(eom, s, energy, &mut progress) {
+                end.iter().for_each(|done| self.tangent.end(done.iterations));
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
             }
         }
@@ -148,33 +160,22 @@ impl Newton {
         report: &mut Report,
     ) -> Result<f64, Failure> {
         let n = s.q.len();
-        self.factorise(eom, s, w)?;
+        self.tangent.prepare(eom, s, w)?;
         for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
             *z = if i < n { -r } else { -r / w.q };
         }
-        self.factor.solve_increment(&self.matrix, &mut self.z, &s.lambda).map_err(|_| Failure::Singular)?;
-        let Self { matrix, factor, r, z, .. } = self;
+        let Self { tangent: Tangent { matrix, factor, .. }, r, z, .. } = self;
+        factor.solve_increment(matrix, z, &s.lambda).map_err(|_| Failure::Singular)?;
         mover.go(Linear { eom, matrix, factor, r, z }, s, w)?;
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
     }
 
-    /// Factorises the iteration matrix of a state.
-    pub(super) fn factorise(
-        &mut self,
-        eom: &dyn EquationsOfMotion,
-        s: &State,
-        w: Weights,
-    ) -> Result<(), Failure> {
-        eom.tangent(s, w, &mut self.matrix);
-        self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)
-    }
-
     /// Negative eigenvalues of the matrix that was factorised last, less the one that each multiplier brings: in statics
     /// the number of unstable directions. `None` if the factors do not tell.
     pub(super) fn unstable(&self, eom: &dyn EquationsOfMotion) -> Option<usize> {
-        self.factor.negative_pivots()?.checked_sub(eom.multipliers())
+        self.tangent.factor.negative_pivots()?.checked_sub(eom.multipliers())
     }
 
     /// Ends the iteration on a residual that is small enough, at its floor, or not finite.
@@ -215,8 +216,13 @@ impl Newton {
             Stop::Energy(tolerance) => {
                 // Energies of increments do not count: those of a stiff beam in a large step dwarf any that the motion has.
                 let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
-                if energy <= tolerance * tolerance * largest {
+                let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
+                self.tangent.note(progress.rate(energy));
+                if size <= wanted && self.tangent.left(size) <= NEAR * wanted {
                     return ControlFlow::Break(Ok(progress.report));
+                }
+                if !self.tangent.foresee(NEAR * wanted / size) {
+                    return ControlFlow::Break(Err(Failure::Stagnated));
                 }
                 progress.note(energy);
             }
@@ -233,7 +239,7 @@ impl Newton {
     /// The equation whose residual is the largest multiple of what the arithmetic can reach, and that multiple.
     fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
         eom.rounding(s, &mut self.floor);
-        raise_to_achievable(&self.matrix, &s.q, &self.z, self.weights, &mut self.floor);
+        raise_to_achievable(&self.tangent.matrix, &s.q, &self.z, self.weights, &mut self.floor);
         let mut worst = (0, 0.0);
         for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
             let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };
@@ -261,14 +267,22 @@ struct Progress {
     report: Report,
     /// The smallest energy of an increment so far.
     least: Option<f64>,
+    /// That of the last one.
+    last: Option<f64>,
     /// Consecutive iterations that did not halve it.
     stuck: u32,
 }
 
 impl Progress {
+    /// θ, by which the last increment is smaller than the one before, both in the norm whose square is the energy.
+    fn rate(&self, energy: f64) -> Option<f64> {
+        self.last.map(|last| (energy / last).sqrt())
+    }
+
     fn note(&mut self, energy: f64) {
         let stuck = self.least.is_some_and(|least| energy > 0.5 * least);
         self.stuck = if stuck { self.stuck + 1 } else { 0 };
+        self.last = Some(energy);
         self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
     }
 }

@@ -91,7 +91,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             load,
             cause,
         })?;
-        let metric = Metric::new(&*eom, &start, newton.matrix.clone(), &response);
+        let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), &response);
         let tangent = metric.tangent(response, start.q.len());
         newton.met(eom.energy(&start).largest());
         let unstable = newton.unstable(&*eom);

@@ -1,6 +1,7 @@
 """Runs of ancf, each a process of its own."""
 
 import json
+import os
 import resource
 import subprocess
 import tempfile
@@ -11,7 +12,7 @@ import numpy as np
 from problems import DENSITY, DIAMETER, GRAVITY, INTERVAL, LENGTH, Problem, Run
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "target" / "release" / "ancf"
+PROGRAM = Path(os.environ.get("ANCF", ROOT / "target" / "release" / "ancf"))
 
 
 # Tolerance of Newton's method: of the increment in the energy norm. The default, and a looser one.

@@ -69,6 +69,8 @@ def settings(problem: Problem, step: float, tolerance: float):
     integration.endTime = problem.duration
     integration.numberOfSteps = round(problem.duration / step)
     integration.verboseMode = 0
+    # Steps that do not converge end the run; divided, they take minutes if the tolerance is below the rounding error.
+    integration.adaptiveStep = False
     # Its modified Newton method takes a tenth of the time of the full one here.
     integration.newton.useModifiedNewton = True
     integration.newton.relativeTolerance = tolerance

@@ -22,6 +22,8 @@ pub struct Machine {
     pub flops: f64,
     /// Bytes per second of one core between memory and registers.
     pub bytes: f64,
+    /// The same between the second cache and registers.
+    pub cached: f64,
 }
 
 impl Machine {
@@ -35,6 +37,7 @@ impl Machine {
             compiler: compiler(),
             flops: best(5, flops),
             bytes: best(5, bytes),
+            cached: best(5, cached),
         }
     }
 }
@@ -104,16 +107,29 @@ impl WithSimd for Triad<'_> {
     }
 }
 
-/// Bytes per second: two numbers read, one read by the cache before it is written, one written (McCalpin 1995).
-fn bytes() -> f64 {
-    const LENGTH: usize = 8 << 20;
-    let (mut a, b, c) = (vec![1.0; LENGTH], vec![2.0; LENGTH], vec![3.0; LENGTH]);
+/// Triads of such vectors in a second.
+fn triads(length: usize, times: usize) -> f64 {
+    let (mut a, b, c) = (vec![1.0; length], vec![2.0; length], vec![3.0; length]);
     let mut run = || {
         let begun = clock::own();
-        Arch::new().dispatch(Triad { a: &mut a, b: &b, c: &c });
-        black_box(&a);
-        (4 * 8 * LENGTH) as f64 / (clock::own() - begun)
+        for _ in 0..times {
+            Arch::new().dispatch(Triad { a: &mut a, b: &b, c: &c });
+            black_box(&a);
+        }
+        times as f64 / (clock::own() - begun)
     };
     run();
     run().max(run())
+}
+
+/// Bytes per second: two numbers read, one read by the cache before it is written, one written (McCalpin 1995).
+fn bytes() -> f64 {
+    const LENGTH: usize = 8 << 20;
+    (4 * 8 * LENGTH) as f64 * triads(LENGTH, 1)
+}
+
+/// Bytes per second: two numbers read, one written.
+fn cached() -> f64 {
+    const LENGTH: usize = 10_000;
+    (3 * 8 * LENGTH) as f64 * triads(LENGTH, 1000)
 }

@@ -17,11 +17,11 @@ pub struct Report {
 impl Report {
     /// As a table in Markdown, which can be read as it is.
     pub fn text(&self) -> String {
-        let Machine { processor, cores, compiler, flops, bytes } = &self.machine;
+        let Machine { processor, cores, compiler, flops, bytes, cached } = &self.machine;
+        let [flops, bytes, cached] = [flops, bytes, cached].map(|rate| 1e-9 * rate);
         let head = format!(
-            "{processor}, {cores} cores, {compiler}; one core at best {:.1} Gflop/s, {:.1} GB/s\n\n",
-            1e-9 * flops,
-            1e-9 * bytes
+            "{processor}, {cores} cores, {compiler}; one core at best {flops:.1} Gflop/s, {bytes:.1} GB/s from memory, \
+             {cached:.1} GB/s in its second cache\n\n"
         );
         let headings =
             ["row", "unit", "goal", "ours", "", "peer", "theirs / ours", "of the machine's best", ""];
@@ -50,7 +50,11 @@ fn cells(row: &Row) -> [String; 9] {
     };
     let peer = row.peer.zip(row.theirs).map(|(name, theirs)| format!("{} {name}", short(theirs)));
     let best = row.fraction.zip(row.best).map(|(fraction, best)| {
-        let bound = if best.bound == Bound::Bytes { "bytes" } else { "flops" };
+        let bound = match best.bound {
+            Bound::Operations => "flops",
+            Bound::Bytes => "bytes",
+            Bound::CachedBytes => "bytes in cache",
+        };
         format!("{} {bound}", percent(fraction))
     });
     [

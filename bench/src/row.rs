@@ -77,6 +77,8 @@ pub enum Bound {
     Operations,
     /// Bytes to and from memory.
     Bytes,
+    /// Bytes to and from the second cache.
+    CachedBytes,
 }
 
 /// A row of the finished table.

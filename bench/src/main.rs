@@ -9,6 +9,7 @@ use ancf_bench::instructions::{Record, file};
 use ancf_bench::machine::Machine;
 use ancf_bench::measure::Result;
 use ancf_bench::report::Report;
+use ancf_bench::row::Asked;
 use ancf_bench::table::Bench;
 use ancf_bench::{counts, process};
 use clap::{Parser, Subcommand};
@@ -27,6 +28,9 @@ enum Chore {
         /// Leave out the rows of 1e5 elements and more.
         #[arg(long)]
         quick: bool,
+        /// Measure those rows only whose names have this in them.
+        #[arg(long, value_name = "TEXT", default_value = "")]
+        rows: String,
         /// Write the table to a file, too.
         #[arg(long, value_name = "FILE")]
         json: Option<PathBuf>,
@@ -47,7 +51,7 @@ enum Chore {
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().chore {
-        Chore::Table { quick, json } => table(quick, json),
+        Chore::Table { quick, rows, json } => table(quick, &rows, json),
         Chore::Instructions { update } => instructions(update),
         Chore::Steps { elements, steps } => process::step_here(elements, steps)
             .and_then(|stepped| serde_json::to_string(&stepped).map_err(|error| error.to_string()))
@@ -63,9 +67,10 @@ fn main() -> ExitCode {
     }
 }
 
-fn table(quick: bool, json: Option<PathBuf>) -> Result<()> {
+fn table(quick: bool, named: &str, json: Option<PathBuf>) -> Result<()> {
     let machine = Machine::this();
-    let rows = Bench::new(machine.clone()).rows(quick, |name| say(&format!("measuring: {name}")));
+    let wanted = |asked: &Asked| asked.name.contains(named) && !(quick && asked.large);
+    let rows = Bench::new(machine.clone()).rows(wanted, |name| say(&format!("measuring: {name}")));
     let report = Report { machine, rows };
     print(&report.text())?;
     let Some(path) = json else { return Ok(()) };

@@ -70,9 +70,9 @@ impl Bench {
         Self { machine, stepped: BTreeMap::new() }
     }
 
-    /// Measures all rows, or all but the large ones; `report` is told what comes next.
-    pub fn rows(&mut self, quick: bool, mut report: impl FnMut(&str)) -> Vec<Row> {
-        let asked = ROWS.iter().filter(|(asked, _)| !(quick && asked.large));
+    /// Measures the rows that are wanted; `report` is told what comes next.
+    pub fn rows(&mut self, wanted: impl Fn(&Asked) -> bool, mut report: impl FnMut(&str)) -> Vec<Row> {
+        let asked = ROWS.iter().filter(|(asked, _)| wanted(asked));
         let measure = |(asked, measure): &(Asked, Measure)| {
             report(asked.name);
             Row::new(asked, measure(self))

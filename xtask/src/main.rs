@@ -14,7 +14,7 @@ type Done = Result<(), String>;
 const HELP: &str = "\
 cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions
 cargo xtask schema          refresh docs/model.schema.json after a change of the model types
-cargo xtask bench           times per element beside their goals; --quick leaves out large models, --json FILE writes a file
+cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
 ";

@@ -7,17 +7,25 @@ use std::process::Command;
 
 use crate::{Done, cargo, say};
 
-/// A program of the workspace, optimised: builds it with the program `ancf` beside it, then runs it with one thread.
-fn measure(what: &str, chore: &str, options: &[String]) -> Done {
+/// Builds what measures, and the program `ancf` beside it, optimised; then runs it with one thread.
+///
+/// By its path, not by `cargo run`: alone, the package would have other features of its dependencies, and build them all anew.
+fn measure(chore: &str, options: &[String]) -> Done {
     cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])?;
-    let run = ["run", "--quiet", "--release", "--package", "ancf-bench", "--", chore];
-    let arguments: Vec<&str> = run.into_iter().chain(options.iter().map(String::as_str)).collect();
-    cargo(what, &arguments, &[("RAYON_NUM_THREADS", "1")])
+    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let program = target.join("release").join(format!("ancf-bench{}", env::consts::EXE_SUFFIX));
+    let arguments: Vec<&OsStr> =
+        [chore].into_iter().chain(options.iter().map(String::as_str)).map(OsStr::new).collect();
+    run(&program, &arguments)
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
 /// Times beside their goals.
 pub(crate) fn bench(options: &[String]) -> Done {
-    measure("times", "table", options)
+    measure("table", options)
 }
 
 /// Counts of instructions; without valgrind they are left out, and that is said.
@@ -26,7 +34,7 @@ pub(crate) fn instructions(options: &[String]) -> Done {
         install_valgrind();
     }
     if has("valgrind") {
-        return measure("instructions", "instructions", options);
+        return measure("instructions", options);
     }
     let why = "valgrind is missing and cannot be installed: instructions are NOT counted";
     if options.is_empty() {
@@ -55,7 +63,7 @@ fn install_valgrind() {
 
 /// EXUDYN beside `ancf`, in an environment of its own.
 pub(crate) fn peers() -> Done {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = root();
     let (scripts, environment) = (root.join("bench/peers"), root.join("target/peers"));
     let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if !python.exists() {
@@ -65,7 +73,7 @@ pub(crate) fn peers() -> Done {
     let requirements = scripts.join("requirements.txt");
     let install = ["-m", "pip", "install", "--quiet", "--requirement"].map(OsStr::new);
     run(&python, &[&install[..], &[requirements.as_os_str()]].concat())?;
-    cargo("build", &["build", "--release", "--package", "ancf-cli"], &[])?;
+    cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])?;
     run(&python, &[scripts.join("peers.py").as_os_str()])
 }
 

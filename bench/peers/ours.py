@@ -20,7 +20,7 @@ TOLERANCES = (1e-8, 1e-5)
 
 
 def model(problem: Problem, kind: str, n: int, step: float, tolerance: float) -> str:
-    """A model file; `kind` is `cable` (12 coordinates), `beam` (24, as in the paper) or `linked` (24, free of locking)."""
+    """A model file; `kind`: `cable` (12 coordinates), `beam` (24, the paper's), `linked` (24, without locking)."""
     body = "cable" if kind == "cable" else "beam"
     if isinstance(problem.scheme, tuple):
         beta, gamma = problem.scheme

@@ -1,14 +1,15 @@
 """Compares ancf with EXUDYN in one run: time at equal settings, and time at equal accuracy.
 
-Run by `cargo xtask peers`. Prints tables in Markdown and writes `results/peers.json` and `results/work_precision.csv`.
+Run by `cargo xtask peers`. Prints tables in Markdown and writes `results/peers.json` and
+`results/work_precision.csv`.
 
-The error of a run is the root mean square, over instants of 10 ms, of the distance of its tip from that of the reference, divided
-by the root mean square of the displacement of the reference. The reference of the rods without shear (cable elements of either
-program) is the mean of two fine solutions, one by each; how far they are apart is told. Rods with shear are another continuum and
-have a fine solution of ancf of their own.
+The error of a run is the root mean square, over instants of 10 ms, of the distance of its tip from that of the
+reference, divided by the root mean square of the displacement of the reference. The reference of the rods without
+shear (cable elements of either program) is the mean of two fine solutions, one by each; how far they are apart is
+told. Rods with shear are another continuum and have a fine solution of ancf of their own.
 
-Times are of the processor: of EXUDYN's solver alone, in its process, without files; of whole processes of ancf, which
-read a model and write a file. Each is the least of some runs.
+Times are of the processor: of EXUDYN's solver alone, in its process, without files; of whole processes of ancf,
+which read a model and write a file. Each is the least of some runs.
 """
 
 import csv
@@ -73,7 +74,7 @@ def distance(a: np.ndarray, b: np.ndarray) -> float:
 
 
 def references(problem: Problem) -> tuple[dict[bool, np.ndarray], float]:
-    """The paths of rods without and with shear, and how far the two solutions of the former are apart, relatively."""
+    """The paths of rods without and with shear, and how far the two of the former are apart, relatively."""
     step = INTERVAL / (4 * FINEST[problem.name])
     # A tighter tolerance is below EXUDYN's rounding error here.
     lines = theirs.run(problem, FINE, step, 1e-6).tip, ours.run(problem, "cable", FINE, step).tip
@@ -121,7 +122,7 @@ def front(found: list[dict]) -> list[tuple[float, float]]:
 
 
 def time_at(target: float, best: list[tuple[float, float]]) -> float:
-    """Time at an error, linear in the logarithms between runs of a front; not a number beyond its finest one."""
+    """Time at an error, linear in the logarithms between runs of a front; else not a number."""
     if not best or target < best[-1][0]:
         return math.nan
     if target >= best[0][0]:
@@ -170,9 +171,7 @@ def conditions() -> dict:
     """Machine and versions."""
     info = Path("/proc/cpuinfo")
     names = info.read_text().splitlines() if info.exists() else []
-    name = next(
-        (line.split(": ")[1] for line in names if line.startswith("model name")), platform.processor()
-    )
+    name = next((line.split(": ")[1] for line in names if line.startswith("model name")), platform.processor())
     return {
         "date": date.today().isoformat(),
         "processor": name,

@@ -21,13 +21,14 @@ from problems import (  # noqa: E402
     Run,
 )
 
-# Tolerances of Newton's method, of the residual, relative and absolute. The default of the former, 1e-8, is below the rounding
-# error of a rod as stiff as this one from ten elements on, where it costs a hundred times as many steps, or the run.
+# Tolerances of Newton's method, of the residual, relative and absolute. The default of the former, 1e-8, is below
+# the rounding error of a rod as stiff as this one from ten elements on: it then costs many times the steps, or
+# the run.
 TOLERANCES = (1e-7, 1e-5, 1e-3)
 
 
 def build(problem: Problem, n: int):
-    """The rod of n elements, its first node held; returns the container, the system and the sensor of its tip."""
+    """The rod of n elements, its first node held; returns container, system and the sensor of its tip."""
     container = exu.SystemContainer()
     system = container.AddSystem()
     length = LENGTH / n
@@ -69,7 +70,8 @@ def settings(problem: Problem, step: float, tolerance: float):
     integration.endTime = problem.duration
     integration.numberOfSteps = round(problem.duration / step)
     integration.verboseMode = 0
-    # Steps that do not converge end the run; divided, they take minutes if the tolerance is below the rounding error.
+    # Steps that do not converge end the run; divided, they take minutes if the tolerance is below the rounding
+    # error.
     integration.adaptiveStep = False
     # Its modified Newton method takes a tenth of the time of the full one here.
     integration.newton.useModifiedNewton = True

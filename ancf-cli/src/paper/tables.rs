@@ -182,9 +182,9 @@ fn table4(forms: &Forms) -> Table {
 /// The dimensional form by everyone, in seconds.
 fn peers(forms: &Forms) -> Table {
     let seconds = |name, group| Column::new(name, "s", Format::Significant(3)).under(group);
-    let times = published::TABLE_4_DIM.into_iter().zip(peers::CHRONO).zip(peers::EXUDYN).zip(&forms.dim);
-    let row = |(&n, (((paper, chrono), exudyn), &ours)): (&u32, (((f64, Option<f64>), f64), &f64))| {
-        row![n, paper, chrono.map_or_else(|| Value::from("not measured"), Value::from), ours, exudyn]
+    let chrono = |i: usize| peers::CHRONO[i].map_or_else(|| Value::from("not measured"), Value::from);
+    let row = |(i, (&n, &ours)): (usize, (&u32, &f64))| {
+        row![n, published::TABLE_4_DIM[i], chrono(i), ours, peers::EXUDYN[i]]
     };
     Table {
         file: "peers",
@@ -195,7 +195,7 @@ fn peers(forms: &Forms) -> Table {
             seconds("ancf", "24 coordinates an element"),
             seconds("EXUDYN", "12 coordinates"),
         ],
-        rows: forms.n.iter().zip(times).map(row).collect(),
+        rows: forms.n.iter().zip(&forms.dim).enumerate().map(row).collect(),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Chores of the workspace: `cargo xtask test` is everything that can be tested.
 
+mod speed;
+
 use std::env;
 use std::fs;
 use std::io::{self, Write};
@@ -10,15 +12,23 @@ use std::process::{Command, ExitCode};
 type Done = Result<(), String>;
 
 const HELP: &str = "\
-cargo xtask test      everything that can be tested: format, lints, tests, documentation
-cargo xtask schema    refresh docs/model.schema.json after a change of the model types
+cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions
+cargo xtask schema          refresh docs/model.schema.json after a change of the model types
+cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
+cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
+cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
 ";
 
 fn main() -> ExitCode {
-    let chore = env::args().nth(1).unwrap_or_default();
-    let done = match chore.as_str() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let (chore, options) =
+        arguments.split_first().map_or(("", &[][..]), |(chore, rest)| (chore.as_str(), rest));
+    let done = match chore {
         "test" => test(),
         "schema" => schema(),
+        "bench" => speed::bench(options),
+        "instructions" => speed::instructions(options),
+        "peers" => speed::peers(),
         _ => Err(format!("what shall be done?\n\n{HELP}")),
     };
     match done {
@@ -39,6 +49,7 @@ fn test() -> Done {
     cargo("tests", &["test", "--workspace"], &[])?;
     let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
+    speed::instructions(&[])?;
     say("all tests passed");
     Ok(())
 }

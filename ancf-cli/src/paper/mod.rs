@@ -11,6 +11,7 @@
 pub mod cases;
 pub mod conditioning;
 pub mod figures;
+pub mod peers;
 pub mod published;
 pub mod report;
 pub mod results;

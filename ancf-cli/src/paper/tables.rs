@@ -5,6 +5,7 @@ use super::results::{
     Agreement, Candidate, Check, Effort, Forms, Gain, Results, Table6, ToleranceRow, UNIT_BLIND, Verdict,
 };
 use super::table::{Column, Format, Table, Value};
+use super::{peers, published};
 
 /// All tables, each under the name of its file.
 #[derive(Clone, Debug)]
@@ -15,6 +16,8 @@ pub struct Tables {
     pub table3: Table,
     /// Analysis time of the cantilever.
     pub table4: Table,
+    /// The same by other programs.
+    pub peers: Table,
     /// Mean deflection of the cantilever.
     pub table5: Table,
     /// The revolute pendulum.
@@ -44,6 +47,7 @@ impl Tables {
             verdict: verdict(&results.verdict),
             table3: table3(&results.table3),
             table4: table4(&results.table4),
+            peers: peers(&results.table4),
             table5: table5(&results.table5),
             table6: table6(&results.table6),
             table7: table7(&results.table7.seconds),
@@ -62,6 +66,7 @@ impl Tables {
             &self.verdict,
             &self.table3,
             &self.table4,
+            &self.peers,
             &self.table5,
             &self.table6,
             &self.table7,
@@ -171,6 +176,26 @@ fn table4(forms: &Forms) -> Table {
         ]
         .concat(),
         rows: rows(forms, time).into_iter().zip(ratios).map(with_ratio).collect(),
+    }
+}
+
+/// The dimensional form by everyone, in seconds.
+fn peers(forms: &Forms) -> Table {
+    let seconds = |name, group| Column::new(name, "s", Format::Significant(3)).under(group);
+    let chrono = |i: usize| peers::CHRONO[i].map_or_else(|| Value::from("not measured"), Value::from);
+    let row = |(i, (&n, &ours)): (usize, (&u32, &f64))| {
+        row![n, published::TABLE_4_DIM[i], chrono(i), ours, peers::EXUDYN[i]]
+    };
+    Table {
+        file: "peers",
+        columns: vec![
+            ELEMENTS,
+            seconds("paper (MATLAB)", "24 coordinates an element"),
+            seconds("Chrono", "24 coordinates an element"),
+            seconds("ancf", "24 coordinates an element"),
+            seconds("EXUDYN", "12 coordinates"),
+        ],
+        rows: forms.n.iter().zip(&forms.dim).enumerate().map(row).collect(),
     }
 }
 

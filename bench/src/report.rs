@@ -1,0 +1,82 @@
+//! The table as text and as JSON.
+
+use serde::Serialize;
+
+use crate::machine::Machine;
+use crate::row::{Bound, Row, Unit};
+
+/// A table with the machine that it was measured on.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// The machine.
+    pub machine: Machine,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+impl Report {
+    /// As a table in Markdown, which can be read as it is.
+    pub fn text(&self) -> String {
+        let Machine { processor, cores, compiler, flops, bytes, cached } = &self.machine;
+        let [flops, bytes, cached] = [flops, bytes, cached].map(|rate| 1e-9 * rate);
+        let head = format!(
+            "{processor}, {cores} cores, {compiler}; one core at best {flops:.1} Gflop/s, {bytes:.1} GB/s from memory, \
+             {cached:.1} GB/s in its second cache\n\n"
+        );
+        let headings =
+            ["row", "unit", "goal", "ours", "", "peer", "theirs / ours", "of the machine's best", ""];
+        let rows: Vec<[String; 9]> = self.rows.iter().map(cells).collect();
+        let widths: [usize; 9] = std::array::from_fn(|i| {
+            let cells = rows.iter().map(|row| row[i].chars().count());
+            cells.chain([headings[i].chars().count()]).max().unwrap_or(0)
+        });
+        let line = |cells: [&str; 9]| {
+            let cells = cells.iter().zip(widths).map(|(cell, width)| format!(" {cell:width$} |"));
+            format!("|{}\n", cells.collect::<String>())
+        };
+        let dashes = widths.map(|width| "-".repeat(width));
+        let body = rows.iter().map(|row| line(row.each_ref().map(String::as_str)));
+        let rule = line(dashes.each_ref().map(String::as_str));
+        head + &line(headings) + &rule + &body.collect::<String>()
+    }
+}
+
+fn cells(row: &Row) -> [String; 9] {
+    let least = if row.unit == Unit::Gain { ">= " } else { "<= " };
+    let met = match row.is_met() {
+        Some(true) => "met",
+        Some(false) => "open",
+        None => "left out",
+    };
+    let peer = row.peer.zip(row.theirs).map(|(name, theirs)| format!("{} {name}", short(theirs)));
+    let best = row.fraction.zip(row.best).map(|(fraction, best)| {
+        let bound = match best.bound {
+            Bound::Operations => "flops",
+            Bound::Bytes => "bytes",
+            Bound::CachedBytes => "bytes in cache",
+        };
+        format!("{} {bound}", percent(fraction))
+    });
+    [
+        row.name.to_owned(),
+        row.unit.text().to_owned(),
+        format!("{least}{}", short(row.goal)),
+        row.ours.map_or_else(|| "-".to_owned(), short),
+        met.to_owned(),
+        peer.unwrap_or_default(),
+        row.ratio.map(short).unwrap_or_default(),
+        best.unwrap_or_default(),
+        row.note.clone(),
+    ]
+}
+
+fn percent(fraction: f64) -> String {
+    format!("{} %", short(100.0 * fraction))
+}
+
+/// With about three digits.
+fn short(x: f64) -> String {
+    let decimals =
+        if x.abs() < 0.995 { 3 } else { usize::from(x.abs() < 99.5) + usize::from(x.abs() < 9.95) };
+    format!("{x:.decimals$}")
+}

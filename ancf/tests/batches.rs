@@ -14,7 +14,7 @@ mod sample;
 
 use ancf::Model;
 use ancf::mechanics::BeamMesh;
-use ancf::model::{Damping, MaterialLaw};
+use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slopes};
 use ancf::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
 use beams::makes;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -48,7 +48,37 @@ fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = Case> {
     })
 }
 
-/// States of the terms of a batch, at random: relative to their size, so large is what the strains are made of.
+/// Cables along x and in space, undamped, retarded, and with both kinds of damping.
+fn cables(gravity: Vector3<f64>) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for to in [[1.4, 0.0, 0.0], [0.5, -0.9, 1.1]] {
+        for (strain, mass) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
+            for slopes in [Slopes::Gradient, Slopes::Length] {
+                let mut model = rod::free(1);
+                model.gravity = gravity.into();
+                let material = rod::material(&mut model);
+                (material.density, material.young, material.damping) = (2.0, 30.0, Damping { strain, mass });
+                model.sections.insert("circle".into(), Section::Circle { diameter: 0.3 });
+                let cable = Cable {
+                    name: "rod".into(),
+                    from: [0.0; 3],
+                    to,
+                    elements: ELEMENTS,
+                    section: "circle".into(),
+                    material: "steel".into(),
+                    slopes,
+                    motion: InitialMotion::default(),
+                };
+                model.bodies = vec![Body::Cable(cable)];
+                model.probes.clear();
+                cases.push(case(format!("cable to {to:?}, {strain}, {mass}, {slopes:?}"), &model));
+            }
+        }
+    }
+    cases
+}
+
+/// States of the terms of a batch, at random.
 fn states(terms: &[Box<dyn Term>], random: &mut Random) -> Vec<Sample> {
     terms.iter().map(|term| Sample::random(term.as_ref(), random)).collect()
 }
@@ -152,6 +182,14 @@ fn beams_side_by_side_are_beams() {
     }
 }
 
+#[test]
+fn cables_side_by_side_are_cables() {
+    let mut random = Random(1687);
+    for case in cables(Vector3::new(0.3, -2.0, 0.7)) {
+        agrees(&case, &mut random, 0.1);
+    }
+}
+
 /// Turned inside out, the same one is found first.
 #[test]
 fn the_first_that_is_inside_out_is_found() {
@@ -169,11 +207,10 @@ fn the_first_that_is_inside_out_is_found() {
 /// Positions enter by their differences: a translation has no force at all, however far.
 #[test]
 fn translations_have_no_force() {
-    for case in beams(Vector3::zeros()) {
+    for case in beams(Vector3::zeros()).chain(cables(Vector3::zeros())) {
         each_batch(&case, |terms, batch| {
             let rest = Sample::rest(terms[0].as_ref());
-            let moved =
-                |far: f64| Sample { q: translation(terms[0].as_ref(), far, &case.name), ..rest.clone() };
+            let moved = |far: f64| Sample { q: translation(terms[0].as_ref(), far), ..rest.clone() };
             let states: Vec<Sample> = (0..terms.len()).map(|lane| moved(1e3 * lane as f64 + 0.1)).collect();
             let gathered = Gathered::new(&states);
             let rows = batch_residual(batch, &gathered.at());
@@ -183,7 +220,8 @@ fn translations_have_no_force() {
     }
 }
 
-fn translation(term: &dyn Term, far: f64, _name: &str) -> DVector<f64> {
+/// Coordinates of a node's position are its first three.
+fn translation(term: &dyn Term, far: f64) -> DVector<f64> {
     let n = term.coordinates().len();
     let stride = if n == 27 { 9 } else { n / 2 };
     DVector::from_fn(n, |i, _| if i % stride < 3 { far * (1.0 + 0.3 * (i % 3) as f64) } else { 0.0 })

@@ -9,7 +9,7 @@ use super::{CableDamping, CableProfile};
 use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 
 /// |r′| at and below which a line is taken to be crushed to a point.
-const CRUSHED: f64 = 0.01;
+pub(super) const CRUSHED: f64 = 0.01;
 
 /// The two-node, 12-coordinate, gradient-deficient ANCF cable element; straight and stress-free in its reference
 /// configuration.
@@ -48,8 +48,8 @@ const CRUSHED: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub struct Cable12 {
     coordinates: [usize; 12],
-    direction: Vector3<f64>,
-    profile: Arc<CableProfile>,
+    pub(super) direction: Vector3<f64>,
+    pub(super) profile: Arc<CableProfile>,
 }
 
 impl Cable12 {
@@ -257,8 +257,7 @@ impl Cable12 {
             return stiffness;
         }
         let t = stretch.tangent;
-        let h = (stretch.across(&rate) * (w.q / stretch.length) + t * w.v) * (0.5 * rigidity * tau);
-        stiffness + t * h.transpose() + h * t.transpose()
+        stiffness + t * t.transpose() * (w.v * rigidity * tau)
     }
 
     /// The tangent of EI Lᵀ(β + τβ°) by (a, b).
@@ -277,7 +276,7 @@ impl Cable12 {
         }
         stiffness
             .plus(bend.damping(), w.v * tau * rigidity)
-            .plus(bend.damping_gradient(&station.both(v)), w.q * tau * rigidity)
+            .plus(bend.stress_stiffness(&bend.rate(&station.both(v))), w.q * tau * rigidity)
     }
 }
 

@@ -209,7 +209,7 @@ impl BeamMesh {
         match &self.elements {
             Elements::Two(elements) => Batched::batches(elements),
             Elements::Three(elements) => Batched::batches(elements),
-            Elements::Cable(_) => Vec::new(),
+            Elements::Cable(elements) => Batched::batches(elements),
         }
     }
 

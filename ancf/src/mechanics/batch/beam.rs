@@ -2,6 +2,7 @@ use std::sync::Arc;
 
 use pulp::Simd;
 
+use super::Batched;
 use super::beam_law::{BeamLaw, Station};
 use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled, total};
 use super::pass::{Job, run};
@@ -18,11 +19,6 @@ struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
     law: Arc<BeamLaw<N, A, B, C>>,
     /// Reference directors in the global frame at each station, or the same for all.
     reference: Vec<[[Lanes; 3]; 7]>,
-}
-
-/// Batches of beam elements, each with the number of its first one.
-pub(in crate::mechanics) trait Batched: Sized {
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)>;
 }
 
 impl Batched for Beam24 {

@@ -2,6 +2,8 @@
 
 mod beam;
 mod beam_law;
+mod bend;
+mod cable;
 mod lane;
 mod pass;
 mod plan;
@@ -10,4 +12,10 @@ mod stiffness;
 mod strain;
 mod triangle;
 
-pub(super) use beam::Batched;
+use crate::system::Batch;
+
+/// Elements that can be evaluated side by side.
+pub(super) trait Batched: Sized {
+    /// Batches of elements, each with the number of its first one.
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)>;
+}

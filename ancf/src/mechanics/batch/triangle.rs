@@ -9,7 +9,7 @@ use crate::system::Lanes;
 /// Y and Z the lower blocks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Blocks<S: Simd, const A: usize, const B: usize> {
-    axis: [[Matrix<S>; A]; A],
+    pub axis: [[Matrix<S>; A]; A],
     /// Rows of Y, of Z and columns of the axis.
     y_axis: [[Matrix<S>; A]; B],
     z_axis: [[Matrix<S>; A]; B],

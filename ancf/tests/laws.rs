@@ -167,7 +167,7 @@ fn terms() -> Vec<Case> {
         term,
         kind: Kind::Polynomial,
     });
-    let cables = [(CableDamping::default(), Kind::Smooth), (cables::DAMPING, Kind::Damped)];
+    let cables = [(CableDamping::default(), Kind::Smooth), (cables::DAMPING, Kind::Rubbed)];
     let cables = cables.into_iter().flat_map(|(damping, kind)| {
         let case = move |cable: cables::Cable| Case { name: cable.name, term: Box::new(cable.term), kind };
         cables::cables(damping, gravity).into_iter().map(case)

@@ -9,7 +9,7 @@ use super::{CableDamping, CableProfile};
 use crate::system::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 
 /// |r′| at and below which a line is taken to be crushed to a point.
-const CRUSHED: f64 = 0.01;
+pub(super) const CRUSHED: f64 = 0.01;
 
 /// The two-node, 12-coordinate, gradient-deficient ANCF cable element; straight and stress-free in its reference
 /// configuration.
@@ -41,15 +41,16 @@ const CRUSHED: f64 = 0.01;
 ///
 /// # Tangent
 ///
-/// Exact without damping, and by v. The derivative of the retarded forces by q is not symmetric; its symmetric part is kept,
-/// so that Newton's method with damping converges linearly, fast for small τ.
+/// Exact without damping, and by v. Of the derivative of the retarded forces by q, how it changes the rates of strain is left
+/// out: it is not symmetric, and its symmetric part serves Newton's method worse than none. The method then converges
+/// linearly, fast for steps in which the cable turns little.
 ///
 /// Source: Gerstmayr & Shabana (2006), the element; Gerstmayr & Irschik (2008), its strains.
 #[derive(Clone, Debug)]
 pub struct Cable12 {
     coordinates: [usize; 12],
-    direction: Vector3<f64>,
-    profile: Arc<CableProfile>,
+    pub(super) direction: Vector3<f64>,
+    pub(super) profile: Arc<CableProfile>,
 }
 
 impl Cable12 {
@@ -241,7 +242,7 @@ fn add_bending(station: &Station, h: &Blocks, blocks: &mut [[Matrix3<f64>; 4]; 4
 }
 
 impl Cable12 {
-    /// The tangent of N t by a: w_q (EA t tᵀ + N ∂²ε/∂a²) + t hᵀ + h tᵀ, 2h = EA τ (w_q (ȧ − t t·ȧ)/|a| + w_v t).
+    /// The tangent of N t by a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, but for w_q EA τ t ȧᵀ ∂t/∂a.
     fn axial_stiffness(
         &self,
         station: &Station,
@@ -251,17 +252,11 @@ impl Cable12 {
     ) -> Matrix3<f64> {
         let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
         let stretch = self.stretch(station, q);
-        let rate = station.first(v);
-        let stiffness = stretch.stiffness(w.q * rigidity, w.q * self.profile.axial_force(&stretch, &rate));
-        if tau == 0.0 {
-            return stiffness;
-        }
-        let t = stretch.tangent;
-        let h = (stretch.across(&rate) * (w.q / stretch.length) + t * w.v) * (0.5 * rigidity * tau);
-        stiffness + t * h.transpose() + h * t.transpose()
+        let n = self.profile.axial_force(&stretch, &station.first(v));
+        stretch.stiffness(rigidity * (w.q + w.v * tau), w.q * n)
     }
 
-    /// The tangent of EI Lᵀ(β + τβ°) by (a, b).
+    /// The tangent of EI Lᵀ(β + τβ°) by (a, b), but for w_q EI τ Lᵀ ∂β°/∂(a, b).
     fn bending_stiffness(
         &self,
         station: &Station,
@@ -277,7 +272,7 @@ impl Cable12 {
         }
         stiffness
             .plus(bend.damping(), w.v * tau * rigidity)
-            .plus(bend.damping_gradient(&station.both(v)), w.q * tau * rigidity)
+            .plus(bend.stress_stiffness(&bend.rate(&station.both(v))), w.q * tau * rigidity)
     }
 }
 

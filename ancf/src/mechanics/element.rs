@@ -19,6 +19,8 @@ pub struct Profile<const N: usize> {
     pub(super) gravity: Vector3<f64>,
     /// Rate α of the mass-proportional damping α M v.
     pub(super) drag: f64,
+    /// Retardation time τ.
+    pub(super) retardation: f64,
 }
 
 impl<const N: usize> Profile<N> {
@@ -40,8 +42,8 @@ impl<const N: usize> Profile<N> {
 #[derive(Clone, Debug)]
 pub struct Element<const N: usize, S> {
     coordinates: Vec<usize>,
-    frame: Matrix3<f64>,
-    profile: Arc<Profile<N>>,
+    pub(super) frame: Matrix3<f64>,
+    pub(super) profile: Arc<Profile<N>>,
     interpolation: PhantomData<S>,
 }
 

@@ -23,11 +23,6 @@ impl Stretch {
         Self { strain, length, tangent: a / length }
     }
 
-    /// What of a vector is across the tangent.
-    pub fn across(&self, x: &Vector3<f64>) -> Vector3<f64> {
-        x - self.tangent * self.tangent.dot(x)
-    }
-
     /// c ∂ε/∂a (∂ε/∂a)ᵀ + n ∂²ε/∂a².
     pub fn stiffness(&self, c: f64, n: f64) -> Matrix3<f64> {
         let n = n / self.length;
@@ -139,43 +134,6 @@ impl Bend {
         let of_a = (a * (2.0 * part) - self.b) * a.transpose() / aa - Matrix3::from_diagonal_element(part);
         let of_b = Matrix3::identity() - a * a.transpose() / aa;
         [of_a / self.length, of_b / self.length]
-    }
-
-    /// The symmetric part of the derivative by (a, b) of Lᵀβ° at given rates.
-    pub fn damping_gradient(&self, rates: &[Vector3<f64>; 2]) -> Blocks {
-        let (a, b, aa, ab) = (&self.a, &self.b, self.aa, self.ab);
-        let (m, identity) = (self.rate(rates), Matrix3::identity());
-        let [by_a, by_b] = self.rate_gradient(rates);
-        let cube = aa * self.length;
-        // Lᵀm by (a, b) at constant m, and by m.
-        let of_m = -(identity * ab + a * b.transpose()) / cube;
-        let aa_ = (m * ab + a * b.dot(&m)) * a.transpose() * (3.0 / (aa * cube))
-            - (m * b.transpose() + identity * b.dot(&m)) / cube
-            + of_m * by_a;
-        let ab_ = of_m * by_b - (m * a.transpose() + a * m.transpose()) / cube;
-        let ba_ = by_a / self.length - m * a.transpose() / cube;
-        let bb_ = by_b / self.length;
-        Blocks {
-            aa: (aa_ + aa_.transpose()) * 0.5,
-            ba: (ba_ + ab_.transpose()) * 0.5,
-            bb: (bb_ + bb_.transpose()) * 0.5,
-        }
-    }
-
-    /// ∂β°/∂a and ∂β°/∂b at given rates.
-    fn rate_gradient(&self, rates: &[Vector3<f64>; 2]) -> [Matrix3<f64>; 2] {
-        let ([da, db], a, b, aa) = (rates, &self.a, &self.b, self.aa);
-        let (along_a, along_b, part) = (a.dot(da) / aa, a.dot(db) / aa, self.ab / aa);
-        let identity = Matrix3::identity();
-        let by_a = identity * (2.0 * part * along_a - along_b)
-            - (a * db.transpose() + da * b.transpose() + b * da.transpose()) / aa
-            + (da * (2.0 * part) + b * (2.0 * along_a) + a * (2.0 * along_b - 8.0 * part * along_a))
-                * a.transpose()
-                / aa
-            + a * (b * along_a + da * part).transpose() * (2.0 / aa)
-            - self.rate(rates) * a.transpose() * (self.length / aa);
-        let by_b = (a * (2.0 * along_a) - da) * a.transpose() / aa - identity * along_a;
-        [by_a / self.length, by_b / self.length]
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::attachment::clean;
+use super::batch::Batched;
 use super::{
     Attachment, Beam24, Beam27, BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection,
     CrossSection, Directions, Formulation, Interpolation, Kind, Lame, Marker, Medium, Node, Profile,
@@ -205,7 +206,11 @@ impl BeamMesh {
 
     /// Batches of its terms, each with the number of its first one.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
-        Vec::new()
+        match &self.elements {
+            Elements::Two(elements) => Batched::batches(elements),
+            Elements::Three(elements) => Batched::batches(elements),
+            Elements::Cable(elements) => Batched::batches(elements),
+        }
     }
 
     /// Strain energy of all elements by part.

@@ -4,6 +4,7 @@
 mod angle;
 mod attachment;
 mod axis;
+mod batch;
 mod beam_contact;
 mod body;
 mod cable;

@@ -177,7 +177,8 @@ impl<const N: usize> Profile<N> {
                 }
             }
         }
-        Self { stations: stations.collect(), mass, first, gravity: medium.gravity, drag: medium.drag }
+        let Medium { gravity, drag, retardation, .. } = *medium;
+        Self { stations: stations.collect(), mass, first, gravity, drag, retardation }
     }
 }
 

@@ -31,7 +31,7 @@ pub(super) const DIRECTORS: usize = 7;
 pub(super) const STRAINS: usize = 20;
 
 /// Pairs of directors whose products make the section strains; ½ of the product for the equal ones.
-const PAIRS: [(usize, usize); STRAINS] = [
+pub(super) const PAIRS: [(usize, usize); STRAINS] = [
     (0, 0),
     (1, 1),
     (2, 2),
@@ -253,14 +253,7 @@ impl SectionLaw {
         self.add_form(&p, h);
     }
 
-    /// Adds `factor` times the symmetric part of B(g)ᵀ D B(f).
-    pub(super) fn add_products(&self, g: &Directors, f: &Directors, factor: f64, h: &mut Stiffness) {
-        let half = |i: usize, j: usize| g[i] * f[j].transpose() + f[i] * g[j].transpose();
-        let p = std::array::from_fn(|i| std::array::from_fn(|j| half(i, j) * (0.5 * factor)));
-        self.add_form(&p, h);
-    }
-
-    /// Adds what D makes of the products P_ij = ½(g_i f_jᵀ + f_i g_jᵀ): D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at
+    /// Adds what D makes of the products P_ij = g_i g_jᵀ: D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at
     /// (i, m), and so on for each order of each pair.
     fn add_form(&self, p: &Stiffness, h: &mut Stiffness) {
         for &(_, (i, j), d) in &self.used {

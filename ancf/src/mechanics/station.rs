@@ -281,8 +281,9 @@ impl<const N: usize> Station<N> {
         bound
     }
 
-    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks; of the unsymmetric part that
-    /// viscosity has, w_q B(g)ᵀ D B(v), the symmetric part.
+    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks, but for w_q B(g)ᵀ D B(v), how
+    /// displacements change the rates of strain: it is not symmetric, and Newton's method does better without any of it than
+    /// with its symmetric part.
     pub(super) fn stiffness<S: Interpolation<N>>(
         &self,
         g0: &Directors,
@@ -302,7 +303,6 @@ impl<const N: usize> Station<N> {
             let (g, v) = (sum(g0, u), self.directors::<S>(v));
             law.add_geometric(&law.viscous(&g, &v), wq, h);
             law.add_squares(&g, wv, h);
-            law.add_products(&g, &v, wq, h);
         }
         for i in 0..reach {
             for j in 0..i {

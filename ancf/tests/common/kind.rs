@@ -13,7 +13,10 @@ pub(crate) enum Kind {
     Smooth,
     /// Smooth, and its tangent is the symmetric part of the derivative.
     Damped,
-    /// The same of forces that have no potential: only their books hold.
+    /// Smooth, and of the forces B(q)ᵀ D B(q) v of retarded strains, B linear in q, the tangent leaves out how displacements
+    /// change the rates of strain, B(q)ᵀ D B(v) dq.
+    Retarded,
+    /// Smooth, its tangent the symmetric part of the derivative, of forces that have no potential: only their books hold.
     Supplied,
     /// Smooth, and its tangent is the derivative by the velocities, and one of the coordinates that leaves something out.
     Rubbed,

@@ -1,0 +1,331 @@
+use std::sync::Arc;
+
+use pulp::Simd;
+
+use super::Batched;
+use super::beam_law::{BeamLaw, Station};
+use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled, total};
+use super::pass::{Job, run};
+use super::relative::{Relative, Strains};
+use super::strain::Deformed;
+use super::triangle::{Blocks, lower};
+use crate::mechanics::{Beam24, Beam27, BeamShape, Element, Interpolation, QuadraticShape};
+use crate::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+
+/// Beam elements side by side: of N vectors, A + 1 of them of the axis and B of each kind of the sections.
+#[derive(Debug)]
+struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
+    count: usize,
+    law: Arc<BeamLaw<N, A, B, C>>,
+    /// Reference directors in the global frame at each station, or the same for all.
+    reference: Vec<[[Lanes; 3]; 7]>,
+}
+
+impl Batched for Beam24 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        batches::<8, 3, 2, BeamShape>(elements)
+    }
+}
+
+impl Batched for Beam27 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        batches::<9, 2, 3, QuadraticShape>(elements)
+    }
+}
+
+fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
+    elements: &[Element<N, S>],
+) -> Vec<(usize, Box<dyn Batch>)> {
+    let mut batches: Vec<(usize, Box<dyn Batch>)> = Vec::new();
+    let mut last: Option<(&Element<N, S>, Arc<BeamLaw<N, A, B, f64>>)> = None;
+    for (chunk, elements) in elements.chunks(LANES).enumerate() {
+        let (first, head) = (chunk * LANES, &elements[0]);
+        let congruent = elements.iter().all(|element| Arc::ptr_eq(&element.profile, &head.profile));
+        if !congruent {
+            let profiles: Vec<_> = elements.iter().map(|element| &*element.profile).collect();
+            let law = BeamLaw::<N, A, B, Lanes>::new::<S>(&profiles);
+            let batch = law.map(|law| BeamBatch::new(elements, Arc::new(law)));
+            batches.extend(batch.map(|batch| (first, Box::new(batch) as Box<dyn Batch>)));
+            continue;
+        }
+        let known = last.as_ref().filter(|(known, _)| Arc::ptr_eq(&known.profile, &head.profile));
+        let law = match known {
+            Some((_, law)) => Some(Arc::clone(law)),
+            None => BeamLaw::new::<S>(&[&*head.profile]).map(Arc::new),
+        };
+        if let Some(law) = law {
+            batches.push((first, Box::new(BeamBatch::new(elements, Arc::clone(&law)))));
+            last = Some((head, law));
+        }
+    }
+    batches
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
+    fn new<S: Interpolation<N>>(elements: &[Element<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
+        let at = |s: usize| {
+            let directors: Vec<_> = elements
+                .iter()
+                .map(|element| element.profile.stations[s].reference(&element.frame))
+                .collect();
+            std::array::from_fn(|i| {
+                std::array::from_fn(|axis| {
+                    Lanes(std::array::from_fn(|lane| directors[lane.min(directors.len() - 1)][i][axis]))
+                })
+            })
+        };
+        let mut reference: Vec<[[Lanes; 3]; 7]> = (0..law.stations.len()).map(at).collect();
+        if reference.iter().all(|other| *other == reference[0]) {
+            reference.truncate(1);
+        }
+        Self { count: elements.len(), law, reference }
+    }
+
+    #[inline(always)]
+    fn deformed<S: Simd>(&self, pass: Pass<S>, station: usize, q: &Relative<S, A, B>) -> Deformed<S> {
+        let Station { mix, plan, .. } = &self.law.stations[station];
+        let reference = &self.reference[station.min(self.reference.len() - 1)];
+        Deformed::new(pass, reference, &mix.directors(pass, q, plan.reach), plan.reach)
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Batch for BeamBatch<N, A, B, C> {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        run(self.count, Residual { batch: self, at, r });
+    }
+
+    fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        run(self.count, Tangent { batch: self, at, w, k });
+    }
+
+    fn energy(&self, at: &LocalLanes<'_>) -> Energy {
+        let (mut kinetic, mut strain, mut potential) = Default::default();
+        let parts = [&mut kinetic, &mut strain, &mut potential];
+        run(self.count, Energies { batch: self, at, parts });
+        let [kinetic, strain, potential] = [kinetic, strain, potential].map(|x| total(&x, self.count));
+        Energy { kinetic, strain, potential }
+    }
+
+    fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
+        let mut right = [true; LANES];
+        run(self.count, Admissible { batch: self, at, right: &mut right });
+        right[..self.count].iter().position(|right| !right)
+    }
+
+    fn power(&self, at: &LocalLanes<'_>) -> Power {
+        if self.law.drag == 0.0 && self.law.retardation == 0.0 {
+            return Power::default();
+        }
+        Power { work: 0.0, dissipation: dissipated(self, at) }
+    }
+}
+
+/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+pub(super) fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
+    let zeros = [Lanes::default(); 32];
+    let (mut moving, mut still) = (zeros, zeros);
+    let (n, a) = (at.q.len(), &zeros[..at.q.len()]);
+    batch.residual(&LocalLanes { a, load: 0.0, ..*at }, &mut moving[..n]);
+    batch.residual(&LocalLanes { a, v: a, load: 0.0, ..*at }, &mut still[..n]);
+    let of =
+        |lane: usize| (0..n).map(|i| at.v[i].0[lane] * (moving[i].0[lane] - still[i].0[lane])).sum::<f64>();
+    (0..batch.count()).map(of).sum()
+}
+
+struct Residual<'a, const N: usize, const A: usize, const B: usize, C> {
+    batch: &'a BeamBatch<N, A, B, C>,
+    at: &'a LocalLanes<'a>,
+    r: &'a mut [Lanes],
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Residual<'_, N, A, B, C> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, r } = self;
+        let law = &*batch.law;
+        let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
+        let mut force = Relative::zero(pass);
+        for (s, station) in law.stations.iter().enumerate() {
+            let deformed = batch.deformed(pass, s, &q);
+            let n = station.resultants(pass, &deformed, v.as_ref(), law.retardation, station.weight);
+            let p = station.plan.pulls(pass, &n, &deformed.now);
+            station.mix.spread(pass, &p, &mut force, station.plan.reach);
+        }
+        let mut rows = law.inertia(pass, at);
+        force.add_to(&law.layout, &mut rows);
+        for a in 0..N {
+            for axis in 0..3 {
+                let row = &mut r[3 * a + axis];
+                pass.store(row, pass.load(row) + rows[a][axis]);
+            }
+        }
+    }
+}
+
+struct Tangent<'a, const N: usize, const A: usize, const B: usize, C> {
+    batch: &'a BeamBatch<N, A, B, C>,
+    at: &'a LocalLanes<'a>,
+    w: Weights,
+    k: &'a mut [Lanes],
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Tangent<'_, N, A, B, C> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, w, k } = self;
+        let law = &*batch.law;
+        let mut blocks = Blocks::<S, A, B>::zero(pass);
+        // Of viscosity, what changes of a moment's frame is left out: see `Term::tangent` of the element.
+        let squares = w.q + w.v * law.retardation;
+        if w.q != 0.0 || squares != 0.0 {
+            let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
+            let mut h = [[pass.zero(); 9]; 28];
+            for (s, station) in law.stations.iter().enumerate() {
+                let Station { weight, mix, plan, elasticity } = station;
+                let deformed = batch.deformed(pass, s, &q);
+                let n = station.resultants(pass, &deformed, v.as_ref(), law.retardation, weight * w.q);
+                plan.stiffness(pass, elasticity, &n, &deformed.now, weight * squares, &mut h);
+                blocks.add(pass, mix, &h, plan.reach);
+            }
+        }
+        blocks.write::<N>(pass, &law.layout, k);
+        let inertia = w.a + law.drag * w.v;
+        if inertia != 0.0 {
+            let inertia = pass.splat(inertia);
+            for (a, b, mass) in &law.mass {
+                for axis in 0..3 {
+                    let entry = &mut k[lower(3 * N, 3 * a + axis, 3 * b + axis)];
+                    pass.store(entry, mass.lane(pass).mul_add(inertia, pass.load(entry)));
+                }
+            }
+        }
+    }
+}
+
+struct Energies<'a, const N: usize, const A: usize, const B: usize, C> {
+    batch: &'a BeamBatch<N, A, B, C>,
+    at: &'a LocalLanes<'a>,
+    /// Kinetic, of strain, potential.
+    parts: [&'a mut Lanes; 3],
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Energies<'_, N, A, B, C> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, parts } = self;
+        let law = &*batch.law;
+        let q = Relative::of(pass, &law.layout, at.q);
+        let (mut strain, half) = (pass.zero(), pass.splat(0.5));
+        for (s, station) in law.stations.iter().enumerate() {
+            let deformed = batch.deformed(pass, s, &q);
+            let strains = station.plan.strains(pass, &deformed.middle, &deformed.increment);
+            let n = station.plan.resultants(pass, &station.elasticity, &strains, station.weight);
+            for k in 0..station.plan.resultants.len() {
+                strain = n[k & 31].mul_add(strains[k & 31], strain);
+            }
+        }
+        let (mut kinetic, mut potential) = (pass.zero(), pass.zero());
+        for (a, b, mass) in &law.mass {
+            let (x, y) = (pass.vector(&at.v[3 * a..3 * a + 3]), pass.vector(&at.v[3 * b..3 * b + 3]));
+            let share = if a == b { mass.lane(pass) * half } else { mass.lane(pass) };
+            kinetic = dot(x, y).mul_add(share, kinetic);
+        }
+        for (a, first) in law.first.iter().enumerate() {
+            let fall = dot(law.gravity(pass, -at.load), pass.vector(&at.q[3 * a..3 * a + 3]));
+            potential = fall.mul_add(first.lane(pass), potential);
+        }
+        pass.store(parts[0], kinetic);
+        pass.store(parts[1], strain * half);
+        pass.store(parts[2], potential);
+    }
+}
+
+struct Admissible<'a, const N: usize, const A: usize, const B: usize, C> {
+    batch: &'a BeamBatch<N, A, B, C>,
+    at: &'a LocalLanes<'a>,
+    right: &'a mut [bool; LANES],
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Admissible<'_, N, A, B, C> {
+    /// det J > 0 on the axis.
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let q = Relative::of(pass, &self.batch.law.layout, self.at.q);
+        for s in 0..self.batch.law.stations.len() {
+            let [a, _, _, d, e, ..] = self.batch.deformed(pass, s, &q).now;
+            let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
+            // Lanes of other passes stay right.
+            let mut det = Lanes([1.0; LANES]);
+            pass.store(&mut det, dot(a, cross));
+            self.right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
+        }
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
+    /// The velocities of the vectors, if there is anything that they strain.
+    #[inline(always)]
+    fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<Relative<S, A, B>> {
+        if self.law.retardation == 0.0 { None } else { Some(Relative::of(pass, &self.law.layout, at.v)) }
+    }
+}
+
+impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
+    /// Stress resultants of strains and, if velocities are given, of their rates, times a factor.
+    #[inline(always)]
+    fn resultants<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        deformed: &Deformed<S>,
+        v: Option<&Relative<S, A, B>>,
+        retardation: f64,
+        factor: f64,
+    ) -> Strains<S> {
+        let mut strains = self.plan.strains(pass, &deformed.middle, &deformed.increment);
+        if let Some(v) = v {
+            let rates = self.mix.directors(pass, v, self.plan.reach);
+            let rates = self.plan.strains(pass, &deformed.now, &rates);
+            for k in 0..self.plan.resultants.len() {
+                strains[k & 31] = rates[k & 31].mul_add(pass.splat(retardation), strains[k & 31]);
+            }
+        }
+        self.plan.resultants(pass, &self.elasticity, &strains, factor)
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
+    /// g times a factor.
+    #[inline(always)]
+    fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> Vector<S> {
+        let [x, y, z] = self.gravity;
+        [pass.splat(x * factor), pass.splat(y * factor), pass.splat(z * factor)]
+    }
+
+    /// M (a + α v) less gravity.
+    #[inline(always)]
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; N] {
+        let (mut moved, mut rows) = ([pass.zeros(); N], [pass.zeros(); N]);
+        let gravity = self.gravity(pass, -at.load);
+        for a in 0..N {
+            moved[a] = pass.vector(&at.a[3 * a..3 * a + 3]);
+            rows[a] = scaled(gravity, self.first[a].lane(pass));
+        }
+        if self.drag != 0.0 {
+            for a in 0..N {
+                moved[a] = plus(moved[a], pass.vector(&at.v[3 * a..3 * a + 3]), pass.splat(self.drag));
+            }
+        }
+        for &(a, b, mass) in &self.mass {
+            let mass: Lane<S> = mass.lane(pass);
+            rows[a] = plus(rows[a], moved[b], mass);
+            if a != b {
+                rows[b] = plus(rows[b], moved[a], mass);
+            }
+        }
+        rows
+    }
+}

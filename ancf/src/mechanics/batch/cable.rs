@@ -1,0 +1,367 @@
+use std::sync::Arc;
+
+use pulp::Simd;
+
+use super::Batched;
+use super::beam::dissipated;
+use super::bend::Bend;
+use super::lane::{Lane, Number, Pass, Vector, added, dot, less, plus, scaled, total};
+use super::pass::{Job, run};
+use super::relative::Layout;
+use super::stiffness::{add, times, transposed};
+use super::triangle::{Blocks, lower};
+use crate::mechanics::cable::CRUSHED;
+use crate::mechanics::cable_profile::Station;
+use crate::mechanics::{Cable12, CableDamping, CableProfile};
+use crate::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+
+/// Cable elements of one profile side by side.
+#[derive(Debug)]
+struct CableBatch {
+    count: usize,
+    profile: Arc<CableProfile>,
+    /// The reference direction of each.
+    direction: [Lanes; 3],
+}
+
+impl Batched for Cable12 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        let of = |(chunk, elements): (usize, &[Self])| {
+            let profile = &elements[0].profile;
+            let shared = elements.iter().all(|element| Arc::ptr_eq(&element.profile, profile));
+            let component = |axis: usize| -> Vec<f64> {
+                elements.iter().map(|element| element.direction[axis]).collect()
+            };
+            let direction = std::array::from_fn(|axis| Lanes::of(&component(axis)));
+            let batch = CableBatch { count: elements.len(), profile: Arc::clone(profile), direction };
+            shared.then(|| (chunk * LANES, Box::new(batch) as Box<dyn Batch>))
+        };
+        elements.chunks(LANES).enumerate().filter_map(of).collect()
+    }
+}
+
+/// Vectors ℓ r_x₁, r₂ − r₁ and ℓ r_x₂ of a pass.
+type Line<S> = [Vector<S>; 3];
+
+/// The vectors of a [`Line`] among those of the element.
+const LINE: Layout<3, 0> = Layout { axis: [(1, false), (2, true), (3, false)], y: [], z: [] };
+
+#[inline(always)]
+fn line<S: Simd>(pass: Pass<S>, x: &[Lanes]) -> Line<S> {
+    let of = |i: usize| pass.vector(&x[3 * i..3 * i + 3]);
+    [of(1), less(of(2), of(0)), of(3)]
+}
+
+/// Σ w x.
+#[inline(always)]
+fn mixed<S: Simd>(pass: Pass<S>, x: &Line<S>, weights: &[f64; 4]) -> Vector<S> {
+    let sum = plus(scaled(x[1], pass.splat(weights[2])), x[0], pass.splat(weights[1]));
+    plus(sum, x[2], pass.splat(weights[3]))
+}
+
+/// Adds a force on Σ w x to those on x.
+#[inline(always)]
+fn spread<S: Simd>(pass: Pass<S>, f: Vector<S>, weights: &[f64; 4], force: &mut Line<S>) {
+    for i in 0..3 {
+        force[i] = plus(force[i], f, pass.splat(weights[i + 1]));
+    }
+}
+
+/// Stretch as in [`Stretch`](crate::mechanics::line::Stretch).
+struct Stretch<S: Simd> {
+    strain: Lane<S>,
+    /// 1/|a|.
+    shortness: Lane<S>,
+    tangent: Vector<S>,
+}
+
+impl CableBatch {
+    #[inline(always)]
+    fn stretch<S: Simd>(&self, pass: Pass<S>, station: &Station, q: &Line<S>) -> Stretch<S> {
+        let (a0, u, one) = (pass.vector(&self.direction), mixed(pass, q, &station.first), pass.splat(1.0));
+        let a = added(a0, u);
+        let length = dot(a, a).sqrt();
+        let shortness = one.over(length);
+        Stretch { strain: dot(added(a0, a), u).over(length + one), shortness, tangent: scaled(a, shortness) }
+    }
+
+    #[inline(always)]
+    fn bend<S: Simd>(&self, pass: Pass<S>, station: &Station, q: &Line<S>) -> Bend<S> {
+        let a = added(pass.vector(&self.direction), mixed(pass, q, &station.first));
+        Bend::new(pass, a, mixed(pass, q, &station.second))
+    }
+
+    /// ε + τ ε̇.
+    #[inline(always)]
+    fn retarded_strain<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &Station,
+        stretch: &Stretch<S>,
+        v: &Line<S>,
+    ) -> Lane<S> {
+        let tau = self.profile.damping().retardation;
+        if tau == 0.0 {
+            return stretch.strain;
+        }
+        dot(stretch.tangent, mixed(pass, v, &station.first)).mul_add(pass.splat(tau), stretch.strain)
+    }
+
+    /// β°.
+    #[inline(always)]
+    fn rate<S: Simd>(&self, pass: Pass<S>, station: &Station, bend: &Bend<S>, v: &Line<S>) -> Vector<S> {
+        bend.rate(pass, mixed(pass, v, &station.first), mixed(pass, v, &station.second))
+    }
+
+    /// M (a + α v) less gravity.
+    #[inline(always)]
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; 4] {
+        let (profile, drag) = (&*self.profile, self.profile.damping().mass);
+        let (mut moved, mut rows) = ([pass.zeros(); 4], [pass.zeros(); 4]);
+        for i in 0..4 {
+            moved[i] = pass.vector(&at.a[3 * i..3 * i + 3]);
+            if drag != 0.0 {
+                moved[i] = plus(moved[i], pass.vector(&at.v[3 * i..3 * i + 3]), pass.splat(drag));
+            }
+        }
+        for i in 0..4 {
+            for axis in 0..3 {
+                rows[i][axis] = pass.splat(-profile.gravity()[axis] * at.load * profile.first_moments()[i]);
+            }
+            for j in 0..4 {
+                rows[i] = plus(rows[i], moved[j], pass.splat(profile.mass()[i][j]));
+            }
+        }
+        rows
+    }
+}
+
+impl Batch for CableBatch {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        run(self.count, Residual { batch: self, at, r });
+    }
+
+    fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        run(self.count, Tangent { batch: self, at, w, k });
+    }
+
+    fn energy(&self, at: &LocalLanes<'_>) -> Energy {
+        let (mut kinetic, mut strain, mut potential) = Default::default();
+        let parts = [&mut kinetic, &mut strain, &mut potential];
+        run(self.count, Energies { batch: self, at, parts });
+        let [kinetic, strain, potential] = [kinetic, strain, potential].map(|x| total(&x, self.count));
+        Energy { kinetic, strain, potential }
+    }
+
+    fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
+        let mut right = [true; LANES];
+        run(self.count, Admissible { batch: self, at, right: &mut right });
+        right[..self.count].iter().position(|right| !right)
+    }
+
+    fn power(&self, at: &LocalLanes<'_>) -> Power {
+        if self.profile.damping() == CableDamping::default() {
+            return Power::default();
+        }
+        Power { work: 0.0, dissipation: dissipated(self, at) }
+    }
+}
+
+struct Residual<'a> {
+    batch: &'a CableBatch,
+    at: &'a LocalLanes<'a>,
+    r: &'a mut [Lanes],
+}
+
+impl Job for Residual<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, r } = self;
+        let (profile, q, v) = (&*batch.profile, line(pass, at.q), line(pass, at.v));
+        let (section, tau) = (profile.section(), profile.damping().retardation);
+        let mut force = [pass.zeros(); 3];
+        for station in profile.axial() {
+            let stretch = batch.stretch(pass, station, &q);
+            let n = batch.retarded_strain(pass, station, &stretch, &v);
+            let n = n * pass.splat(station.weight * section.axial);
+            spread(pass, scaled(stretch.tangent, n), &station.first, &mut force);
+        }
+        for station in profile.bending() {
+            let bend = batch.bend(pass, station, &q);
+            let mut m = bend.strain();
+            if tau != 0.0 {
+                m = plus(m, batch.rate(pass, station, &bend, &v), pass.splat(tau));
+            }
+            let [of_a, of_b] = bend.force(scaled(m, pass.splat(station.weight * section.bending)));
+            spread(pass, of_a, &station.first, &mut force);
+            spread(pass, of_b, &station.second, &mut force);
+        }
+        let mut rows = batch.inertia(pass, at);
+        rows[0] = less(rows[0], force[1]);
+        for i in 0..3 {
+            rows[i + 1] = added(rows[i + 1], force[i]);
+        }
+        for i in 0..4 {
+            for axis in 0..3 {
+                let row = &mut r[3 * i + axis];
+                pass.store(row, pass.load(row) + rows[i][axis]);
+            }
+        }
+    }
+}
+
+struct Tangent<'a> {
+    batch: &'a CableBatch,
+    at: &'a LocalLanes<'a>,
+    w: Weights,
+    k: &'a mut [Lanes],
+}
+
+impl Job for Tangent<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, w, k } = self;
+        let (profile, q, v) = (&*batch.profile, line(pass, at.q), line(pass, at.v));
+        let mut blocks = Blocks::<S, 3, 0>::zero(pass);
+        if w.q != 0.0 || w.v * profile.damping().retardation != 0.0 {
+            for station in profile.axial() {
+                batch.add_axial(pass, station, [&q, &v], *w, &mut blocks);
+            }
+            for station in profile.bending() {
+                batch.add_bending(pass, station, [&q, &v], *w, &mut blocks);
+            }
+        }
+        blocks.write::<4>(pass, &LINE, k);
+        let inertia = w.a + w.v * profile.damping().mass;
+        for i in 0..4 {
+            for j in 0..=i {
+                let mass = pass.splat(inertia * profile.mass()[i][j]);
+                for axis in 0..3 {
+                    let entry = &mut k[lower(12, 3 * i + axis, 3 * j + axis)];
+                    pass.store(entry, pass.load(entry) + mass);
+                }
+            }
+        }
+    }
+}
+
+impl CableBatch {
+    /// Adds (c − n/|a|) t tᵀ + n/|a| I for the stiffness c and the force n.
+    #[inline(always)]
+    fn add_axial<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &Station,
+        [q, v]: [&Line<S>; 2],
+        w: Weights,
+        blocks: &mut Blocks<S, 3, 0>,
+    ) {
+        let (rigidity, tau) =
+            (self.profile.section().axial * station.weight, self.profile.damping().retardation);
+        let stretch = self.stretch(pass, station, q);
+        let n = self.retarded_strain(pass, station, &stretch, v) * pass.splat(rigidity * w.q);
+        let n = n * stretch.shortness;
+        let c = pass.splat(rigidity * (w.q + w.v * tau)) - n;
+        let t = stretch.tangent;
+        let x = scaled(t, c);
+        let (xy, xz, yz) = (x[0] * t[1], x[0] * t[2], x[1] * t[2]);
+        let diagonal = [x[0].mul_add(t[0], n), x[1].mul_add(t[1], n), x[2].mul_add(t[2], n)];
+        let h = [diagonal[0], xy, xz, xy, diagonal[1], yz, xz, yz, diagonal[2]];
+        for i in 0..3 {
+            for j in 0..=i {
+                let weight = station.first[i + 1] * station.first[j + 1];
+                add(&mut blocks.axis[i][j], &h, pass.splat(weight));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn add_bending<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &Station,
+        [q, v]: [&Line<S>; 2],
+        w: Weights,
+        blocks: &mut Blocks<S, 3, 0>,
+    ) {
+        let rigidity = self.profile.section().bending * station.weight;
+        let (tau, bend) = (self.profile.damping().retardation, self.bend(pass, station, q));
+        let mut h = bend.hessian(pass, rigidity * w.q);
+        if tau != 0.0 {
+            let rate = self.rate(pass, station, &bend, v);
+            bend.add_stress_stiffness(pass, scaled(rate, pass.splat(tau * rigidity * w.q)), &mut h);
+            bend.add_damping(pass, tau * rigidity * w.v, &mut h);
+        }
+        let (s, c, ab) = (&station.first, &station.second, transposed(&h.ba));
+        for j in 0..3 {
+            let (s_j, c_j) = (pass.splat(s[j + 1]), pass.splat(c[j + 1]));
+            let (mut of_a, mut of_b) = (times(&h.aa, s_j), times(&h.ba, s_j));
+            add(&mut of_a, &ab, c_j);
+            add(&mut of_b, &h.bb, c_j);
+            for i in j..3 {
+                add(&mut blocks.axis[i][j], &of_a, pass.splat(s[i + 1]));
+                add(&mut blocks.axis[i][j], &of_b, pass.splat(c[i + 1]));
+            }
+        }
+    }
+}
+
+struct Energies<'a> {
+    batch: &'a CableBatch,
+    at: &'a LocalLanes<'a>,
+    /// Kinetic, of strain, potential.
+    parts: [&'a mut Lanes; 3],
+}
+
+impl Job for Energies<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let Self { batch, at, parts } = self;
+        let (profile, q) = (&*batch.profile, line(pass, at.q));
+        let [mut kinetic, mut strain, mut potential] = [pass.zero(); 3];
+        for station in profile.axial() {
+            let e = batch.stretch(pass, station, &q).strain;
+            strain = (e * e).mul_add(pass.splat(0.5 * station.weight * profile.section().axial), strain);
+        }
+        for station in profile.bending() {
+            let e = batch.bend(pass, station, &q).strain();
+            strain = dot(e, e).mul_add(pass.splat(0.5 * station.weight * profile.section().bending), strain);
+        }
+        let gravity = profile.gravity() * -at.load;
+        let gravity = [pass.splat(gravity[0]), pass.splat(gravity[1]), pass.splat(gravity[2])];
+        for i in 0..4 {
+            let (q, v) = (pass.vector(&at.q[3 * i..3 * i + 3]), pass.vector(&at.v[3 * i..3 * i + 3]));
+            potential = dot(gravity, q).mul_add(pass.splat(profile.first_moments()[i]), potential);
+            for j in 0..4 {
+                let other = pass.vector(&at.v[3 * j..3 * j + 3]);
+                kinetic = dot(v, other).mul_add(pass.splat(0.5 * profile.mass()[i][j]), kinetic);
+            }
+        }
+        pass.store(parts[0], kinetic);
+        pass.store(parts[1], strain);
+        pass.store(parts[2], potential);
+    }
+}
+
+struct Admissible<'a> {
+    batch: &'a CableBatch,
+    at: &'a LocalLanes<'a>,
+    right: &'a mut [bool; LANES],
+}
+
+impl Job for Admissible<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let (batch, q) = (self.batch, line(pass, self.at.q));
+        for station in batch.profile.axial().iter().chain(batch.profile.bending()) {
+            let a = added(pass.vector(&batch.direction), mixed(pass, &q, &station.first));
+            let mut length = Lanes([1.0; LANES]);
+            pass.store(&mut length, dot(a, a).sqrt());
+            self.right.iter_mut().zip(length.0).for_each(|(right, length)| *right &= length > CRUSHED);
+        }
+    }
+}

@@ -74,7 +74,11 @@ fn cost() {
     let terms = (0..nodes - 1).map(link).chain((0..NODE).map(hold)).collect();
     let (start, clock) = (seconds(), Instant::now());
     let system = System::new(NODE * nodes, NODE, terms);
-    println!("    system: {:8.3} us per node ({:.2} s)", (seconds() - start) * 1e6 / nodes as f64, clock.elapsed().as_secs_f64());
+    println!(
+        "    system: {:8.3} us per node ({:.2} s)",
+        (seconds() - start) * 1e6 / nodes as f64,
+        clock.elapsed().as_secs_f64()
+    );
     let mut k = system.matrix();
     let start = seconds();
     let mut factor = Factor::new(k.pattern()).unwrap();

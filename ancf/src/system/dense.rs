@@ -42,7 +42,9 @@ pub(super) fn eliminate(shape: Shape, front: &mut [Quad], l: &mut [Quad], invers
         let column = &mut l[shape.column(k)];
         for (l, x) in column.iter_mut().zip(pivots) {
             for lane in 0..LANES {
-                l[lane] = by * x[lane];
+                // What a division gives: rows that are equal stay equal, and their difference zero (Markstein 1990).
+                let near = by * x[lane];
+                l[lane] = (-near).mul_add(pivot, x[lane]).mul_add(by, near);
             }
         }
         for lane in 0..LANES {

@@ -47,7 +47,8 @@ impl Elimination {
             panels.panels.push(panel);
             for (i, &segment) in below.iter().enumerate() {
                 let (first, length) = (position[segment as usize], segments.length(segment));
-                let follows = i > 0 && segments.panel[segment as usize] == segments.panel[below[i - 1] as usize];
+                let follows =
+                    i > 0 && segments.panel[segment as usize] == segments.panel[below[i - 1] as usize];
                 match panels.runs.last_mut() {
                     Some(run) if follows && run.first + run.length == first => run.length += length,
                     _ => panels.runs.push(Run { first, length, into: 0 }),

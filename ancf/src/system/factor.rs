@@ -46,7 +46,10 @@ struct Shared {
 
 impl fmt::Debug for Factor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Factor").field("size", &self.b.len()).field("entries", &self.pattern.entries()).finish()
+        f.debug_struct("Factor")
+            .field("size", &self.b.len())
+            .field("entries", &self.pattern.entries())
+            .finish()
     }
 }
 

@@ -257,7 +257,9 @@ impl NullaryFnOnce for Solve<'_> {
             let part = &mut part[..shape.height];
             gather(part, panel, runs, x);
             match shape {
-                Shape { columns: 12, height: 6 } => dense::backward(Shape { columns: 12, height: 6 }, l, part),
+                Shape { columns: 12, height: 6 } => {
+                    dense::backward(Shape { columns: 12, height: 6 }, l, part)
+                }
                 shape => dense::backward(shape, l, part),
             }
             x[panel.own()].copy_from_slice(&part.as_flattened()[..shape.columns]);
@@ -291,8 +293,7 @@ impl NullaryFnOnce for SubtractProduct<'_> {
                 shape => dense::multiply(shape, k, part, product),
             }
             let (own, below) = product.split_at(shape.own());
-            let subtract =
-                |r: &mut [f64], y: &[f64]| r.iter_mut().zip(y).for_each(|(r, y)| *r -= y);
+            let subtract = |r: &mut [f64], y: &[f64]| r.iter_mut().zip(y).for_each(|(r, y)| *r -= y);
             subtract(&mut self.r[panel.own()], own.as_flattened());
             let mut below = below.as_flattened();
             for run in runs {

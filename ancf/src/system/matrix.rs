@@ -40,7 +40,9 @@ impl SparseMatrix {
                 let own = shape.at(column, column);
                 panel.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
                 let below = panels.runs(at).iter().flat_map(Run::positions);
-                below.zip(&values[shape.at(LANES * shape.own(), column)..]).for_each(|(i, &value)| visit(i, j, value));
+                below
+                    .zip(&values[shape.at(LANES * shape.own(), column)..])
+                    .for_each(|(i, &value)| visit(i, j, value));
             }
         }
     }

@@ -65,10 +65,12 @@ impl Pattern {
         for block in blocks.iter() {
             let unknowns = || block.iter().map(|&unknown| unknown as usize);
             for multiplier in unknowns().filter(|&unknown| unknown >= coordinates) {
-                borders.extend(unknowns().filter(|&unknown| unknown < coordinates).map(|coordinate| Border {
-                    coordinate: self.position(coordinate),
-                    multiplier: self.position(multiplier),
-                    slot: self.slot(coordinate, multiplier),
+                borders.extend(unknowns().filter(|&unknown| unknown < coordinates).map(|coordinate| {
+                    Border {
+                        coordinate: self.position(coordinate),
+                        multiplier: self.position(multiplier),
+                        slot: self.slot(coordinate, multiplier),
+                    }
                 }));
             }
         }
@@ -127,7 +129,6 @@ impl Pattern {
     pub fn position(&self, unknown: usize) -> usize {
         self.position[unknown] as usize
     }
-
 
     /// The unknown at a position.
     pub(super) fn unknown(&self, position: usize) -> usize {

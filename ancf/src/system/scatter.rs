@@ -45,7 +45,8 @@ impl Scatter {
         let mut pieces = Vec::with_capacity(stretches.len() * (stretches.len() + 1) / 2);
         for (i, &one) in stretches.iter().enumerate() {
             for &other in &stretches[i..] {
-                let (columns, rows) = if one.position <= other.position { (one, other) } else { (other, one) };
+                let (columns, rows) =
+                    if one.position <= other.position { (one, other) } else { (other, one) };
                 let at = pattern.panel_of(columns.position);
                 let panel = &pattern.panels().panels[at];
                 let row = pattern.panels().row(at, rows.position).expect("a block of these unknowns");

@@ -26,18 +26,26 @@ fn sum(x: &Quad) -> f64 {
 /// Eliminates the columns of a panel from one another: A = L D Lᵀ for the own rows, L for those below.
 ///
 /// In `front`, whose columns are of full height, they become L D; `l` becomes L, zero on and above the diagonal; `inverse`
-/// D⁻¹. Returns whether all pivots and their inverses are finite.
+/// D⁻¹. Returns whether all pivots are such: finite, their inverse too, and not just the rounding error of what was subtracted
+/// from them, the largest part of which is kept in `sizes` (quads of its own rows).
 #[inline(always)]
-pub(super) fn eliminate(shape: Shape, front: &mut [Quad], l: &mut [Quad], inverse: &mut [f64]) -> bool {
+pub(super) fn eliminate(
+    shape: Shape,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
     let (height, columns) = (shape.height, shape.columns);
-    let mut finite = true;
+    let mut good = true;
+    sizes.fill([0.0; LANES]);
     for k in 0..columns {
         let (before, after) = front.split_at_mut((k + 1) * height);
         let four = k / LANES;
         let pivots = &before[k * height + four..];
         let pivot = pivots[0][k % LANES];
         let by = 1.0 / pivot;
-        finite &= pivot.is_finite() && by.is_finite();
+        good &= pivot.is_finite() && by.is_finite() && pivot.abs() >= f64::EPSILON * sizes[four][k % LANES];
         inverse[k] = by;
         let column = &mut l[shape.column(k)];
         for (l, x) in column.iter_mut().zip(pivots) {
@@ -50,6 +58,12 @@ pub(super) fn eliminate(shape: Shape, front: &mut [Quad], l: &mut [Quad], invers
         for lane in 0..LANES {
             column[0][lane] = if lane > k % LANES { column[0][lane] } else { 0.0 };
         }
+        for ((size, l), x) in sizes[four..].iter_mut().zip(&*column).zip(pivots) {
+            for lane in 0..LANES {
+                let part = (l[lane] * x[lane]).abs();
+                size[lane] = if part > size[lane] { part } else { size[lane] };
+            }
+        }
         for (j, target) in (k + 1..columns).zip(after.chunks_exact_mut(height)) {
             let s = -column[j / LANES - four][j % LANES];
             for (y, x) in target[j / LANES..].iter_mut().zip(&pivots[j / LANES - four..]) {
@@ -57,7 +71,7 @@ pub(super) fn eliminate(shape: Shape, front: &mut [Quad], l: &mut [Quad], invers
             }
         }
     }
-    finite
+    good
 }
 
 /// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.

@@ -22,7 +22,7 @@ pub(super) struct Ldlt {
     product: Vec<f64>,
 }
 
-/// A pivot, or its inverse, is not finite.
+/// A pivot is zero, not finite, or nothing but rounding error.
 pub(super) struct BadPivot;
 
 impl Ldlt {
@@ -47,7 +47,7 @@ impl Ldlt {
     /// Factorises a matrix.
     ///
     /// # Errors
-    /// At a pivot that is zero or not finite.
+    /// At a pivot that is zero, not finite, or nothing but rounding error.
     pub(super) fn factorise(&mut self, panels: &Panels, k: &[f64]) -> Result<(), BadPivot> {
         Arch::new().dispatch(Factorise { panels, k, to: self })
     }
@@ -103,14 +103,14 @@ impl NullaryFnOnce for Factorise<'_> {
 
     #[inline(always)]
     fn call(self) -> Self::Output {
-        let Ldlt { l, inverse, front, stack, .. } = self.to;
+        let Ldlt { l, inverse, front, stack, part, .. } = self.to;
         let (k, front) = (self.k.as_chunks().0, front.as_chunks_mut().0);
-        let (l, stack) = (l.as_chunks_mut().0, stack.as_chunks_mut().0);
+        let (l, stack, sizes) = (l.as_chunks_mut().0, stack.as_chunks_mut().0, part.as_chunks_mut().0);
         let mut top = 0;
         for (at, panel) in self.panels.panels.iter().enumerate() {
             let values = panel.start / LANES..panel.values().end / LANES;
             let (k, l, inverse) = (&k[values.clone()], &mut l[values], &mut inverse[panel.own()]);
-            let work = Work { panels: self.panels, at, panel, k, l, inverse, front, stack, top };
+            let work = Work { panels: self.panels, at, panel, k, l, inverse, front, stack, sizes, top };
             // The usual forms again, for the compiler to know their sizes.
             let done = match panel.shape() {
                 Shape { columns: 12, height: 6 } => work.eliminate(Shape { columns: 12, height: 6 }),
@@ -132,12 +132,13 @@ struct Work<'a> {
     inverse: &'a mut [f64],
     front: &'a mut [Quad],
     stack: &'a mut [Quad],
+    sizes: &'a mut [Quad],
     /// Number of quads on the stack.
     top: usize,
 }
 
 impl Work<'_> {
-    /// Returns the new number of quads on the stack if all pivots are finite.
+    /// Returns the new number of quads on the stack if all pivots are good.
     #[inline(always)]
     fn eliminate(self, shape: Shape) -> Option<usize> {
         let (height, own, below) = (shape.height, shape.own(), shape.below());
@@ -159,10 +160,10 @@ impl Work<'_> {
                 runs => take_in(shape, front, runs, form, update),
             }
         }
-        let finite = dense::eliminate(shape, front, self.l, self.inverse);
+        let good = dense::eliminate(shape, front, self.l, self.inverse, &mut self.sizes[..own]);
         let form = self.panel.update();
         dense::update(shape, front, self.l, &mut self.stack[top..top + form.size()]);
-        finite.then_some(top + form.size())
+        good.then_some(top + form.size())
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use super::batch::{Batch, Batched, GatheredLanes, LowerLanes};
 use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::encounter::{Met, lacks, near};
+use super::lists::Lists;
 use super::{
     Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, Scatter,
     SparseMatrix, State, Term, Weights,
@@ -95,11 +96,12 @@ impl System {
         encounters: Arc<[Arc<dyn Encounters>]>,
         met: Vec<Met>,
     ) -> Self {
-        let unknowns: Vec<Vec<usize>> = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
-        assert!(unknowns.iter().all(|u| u.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
-        let defined: Vec<_> = terms.iter().map(|term| (term.massless(), term.multipliers())).collect();
-        let pattern = Pattern::new(coordinates, multipliers, &unknowns, &defined);
-        let scatters = unknowns.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
+        let blocks: Lists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
+        assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
+        let defining = terms.iter().filter(|term| !term.massless().is_empty());
+        let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
+        let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
+        let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
         let (pattern, alone, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
         Self {
@@ -215,8 +217,9 @@ impl System {
 }
 
 /// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
-fn unknowns(term: &dyn Term, coordinates: usize) -> Vec<usize> {
-    term.coordinates().iter().copied().chain(term.multipliers().map(|m| coordinates + m)).collect()
+fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
+    let multipliers = term.multipliers().map(move |m| coordinates + m);
+    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
 }
 
 impl EquationsOfMotion for System {

@@ -1,22 +1,15 @@
 use std::fmt;
 use std::sync::Arc;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::MatMut;
 use faer::prelude::Solve;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
-use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMatRef, Triplet};
-use faer::{Conj, MatMut, Par, Side, Spec};
+use faer::sparse::{SparseColMat, Triplet};
 
+use super::ldlt::Ldlt;
 use super::{Pattern, SparseMatrix};
 
-/// The factorisation of a symmetric indefinite matrix: supernodal LDLᵀ without pivoting, checked at every solve.
+/// The factorisation of a symmetric indefinite matrix: LDLᵀ in panels without pivoting, checked at every solve.
 ///
 /// Without pivoting, rounding in LDLᵀ does not depend on how rows and columns are scaled together, so units and
 /// slope lengths do not matter to it. What it loses when a stiffness is indefinite is seen in the backward error
@@ -28,11 +21,9 @@ use super::{Pattern, SparseMatrix};
 /// equations it picks those of least λᵀEλ, since Φ_q Δq − εE λ = −Φ puts Eλ into the range of Φ_q. What ε changes besides is
 /// taken back by steps K_ε Δx = b − K x, each of which leaves no more than about ε of it.
 ///
-/// Source: Rigal & Gaches (1967) for the error; faer for the factorisations; Bertsekas (1982), the method of multipliers.
+/// Source: Rigal & Gaches (1967) for the error; faer for LU; Bertsekas (1982), the method of multipliers.
 pub struct Factor {
-    symbolic: SymbolicCholesky<usize>,
-    values: Vec<f64>,
-    memory: MemBuffer,
+    ldlt: Ldlt,
     pattern: Arc<Pattern>,
     lu: Option<Lu<usize, f64>>,
     /// If multipliers are shared.
@@ -55,7 +46,10 @@ struct Shared {
 
 impl fmt::Debug for Factor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Factor").field("size", &self.b.len()).field("entries", &self.values.len()).finish()
+        f.debug_struct("Factor")
+            .field("size", &self.b.len())
+            .field("entries", &self.pattern.entries())
+            .finish()
     }
 }
 
@@ -80,26 +74,10 @@ impl Factor {
     /// # Errors
     /// If memory or the range of indices does not suffice.
     pub fn new(pattern: &Arc<Pattern>) -> Result<Self, SingularMatrix> {
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..CholeskySymbolicParams::default()
-        };
-        // Without a permutation faer's analysis reads the upper triangle, whatever the side; its numeric part the lower.
-        let (columns, rows) = pattern.upper();
-        let upper =
-            SymbolicSparseColMatRef::new_checked(pattern.size(), pattern.size(), &columns, None, &rows);
-        let symbolic = factorize_symbolic_cholesky(upper, Side::Upper, SymmetricOrdering::Identity, params)
-            .map_err(|_| SingularMatrix)?;
-        let scratch =
-            symbolic
-                .factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default())
-                .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
         let zeros = vec![0.0; pattern.size()];
         Ok(Self {
-            values: vec![0.0; symbolic.len_val()],
-            memory: MemBuffer::new(scratch),
+            ldlt: Ldlt::new(pattern.panels()),
             pattern: Arc::clone(pattern),
-            symbolic,
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
@@ -122,7 +100,7 @@ impl Factor {
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {
-            values[self.pattern.columns()[at]] -= COMPLIANCE / self.d[at].powi(2);
+            values[self.pattern.diagonal(at)] -= COMPLIANCE / self.d[at].powi(2);
         }
         let done = self.factorise_as_is(&shared.compliant);
         self.shared = Some(shared);
@@ -131,15 +109,7 @@ impl Factor {
 
     fn factorise_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.lu = None;
-        let done = self.symbolic.factorize_numeric_ldlt(
-            &mut self.values,
-            SparseColMatRef::new(k.pattern().symbolic(), k.values()),
-            Side::Lower,
-            LdltRegularization::default(),
-            Par::Seq,
-            MemStack::new(&mut self.memory),
-            Spec::default(),
-        );
+        let done = self.ldlt.factorise(self.pattern.panels(), k.values());
         if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
     }
 
@@ -247,24 +217,20 @@ impl Factor {
     /// Forward and backward substitution of `x`, or of the residual `r`, in place.
     fn substitute(&mut self, residual: bool) {
         let target = if residual { &mut self.r } else { &mut self.x };
-        let n = target.len();
-        let rhs = MatMut::from_column_major_slice_mut(target, n, 1);
         match &self.lu {
-            Some(lu) => lu.solve_in_place(rhs),
-            None => LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-                Conj::No,
-                rhs,
-                Par::Seq,
-                MemStack::new(&mut self.memory),
-            ),
+            Some(lu) => {
+                let n = target.len();
+                lu.solve_in_place(MatMut::from_column_major_slice_mut(target, n, 1));
+            }
+            None => self.ldlt.solve(self.pattern.panels(), target),
         }
     }
 
     /// Residual r = b − K x and the backward error; infinite if anything is not finite.
     fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
-        let Self { d, b, x, r, .. } = self;
+        let Self { ldlt, pattern, d, b, x, r, .. } = self;
         r.copy_from_slice(b);
-        k.subtract_product(x, r);
+        ldlt.subtract_product(pattern.panels(), k.values(), x, r);
         let (mut residual, mut size): (f64, f64) = (0.0, 0.0);
         for i in 0..b.len() {
             if !r[i].is_finite() {
@@ -297,7 +263,7 @@ impl Factor {
                 }
             }
             for &at in massless {
-                let own = 1.0 / k.values()[k.pattern().columns()[at]].abs().sqrt();
+                let own = 1.0 / k.values()[k.pattern().diagonal(at)].abs().sqrt();
                 d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
             }
         }
@@ -312,8 +278,12 @@ impl Factor {
     /// Factorises the full matrix by LU with pivoting.
     fn factorise_by_lu(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         let n = self.b.len();
-        let mut entries = Vec::with_capacity(2 * k.values().len());
+        let mut entries = Vec::new();
         k.visit(|i, j, value| {
+            // What only fills up panels.
+            if value == 0.0 {
+                return;
+            }
             entries.push(Triplet::new(i, j, value));
             if i != j {
                 entries.push(Triplet::new(j, i, value));
@@ -345,16 +315,9 @@ impl Factor {
     ///
     /// `None` if LU has taken over, whose pivots tell nothing of eigenvalues.
     ///
-    /// Source: Sylvester (1852), the law of inertia; the diagonal of faer's supernodes is D.
+    /// Source: Sylvester (1852), the law of inertia.
     pub fn negative_pivots(&self) -> Option<usize> {
-        let (SymbolicCholeskyRaw::Supernodal(symbolic), None) = (self.symbolic.raw(), &self.lu) else {
-            return None;
-        };
-        let factors = SupernodalLdltRef::new(symbolic, &self.values);
-        let negative = |s| {
-            let block = factors.supernode(s).val();
-            (0..block.ncols()).filter(|&j| block[(j, j)] < 0.0).count()
-        };
-        Some((0..symbolic.n_supernodes()).map(negative).sum())
+        let negative = || self.ldlt.inverse_pivots().iter().filter(|inverse| **inverse < 0.0).count();
+        self.lu.is_none().then(negative)
     }
 }

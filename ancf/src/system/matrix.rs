@@ -1,8 +1,9 @@
 use std::sync::Arc;
 
 use super::Pattern;
+use super::panel::{LANES, Run};
 
-/// A symmetric sparse matrix: the lower triangle in the order of its pattern.
+/// A symmetric sparse matrix: the lower triangle in the panels of its pattern.
 #[derive(Clone, Debug)]
 pub struct SparseMatrix {
     pattern: Arc<Pattern>,
@@ -20,7 +21,7 @@ impl SparseMatrix {
         &self.pattern
     }
 
-    /// The values of the lower triangle.
+    /// The values of the lower triangle, zeros that fill up panels included.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -30,18 +31,25 @@ impl SparseMatrix {
         &mut self.values
     }
 
-    /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions.
+    /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions; entries may be zeros that fill up panels.
     pub(super) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        for (j, range) in self.pattern.columns().windows(2).enumerate() {
-            for at in range[0]..range[1] {
-                visit(self.pattern.rows()[at], j, self.values[at]);
+        let panels = self.pattern.panels();
+        for (at, panel) in panels.panels.iter().enumerate() {
+            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+            for (column, j) in panel.own().enumerate() {
+                let own = shape.at(column, column);
+                panel.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
+                let below = panels.runs(at).iter().flat_map(Run::positions);
+                below
+                    .zip(&values[shape.at(LANES * shape.own(), column)..])
+                    .for_each(|(i, &value)| visit(i, j, value));
             }
         }
     }
 
     /// The entry of an unknown with itself.
     pub fn diagonal_of(&self, unknown: usize) -> f64 {
-        self.values[self.pattern.columns()[self.pattern.position(unknown)]]
+        self.values[self.pattern.diagonal(self.pattern.position(unknown))]
     }
 
     /// The entries of Φ_q: multiplier (counted after the coordinates), coordinate, value.
@@ -65,21 +73,10 @@ impl SparseMatrix {
 
     /// The diagonal, in positions.
     pub(super) fn diagonal(&self) -> impl Iterator<Item = f64> {
-        self.pattern.columns()[..self.pattern.size()].iter().map(|&first| self.values[first])
-    }
-
-    /// r −= A x, in positions.
-    pub(super) fn subtract_product(&self, x: &[f64], r: &mut [f64]) {
-        for (j, range) in self.pattern.columns().windows(2).enumerate() {
-            let rows = &self.pattern.rows()[range[0] + 1..range[1]];
-            let values = &self.values[range[0] + 1..range[1]];
-            let mut column = self.values[range[0]] * x[j];
-            for (&i, value) in rows.iter().zip(values) {
-                r[i] -= value * x[j];
-                column += value * x[i];
-            }
-            r[j] -= column;
-        }
+        self.pattern.panels().panels.iter().flat_map(|panel| {
+            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+            (0..shape.columns).map(move |j| values[shape.at(j, j)])
+        })
     }
 
     /// A x, in the order of the unknowns.

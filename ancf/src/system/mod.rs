@@ -2,12 +2,18 @@
 
 mod assembly;
 mod batch;
+mod dense;
 mod dependence;
+mod elimination;
 mod encounter;
 mod equations;
 mod factor;
 mod kernel;
+mod ldlt;
+mod lists;
 mod matrix;
+mod order;
+mod panel;
 mod pattern;
 mod scatter;
 mod state;

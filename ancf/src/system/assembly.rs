@@ -1,13 +1,15 @@
 use std::fmt;
+use std::ops::{AddAssign, Range};
 use std::sync::Arc;
 
 use super::batch::{Batch, Batched, GatheredLanes, LowerLanes};
 use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::encounter::{Met, lacks, near};
 use super::lists::Lists;
+use super::parts::Parts;
 use super::{
-    Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalMatrix, Pattern, Power, Scatter,
-    SparseMatrix, State, Term, Weights,
+    Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalLanes, LocalMatrix, Pattern, Power,
+    Scatter, SparseMatrix, State, Term, Weights,
 };
 
 /// Equations of motion as the sum of terms: gather, evaluate, scatter.
@@ -26,6 +28,9 @@ pub struct System {
     /// What evaluates terms side by side, and the terms that are evaluated one by one.
     batches: Arc<[Batched]>,
     alone: Vec<usize>,
+    /// The batches by the rows and by the entries to which they add.
+    by_rows: Parts,
+    by_entries: Parts,
 }
 
 impl fmt::Debug for System {
@@ -79,7 +84,7 @@ impl System {
     /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
         let terms = terms.into_iter().map(Arc::from).collect();
-        Self::of(coordinates, multipliers, terms, Arc::default(), Vec::new())
+        Self::made_of(coordinates, multipliers, terms, Arc::default(), Vec::new())
     }
 
     /// The same with terms that come and go; none of them is here before it is asked for
@@ -89,7 +94,7 @@ impl System {
         Self { encounters: encounters.into(), ..self }
     }
 
-    fn of(
+    fn made_of(
         coordinates: usize,
         multipliers: usize,
         terms: Vec<Arc<dyn Term>>,
@@ -115,6 +120,8 @@ impl System {
             scatters,
             batches,
             alone,
+            by_rows: Parts::new(&[]),
+            by_entries: Parts::new(&[]),
         }
     }
 
@@ -133,15 +140,24 @@ impl System {
         let mut alone = vec![true; self.terms.len()];
         batches.iter().for_each(|batched| alone[batched.terms()].fill(false));
         let alone = (0..self.terms.len()).filter(|&i| alone[i]).collect();
-        Self { batches, alone, ..self }
+        let rows: Vec<_> = batches.iter().map(Batched::range).collect();
+        let joint = |a: Range<usize>, b: Range<usize>| a.start.min(b.start)..a.end.max(b.end);
+        let entries = |batched: &Batched| {
+            let ranges = self.scatters[batched.terms()].iter().map(Scatter::range);
+            ranges.reduce(joint).unwrap_or_default()
+        };
+        let entries: Vec<_> = batches.iter().map(entries).collect();
+        let (by_rows, by_entries) = (Parts::new(&rows), Parts::new(&entries));
+        Self { batches, alone, by_rows, by_entries, ..self }
     }
 
     /// The same with the terms of other pairs, in ascending order.
     fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
         let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
         let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
-        let system = Self::of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met)
-            .in_batches(Arc::clone(&self.batches));
+        let system =
+            Self::made_of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met)
+                .in_batches(Arc::clone(&self.batches));
         let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
         let matrix = system.matrix();
         (system, matrix)
@@ -206,8 +222,28 @@ impl System {
             let mut block = LocalMatrix::zero(size, &mut storage);
             share(term, &mut block);
             let lower = block.lower();
-            self.scatters[i].add(values, |k| lower[k]);
+            self.scatters[i].add(values, 0, |k| lower[k]);
         }
+    }
+
+    /// Batches by their numbers.
+    fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a Batched> {
+        batches.iter().map(|&i| &self.batches[i as usize])
+    }
+
+    /// Sums over all batches.
+    fn sum<T: Default + AddAssign + Send>(
+        &self,
+        s: &State,
+        share: impl Fn(&dyn Batch, &LocalLanes<'_>) -> T + Sync,
+    ) -> T {
+        self.by_rows.sum(|batches| {
+            let (mut lanes, mut sum) = (GatheredLanes::EMPTY, T::default());
+            for batched in self.of(batches) {
+                sum += share(&*batched.batch, &lanes.gather(s, batched));
+            }
+            sum
+        })
     }
 
     /// The terms that no batch evaluates.
@@ -233,8 +269,10 @@ impl EquationsOfMotion for System {
 
     fn residual(&self, s: &State, r: &mut [f64]) {
         r.fill(0.0);
-        let mut gathered = GatheredLanes::EMPTY;
-        self.batches.iter().for_each(|batched| gathered.add_residual(s, batched, r));
+        self.by_rows.add_to(r, |batches, r, first| {
+            let mut gathered = GatheredLanes::EMPTY;
+            self.of(batches).for_each(|batched| gathered.add_residual(s, batched, r, first));
+        });
         self.add(self.alone(), s, r, |term, at, rows| term.residual(at, rows));
     }
 
@@ -259,10 +297,13 @@ impl EquationsOfMotion for System {
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
         let values = k.values_mut();
         values.fill(0.0);
-        let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
-        for batched in &*self.batches {
-            lower.add_tangent(batched, &lanes.gather(s, batched), w, &self.scatters, values);
-        }
+        self.by_entries.add_to(values, |batches, values, first| {
+            let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
+            for batched in self.of(batches) {
+                let at = lanes.gather(s, batched);
+                lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
+            }
+        });
         let mut gathered = Gathered::EMPTY;
         let alone = self.alone.iter().copied();
         self.add_matrix(alone, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
@@ -278,12 +319,14 @@ impl EquationsOfMotion for System {
     }
 
     fn inadmissible(&self, s: &State) -> Option<usize> {
-        let (mut gathered, mut lanes) = (Gathered::EMPTY, GatheredLanes::EMPTY);
-        let of = |batched: &Batched| {
-            let wrong = batched.batch.inadmissible(&lanes.gather(s, batched));
-            wrong.map(|lane| &self.terms[batched.first + lane])
-        };
-        let batched = self.batches.iter().find_map(of);
+        let batched = self.by_rows.find(|batches| {
+            let mut lanes = GatheredLanes::EMPTY;
+            self.of(batches).find_map(|batched| {
+                let wrong = batched.batch.inadmissible(&lanes.gather(s, batched));
+                wrong.map(|lane| &self.terms[batched.first + lane])
+            })
+        });
+        let mut gathered = Gathered::EMPTY;
         let wrong = batched
             .or_else(|| self.alone().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref()))));
         wrong.and_then(|term| term.coordinates().first().copied())
@@ -318,25 +361,16 @@ impl EquationsOfMotion for System {
     }
 
     fn energy(&self, s: &State) -> Energy {
-        let (mut gathered, mut lanes, mut energy) =
-            (Gathered::EMPTY, GatheredLanes::EMPTY, Energy::default());
-        for batched in &*self.batches {
-            energy += batched.batch.energy(&lanes.gather(s, batched));
-        }
-        for term in self.alone() {
-            energy += term.energy(&gathered.gather(s, term.as_ref()));
-        }
+        let mut energy = self.sum(s, |batch, at| batch.energy(at));
+        let mut gathered = Gathered::EMPTY;
+        self.alone().for_each(|term| energy += term.energy(&gathered.gather(s, term.as_ref())));
         energy
     }
 
     fn power(&self, s: &State) -> Power {
-        let (mut gathered, mut lanes, mut power) = (Gathered::EMPTY, GatheredLanes::EMPTY, Power::default());
-        for batched in &*self.batches {
-            power += batched.batch.power(&lanes.gather(s, batched));
-        }
-        for term in self.alone() {
-            power += term.power(&gathered.gather(s, term.as_ref()));
-        }
+        let mut power = self.sum(s, |batch, at| batch.power(at));
+        let mut gathered = Gathered::EMPTY;
+        self.alone().for_each(|term| power += term.power(&gathered.gather(s, term.as_ref())));
         power
     }
 }

@@ -87,11 +87,17 @@ impl Batched {
         self.first..self.first + self.batch.count()
     }
 
-    /// Adds rows to a vector.
-    fn add(&self, rows: &[Lanes], sum: &mut [f64]) {
+    /// The range of its coordinates.
+    pub(super) fn range(&self) -> Range<usize> {
+        let (least, most) = self.coordinates.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
+        least as usize..most as usize + 1
+    }
+
+    /// Adds rows to a vector that begins at a coordinate.
+    fn add(&self, rows: &[Lanes], sum: &mut [f64], first: usize) {
         for (row, coordinates) in rows.iter().zip(self.coordinates.chunks_exact(LANES)) {
             for (value, &c) in row.0.iter().zip(coordinates).take(self.batch.count()) {
-                sum[c as usize] += value;
+                sum[c as usize - first] += value;
             }
         }
     }
@@ -119,13 +125,13 @@ impl GatheredLanes {
         LocalLanes { q: &q[..width], v: &v[..width], a: &a[..width], load: s.load }
     }
 
-    /// Adds the residual of a batch to that of all.
-    pub(super) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64]) {
+    /// Adds the residual of a batch to that of all, from a coordinate on.
+    pub(super) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
         let at = self.gather(s, of);
         let rows = &mut rows[..at.q.len()];
         of.batch.residual(&at, rows);
-        of.add(rows, sum);
+        of.add(rows, sum, first);
     }
 }
 
@@ -135,20 +141,20 @@ pub(super) struct LowerLanes([Lanes; WIDTH * (WIDTH + 1) / 2]);
 impl LowerLanes {
     pub(super) const ZERO: Self = Self([Lanes([0.0; LANES]); WIDTH * (WIDTH + 1) / 2]);
 
-    /// Adds the tangents of a batch at gathered unknowns to the values of a matrix.
+    /// Adds the tangents of a batch at gathered unknowns to the values of a matrix, from one on.
     pub(super) fn add_tangent(
         &mut self,
         of: &Batched,
         at: &LocalLanes<'_>,
         w: Weights,
         scatters: &[Scatter],
-        values: &mut [f64],
+        (values, first): (&mut [f64], usize),
     ) {
         let width = at.q.len();
         let lower = &mut self.0[..width * (width + 1) / 2];
         of.batch.tangent(at, w, lower);
         for (lane, scatter) in scatters[of.terms()].iter().enumerate() {
-            scatter.add(values, |k| lower[k].0[lane]);
+            scatter.add(values, first, |k| lower[k].0[lane]);
         }
     }
 }

@@ -14,6 +14,7 @@ mod lists;
 mod matrix;
 mod order;
 mod panel;
+mod parts;
 mod pattern;
 mod scatter;
 mod state;

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use super::Pattern;
 use super::panel::{LANES, Shape};
 
@@ -65,9 +67,15 @@ impl Scatter {
         Self { size: unknowns.len() as u32, pieces: pieces.into() }
     }
 
-    /// Adds entries to the values of a matrix: `entry(k)` is the k-th of the lower triangle by columns.
+    /// The range of the values of a matrix to which it adds.
+    pub(super) fn range(&self) -> Range<usize> {
+        let ranges = self.pieces.iter().map(Piece::range);
+        ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
+    }
+
+    /// Adds entries to the values of a matrix from the `first` on: `entry(k)` is the k-th of the lower triangle by columns.
     #[inline]
-    pub fn add(&self, values: &mut [f64], entry: impl Fn(usize) -> f64) {
+    pub fn add(&self, values: &mut [f64], first: usize, entry: impl Fn(usize) -> f64) {
         let n = self.size as usize;
         // Where a column would begin with row zero.
         let column = |j: usize| j * n - j * (j + 1) / 2;
@@ -78,14 +86,23 @@ impl Scatter {
                 let j = from_column + c;
                 if from_row == from_column {
                     let from = column(j) + j;
-                    piece.column(values, c, c).iter_mut().zip(from..).for_each(|(x, k)| *x += entry(k));
+                    piece
+                        .column(values, first, c, c)
+                        .iter_mut()
+                        .zip(from..)
+                        .for_each(|(x, k)| *x += entry(k));
                 } else if from_row > from_column {
                     let from = column(j) + from_row;
-                    piece.column(values, c, 0).iter_mut().zip(from..).for_each(|(x, k)| *x += entry(k));
+                    piece
+                        .column(values, first, c, 0)
+                        .iter_mut()
+                        .zip(from..)
+                        .for_each(|(x, k)| *x += entry(k));
                 } else {
                     // The small matrix has it in a row.
                     let mut k = column(from_row) + j;
-                    for (x, i) in piece.column(values, c, 0).iter_mut().zip(from_row..from_row + rows) {
+                    for (x, i) in piece.column(values, first, c, 0).iter_mut().zip(from_row..from_row + rows)
+                    {
                         *x += entry(k);
                         k += n - 1 - i;
                     }
@@ -96,13 +113,25 @@ impl Scatter {
 }
 
 impl Piece {
-    /// The values of a column from a row on.
+    /// Where row zero of a column would be among the values.
     #[inline(always)]
-    fn column<'a>(&self, values: &'a mut [f64], column: usize, row: usize) -> &'a mut [f64] {
+    fn top(&self, column: usize) -> usize {
         let j = self.column as usize + column;
         let shape = Shape { columns: 0, height: self.height as usize };
-        let first = self.start + LANES * shape.column(j).start + self.row as usize - (j - j % LANES);
-        &mut values[first + row..first + self.rows as usize]
+        self.start + LANES * shape.column(j).start + self.row as usize - (j - j % LANES)
+    }
+
+    /// The values of a column from a row on, of those from the `first` on.
+    #[inline(always)]
+    fn column<'a>(&self, values: &'a mut [f64], first: usize, column: usize, row: usize) -> &'a mut [f64] {
+        let top = self.top(column) - first;
+        &mut values[top + row..top + self.rows as usize]
+    }
+
+    /// The range of the values that hold it.
+    fn range(&self) -> Range<usize> {
+        // A diagonal piece begins with the diagonal of its first column.
+        self.top(0)..self.top(self.columns as usize - 1) + self.rows as usize
     }
 }
 

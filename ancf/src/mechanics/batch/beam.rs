@@ -6,8 +6,8 @@ use super::Batched;
 use super::beam_law::{BeamLaw, Station};
 use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled, total};
 use super::pass::{Job, run};
-use super::relative::{Relative, Strains};
-use super::strain::Deformed;
+use super::relative::Relative;
+use super::strain::Section;
 use super::triangle::{Blocks, lower};
 use crate::mechanics::{Beam24, Beam27, BeamShape, Element, Interpolation, QuadraticShape};
 use crate::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
@@ -81,11 +81,18 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
         Self { count: elements.len(), law, reference }
     }
 
+    /// Sets the directors at a station.
     #[inline(always)]
-    fn deformed<S: Simd>(&self, pass: Pass<S>, station: usize, q: &Relative<S, A, B>) -> Deformed<S> {
+    fn deform<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: usize,
+        q: &Relative<S, A, B>,
+        section: &mut Section<S>,
+    ) {
         let Station { mix, plan, .. } = &self.law.stations[station];
         let reference = &self.reference[station.min(self.reference.len() - 1)];
-        Deformed::new(pass, reference, &mix.directors(pass, q, plan.reach), plan.reach)
+        section.deform(pass, reference, &mix.directors(pass, q, plan.reach), plan.reach);
     }
 }
 
@@ -148,12 +155,12 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Residual
         let Self { batch, at, r } = self;
         let law = &*batch.law;
         let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
-        let mut force = Relative::zero(pass);
+        let (mut force, mut section) = (Relative::zero(pass), Section::new(pass));
         for (s, station) in law.stations.iter().enumerate() {
-            let deformed = batch.deformed(pass, s, &q);
-            let n = station.resultants(pass, &deformed, v.as_ref(), law.retardation, station.weight);
-            let p = station.plan.pulls(pass, &n, &deformed.now);
-            station.mix.spread(pass, &p, &mut force, station.plan.reach);
+            batch.deform(pass, s, &q, &mut section);
+            station.resultants(pass, v.as_ref(), law.retardation, station.weight, &mut section);
+            station.plan.pulls(pass, &section.n, &section.now, &mut section.made);
+            station.mix.spread(pass, &section.made, &mut force, station.plan.reach);
         }
         let mut rows = law.inertia(pass, at);
         force.add_to(&law.layout, &mut rows);
@@ -179,17 +186,19 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Tangent<
         let Self { batch, at, w, k } = self;
         let law = &*batch.law;
         let mut blocks = Blocks::<S, A, B>::zero(pass);
-        // Of viscosity, what changes of a moment's frame is left out: see `Term::tangent` of the element.
+        // Viscosity adds τ D to the stiffness by v; what else it has is left out, as `Station::stiffness` says.
         let squares = w.q + w.v * law.retardation;
         if w.q != 0.0 || squares != 0.0 {
             let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
-            let mut h = [[pass.zero(); 9]; 28];
+            let mut section = Section::new(pass);
+            // The place of the triangle serves for H until it is written.
+            let (h, _) = k.as_chunks_mut();
             for (s, station) in law.stations.iter().enumerate() {
                 let Station { weight, mix, plan, elasticity } = station;
-                let deformed = batch.deformed(pass, s, &q);
-                let n = station.resultants(pass, &deformed, v.as_ref(), law.retardation, weight * w.q);
-                plan.stiffness(pass, elasticity, &n, &deformed.now, weight * squares, &mut h);
-                blocks.add(pass, mix, &h, plan.reach);
+                batch.deform(pass, s, &q, &mut section);
+                station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
+                plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
+                blocks.add(pass, mix, h, plan.reach);
             }
         }
         blocks.write::<N>(pass, &law.layout, k);
@@ -219,13 +228,12 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Energies
         let Self { batch, at, parts } = self;
         let law = &*batch.law;
         let q = Relative::of(pass, &law.layout, at.q);
-        let (mut strain, half) = (pass.zero(), pass.splat(0.5));
+        let (mut strain, mut section, half) = (pass.zero(), Section::new(pass), pass.splat(0.5));
         for (s, station) in law.stations.iter().enumerate() {
-            let deformed = batch.deformed(pass, s, &q);
-            let strains = station.plan.strains(pass, &deformed.middle, &deformed.increment);
-            let n = station.plan.resultants(pass, &station.elasticity, &strains, station.weight);
+            batch.deform(pass, s, &q, &mut section);
+            station.resultants(pass, None, 0.0, station.weight, &mut section);
             for k in 0..station.plan.resultants.len() {
-                strain = n[k & 31].mul_add(strains[k & 31], strain);
+                strain = section.n[k].mul_add(section.strains[k], strain);
             }
         }
         let (mut kinetic, mut potential) = (pass.zero(), pass.zero());
@@ -255,8 +263,10 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Admissib
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         let q = Relative::of(pass, &self.batch.law.layout, self.at.q);
+        let mut section = Section::new(pass);
         for s in 0..self.batch.law.stations.len() {
-            let [a, _, _, d, e, ..] = self.batch.deformed(pass, s, &q).now;
+            self.batch.deform(pass, s, &q, &mut section);
+            let [a, _, _, d, e, ..] = section.now;
             let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
             // Lanes of other passes stay right.
             let mut det = Lanes([1.0; LANES]);
@@ -275,25 +285,24 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
 }
 
 impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
-    /// Stress resultants of strains and, if velocities are given, of their rates, times a factor.
+    /// Sets the stress resultants of strains and, if velocities are given, of their rates, times a factor.
     #[inline(always)]
     fn resultants<S: Simd>(
         &self,
         pass: Pass<S>,
-        deformed: &Deformed<S>,
         v: Option<&Relative<S, A, B>>,
         retardation: f64,
         factor: f64,
-    ) -> Strains<S> {
-        let mut strains = self.plan.strains(pass, &deformed.middle, &deformed.increment);
+        section: &mut Section<S>,
+    ) {
+        let Section { now, middle, increment, made: rates, strains, n } = section;
+        self.plan.strains(pass, [middle, increment], false, strains);
         if let Some(v) = v {
-            let rates = self.mix.directors(pass, v, self.plan.reach);
-            let rates = self.plan.strains(pass, &deformed.now, &rates);
-            for k in 0..self.plan.resultants.len() {
-                strains[k & 31] = rates[k & 31].mul_add(pass.splat(retardation), strains[k & 31]);
-            }
+            *rates = self.mix.directors(pass, v, self.plan.reach);
+            rates.iter_mut().for_each(|rate| *rate = scaled(*rate, pass.splat(retardation)));
+            self.plan.strains(pass, [now, rates], true, strains);
         }
-        self.plan.resultants(pass, &self.elasticity, &strains, factor)
+        self.plan.resultants(pass, &self.elasticity, strains, factor, n);
     }
 }
 

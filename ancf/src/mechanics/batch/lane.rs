@@ -160,6 +160,12 @@ pub(super) fn dot<S: Simd>(x: Vector<S>, y: Vector<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0] * y[0]))
 }
 
+/// sum + x·y.
+#[inline(always)]
+pub(super) fn dot_add<S: Simd>(x: Vector<S>, y: Vector<S>, sum: Lane<S>) -> Lane<S> {
+    x[2].mul_add(y[2], x[1].mul_add(y[1], x[0].mul_add(y[0], sum)))
+}
+
 /// A number that terms have in common, or one for each.
 pub(super) trait Number: Copy + Send + Sync + 'static {
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S>;

@@ -2,6 +2,7 @@ use pulp::Simd;
 
 use super::lane::{Lane, Pass, Vector, added, less, plus, scaled};
 use crate::mechanics::Kind;
+use crate::mechanics::section::STRAINS;
 use crate::system::Lanes;
 
 /// Which of an element's vectors belong to its axis, and which to its sections.
@@ -33,6 +34,7 @@ impl<const A: usize, const B: usize> Layout<A, B> {
 
 /// Vectors, less the first of their kind, and the first ones of kind Y and Z; or what belongs to each of them.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub(super) struct Relative<S: Simd, const A: usize, const B: usize> {
     pub axis: [Vector<S>; A],
     pub y: [Vector<S>; B],
@@ -114,13 +116,8 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         for i in 0..A {
             u[0] = plus(u[0], x.axis[i], pass.splat(self.axis[i][0]));
         }
-        for (d, b, x) in [(3, 1, &x.y), (4, 2, &x.z)] {
-            u[d] = scaled(x[0], pass.splat(self.section[0][0]));
-            for i in 1..B {
-                u[d] = plus(u[d], x[i], pass.splat(self.section[i][0]));
-                u[b] = plus(u[b], x[i], pass.splat(self.section[i][1]));
-            }
-        }
+        [u[3], u[1]] = self.of_section(pass, &x.y);
+        [u[4], u[2]] = self.of_section(pass, &x.z);
         if reach > 5 {
             for i in 0..A {
                 u[5] = plus(u[5], x.axis[i], pass.splat(self.axis[i][1]));
@@ -128,6 +125,26 @@ impl<const A: usize, const B: usize> Mix<A, B> {
             }
         }
         u
+    }
+
+    /// d and b of the vectors of kind Y, or e and c of those of kind Z.
+    #[inline(always)]
+    fn of_section<S: Simd>(&self, pass: Pass<S>, x: &[Vector<S>; B]) -> [Vector<S>; 2] {
+        let (mut value, mut slope) = (scaled(x[0], pass.splat(self.section[0][0])), pass.zeros());
+        for i in 1..B {
+            value = plus(value, x[i], pass.splat(self.section[i][0]));
+            slope = plus(slope, x[i], pass.splat(self.section[i][1]));
+        }
+        [value, slope]
+    }
+
+    #[inline(always)]
+    fn to_section<S: Simd>(&self, pass: Pass<S>, [value, slope]: [Vector<S>; 2], force: &mut [Vector<S>; B]) {
+        force[0] = plus(force[0], value, pass.splat(self.section[0][0]));
+        for i in 1..B {
+            let sum = plus(force[i], value, pass.splat(self.section[i][0]));
+            force[i] = plus(sum, slope, pass.splat(self.section[i][1]));
+        }
     }
 
     /// Adds forces of the directors to those of the vectors.
@@ -142,13 +159,8 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         for i in 0..A {
             force.axis[i] = plus(force.axis[i], p[0], pass.splat(self.axis[i][0]));
         }
-        for (d, b, force) in [(3, 1, &mut force.y), (4, 2, &mut force.z)] {
-            force[0] = plus(force[0], p[d], pass.splat(self.section[0][0]));
-            for i in 1..B {
-                force[i] = plus(force[i], p[d], pass.splat(self.section[i][0]));
-                force[i] = plus(force[i], p[b], pass.splat(self.section[i][1]));
-            }
-        }
+        self.to_section(pass, [p[3], p[1]], &mut force.y);
+        self.to_section(pass, [p[4], p[2]], &mut force.z);
         if reach > 5 {
             for i in 0..A {
                 force.axis[i] = plus(force.axis[i], p[5], pass.splat(self.axis[i][1]));
@@ -158,5 +170,5 @@ impl<const A: usize, const B: usize> Mix<A, B> {
     }
 }
 
-/// A number of each strain of a pass, padded to a power of two.
-pub(super) type Strains<S> = [Lane<S>; 32];
+/// A number of each strain of a pass that a law has.
+pub(super) type Strains<S> = [Lane<S>; STRAINS];

@@ -3,13 +3,14 @@ use pulp::Simd;
 use super::lane::{Lane, Number, Pass, Vector, plus, scaled};
 use super::plan::{Block, Plan, part};
 use super::relative::{Directors, Strains};
-use super::strain::{director, strain};
+use super::strain::{Section, director};
+use crate::system::Lanes;
 
 /// A three by three block of each term of a pass, by rows.
 pub(super) type Matrix<S> = [Lane<S>; 9];
 
-/// The lower blocks of the directors' stiffness, by rows.
-pub(super) type Stiffness<S> = [Matrix<S>; 28];
+/// The lower blocks of the directors' stiffness of all terms, by rows.
+pub(super) type Stiffness = [[Lanes; 9]];
 
 /// The place of block (i, j), i ≥ j.
 #[inline(always)]
@@ -24,19 +25,18 @@ impl Plan {
         &self,
         pass: Pass<S>,
         d: &[C],
-        n: &Strains<S>,
-        g: &Directors<S>,
+        section: &mut Section<S>,
         factor: f64,
-        h: &mut Stiffness<S>,
+        h: &mut Stiffness,
     ) {
-        let (mut left, factor) = (*g, pass.splat(factor));
-        for i in 0..8 {
+        let (Section { n, now: g, made: left, .. }, factor) = (section, pass.splat(factor));
+        for i in 0..7 {
             left[i] = scaled(g[i], factor);
         }
         for (i, block) in self.diagonal.iter().enumerate() {
             let mut sum = diagonal(pass, block, n);
             for group in part(&self.groups, block.groups) {
-                let (x, y) = (self.product(pass, d, &left, group.products), director(g, group.y));
+                let (x, y) = (self.product(pass, d, left, group.products), director(g, group.y));
                 sum[0] = x[0].mul_add(y[0], sum[0]);
                 sum[3] = x[1].mul_add(y[0], sum[3]);
                 sum[4] = x[1].mul_add(y[1], sum[4]);
@@ -45,16 +45,16 @@ impl Plan {
                 sum[8] = x[2].mul_add(y[2], sum[8]);
             }
             (sum[1], sum[2], sum[5]) = (sum[3], sum[6], sum[7]);
-            h[at(i, i)] = sum;
+            store(pass, &mut h[at(i, i)], &sum);
         }
         let (mut i, mut j) = (1, 0);
         for block in &self.below {
             let mut sum = diagonal(pass, block, n);
             for group in part(&self.groups, block.groups) {
-                let (x, y) = (self.product(pass, d, &left, group.products), director(g, group.y));
+                let (x, y) = (self.product(pass, d, left, group.products), director(g, group.y));
                 add_outer(&mut sum, x, y);
             }
-            h[at(i, j)] = sum;
+            store(pass, &mut h[at(i, j)], &sum);
             (i, j) = if j + 1 == i { (i + 1, 0) } else { (i, j + 1) };
         }
     }
@@ -80,7 +80,7 @@ impl Plan {
 fn diagonal<S: Simd>(pass: Pass<S>, block: &Block, n: &Strains<S>) -> Matrix<S> {
     let mut sum = [pass.zero(); 9];
     if let Some(k) = block.stress {
-        let n = strain(n, usize::from(k));
+        let n = n[usize::from(k)];
         (sum[0], sum[4], sum[8]) = (n, n, n);
     }
     sum
@@ -93,6 +93,22 @@ fn add_outer<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>) {
             sum[3 * r + c] = x[r].mul_add(y[c], sum[3 * r + c]);
         }
     }
+}
+
+#[inline(always)]
+fn store<S: Simd>(pass: Pass<S>, to: &mut [Lanes; 9], block: &Matrix<S>) {
+    for e in 0..9 {
+        pass.store(&mut to[e], block[e]);
+    }
+}
+
+#[inline(always)]
+pub(super) fn load<S: Simd>(pass: Pass<S>, from: &[Lanes; 9]) -> Matrix<S> {
+    let mut block = [pass.zero(); 9];
+    for e in 0..9 {
+        block[e] = pass.load(&from[e]);
+    }
+    block
 }
 
 /// sum += factor × block.

@@ -2,12 +2,13 @@ use pulp::Simd;
 
 use super::lane::{Lane, Pass};
 use super::relative::{Layout, Mix};
-use super::stiffness::{Matrix, Stiffness, add, at, subtract, times, transposed};
+use super::stiffness::{Matrix, Stiffness, add, at, load, subtract, times, transposed};
 use crate::system::Lanes;
 
 /// Stiffness over an element's vectors as they count in [`Relative`](super::relative::Relative), by kinds: of the axis and of
 /// Y and Z the lower blocks.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub(super) struct Blocks<S: Simd, const A: usize, const B: usize> {
     pub axis: [[Matrix<S>; A]; A],
     /// Rows of Y, of Z and columns of the axis.
@@ -19,42 +20,30 @@ pub(super) struct Blocks<S: Simd, const A: usize, const B: usize> {
     z_y: [[Matrix<S>; B]; B],
 }
 
-/// Where a vector of an element is among the [`Blocks`].
-#[derive(Clone, Copy, Debug)]
-enum Place {
-    /// The first position.
-    First,
-    Axis(usize),
-    Y(usize),
-    Z(usize),
-}
+/// Stiffness of the directors (d, b) or (e, c) against each other: dd, db, the transpose of bd, and bb.
+struct Pair<'a>([&'a [Lanes; 9]; 4]);
 
-/// Stiffness of the directors (d, b) or (e, c) against each other: dd, db, bd and bb.
-struct Pair<S: Simd>([Matrix<S>; 4]);
+/// The places of a block's entries in its transpose.
+const TRANSPOSED: [usize; 9] = [0, 3, 6, 1, 4, 7, 2, 5, 8];
 
-impl<S: Simd> Pair<S> {
-    /// What it adds to two vectors with these weights.
+impl Pair<'_> {
+    /// Adds it to two vectors with these weights; the first vectors have no part in b and c.
     #[inline(always)]
-    fn add_to(
-        &self,
-        pass: Pass<S>,
-        sum: &mut Matrix<S>,
-        [dn, bn]: [f64; 2],
-        [dm, bm]: [f64; 2],
-        first: [bool; 2],
-    ) {
-        let mut part = times(&self.0[0], pass.splat(dn * dm));
-        if !first[1] {
-            add(&mut part, &self.0[1], pass.splat(dn * bm));
-        }
-        if !first[0] {
-            add(&mut part, &self.0[2], pass.splat(bn * dm));
-        }
-        if !first[0] && !first[1] {
-            add(&mut part, &self.0[3], pass.splat(bn * bm));
-        }
+    fn add_to<S: Simd>(&self, pass: Pass<S>, sum: &mut Matrix<S>, of: [[f64; 2]; 2], first: [bool; 2]) {
+        let (Self([dd, db, bd, bb]), [[dn, bn], [dm, bm]]) = (self, of);
+        let [dd_, db_, bd_, bb_] = [dn * dm, dn * bm, bn * dm, bn * bm].map(|w| pass.splat(w));
         for e in 0..9 {
-            sum[e] = sum[e] + part[e];
+            let mut part = pass.load(&dd[e]).mul_add(dd_, sum[e]);
+            if !first[1] {
+                part = pass.load(&db[e]).mul_add(db_, part);
+            }
+            if !first[0] {
+                part = pass.load(&bd[TRANSPOSED[e]]).mul_add(bd_, part);
+            }
+            if !first[0] && !first[1] {
+                part = pass.load(&bb[e]).mul_add(bb_, part);
+            }
+            sum[e] = part;
         }
     }
 }
@@ -75,22 +64,23 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
 
     /// Adds the stiffness of the directors at a station.
     #[inline(always)]
-    pub fn add(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness<S>, reach: usize) {
+    pub fn add(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness, reach: usize) {
         self.add_sections(pass, mix, h);
         if reach > 5 {
             self.add_varying_axis(pass, mix, h);
             return;
         }
+        let of_axis = load(pass, &h[0]);
         for i in 0..A {
             for j in 0..=i {
-                add(&mut self.axis[i][j], &h[0], pass.splat(mix.axis[i][0] * mix.axis[j][0]));
+                add(&mut self.axis[i][j], &of_axis, pass.splat(mix.axis[i][0] * mix.axis[j][0]));
             }
         }
         for (rows, d, b) in [(&mut self.y_axis, 3, 1), (&mut self.z_axis, 4, 2)] {
             for n in 0..B {
-                let mut part = times(&h[at(d, 0)], pass.splat(mix.section[n][0]));
+                let mut part = times(&load(pass, &h[at(d, 0)]), pass.splat(mix.section[n][0]));
                 if n > 0 {
-                    add(&mut part, &h[at(b, 0)], pass.splat(mix.section[n][1]));
+                    add(&mut part, &load(pass, &h[at(b, 0)]), pass.splat(mix.section[n][1]));
                 }
                 for i in 0..A {
                     add(&mut rows[n][i], &part, pass.splat(mix.axis[i][0]));
@@ -101,28 +91,29 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
 
     /// The sections against each other.
     #[inline(always)]
-    fn add_sections(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness<S>) {
+    fn add_sections(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
         let w = &mix.section;
-        let own =
-            |d: usize, b: usize| Pair([h[at(d, d)], h[at(d, b)], transposed(&h[at(d, b)]), h[at(b, b)]]);
-        let (y, z) = (own(3, 1), own(4, 2));
-        let z_y = Pair([h[at(4, 3)], h[at(4, 1)], transposed(&h[at(3, 2)]), h[at(2, 1)]]);
+        let y = Pair([&h[at(3, 3)], &h[at(3, 1)], &h[at(3, 1)], &h[at(1, 1)]]);
+        let z = Pair([&h[at(4, 4)], &h[at(4, 2)], &h[at(4, 2)], &h[at(2, 2)]]);
+        let z_y = Pair([&h[at(4, 3)], &h[at(4, 1)], &h[at(3, 2)], &h[at(2, 1)]]);
         for n in 0..B {
             for m in 0..B {
                 let first = [n == 0, m == 0];
                 if m <= n {
-                    y.add_to(pass, &mut self.y[n][m], w[n], w[m], first);
-                    z.add_to(pass, &mut self.z[n][m], w[n], w[m], first);
+                    y.add_to(pass, &mut self.y[n][m], [w[n], w[m]], first);
+                    z.add_to(pass, &mut self.z[n][m], [w[n], w[m]], first);
                 }
-                z_y.add_to(pass, &mut self.z_y[n][m], w[n], w[m], first);
+                z_y.add_to(pass, &mut self.z_y[n][m], [w[n], w[m]], first);
             }
         }
     }
 
     /// The axis against itself and the sections, where h and k count besides a.
     #[inline(always)]
-    fn add_varying_axis(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness<S>) {
-        let full = |i: usize, j: usize| if i >= j { h[at(i, j)] } else { transposed(&h[at(j, i)]) };
+    fn add_varying_axis(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
+        let full = |i: usize, j: usize| {
+            if i >= j { load(pass, &h[at(i, j)]) } else { transposed(&load(pass, &h[at(j, i)])) }
+        };
         for i in 0..A {
             let w = [pass.splat(mix.axis[i][0]), pass.splat(mix.axis[i][1]), pass.splat(mix.axis[i][2])];
             // The rows of the directors against vector i.
@@ -192,69 +183,69 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
     #[inline(always)]
     pub fn write<const N: usize>(&mut self, pass: Pass<S>, layout: &Layout<A, B>, k: &mut [Lanes]) {
         self.settle();
-        let mut places = [Place::First; N];
+        let (axis, y, z) = (layout.axis.map(|(number, _)| number), layout.y, layout.z);
+        let mut put = |a: usize, b: usize, block: &Matrix<S>| put::<S, N>(pass, k, a, b, block);
+        let mut corner = [pass.zero(); 9];
         for i in 0..A {
-            places[layout.axis[i].0] = Place::Axis(i);
+            for j in 0..i {
+                self.axis[j][i] = transposed(&self.axis[i][j]);
+            }
         }
+        for i in 0..A {
+            let first = against_first(pass, layout, &self.axis[i]);
+            if layout.axis[i].1 {
+                subtract(&mut corner, &first);
+            }
+            put(axis[i], 0, &first);
+            for j in 0..=i {
+                put(axis[i], axis[j], &self.axis[i][j]);
+            }
+        }
+        put(0, 0, &corner);
         for n in 0..B {
-            places[layout.y[n]] = Place::Y(n);
-            places[layout.z[n]] = Place::Z(n);
-        }
-        for b in 0..N {
-            for a in b..N {
-                let block = self.block(pass, layout, places[a], places[b]);
-                for c in 0..3 {
-                    let column = lower(3 * N, 3 * a, 3 * b + c);
-                    let rows = if a == b { c } else { 0 };
-                    for r in rows..3 {
-                        pass.store(&mut k[column + r], block[3 * r + c]);
-                    }
-                }
+            put(y[n], 0, &against_first(pass, layout, &self.y_axis[n]));
+            put(z[n], 0, &against_first(pass, layout, &self.z_axis[n]));
+            for i in 0..A {
+                put(y[n], axis[i], &self.y_axis[n][i]);
+                put(z[n], axis[i], &self.z_axis[n][i]);
+            }
+            for m in 0..=n {
+                put(y[n], y[m], &self.y[n][m]);
+                put(z[n], z[m], &self.z[n][m]);
+            }
+            for m in 0..B {
+                put(z[n], y[m], &self.z_y[n][m]);
             }
         }
     }
+}
 
-    #[inline(always)]
-    fn block(&self, pass: Pass<S>, layout: &Layout<A, B>, row: Place, column: Place) -> Matrix<S> {
-        use Place::{Axis, First, Y, Z};
-        let zero = [pass.zero(); 9];
-        // Against the first position: what all other positions have, with the other sign.
-        let against_first = |of: &[Matrix<S>; A]| {
-            let mut sum = zero;
-            for i in (0..A).filter(|&i| layout.axis[i].1) {
-                subtract(&mut sum, &of[i]);
-            }
-            sum
-        };
-        let of_axis = |i: usize| {
-            let mut row = [zero; A];
-            for j in 0..A {
-                row[j] = if i >= j { self.axis[i][j] } else { transposed(&self.axis[j][i]) };
-            }
-            row
-        };
-        match (row, column) {
-            (First, First) => {
-                let mut sum = [zero; A];
-                for i in (0..A).filter(|&i| layout.axis[i].1) {
-                    sum[i] = against_first(&of_axis(i));
-                }
-                against_first(&sum)
-            }
-            (Axis(i), First) => against_first(&of_axis(i)),
-            (Axis(i), Axis(j)) => self.axis[i][j],
-            (Axis(i), Y(m)) => transposed(&self.y_axis[m][i]),
-            (Axis(i), Z(m)) => transposed(&self.z_axis[m][i]),
-            (Y(n), First) => against_first(&self.y_axis[n]),
-            (Y(n), Axis(i)) => self.y_axis[n][i],
-            (Y(n), Y(m)) => self.y[n][m],
-            (Y(n), Z(m)) => transposed(&self.z_y[m][n]),
-            (Z(n), First) => against_first(&self.z_axis[n]),
-            (Z(n), Axis(i)) => self.z_axis[n][i],
-            (Z(n), Y(m)) => self.z_y[n][m],
-            (Z(n), Z(m)) => self.z[n][m],
-            // No vector comes before the first one.
-            (First, Axis(_) | Y(_) | Z(_)) => zero,
+/// Against the first position: what all other positions have, with the other sign.
+#[inline(always)]
+fn against_first<S: Simd, const A: usize, const B: usize>(
+    pass: Pass<S>,
+    layout: &Layout<A, B>,
+    of: &[Matrix<S>; A],
+) -> Matrix<S> {
+    let mut sum = [pass.zero(); 9];
+    for i in 0..A {
+        if layout.axis[i].1 {
+            subtract(&mut sum, &of[i]);
+        }
+    }
+    sum
+}
+
+/// Sets a block of N vectors; above the diagonal, its transpose below.
+#[inline(always)]
+fn put<S: Simd, const N: usize>(pass: Pass<S>, k: &mut [Lanes], a: usize, b: usize, block: &Matrix<S>) {
+    let (row, column, turned) = if a >= b { (a, b, false) } else { (b, a, true) };
+    for c in 0..3 {
+        let from = if a == b { c } else { 0 };
+        let start = lower(3 * N, 3 * row, 3 * column + c);
+        let entries = &mut k[start + from..start + 3];
+        for r in from..3 {
+            pass.store(&mut entries[r - from], block[if turned { 3 * c + r } else { 3 * r + c }]);
         }
     }
 }

@@ -36,117 +36,207 @@ pub(super) fn eliminate(
     inverse: &mut [f64],
     sizes: &mut [Quad],
 ) -> bool {
-    let (height, columns) = (shape.height, shape.columns);
     let mut good = true;
     sizes.fill([0.0; LANES]);
-    for k in 0..columns {
-        let (before, after) = front.split_at_mut((k + 1) * height);
-        let four = k / LANES;
-        let pivots = &before[k * height + four..];
-        let pivot = pivots[0][k % LANES];
-        let by = 1.0 / pivot;
-        good &= pivot.is_finite() && by.is_finite() && pivot.abs() >= f64::EPSILON * sizes[four][k % LANES];
-        inverse[k] = by;
-        let column = &mut l[shape.column(k)];
-        for (l, x) in column.iter_mut().zip(pivots) {
-            for lane in 0..LANES {
-                // What a division gives: rows that are equal stay equal, and their difference zero (Markstein 1990).
-                let near = by * x[lane];
-                l[lane] = (-near).mul_add(pivot, x[lane]).mul_add(by, near);
+    for four in 0..shape.own() {
+        let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[LANES * four..]);
+        let front_of = &mut front[LANES * four * shape.height..];
+        good &= match shape.columns - LANES * four {
+            4.. => eliminate_columns::<4>(shape, four, front_of, own, inverse, sizes),
+            3 => eliminate_columns::<3>(shape, four, front_of, own, inverse, sizes),
+            2 => eliminate_columns::<2>(shape, four, front_of, own, inverse, sizes),
+            _ => eliminate_columns::<1>(shape, four, front_of, own, inverse, sizes),
+        };
+        for later in four + 1..shape.own() {
+            let columns = LANES.min(shape.columns - LANES * later);
+            let mut row = later;
+            while row + 2 <= shape.height {
+                subtract_from_own::<2>(shape, front, l, four, later, columns, row);
+                row += 2;
             }
-        }
-        for lane in 0..LANES {
-            column[0][lane] = if lane > k % LANES { column[0][lane] } else { 0.0 };
-        }
-        for ((size, l), x) in sizes[four..].iter_mut().zip(&*column).zip(pivots) {
-            for lane in 0..LANES {
-                let part = (l[lane] * x[lane]).abs();
-                size[lane] = if part > size[lane] { part } else { size[lane] };
-            }
-        }
-        for (j, target) in (k + 1..columns).zip(after.chunks_exact_mut(height)) {
-            let s = -column[j / LANES - four][j % LANES];
-            for (y, x) in target[j / LANES..].iter_mut().zip(&pivots[j / LANES - four..]) {
-                add_product(y, s, x);
+            if row < shape.height {
+                subtract_from_own::<1>(shape, front, l, four, later, columns, row);
             }
         }
     }
     good
 }
 
-/// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.
+/// Eliminates up to four columns from one another.
 #[inline(always)]
-pub(super) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
-    let below = shape.below();
-    let mut update = update;
-    for four in 0..below {
-        let (own, rest) = update.split_at_mut(LANES * (below - four));
-        update = rest;
-        let mut row = four;
-        while row + 2 <= below {
-            tile::<2>(shape, front, l, own, four, row);
-            row += 2;
+fn eliminate_columns<const N: usize>(
+    shape: Shape,
+    four: usize,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
+    let (height, length, mut good) = (shape.height, shape.height - four, true);
+    let (mut pivots, mut by) = ([0.0; N], [0.0; N]);
+    // The factors of each column with those before, from the quad of the diagonals.
+    let mut factors = [[0.0; LANES]; N];
+    let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four]);
+    for c in 0..N {
+        for k in 0..c {
+            let before = x[k];
+            add_product(&mut x[c], -factors[k][c], &before);
         }
-        if row < below {
-            tile::<1>(shape, front, l, own, four, row);
+        pivots[c] = x[c][c];
+        by[c] = 1.0 / pivots[c];
+        let is_number = pivots[c].is_finite() && by[c].is_finite();
+        good &= is_number && pivots[c].abs() >= f64::EPSILON * sizes[four][c];
+        let quotient = quotient(&x[c], pivots[c], by[c]);
+        for lane in c + 1..LANES {
+            factors[c][lane] = quotient[lane];
         }
+        raise(&mut sizes[four], &factors[c], &x[c]);
+        l[c * length] = factors[c];
+        front[c * height + four] = x[c];
+    }
+    inverse[..N].copy_from_slice(&by);
+    for row in 1..length {
+        let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four + row]);
+        for c in 0..N {
+            for k in 0..c {
+                let before = x[k];
+                add_product(&mut x[c], -factors[k][c], &before);
+            }
+            let quotient = quotient(&x[c], pivots[c], by[c]);
+            l[c * length + row] = quotient;
+            front[c * height + four + row] = x[c];
+            if let Some(size) = sizes.get_mut(four + row) {
+                raise(size, &quotient, &x[c]);
+            }
+        }
+    }
+    good
+}
+
+/// x/d for 1/d, as exact as a division: rows that are equal stay equal, and their difference zero.
+///
+/// Source: Markstein (1990).
+#[inline(always)]
+fn quotient(x: &Quad, d: f64, by: f64) -> Quad {
+    let mut quotient = [0.0; LANES];
+    for lane in 0..LANES {
+        let near = by * x[lane];
+        quotient[lane] = (-near).mul_add(d, x[lane]).mul_add(by, near);
+    }
+    quotient
+}
+
+/// Raises sizes to those of a product.
+#[inline(always)]
+fn raise(sizes: &mut Quad, x: &Quad, y: &Quad) {
+    for lane in 0..LANES {
+        let size = (x[lane] * y[lane]).abs();
+        sizes[lane] = if size > sizes[lane] { size } else { sizes[lane] };
     }
 }
 
-/// Four columns and some quads of rows of it.
+/// Subtracts what four columns make of some quads of rows of four columns: L D of the rows times L of the columns, which is in
+/// the quad of rows `at`.
 #[inline(always)]
-fn tile<const N: usize>(
+fn subtract<const N: usize>(
     shape: Shape,
     front: &[Quad],
     l: &[Quad],
-    update: &mut [Quad],
     four: usize,
+    at: usize,
     row: usize,
+    sums: &mut [[Quad; N]; LANES],
 ) {
-    let (own, height, columns) = (shape.own(), shape.height, shape.columns);
-    let mut sums = [[[0.0; LANES]; N]; LANES];
-    for (c, sums) in sums.iter_mut().enumerate() {
-        let from = (columns + LANES * four + c) * height + own + row;
-        sums.copy_from_slice(&front[from..from + N]);
-    }
-    for k in 0..columns {
-        let factors = l[shape.column(k).start + own + four - k / LANES];
-        let from = k * height + own + row;
-        let rows: [Quad; N] = std::array::from_fn(|n| front[from + n]);
+    let length = shape.height - four;
+    let l = &l[shape.columns_of(four)];
+    for k in 0..LANES.min(shape.columns - LANES * four) {
+        let factors = l[k * length + at - four];
+        let from = (LANES * four + k) * shape.height + row;
+        let rows = &front[from..from + N];
         for c in 0..LANES {
             for n in 0..N {
                 add_product(&mut sums[c][n], -factors[c], &rows[n]);
             }
         }
     }
-    let length = shape.below() - four;
-    for (c, sums) in sums.iter().enumerate() {
-        let to = c * length + row - four;
-        update[to..to + N].copy_from_slice(sums);
+}
+
+#[inline(always)]
+fn subtract_from_own<const N: usize>(
+    shape: Shape,
+    front: &mut [Quad],
+    l: &[Quad],
+    four: usize,
+    later: usize,
+    columns: usize,
+    row: usize,
+) {
+    let mut sums = [[[0.0; LANES]; N]; LANES];
+    let place = |c: usize| (LANES * later + c) * shape.height + row;
+    for c in 0..columns {
+        sums[c].copy_from_slice(&front[place(c)..place(c) + N]);
+    }
+    subtract(shape, front, l, four, later, row, &mut sums);
+    for c in 0..columns {
+        front[place(c)..place(c) + N].copy_from_slice(&sums[c]);
+    }
+}
+
+/// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.
+#[inline(always)]
+pub(super) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
+    let (own, below) = (shape.own(), shape.below());
+    let mut update = update;
+    for four in 0..below {
+        let (columns, rest) = update.split_at_mut(LANES * (below - four));
+        update = rest;
+        let mut row = own + four;
+        while row + 2 <= shape.height {
+            leave::<2>(shape, front, l, columns, own + four, row);
+            row += 2;
+        }
+        if row < shape.height {
+            leave::<1>(shape, front, l, columns, own + four, row);
+        }
+    }
+}
+
+/// Four columns and some quads of rows of it.
+#[inline(always)]
+fn leave<const N: usize>(
+    shape: Shape,
+    front: &[Quad],
+    l: &[Quad],
+    update: &mut [Quad],
+    at: usize,
+    row: usize,
+) {
+    let mut sums = [[[0.0; LANES]; N]; LANES];
+    for c in 0..LANES {
+        let from = (shape.columns + LANES * (at - shape.own()) + c) * shape.height + row;
+        sums[c].copy_from_slice(&front[from..from + N]);
+    }
+    for four in 0..shape.own() {
+        subtract(shape, front, l, four, at, row, &mut sums);
+    }
+    let length = shape.height - at;
+    for c in 0..LANES {
+        let to = c * length + row - at;
+        update[to..to + N].copy_from_slice(&sums[c]);
     }
 }
 
 /// Solves L y = x for the own rows and takes what they make of those below: x is of full height.
 #[inline(always)]
 pub(super) fn forward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
-    fours(shape, l, |from, columns, length, l| {
-        let x = &mut x[from..from + length];
-        match columns {
-            4 => forward_columns::<4>(length, l, x),
+    for four in 0..shape.own() {
+        let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => forward_columns::<4>(length, l, x),
             3 => forward_columns::<3>(length, l, x),
             2 => forward_columns::<2>(length, l, x),
             _ => forward_columns::<1>(length, l, x),
         }
-    });
-}
-
-/// Calls for each four columns: the first quad, the number of columns, their height and their values.
-#[inline(always)]
-fn fours(shape: Shape, values: &[Quad], mut work: impl FnMut(usize, usize, usize, &[Quad])) {
-    for four in 0..shape.own() {
-        let columns = LANES.min(shape.columns - LANES * four);
-        let (start, length) = (shape.column(LANES * four).start, shape.height - four);
-        work(four, columns, length, &values[start..start + columns * length]);
     }
 }
 
@@ -172,11 +262,9 @@ fn forward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
 #[inline(always)]
 pub(super) fn backward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
     for four in (0..shape.own()).rev() {
-        let columns = LANES.min(shape.columns - LANES * four);
-        let (start, length) = (shape.column(LANES * four).start, shape.height - four);
-        let (l, x) = (&l[start..start + columns * length], &mut x[four..four + length]);
-        match columns {
-            4 => backward_columns::<4>(length, l, x),
+        let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => backward_columns::<4>(length, l, x),
             3 => backward_columns::<3>(length, l, x),
             2 => backward_columns::<2>(length, l, x),
             _ => backward_columns::<1>(length, l, x),
@@ -207,15 +295,16 @@ fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
 /// y += A x of a symmetric panel: x and y are of full height.
 #[inline(always)]
 pub(super) fn multiply(shape: Shape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
-    fours(shape, a, |from, columns, length, a| {
-        let (x, y) = (&x[from..from + length], &mut y[from..from + length]);
-        match columns {
-            4 => multiply_columns::<4>(length, a, x, y),
+    for four in 0..shape.own() {
+        let (length, a) = (shape.height - four, &a[shape.columns_of(four)]);
+        let (x, y) = (&x[four..shape.height], &mut y[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => multiply_columns::<4>(length, a, x, y),
             3 => multiply_columns::<3>(length, a, x, y),
             2 => multiply_columns::<2>(length, a, x, y),
             _ => multiply_columns::<1>(length, a, x, y),
         }
-    });
+    }
 }
 
 #[inline(always)]

@@ -248,8 +248,9 @@ impl Factor {
     /// it counts as much as others in an equation that determines it.
     fn equilibrate(&mut self, k: &SparseMatrix) {
         let Self { d, r: largest, x: bound, .. } = self;
-        for (d, diagonal) in d.iter_mut().zip(k.diagonal()) {
-            *d = if diagonal == 0.0 { 1.0 } else { 1.0 / diagonal.abs().sqrt() };
+        d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
+        for d in &mut *d {
+            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
         }
         let massless = k.pattern().massless();
         if !massless.is_empty() {

@@ -50,6 +50,14 @@ impl Shape {
         start..start + length
     }
 
+    /// The quads of four columns, or of those that are left.
+    #[inline(always)]
+    pub(super) fn columns_of(self, four: usize) -> Range<usize> {
+        let columns = LANES.min(self.columns - LANES * four);
+        let start = self.column(LANES * four).start;
+        start..start + columns * (self.height - four)
+    }
+
     /// Number of quads.
     #[inline(always)]
     pub(super) fn size(self) -> usize {

@@ -380,18 +380,20 @@ fn elements<const N: usize>(
             let vector = reference[k * span * stride + i];
             to_local * if i % stride == 0 { vector - origin } else { vector }
         });
+        // Far from the start of the body, differences of positions are no more precise than these.
+        let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
         let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
             let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {
                 let size = if i % stride == 0 { blueprint.length } else { blueprint.slope };
-                (x - y).amax() <= 1e-12 * size
+                (x - y).amax() <= 1e-12 * size + rounding
             };
             blueprint.prismatic && known.iter().zip(&local).enumerate().all(near)
         };
-        let shared = last.as_ref().filter(congruent).map(|(_, profile)| Arc::clone(profile));
-        let profile = shared.unwrap_or_else(|| {
-            let section = |xi: f64| (blueprint.section)((k as f64 + xi) * blueprint.length);
-            Arc::new(profile(&local, &section))
-        });
+        if let Some((_, profile)) = last.as_ref().filter(congruent) {
+            return (frame, Arc::clone(profile));
+        }
+        let section = |xi: f64| (blueprint.section)((k as f64 + xi) * blueprint.length);
+        let profile = Arc::new(profile(&local, &section));
         last = Some((local, Arc::clone(&profile)));
         (frame, profile)
     };

@@ -69,40 +69,57 @@ impl Scatter {
     #[inline]
     pub fn add(&self, values: &mut [f64], entry: impl Fn(usize) -> f64) {
         let n = self.size as usize;
-        // Where a column would begin with row zero.
-        let column = |j: usize| j * n - j * (j + 1) / 2;
         for piece in &*self.pieces {
-            let (from_row, from_column) = (piece.from_row as usize, piece.from_column as usize);
-            let rows = piece.rows as usize;
-            for c in 0..piece.columns as usize {
-                let j = from_column + c;
-                if from_row == from_column {
-                    let from = column(j) + j;
-                    piece.column(values, c, c).iter_mut().zip(from..).for_each(|(x, k)| *x += entry(k));
-                } else if from_row > from_column {
-                    let from = column(j) + from_row;
-                    piece.column(values, c, 0).iter_mut().zip(from..).for_each(|(x, k)| *x += entry(k));
-                } else {
-                    // The small matrix has it in a row.
-                    let mut k = column(from_row) + j;
-                    for (x, i) in piece.column(values, c, 0).iter_mut().zip(from_row..from_row + rows) {
+            let (rows, i, j) = (piece.rows as usize, piece.from_row as usize, piece.from_column as usize);
+            if i == j {
+                let mut k = start(n, j) + j;
+                piece.columns(|c, first| {
+                    let column = &mut values[first + c..first + rows];
+                    column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
+                    k += n - j - c;
+                });
+            } else if i > j {
+                let mut k = start(n, j) + i;
+                piece.columns(|c, first| {
+                    let column = &mut values[first..first + rows];
+                    column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
+                    k += n - 1 - j - c;
+                });
+            } else {
+                // The small matrix has it in a row.
+                let row = start(n, i) + j;
+                piece.columns(|c, first| {
+                    let mut k = row + c;
+                    for (r, x) in values[first..first + rows].iter_mut().enumerate() {
                         *x += entry(k);
-                        k += n - 1 - i;
+                        k += n - 1 - i - r;
                     }
-                }
+                });
             }
         }
     }
 }
 
+/// Where column j of a lower triangle of n columns would begin with row zero.
+#[inline(always)]
+const fn start(n: usize, j: usize) -> usize {
+    j * n - j * (j + 1) / 2
+}
+
 impl Piece {
-    /// The values of a column from a row on.
+    /// Calls for each column with its number and where its first row is among the values.
     #[inline(always)]
-    fn column<'a>(&self, values: &'a mut [f64], column: usize, row: usize) -> &'a mut [f64] {
-        let j = self.column as usize + column;
-        let shape = Shape { columns: 0, height: self.height as usize };
-        let first = self.start + LANES * shape.column(j).start + self.row as usize - (j - j % LANES);
-        &mut values[first + row..first + self.rows as usize]
+    fn columns(&self, mut work: impl FnMut(usize, usize)) {
+        let (height, column) = (self.height as usize, self.column as usize);
+        let shape = Shape { columns: 0, height };
+        let mut first =
+            self.start + LANES * shape.column(column).start + self.row as usize - (column - column % LANES);
+        for c in 0..self.columns as usize {
+            work(c, first);
+            let j = column + c;
+            // Each four columns begin a quad of rows later than those before.
+            first += LANES * (height - j / LANES) - if j % LANES == LANES - 1 { LANES } else { 0 };
+        }
     }
 }
 

@@ -371,16 +371,15 @@ fn elements<const N: usize>(
     profile: impl Fn(&[Vector3<f64>; N], &dyn Fn(f64) -> CrossSection) -> Profile<N>,
 ) -> Vec<([Vector3<f64>; 3], Arc<Profile<N>>)> {
     let mut last: Option<([Vector3<f64>; N], Arc<Profile<N>>)> = None;
-    let count = (nodes.len() - 1) / span;
     let of = |k: usize| {
         let frame = nodes[k * span].frame;
         let to_local = Matrix3::from_columns(&frame).transpose();
         let origin = nodes[k * span].position;
         let local: [Vector3<f64>; N] = std::array::from_fn(|i| {
-            let vector = reference[k * span * stride + i];
-            to_local * if i % stride == 0 { vector - origin } else { vector }
+            let shift = if i % stride == 0 { origin } else { Vector3::zeros() };
+            to_local * (reference[k * span * stride + i] - shift)
         });
-        // Far from the start of the body, differences of positions are no more precise than these.
+        // Far from its start, differences of positions are no more precise than this.
         let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
         let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
             let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {
@@ -397,5 +396,5 @@ fn elements<const N: usize>(
         last = Some((local, Arc::clone(&profile)));
         (frame, profile)
     };
-    (0..count).map(of).collect()
+    (0..(nodes.len() - 1) / span).map(of).collect()
 }

@@ -87,8 +87,8 @@ fn eliminate_columns<const N: usize>(
         let is_number = pivots[c].is_finite() && by[c].is_finite();
         good &= is_number && pivots[c].abs() >= f64::EPSILON * sizes[four][c];
         let quotient = quotient(&x[c], pivots[c], by[c]);
-        for lane in c + 1..LANES {
-            factors[c][lane] = quotient[lane];
+        for lane in 0..LANES {
+            factors[c][lane] = if lane > c { quotient[lane] } else { 0.0 };
         }
         raise(&mut sizes[four], &factors[c], &x[c]);
         l[c * length] = factors[c];

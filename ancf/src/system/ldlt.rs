@@ -156,7 +156,9 @@ impl Work<'_> {
             top -= form.size();
             let update = &self.stack[top..top + form.size()];
             match self.panels.runs(child) {
-                [run] if run.into as usize % LANES == 0 => take_in_run(shape, front, run, form, update),
+                [run] if (run.into as usize).is_multiple_of(LANES) => {
+                    take_in_run(shape, front, run, form, update);
+                }
                 runs => take_in(shape, front, runs, form, update),
             }
         }
@@ -239,7 +241,9 @@ impl NullaryFnOnce for Solve<'_> {
             let part = &mut part[..shape.height];
             gather(part, panel, runs, x);
             match shape {
-                Shape { columns: 12, height: 6 } => dense::forward(Shape { columns: 12, height: 6 }, l, part),
+                Shape { columns: 12, height: 6 } => {
+                    dense::forward(Shape { columns: 12, height: 6 }, l, part);
+                }
                 shape => dense::forward(shape, l, part),
             }
             let (own, below) = part.split_at(shape.own());
@@ -259,7 +263,7 @@ impl NullaryFnOnce for Solve<'_> {
             gather(part, panel, runs, x);
             match shape {
                 Shape { columns: 12, height: 6 } => {
-                    dense::backward(Shape { columns: 12, height: 6 }, l, part)
+                    dense::backward(Shape { columns: 12, height: 6 }, l, part);
                 }
                 shape => dense::backward(shape, l, part),
             }

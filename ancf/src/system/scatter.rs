@@ -73,65 +73,69 @@ impl Scatter {
         ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
     }
 
-    /// Adds entries to the values of a matrix from the `first` on: `entry(k)` is the k-th of the lower triangle by columns.
+    /// Adds entries to the values of a matrix, of which the first `skip` are left out: `entry(k)` is the k-th of the lower
+    /// triangle by columns.
     #[inline]
-    pub fn add(&self, values: &mut [f64], first: usize, entry: impl Fn(usize) -> f64) {
+    pub fn add(&self, values: &mut [f64], skip: usize, entry: impl Fn(usize) -> f64) {
         let n = self.size as usize;
-        // Where a column would begin with row zero.
-        let column = |j: usize| j * n - j * (j + 1) / 2;
         for piece in &*self.pieces {
-            let (from_row, from_column) = (piece.from_row as usize, piece.from_column as usize);
-            let rows = piece.rows as usize;
-            for c in 0..piece.columns as usize {
-                let j = from_column + c;
-                if from_row == from_column {
-                    let from = column(j) + j;
-                    piece
-                        .column(values, first, c, c)
-                        .iter_mut()
-                        .zip(from..)
-                        .for_each(|(x, k)| *x += entry(k));
-                } else if from_row > from_column {
-                    let from = column(j) + from_row;
-                    piece
-                        .column(values, first, c, 0)
-                        .iter_mut()
-                        .zip(from..)
-                        .for_each(|(x, k)| *x += entry(k));
-                } else {
-                    // The small matrix has it in a row.
-                    let mut k = column(from_row) + j;
-                    for (x, i) in piece.column(values, first, c, 0).iter_mut().zip(from_row..from_row + rows)
-                    {
+            let (rows, i, j) = (piece.rows as usize, piece.from_row as usize, piece.from_column as usize);
+            if i == j {
+                let mut k = start(n, j) + j;
+                piece.columns(|c, first| {
+                    let column = &mut values[first + c - skip..first + rows - skip];
+                    column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
+                    k += n - j - c;
+                });
+            } else if i > j {
+                let mut k = start(n, j) + i;
+                piece.columns(|c, first| {
+                    let column = &mut values[first - skip..first + rows - skip];
+                    column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
+                    k += n - 1 - j - c;
+                });
+            } else {
+                // The small matrix has it in a row.
+                let row = start(n, i) + j;
+                piece.columns(|c, first| {
+                    let mut k = row + c;
+                    for (r, x) in values[first - skip..first + rows - skip].iter_mut().enumerate() {
                         *x += entry(k);
-                        k += n - 1 - i;
+                        k += n - 1 - i - r;
                     }
-                }
+                });
             }
         }
     }
 }
 
+/// Where column j of a lower triangle of n columns would begin with row zero.
+#[inline(always)]
+const fn start(n: usize, j: usize) -> usize {
+    j * n - j * (j + 1) / 2
+}
+
 impl Piece {
-    /// Where row zero of a column would be among the values.
-    #[inline(always)]
-    fn top(&self, column: usize) -> usize {
-        let j = self.column as usize + column;
-        let shape = Shape { columns: 0, height: self.height as usize };
-        self.start + LANES * shape.column(j).start + self.row as usize - (j - j % LANES)
-    }
-
-    /// The values of a column from a row on, of those from the `first` on.
-    #[inline(always)]
-    fn column<'a>(&self, values: &'a mut [f64], first: usize, column: usize, row: usize) -> &'a mut [f64] {
-        let top = self.top(column) - first;
-        &mut values[top + row..top + self.rows as usize]
-    }
-
     /// The range of the values that hold it.
     fn range(&self) -> Range<usize> {
-        // A diagonal piece begins with the diagonal of its first column.
-        self.top(0)..self.top(self.columns as usize - 1) + self.rows as usize
+        let (mut start, mut end) = (usize::MAX, 0);
+        self.columns(|_, first| (start, end) = (start.min(first), end.max(first + self.rows as usize)));
+        start..end
+    }
+
+    /// Calls for each column with its number and where its first row is among the values.
+    #[inline(always)]
+    fn columns(&self, mut work: impl FnMut(usize, usize)) {
+        let (height, column) = (self.height as usize, self.column as usize);
+        let shape = Shape { columns: 0, height };
+        let mut first =
+            self.start + LANES * shape.column(column).start + self.row as usize - (column - column % LANES);
+        for c in 0..self.columns as usize {
+            work(c, first);
+            let j = column + c;
+            // Each four columns begin a quad of rows later than those before.
+            first += LANES * (height - j / LANES) - if j % LANES == LANES - 1 { LANES } else { 0 };
+        }
     }
 }
 

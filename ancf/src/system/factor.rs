@@ -9,7 +9,8 @@ use faer::sparse::{SparseColMat, Triplet};
 use super::ldlt::Ldlt;
 use super::{Pattern, SparseMatrix};
 
-/// The factorisation of a symmetric indefinite matrix: LDLᵀ in panels without pivoting, checked at every solve.
+/// The factorisation of a symmetric indefinite matrix: LDLᵀ in panels without pivoting, checked at every solve but for
+/// increments after a first one that needed no refinement.
 ///
 /// Without pivoting, rounding in LDLᵀ does not depend on how rows and columns are scaled together, so units and
 /// slope lengths do not matter to it. What it loses when a stiffness is indefinite is seen in the backward error
@@ -28,6 +29,8 @@ pub struct Factor {
     lu: Option<Lu<usize, f64>>,
     /// If multipliers are shared.
     shared: Option<Box<Shared>>,
+    /// Whether the factors have solved equations without refinement.
+    proven: bool,
     /// Equilibration D, right-hand side, solution and residual, in positions.
     d: Vec<f64>,
     b: Vec<f64>,
@@ -83,6 +86,7 @@ impl Factor {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
                 Box::new(Shared { compliant, b: zeros.clone(), x: zeros.clone() })
             }),
+            proven: false,
             d: zeros.clone(),
             b: zeros.clone(),
             x: zeros.clone(),
@@ -108,7 +112,7 @@ impl Factor {
     }
 
     fn factorise_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        self.lu = None;
+        (self.lu, self.proven) = (None, false);
         let done = self.ldlt.factorise(self.pattern.panels(), k.values());
         if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
     }
@@ -118,13 +122,14 @@ impl Factor {
     /// # Errors
     /// If no factorisation solves the equations to a small backward error, or redundant constraints contradict each other.
     pub fn solve(&mut self, k: &SparseMatrix, x: &mut [f64]) -> Result<(), SingularMatrix> {
-        let error = self.solve_from(k, x, &[])?;
+        let error = self.solve_from(k, x, None)?;
         if error <= CONTRADICT { Ok(()) } else { Err(SingularMatrix) }
     }
 
     /// The same for an increment x of a state with multipliers λ, such that those shared are least after it, not in it.
     ///
-    /// What redundant constraints contradict each other is left as it is, as away from Φ = 0 they may.
+    /// What redundant constraints contradict each other is left as it is, as away from Φ = 0 they may. Errors of an increment are
+    /// seen in the next residual: factors that have proven themselves are not checked again.
     ///
     /// # Errors
     /// If no factorisation solves the equations to a small backward error.
@@ -134,18 +139,28 @@ impl Factor {
         x: &mut [f64],
         lambda: &[f64],
     ) -> Result<(), SingularMatrix> {
-        self.solve_from(k, x, lambda).map(|_| ())
+        self.solve_from(k, x, Some(lambda)).map(|_| ())
     }
 
     /// Returns the backward error if multipliers are shared, else zero for one that is accepted.
-    fn solve_from(&mut self, k: &SparseMatrix, x: &mut [f64], lambda: &[f64]) -> Result<f64, SingularMatrix> {
+    fn solve_from(
+        &mut self,
+        k: &SparseMatrix,
+        x: &mut [f64],
+        lambda: Option<&[f64]>,
+    ) -> Result<f64, SingularMatrix> {
         for (unknown, &value) in x.iter().enumerate() {
             self.b[self.pattern.position(unknown)] = value;
         }
         let error = match self.shared.take() {
+            None if self.proven && lambda.is_some() => {
+                self.x.copy_from_slice(&self.b);
+                self.substitute(false);
+                Ok(0.0)
+            }
             None => self.solve_as_is(k).map(|()| 0.0),
             Some(mut shared) => {
-                let error = self.solve_shared(k, &mut shared, lambda);
+                let error = self.solve_shared(k, &mut shared, lambda.unwrap_or_default());
                 self.shared = Some(shared);
                 error
             }
@@ -201,6 +216,7 @@ impl Factor {
         self.x.copy_from_slice(&self.b);
         self.substitute(false);
         let mut error = self.backward_error(k);
+        self.proven = error <= REFINE;
         for _ in 0..2 {
             if error <= REFINE {
                 return Ok(());

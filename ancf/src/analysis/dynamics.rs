@@ -62,7 +62,8 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     pub(super) attempted: [Vec<f64>; 2],
     trend: Trend,
     phi: Vec<f64>,
-    /// The power of the current state.
+    /// Energy and power of the current state.
+    energy: Energy,
     power: Power,
     exchanged: Power,
 }
@@ -86,6 +87,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             h: 0.0,
             fresh: false,
             phi: vec![0.0; start.lambda.len()],
+            energy: eom.energy(&start),
             power: eom.power(&start),
             exchanged: Power::default(),
             state: start,
@@ -99,7 +101,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
 
     /// The energies of the current state.
     pub fn energy(&self) -> Energy {
-        self.eom.energy(&self.state)
+        self.energy
     }
 
     /// Work supplied and energy dissipated since the start, by the trapezoidal rule over the steps.
@@ -127,6 +129,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
         accelerations(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.auxiliary.copy_from_slice(&self.state.a);
+        self.energy = self.eom.energy(&self.state);
         self.power = self.eom.power(&self.state);
         self.h = 0.0;
         self.fresh = true;
@@ -142,6 +145,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
         velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
+        self.energy = self.eom.energy(&self.state);
         self.power = self.eom.power(&self.state);
         Ok(())
     }
@@ -207,7 +211,11 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// If memory does not suffice.
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.state) {
-            Some((eom, matrix)) => self.renew(eom, matrix),
+            Some((eom, matrix)) => {
+                self.renew(eom, matrix)?;
+                self.energy = self.eom.energy(&self.state);
+                Ok(())
+            }
             None => Ok(()),
         }
     }
@@ -250,10 +258,11 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// Makes the end of the attempt the current state.
     pub(super) fn accept(&mut self, done: &Report, report: &mut StepReport) {
         self.h = self.state.t - self.before.t;
-        self.trend.note(&self.before, &self.state, self.h, &self.newton.tangent.matrix);
+        self.trend.note(&self.before, &self.state, self.h, &self.newton.tangent.factor);
         self.fresh = false;
         std::mem::swap(&mut self.auxiliary, &mut self.attempted[1]);
-        self.newton.met(self.eom.energy(&self.state).largest());
+        self.energy = self.eom.energy(&self.state);
+        self.newton.met(self.energy.largest());
         let power = self.eom.power(&self.state);
         self.exchanged.work += 0.5 * self.h * (self.power.work + power.work);
         self.exchanged.dissipation += 0.5 * self.h * (self.power.dissipation + power.dissipation);

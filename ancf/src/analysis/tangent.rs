@@ -78,13 +78,20 @@ impl Tangent {
 
     /// Takes a matrix of another pattern in the place of its own.
     pub(super) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
-        *self = Self { policy: self.policy, ..Self::new(matrix)? };
+        *self = Self {
+            policy: self.policy,
+            pause: self.pause,
+            last_pause: self.last_pause,
+            ..Self::new(matrix)?
+        };
         Ok(())
     }
 
-    /// Lets tangents be used again.
+    /// Lets tangents be used again, unless there are redundant constraints: these agree along the exact tangent only.
     pub(super) fn reuse(&mut self) {
-        self.policy = Policy::WhenDue;
+        if !self.matrix.pattern().is_sharing() {
+            self.policy = Policy::WhenDue;
+        }
     }
 
     /// The next iteration needs a new one.

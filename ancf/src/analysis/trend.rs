@@ -1,4 +1,4 @@
-use crate::system::{SparseMatrix, State, Weights};
+use crate::system::{Factor, State, Weights};
 
 /// How accelerations and multipliers change from step to step, for the first guess of the next step.
 ///
@@ -37,15 +37,15 @@ impl Trend {
     }
 
     /// Takes note of a step h that led from one state to another.
-    pub(super) fn note(&mut self, before: &State, now: &State, h: f64, matrix: &SparseMatrix) {
+    pub(super) fn note(&mut self, before: &State, now: &State, h: f64, factor: &Factor) {
         let ratio = self.h.map_or(0.0, |last| h / last);
         let (mut changed, mut missed) = (0.0, 0.0);
         let (of_coordinates, of_multipliers) = self.change.split_at_mut(now.q.len());
         for (i, change) in of_coordinates.iter_mut().enumerate() {
             let now = now.a[i] - before.a[i];
-            let weight = matrix.diagonal_of(i).abs();
-            changed += weight * now * now;
-            missed += weight * (now - ratio * *change).powi(2);
+            let by = 1.0 / factor.scale(i);
+            changed += (by * now).powi(2);
+            missed += (by * (now - ratio * *change)).powi(2);
             *change = now;
         }
         let pairs = now.lambda.iter().zip(&before.lambda);

@@ -328,6 +328,11 @@ impl Factor {
         self.lu.is_some()
     }
 
+    /// The scale of a coordinate: one over the root of its diagonal entry in the matrix factorised last.
+    pub fn scale(&self, coordinate: usize) -> f64 {
+        self.d[self.pattern.position(coordinate)]
+    }
+
     /// The number of negative entries of D in the current L D Lᵀ: as many as K has negative eigenvalues.
     ///
     /// `None` if LU has taken over, whose pivots tell nothing of eigenvalues.

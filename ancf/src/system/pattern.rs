@@ -95,6 +95,11 @@ impl Pattern {
         &self.massless
     }
 
+    /// Whether there are multipliers that the equations leave undetermined.
+    pub fn is_sharing(&self) -> bool {
+        !self.shared.is_empty()
+    }
+
     /// Positions of multipliers that the equations leave undetermined.
     pub(super) fn shared(&self) -> &[usize] {
         &self.shared

@@ -300,3 +300,39 @@ fn shared_multipliers() {
     let lambda = &x[equations.coordinates..];
     assert!(lambda.iter().all(|one| (one - lambda[0]).abs() < 1e-8 * lambda[0].abs()), "{lambda:?}");
 }
+
+/// Long chains and trees: equal to the last digit with any number of threads, and solved to rounding.
+#[test]
+fn threads() {
+    for (nodes, arm) in [(3000, usize::MAX), (3200, 400)] {
+        let mut random = Random(5);
+        let coordinates = |node: usize| 6 * node..6 * node + 6;
+        // Arms hang on the middle of arms before.
+        let before = |node: usize| {
+            if node.is_multiple_of(arm) { (node / arm - 1) / 2 * arm + arm / 2 } else { node - 1 }
+        };
+        let links = (1..nodes).map(|node| coordinates(before(node)).chain(coordinates(node)).collect());
+        let blocks = links.map(|ends| Block::definite(&mut random, ends)).collect();
+        let mut equations = Equations { coordinates: 6 * nodes, multipliers: 0, blocks };
+        equations.tie(&mut random, coordinates(7).collect(), 3);
+        equations.tie(&mut random, coordinates(nodes - 1).collect(), 2);
+        let k = equations.sparse();
+        let b: Vec<f64> = (0..k.pattern().size()).map(|i| (i as f64).sin()).collect();
+        let run = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let (mut factor, mut x) = (Factor::new(k.pattern()).unwrap(), b.clone());
+            pool.install(|| {
+                factor.factorise(&k).unwrap();
+                factor.solve(&k, &mut x).unwrap();
+            });
+            assert_eq!(factor.negative_pivots(), Some(5));
+            x
+        };
+        let x = run(1);
+        let sizes = k.magnitudes(&x);
+        for ((b, y), size) in b.iter().zip(k.times(&x)).zip(sizes) {
+            assert!((b - y).abs() <= 1e-11 * (b.abs() + size), "{b} {y} {size}");
+        }
+        [2, 4].into_iter().for_each(|threads| assert!(run(threads) == x, "{threads} threads"));
+    }
+}

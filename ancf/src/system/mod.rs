@@ -2,6 +2,7 @@
 
 mod assembly;
 mod batch;
+mod branches;
 mod dense;
 mod dependence;
 mod elimination;
@@ -18,6 +19,7 @@ mod parts;
 mod pattern;
 mod scatter;
 mod state;
+mod substitution;
 mod term;
 
 pub use assembly::System;

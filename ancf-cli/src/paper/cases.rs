@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, Output, Place, Probe,
-    ScaleChoice, Scheme, Section, Slopes, Start,
+    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output, Place,
+    Probe, ScaleChoice, Scheme, Section, Slopes, Start,
 };
 
 /// Length of the beam, m (Table 2).
@@ -92,6 +92,8 @@ impl Case {
             contacts: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
+                // As the paper does, whose iterations are counted.
+                newton: NewtonMethod::Full,
                 scheme: Scheme::Adams,
                 start: Start::Zero,
                 // The last whole step, as the paper has it.

@@ -239,7 +239,9 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.scheme.predict(&mut self.state, auxiliary, h);
         self.state.t = to;
         let weights = self.scheme.weights(h);
-        self.trend.add_to(&mut self.state, weights, h);
+        if self.newton.tangent.is_reusable() {
+            self.trend.add_to(&mut self.state, weights, h);
+        }
         let done = self.newton.solve(&*self.eom, &mut self.state, weights)?;
         if let Some(worst) = self.eom.inadmissible(&self.state) {
             return Err(SolveError::after(done, to, Failure::Inverted, worst));

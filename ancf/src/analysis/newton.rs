@@ -45,6 +45,7 @@ pub struct Newton {
     stop: Stop,
     max_iterations: u32,
     patience: u32,
+    full: bool,
     pub(super) tangent: Tangent,
     pub(super) r: Vec<f64>,
     pub(super) z: Vec<f64>,
@@ -72,6 +73,7 @@ impl Newton {
             stop,
             max_iterations,
             patience: STUCK,
+            full: false,
             tangent: Tangent::new(matrix).map_err(SolveError::at_start)?,
             r: zeros.clone(),
             z: zeros.clone(),
@@ -89,9 +91,15 @@ impl Newton {
         self.tangent.adopt(matrix).map_err(SolveError::at_start)
     }
 
+    /// The same with a new tangent in each iteration, also in steps of time.
+    #[must_use]
+    pub fn full(self) -> Self {
+        Self { full: true, ..self }
+    }
+
     /// Lets tangents be used again, if the rule for the end of the iteration knows what is left.
     pub(super) fn reuse(&mut self) {
-        if matches!(self.stop, Stop::Energy(_)) {
+        if matches!(self.stop, Stop::Energy(_)) && !self.full {
             self.tangent.reuse();
         }
     }

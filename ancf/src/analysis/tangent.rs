@@ -94,6 +94,11 @@ impl Tangent {
         }
     }
 
+    /// Whether they may be.
+    pub(super) fn is_reusable(&self) -> bool {
+        self.policy != Policy::Always
+    }
+
     /// The next iteration needs a new one.
     pub(super) fn renew(&mut self) {
         self.weights = None;

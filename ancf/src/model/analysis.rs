@@ -52,6 +52,9 @@ pub struct Dynamics {
     /// When the Newton iteration of a step ends.
     #[serde(default)]
     pub stop: Stop,
+    /// Newton's method with a new tangent in each iteration, or with tangents that are used again.
+    #[serde(default)]
+    pub newton: NewtonMethod,
     /// Newton iterations after which a step has failed.
     #[serde(default = "Dynamics::max_iterations")]
     #[schemars(range(min = 1))]
@@ -79,10 +82,23 @@ impl Dynamics {
             scheme: Scheme::Adams,
             start: Start::Consistent,
             stop: Stop::Energy { tolerance: Stop::ENERGY },
+            newton: NewtonMethod::Modified,
             max_iterations: Self::max_iterations(),
             max_halvings: Self::max_halvings(),
         }
     }
+}
+
+/// When Newton's method makes a new tangent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NewtonMethod {
+    /// When it is cheaper than more iterations with an old one; the same solutions in less time. Rules in absolute
+    /// numbers for the end of the iteration, and redundant joints, want the full method and get it.
+    #[default]
+    Modified,
+    /// In each iteration.
+    Full,
 }
 
 /// Steps of one size, or as large as a tolerance permits.

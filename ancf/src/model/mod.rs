@@ -53,7 +53,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use acting::{AngularDrive, AngularFriction, AngularSpring, LinearDrive, LinearFriction, LinearSpring};
-pub use analysis::{Analysis, Dynamics, Scheme, Start, Step, Stop};
+pub use analysis::{Analysis, Dynamics, NewtonMethod, Scheme, Start, Step, Stop};
 pub use assemble::{Assembly, Measure};
 pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
 pub use closing::Closed;

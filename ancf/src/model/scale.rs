@@ -259,7 +259,7 @@ impl Analysis {
             Self::Dynamics(dynamics) => dynamics,
             Self::Statics(_) | Self::Path(_) | Self::Modes(_) | Self::Buckling(_) => return self,
         };
-        let Dynamics { duration, step, scheme, start, stop, max_iterations, max_halvings } = dynamics;
+        let Dynamics { duration, step, scheme, start, stop, newton, max_iterations, max_halvings } = dynamics;
         let time = |x| number(x, Dimension::TIME, s);
         Self::Dynamics(Dynamics {
             duration: time(duration),
@@ -272,6 +272,7 @@ impl Analysis {
             scheme,
             start,
             stop,
+            newton,
             max_iterations,
             max_halvings,
         })

@@ -1,5 +1,5 @@
 use crate::analysis::{Adaptive, Control, Dynamics, Newton, SolveError, StepReport};
-use crate::model::{self, Assembly, Model, Start, Step};
+use crate::model::{self, Assembly, Model, NewtonMethod, Start, Step};
 use crate::system::System;
 
 /// Steps through a dynamic analysis from one recorded instant to the next.
@@ -36,6 +36,7 @@ impl<'a> Pace<'a> {
     ) -> Result<Self, SolveError> {
         let duration = settings.duration;
         let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
+        let newton = if settings.newton == NewtonMethod::Full { newton.full() } else { newton };
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics =
             Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.start(model));

@@ -191,7 +191,7 @@ mod tests {
                     n - 1
                 }
             }
-            _ if (n - 41) % 400 == 0 => 10 * ((n - 41) / 800 + 1),
+            _ if (n - 41_u32).is_multiple_of(400) => 10 * ((n - 41) / 800 + 1),
             _ => n - 1,
         };
         let tree = checked((1..3241).map(|n| (parent(n), n)), 3241);

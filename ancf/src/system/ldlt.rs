@@ -3,9 +3,9 @@ use std::ops::Range;
 use pulp::{Arch, NullaryFnOnce};
 
 use super::branches::{Branch, Branches, LEAST, Stretch, children, fork};
-use super::dense;
-use super::panel::{LANES, Panel, Panels, Quad, Run, Shape};
+use super::panel::{LANES, Panel, Panels, Quad, Shape};
 use super::substitution::{Backward, Forward, SubtractProduct, View, add_outside, copy_outside};
+use super::{dense, front};
 
 /// LDLᵀ of a symmetric matrix in panels, without pivoting, by the multifrontal method.
 ///
@@ -289,13 +289,7 @@ impl Work<'_> {
     fn eliminate(self, shape: Shape) -> Option<usize> {
         let (height, own, below) = (shape.height, shape.own(), shape.below());
         let front = &mut self.front[..(shape.columns + LANES * below) * height];
-        for (j, column) in front.chunks_exact_mut(height).enumerate() {
-            if j < shape.columns {
-                column[j / LANES..].copy_from_slice(&self.k[shape.column(j)]);
-            } else {
-                column[own + (j - shape.columns) / LANES..].fill([0.0; LANES]);
-            }
-        }
+        front::fill(shape, front, self.k);
         let mut top = self.top;
         for child in children(self.panels, self.at) {
             let form = self.panels.panels[child].update();
@@ -306,57 +300,12 @@ impl Work<'_> {
                     &self.stack[top..top + form.size()]
                 }
             };
-            match self.panels.runs(child) {
-                [run] if (run.into as usize).is_multiple_of(LANES) => {
-                    take_in_run(shape, front, run, form, update);
-                }
-                runs => take_in(shape, front, runs, form, update),
-            }
+            front::take_in(shape, front, self.panels.runs(child), form, update);
         }
         let good = dense::eliminate(shape, front, self.l, self.inverse, &mut self.sizes[..own]);
         let form = self.panel.update();
         dense::update(shape, front, self.l, &mut self.stack[top..top + form.size()]);
         good.then_some(top + form.size())
-    }
-}
-
-/// The column of a front for a row.
-#[inline(always)]
-fn column_of(shape: Shape, row: usize) -> usize {
-    if row < shape.columns { row } else { shape.columns + row - LANES * shape.own() }
-}
-
-/// Adds what a child leaves if its rows follow each other and begin with a quad.
-#[inline(always)]
-fn take_in_run(shape: Shape, front: &mut [Quad], run: &Run, form: Shape, update: &[Quad]) {
-    let (into, first) = (run.into as usize / LANES, column_of(shape, run.into as usize));
-    for c in 0..run.length as usize {
-        let four = c / LANES;
-        let column = &mut front[(first + c) * shape.height..(first + c + 1) * shape.height];
-        for (x, y) in column[into + four..].iter_mut().zip(&update[form.column(c)]) {
-            (0..LANES).for_each(|lane| x[lane] += y[lane]);
-        }
-    }
-}
-
-/// Adds what a child leaves.
-#[inline(always)]
-fn take_in(shape: Shape, front: &mut [Quad], runs: &[Run], form: Shape, update: &[Quad]) {
-    let mut c = 0;
-    for (i, run) in runs.iter().enumerate() {
-        for column in run.into..run.into + run.length {
-            let from = column_of(shape, column as usize) * shape.height;
-            let target = front[from..from + shape.height].as_flattened_mut();
-            let mut source = &update[form.column(c)].as_flattened()[c % LANES..];
-            let mut add = |into: u32, length: u32| {
-                let (rows, rest) = source.split_at(length as usize);
-                target[into as usize..].iter_mut().zip(rows).for_each(|(x, y)| *x += y);
-                source = rest;
-            };
-            add(column, run.into + run.length - column);
-            runs[i + 1..].iter().for_each(|rows| add(rows.into, rows.length));
-            c += 1;
-        }
     }
 }
 

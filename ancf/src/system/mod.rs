@@ -9,6 +9,7 @@ mod elimination;
 mod encounter;
 mod equations;
 mod factor;
+mod front;
 mod kernel;
 mod ldlt;
 mod lists;

@@ -109,7 +109,7 @@ pub struct Counts {
 /// Iterations after which a step under an absolute tolerance is given up.
 pub const MOST_ITERATIONS: u32 = 1000;
 /// Absolute tolerances of the residual, from comfortable to below the rounding floor.
-pub const TOLERANCES: [f64; 7] = [1e-6, 1e-7, 3e-8, 2e-8, 1e-8, 8e-9, 5e-9];
+pub const TOLERANCES: [f64; 9] = [1e-6, 1e-7, 3e-8, 2e-8, 1e-8, 9e-9, 8e-9, 6e-9, 5e-9];
 /// The usual acceleration of gravity, beside the recovered one, m/s².
 pub const STANDARD_GRAVITY: f64 = 9.81;
 /// Steps of the conditioning table, s.

@@ -1,4 +1,5 @@
 //! The step loop allocates nothing: all storage is there before the first step.
+#![cfg(test)]
 
 use std::path::Path;
 

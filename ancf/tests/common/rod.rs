@@ -4,8 +4,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, Output, Place, Probe,
-    ScaleChoice, Scheme, Section, Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output, Place,
+    Probe, ScaleChoice, Scheme, Section, Start, Step, Stop,
 };
 
 /// Length L.
@@ -35,6 +35,7 @@ pub(crate) fn free(elements: u32) -> Model {
             scheme: Scheme::Adams,
             start: Start::Zero,
             stop: Stop::default(),
+            newton: NewtonMethod::Modified,
             max_iterations: 50,
             max_halvings: 0,
         }),

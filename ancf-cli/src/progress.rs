@@ -55,6 +55,9 @@ impl Sink for Progress {
     }
 
     fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
+        if self.bar.is_hidden() {
+            return Ok(ControlFlow::Continue(()));
+        }
         let t = row.first().copied().unwrap_or(0.0);
         let position = (t / self.duration * TICKS as f64) as u64;
         if position != self.bar.position() {

@@ -93,6 +93,13 @@ impl Batched {
         least as usize..most as usize + 1
     }
 
+    /// Gathers from a vector.
+    fn gather(&self, from: &[f64], to: &mut [Lanes]) {
+        for (to, coordinates) in to.iter_mut().zip(self.coordinates.as_chunks::<LANES>().0) {
+            to.0 = std::array::from_fn(|l| from[coordinates[l] as usize]);
+        }
+    }
+
     /// Adds rows to a vector that begins at a coordinate.
     fn add(&self, rows: &[Lanes], sum: &mut [f64], first: usize) {
         for (row, coordinates) in rows.iter().zip(self.coordinates.chunks_exact(LANES)) {
@@ -114,20 +121,19 @@ impl GatheredLanes {
     const NONE: [Lanes; WIDTH] = [Lanes([0.0; LANES]); WIDTH];
     pub(super) const EMPTY: Self = Self { q: Self::NONE, v: Self::NONE, a: Self::NONE };
 
+    /// Coordinates and velocities; accelerations are left as they are, since only residuals depend on them.
     pub(super) fn gather<'a>(&'a mut self, s: &State, of: &Batched) -> LocalLanes<'a> {
         let Self { q, v, a } = self;
         let width = of.coordinates.len() / LANES;
-        for (to, from) in [(&mut *q, &s.q), (&mut *v, &s.v), (&mut *a, &s.a)] {
-            for (to, coordinates) in to.iter_mut().zip(of.coordinates.chunks_exact(LANES)) {
-                to.0 = std::array::from_fn(|l| from[coordinates[l] as usize]);
-            }
-        }
+        of.gather(&s.q, q);
+        of.gather(&s.v, v);
         LocalLanes { q: &q[..width], v: &v[..width], a: &a[..width], load: s.load }
     }
 
     /// Adds the residual of a batch to that of all, from a coordinate on.
     pub(super) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
+        of.gather(&s.a, &mut self.a);
         let at = self.gather(s, of);
         let rows = &mut rows[..at.q.len()];
         of.batch.residual(&at, rows);

@@ -311,9 +311,9 @@ impl Work<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Pattern;
-    use super::super::lists::Lists;
     use super::*;
+    use crate::system::Pattern;
+    use crate::system::lists::Lists;
 
     /// With branches and without: the same to rounding; by one thread and by many: the same to the last digit.
     #[test]

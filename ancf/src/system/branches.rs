@@ -153,8 +153,8 @@ pub(super) fn fork<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::Pattern;
-    use super::super::lists::Lists;
+    use crate::system::Pattern;
+    use crate::system::lists::Lists;
     use super::*;
 
     /// Branches and trunk are all panels, once; nothing in a branch touches anything outside but rows of its root.

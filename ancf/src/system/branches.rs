@@ -153,9 +153,9 @@ pub(super) fn fork<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::system::Pattern;
     use crate::system::lists::Lists;
-    use super::*;
 
     /// Branches and trunk are all panels, once; nothing in a branch touches anything outside but rows of its root.
     fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Branches {

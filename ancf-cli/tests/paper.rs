@@ -155,7 +155,7 @@ fn results_have_all_keys() {
     assert_eq!(RESULTS["repeats"], 1);
     assert!(RESULTS["machine"]["processor"].is_string());
     assert_eq!(RESULTS["gain"].as_array().unwrap().len(), 13);
-    assert_eq!(RESULTS["tolerances"].as_array().unwrap().len(), 8);
+    assert_eq!(RESULTS["tolerances"].as_array().unwrap().len(), 10);
 }
 
 #[test]

@@ -169,7 +169,7 @@ fn rows(system: &System, s: &State) -> Vec<Sparse> {
 }
 
 fn dynamics(system: &System) -> Dynamics<'_, System> {
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-12), 30).unwrap();
+    let newton = Newton::new(system.matrix(), Stop::Energy(1e-12), 30).unwrap().full();
     let start = State::rest(6, system.multipliers());
     let mut dynamics = Dynamics::new(system, Scheme::generalized_alpha(0.8), newton, 0, start);
     dynamics.restart(0.0).unwrap();

@@ -7,16 +7,19 @@ use std::process::Command;
 
 use crate::{Done, cargo, say};
 
-/// Builds what measures, and the program `ancf` beside it, optimised; then runs it with one thread.
-///
-/// By its path, not by `cargo run`: alone, the package would have other features of its dependencies, and build them all anew.
+/// Builds what measures and runs it with one thread; by its path, since `cargo run` would build it alone.
 fn measure(chore: &str, options: &[String]) -> Done {
-    cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])?;
+    build()?;
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     let program = target.join("release").join(format!("ancf-bench{}", env::consts::EXE_SUFFIX));
     let arguments: Vec<&OsStr> =
         [chore].into_iter().chain(options.iter().map(String::as_str)).map(OsStr::new).collect();
     run(&program, &arguments)
+}
+
+/// What measures and the program `ancf`, together: alone, either has other features of its dependencies, and builds them all anew.
+fn build() -> Done {
+    cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])
 }
 
 fn root() -> PathBuf {
@@ -73,7 +76,7 @@ pub(crate) fn peers() -> Done {
     let requirements = scripts.join("requirements.txt");
     let install = ["-m", "pip", "install", "--quiet", "--requirement"].map(OsStr::new);
     run(&python, &[&install[..], &[requirements.as_os_str()]].concat())?;
-    cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])?;
+    build()?;
     run(&python, &[scripts.join("peers.py").as_os_str()])
 }
 

@@ -121,15 +121,15 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.take_in()?;
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
-        let before = self.eom.energy(&self.state).kinetic;
+        let before = self.energy.kinetic;
         velocities(&*self.eom, matrix, factor, &mut self.state, z)?;
+        self.energy = self.eom.energy(&self.state);
         if self.h > 0.0 {
             // A blow: prescribed motions whose rates jump do the work of impulses on the mean of both rates.
-            self.exchanged.work += self.eom.energy(&self.state).kinetic - before;
+            self.exchanged.work += self.energy.kinetic - before;
         }
         accelerations(&*self.eom, matrix, factor, &mut self.state, z)?;
         self.auxiliary.copy_from_slice(&self.state.a);
-        self.energy = self.eom.energy(&self.state);
         self.power = self.eom.power(&self.state);
         self.h = 0.0;
         self.fresh = true;

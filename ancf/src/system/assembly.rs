@@ -1,12 +1,12 @@
 use std::fmt;
-use std::ops::{AddAssign, Range};
+use std::ops::AddAssign;
 use std::sync::Arc;
 
 use super::batch::{Batch, Batched, GatheredLanes, LowerLanes};
 use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::encounter::{Met, lacks, near};
 use super::lists::Lists;
-use super::parts::Parts;
+use super::parts::{Parts, hull};
 use super::{
     Encounters, Energy, EquationsOfMotion, LOCAL, Level, Local, LocalLanes, LocalMatrix, Pattern, Power,
     Scatter, SparseMatrix, State, Term, Weights,
@@ -141,11 +141,7 @@ impl System {
         batches.iter().for_each(|batched| alone[batched.terms()].fill(false));
         let alone = (0..self.terms.len()).filter(|&i| alone[i]).collect();
         let rows: Vec<_> = batches.iter().map(Batched::range).collect();
-        let joint = |a: Range<usize>, b: Range<usize>| a.start.min(b.start)..a.end.max(b.end);
-        let entries = |batched: &Batched| {
-            let ranges = self.scatters[batched.terms()].iter().map(Scatter::range);
-            ranges.reduce(joint).unwrap_or_default()
-        };
+        let entries = |batched: &Batched| hull(self.scatters[batched.terms()].iter().map(Scatter::range));
         let entries: Vec<_> = batches.iter().map(entries).collect();
         let (by_rows, by_entries) = (Parts::new(&rows), Parts::new(&entries));
         Self { batches, alone, by_rows, by_entries, ..self }

@@ -59,6 +59,11 @@ impl Parts {
     }
 }
 
+/// The least range that holds all of them.
+pub(super) fn hull(ranges: impl Iterator<Item = Range<usize>>) -> Range<usize> {
+    ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
+}
+
 /// Does the parts of a vector, of which `values` begins at an entry.
 fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part, &mut [f64]) + Sync)) {
     match parts {

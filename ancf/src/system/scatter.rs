@@ -2,6 +2,7 @@ use std::ops::Range;
 
 use super::Pattern;
 use super::panel::{LANES, Shape};
+use super::parts::hull;
 
 /// Where the lower triangle of a small matrix over some unknowns goes in a matrix of a pattern.
 ///
@@ -69,8 +70,7 @@ impl Scatter {
 
     /// The range of the values of a matrix to which it adds.
     pub(super) fn range(&self) -> Range<usize> {
-        let ranges = self.pieces.iter().map(Piece::range);
-        ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
+        hull(self.pieces.iter().map(Piece::range))
     }
 
     /// Adds entries to the values of a matrix, of which the first `skip` are left out: `entry(k)` is the k-th of the lower

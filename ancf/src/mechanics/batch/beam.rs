@@ -4,13 +4,13 @@ use pulp::Simd;
 
 use super::Batched;
 use super::beam_law::{BeamLaw, Station};
-use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled, total};
-use super::pass::{Job, run};
+use super::kernel::Kernel;
+use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled};
 use super::relative::Relative;
 use super::strain::Section;
 use super::triangle::{Blocks, lower};
 use crate::mechanics::{Beam24, Beam27, BeamShape, Element, Interpolation, QuadraticShape};
-use crate::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+use crate::system::{Batch, LANES, Lanes, LocalLanes, Weights};
 
 /// Beam elements side by side: of N vectors, A + 1 of them of the axis and B of each kind of the sections.
 #[derive(Debug)]
@@ -96,68 +96,22 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
     }
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> Batch for BeamBatch<N, A, B, C> {
+impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamBatch<N, A, B, C> {
     fn count(&self) -> usize {
         self.count
     }
 
-    fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
-        run(self.count, Residual { batch: self, at, r });
+    fn is_damped(&self) -> bool {
+        self.law.drag != 0.0 || self.law.retardation != 0.0
     }
 
-    fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        run(self.count, Tangent { batch: self, at, w, k });
-    }
-
-    fn energy(&self, at: &LocalLanes<'_>) -> Energy {
-        let (mut kinetic, mut strain, mut potential) = Default::default();
-        let parts = [&mut kinetic, &mut strain, &mut potential];
-        run(self.count, Energies { batch: self, at, parts });
-        let [kinetic, strain, potential] = [kinetic, strain, potential].map(|x| total(&x, self.count));
-        Energy { kinetic, strain, potential }
-    }
-
-    fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
-        let mut right = [true; LANES];
-        run(self.count, Admissible { batch: self, at, right: &mut right });
-        right[..self.count].iter().position(|right| !right)
-    }
-
-    fn power(&self, at: &LocalLanes<'_>) -> Power {
-        if self.law.drag == 0.0 && self.law.retardation == 0.0 {
-            return Power::default();
-        }
-        Power { work: 0.0, dissipation: dissipated(self, at) }
-    }
-}
-
-/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
-pub(super) fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
-    let zeros = [Lanes::default(); 32];
-    let (mut moving, mut still) = (zeros, zeros);
-    let (n, a) = (at.q.len(), &zeros[..at.q.len()]);
-    batch.residual(&LocalLanes { a, load: 0.0, ..*at }, &mut moving[..n]);
-    batch.residual(&LocalLanes { a, v: a, load: 0.0, ..*at }, &mut still[..n]);
-    let of =
-        |lane: usize| (0..n).map(|i| at.v[i].0[lane] * (moving[i].0[lane] - still[i].0[lane])).sum::<f64>();
-    (0..batch.count()).map(of).sum()
-}
-
-struct Residual<'a, const N: usize, const A: usize, const B: usize, C> {
-    batch: &'a BeamBatch<N, A, B, C>,
-    at: &'a LocalLanes<'a>,
-    r: &'a mut [Lanes],
-}
-
-impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Residual<'_, N, A, B, C> {
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, r } = self;
-        let law = &*batch.law;
-        let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
+    fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        let law = &*self.law;
+        let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
         let (mut force, mut section) = (Relative::zero(pass), Section::new(pass));
         for (s, station) in law.stations.iter().enumerate() {
-            batch.deform(pass, s, &q, &mut section);
+            self.deform(pass, s, &q, &mut section);
             station.resultants(pass, v.as_ref(), law.retardation, station.weight, &mut section);
             station.plan.pulls(pass, &section.n, &section.now, &mut section.made);
             station.mix.spread(pass, &section.made, &mut force, station.plan.reach);
@@ -171,31 +125,21 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Residual
             }
         }
     }
-}
 
-struct Tangent<'a, const N: usize, const A: usize, const B: usize, C> {
-    batch: &'a BeamBatch<N, A, B, C>,
-    at: &'a LocalLanes<'a>,
-    w: Weights,
-    k: &'a mut [Lanes],
-}
-
-impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Tangent<'_, N, A, B, C> {
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, w, k } = self;
-        let law = &*batch.law;
+    fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        let law = &*self.law;
         let mut blocks = Blocks::<S, A, B>::zero(pass);
         // Viscosity adds τ D to the stiffness by v; what else it has is left out, as `Station::stiffness` says.
         let squares = w.q + w.v * law.retardation;
         if w.q != 0.0 || squares != 0.0 {
-            let (q, v) = (Relative::of(pass, &law.layout, at.q), batch.moving(pass, at));
+            let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
             let mut section = Section::new(pass);
             // The place of the triangle serves for H until it is written.
             let (h, _) = k.as_chunks_mut();
             for (s, station) in law.stations.iter().enumerate() {
                 let Station { weight, mix, plan, elasticity } = station;
-                batch.deform(pass, s, &q, &mut section);
+                self.deform(pass, s, &q, &mut section);
                 station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
                 plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
                 blocks.add(pass, mix, h, plan.reach);
@@ -213,24 +157,14 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Tangent<
             }
         }
     }
-}
 
-struct Energies<'a, const N: usize, const A: usize, const B: usize, C> {
-    batch: &'a BeamBatch<N, A, B, C>,
-    at: &'a LocalLanes<'a>,
-    /// Kinetic, of strain, potential.
-    parts: [&'a mut Lanes; 3],
-}
-
-impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Energies<'_, N, A, B, C> {
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, parts } = self;
-        let law = &*batch.law;
+    fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3] {
+        let law = &*self.law;
         let q = Relative::of(pass, &law.layout, at.q);
         let (mut strain, mut section, half) = (pass.zero(), Section::new(pass), pass.splat(0.5));
         for (s, station) in law.stations.iter().enumerate() {
-            batch.deform(pass, s, &q, &mut section);
+            self.deform(pass, s, &q, &mut section);
             station.resultants(pass, None, 0.0, station.weight, &mut section);
             for k in 0..station.plan.resultants.len() {
                 strain = section.n[k].mul_add(section.strains[k], strain);
@@ -246,32 +180,22 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Energies
             let fall = dot(law.gravity(pass, -at.load), pass.vector(&at.q[3 * a..3 * a + 3]));
             potential = fall.mul_add(first.lane(pass), potential);
         }
-        pass.store(parts[0], kinetic);
-        pass.store(parts[1], strain * half);
-        pass.store(parts[2], potential);
+        [kinetic, strain * half, potential]
     }
-}
 
-struct Admissible<'a, const N: usize, const A: usize, const B: usize, C> {
-    batch: &'a BeamBatch<N, A, B, C>,
-    at: &'a LocalLanes<'a>,
-    right: &'a mut [bool; LANES],
-}
-
-impl<const N: usize, const A: usize, const B: usize, C: Number> Job for Admissible<'_, N, A, B, C> {
     /// det J > 0 on the axis.
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let q = Relative::of(pass, &self.batch.law.layout, self.at.q);
+    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
+        let q = Relative::of(pass, &self.law.layout, at.q);
         let mut section = Section::new(pass);
-        for s in 0..self.batch.law.stations.len() {
-            self.batch.deform(pass, s, &q, &mut section);
+        for s in 0..self.law.stations.len() {
+            self.deform(pass, s, &q, &mut section);
             let [a, _, _, d, e, ..] = section.now;
             let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
             // Lanes of other passes stay right.
             let mut det = Lanes([1.0; LANES]);
             pass.store(&mut det, dot(a, cross));
-            self.right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
+            right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
         }
     }
 }

@@ -3,17 +3,16 @@ use std::sync::Arc;
 use pulp::Simd;
 
 use super::Batched;
-use super::beam::dissipated;
 use super::bend::Bend;
-use super::lane::{Lane, Number, Pass, Vector, added, dot, less, plus, scaled, total};
-use super::pass::{Job, run};
+use super::kernel::Kernel;
+use super::lane::{Lane, Number, Pass, Vector, added, dot, less, plus, scaled};
 use super::relative::Layout;
 use super::stiffness::{add, times, transposed};
 use super::triangle::{Blocks, lower};
 use crate::mechanics::cable::CRUSHED;
 use crate::mechanics::cable_profile::Station;
 use crate::mechanics::{Cable12, CableDamping, CableProfile};
-use crate::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+use crate::system::{Batch, LANES, Lanes, LocalLanes, Weights};
 
 /// Cable elements of one profile side by side.
 #[derive(Debug)]
@@ -136,71 +135,37 @@ impl CableBatch {
     }
 }
 
-impl Batch for CableBatch {
+impl Kernel for CableBatch {
     fn count(&self) -> usize {
         self.count
     }
 
-    fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
-        run(self.count, Residual { batch: self, at, r });
+    fn is_damped(&self) -> bool {
+        self.profile.damping() != CableDamping::default()
     }
 
-    fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        run(self.count, Tangent { batch: self, at, w, k });
-    }
-
-    fn energy(&self, at: &LocalLanes<'_>) -> Energy {
-        let (mut kinetic, mut strain, mut potential) = Default::default();
-        let parts = [&mut kinetic, &mut strain, &mut potential];
-        run(self.count, Energies { batch: self, at, parts });
-        let [kinetic, strain, potential] = [kinetic, strain, potential].map(|x| total(&x, self.count));
-        Energy { kinetic, strain, potential }
-    }
-
-    fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
-        let mut right = [true; LANES];
-        run(self.count, Admissible { batch: self, at, right: &mut right });
-        right[..self.count].iter().position(|right| !right)
-    }
-
-    fn power(&self, at: &LocalLanes<'_>) -> Power {
-        if self.profile.damping() == CableDamping::default() {
-            return Power::default();
-        }
-        Power { work: 0.0, dissipation: dissipated(self, at) }
-    }
-}
-
-struct Residual<'a> {
-    batch: &'a CableBatch,
-    at: &'a LocalLanes<'a>,
-    r: &'a mut [Lanes],
-}
-
-impl Job for Residual<'_> {
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, r } = self;
-        let (profile, q, v) = (&*batch.profile, line(pass, at.q), line(pass, at.v));
+    fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
         let (section, tau) = (profile.section(), profile.damping().retardation);
         let mut force = [pass.zeros(); 3];
         for station in profile.axial() {
-            let stretch = batch.stretch(pass, station, &q);
-            let n = batch.retarded_strain(pass, station, &stretch, &v);
+            let stretch = self.stretch(pass, station, &q);
+            let n = self.retarded_strain(pass, station, &stretch, &v);
             let n = n * pass.splat(station.weight * section.axial);
             spread(pass, scaled(stretch.tangent, n), &station.first, &mut force);
         }
         for station in profile.bending() {
-            let bend = batch.bend(pass, station, &q);
+            let bend = self.bend(pass, station, &q);
             let mut m = bend.strain();
             if tau != 0.0 {
-                m = plus(m, batch.rate(pass, station, &bend, &v), pass.splat(tau));
+                m = plus(m, self.rate(pass, station, &bend, &v), pass.splat(tau));
             }
             let [of_a, of_b] = bend.force(scaled(m, pass.splat(station.weight * section.bending)));
             spread(pass, of_a, &station.first, &mut force);
             spread(pass, of_b, &station.second, &mut force);
         }
-        let mut rows = batch.inertia(pass, at);
+        let mut rows = self.inertia(pass, at);
         rows[0] = less(rows[0], force[1]);
         for i in 0..3 {
             rows[i + 1] = added(rows[i + 1], force[i]);
@@ -212,27 +177,17 @@ impl Job for Residual<'_> {
             }
         }
     }
-}
 
-struct Tangent<'a> {
-    batch: &'a CableBatch,
-    at: &'a LocalLanes<'a>,
-    w: Weights,
-    k: &'a mut [Lanes],
-}
-
-impl Job for Tangent<'_> {
     #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, w, k } = self;
-        let (profile, q, v) = (&*batch.profile, line(pass, at.q), line(pass, at.v));
+    fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
         let mut blocks = Blocks::<S, 3, 0>::zero(pass);
         if w.q != 0.0 || w.v * profile.damping().retardation != 0.0 {
             for station in profile.axial() {
-                batch.add_axial(pass, station, [&q, &v], *w, &mut blocks);
+                self.add_axial(pass, station, [&q, &v], w, &mut blocks);
             }
             for station in profile.bending() {
-                batch.add_bending(pass, station, [&q, &v], *w, &mut blocks);
+                self.add_bending(pass, station, [&q, &v], w, &mut blocks);
             }
         }
         blocks.write::<4>(pass, &LINE, k);
@@ -245,6 +200,42 @@ impl Job for Tangent<'_> {
                     pass.store(entry, pass.load(entry) + mass);
                 }
             }
+        }
+    }
+
+    #[inline(always)]
+    fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3] {
+        let (profile, q) = (&*self.profile, line(pass, at.q));
+        let [mut kinetic, mut strain, mut potential] = [pass.zero(); 3];
+        for station in profile.axial() {
+            let e = self.stretch(pass, station, &q).strain;
+            strain = (e * e).mul_add(pass.splat(0.5 * station.weight * profile.section().axial), strain);
+        }
+        for station in profile.bending() {
+            let e = self.bend(pass, station, &q).strain();
+            strain = dot(e, e).mul_add(pass.splat(0.5 * station.weight * profile.section().bending), strain);
+        }
+        let gravity = profile.gravity() * -at.load;
+        let gravity = [pass.splat(gravity[0]), pass.splat(gravity[1]), pass.splat(gravity[2])];
+        for i in 0..4 {
+            let (q, v) = (pass.vector(&at.q[3 * i..3 * i + 3]), pass.vector(&at.v[3 * i..3 * i + 3]));
+            potential = dot(gravity, q).mul_add(pass.splat(profile.first_moments()[i]), potential);
+            for j in 0..4 {
+                let other = pass.vector(&at.v[3 * j..3 * j + 3]);
+                kinetic = dot(v, other).mul_add(pass.splat(0.5 * profile.mass()[i][j]), kinetic);
+            }
+        }
+        [kinetic, strain, potential]
+    }
+
+    #[inline(always)]
+    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
+        let q = line(pass, at.q);
+        for station in self.profile.axial().iter().chain(self.profile.bending()) {
+            let a = added(pass.vector(&self.direction), mixed(pass, &q, &station.first));
+            let mut length = Lanes([1.0; LANES]);
+            pass.store(&mut length, dot(a, a).sqrt());
+            right.iter_mut().zip(length.0).for_each(|(right, length)| *right &= length > CRUSHED);
         }
     }
 }
@@ -306,62 +297,6 @@ impl CableBatch {
                 add(&mut blocks.axis[i][j], &of_a, pass.splat(s[i + 1]));
                 add(&mut blocks.axis[i][j], &of_b, pass.splat(c[i + 1]));
             }
-        }
-    }
-}
-
-struct Energies<'a> {
-    batch: &'a CableBatch,
-    at: &'a LocalLanes<'a>,
-    /// Kinetic, of strain, potential.
-    parts: [&'a mut Lanes; 3],
-}
-
-impl Job for Energies<'_> {
-    #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let Self { batch, at, parts } = self;
-        let (profile, q) = (&*batch.profile, line(pass, at.q));
-        let [mut kinetic, mut strain, mut potential] = [pass.zero(); 3];
-        for station in profile.axial() {
-            let e = batch.stretch(pass, station, &q).strain;
-            strain = (e * e).mul_add(pass.splat(0.5 * station.weight * profile.section().axial), strain);
-        }
-        for station in profile.bending() {
-            let e = batch.bend(pass, station, &q).strain();
-            strain = dot(e, e).mul_add(pass.splat(0.5 * station.weight * profile.section().bending), strain);
-        }
-        let gravity = profile.gravity() * -at.load;
-        let gravity = [pass.splat(gravity[0]), pass.splat(gravity[1]), pass.splat(gravity[2])];
-        for i in 0..4 {
-            let (q, v) = (pass.vector(&at.q[3 * i..3 * i + 3]), pass.vector(&at.v[3 * i..3 * i + 3]));
-            potential = dot(gravity, q).mul_add(pass.splat(profile.first_moments()[i]), potential);
-            for j in 0..4 {
-                let other = pass.vector(&at.v[3 * j..3 * j + 3]);
-                kinetic = dot(v, other).mul_add(pass.splat(0.5 * profile.mass()[i][j]), kinetic);
-            }
-        }
-        pass.store(parts[0], kinetic);
-        pass.store(parts[1], strain);
-        pass.store(parts[2], potential);
-    }
-}
-
-struct Admissible<'a> {
-    batch: &'a CableBatch,
-    at: &'a LocalLanes<'a>,
-    right: &'a mut [bool; LANES],
-}
-
-impl Job for Admissible<'_> {
-    #[inline(always)]
-    fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        let (batch, q) = (self.batch, line(pass, self.at.q));
-        for station in batch.profile.axial().iter().chain(batch.profile.bending()) {
-            let a = added(pass.vector(&batch.direction), mixed(pass, &q, &station.first));
-            let mut length = Lanes([1.0; LANES]);
-            pass.store(&mut length, dot(a, a).sqrt());
-            self.right.iter_mut().zip(length.0).for_each(|(right, length)| *right &= length > CRUSHED);
         }
     }
 }

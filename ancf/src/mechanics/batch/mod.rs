@@ -4,6 +4,7 @@ mod beam;
 mod beam_law;
 mod bend;
 mod cable;
+mod kernel;
 mod lane;
 mod pass;
 mod plan;

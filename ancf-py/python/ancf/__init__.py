@@ -1,0 +1,1 @@
+"""Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF)."""

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ancf::record::Sink;
-use ancf::{Model, ModelError, Outcome, Summary, simulate};
+use ancf::{Model, ModelError, Outcome, Simulation, Summary};
 use anyhow::{Context, Result};
 use clap::Subcommand;
 use serde::Serialize;
@@ -14,7 +14,7 @@ use crate::check;
 use crate::conclusion::Conclusion;
 use crate::folder::Folder;
 use crate::paper;
-use crate::progress::{Interrupt, Progress, print, say};
+use crate::progress::{Progress, ctrl_c, print, say};
 use crate::verify;
 
 /// What to do.
@@ -164,20 +164,19 @@ struct Report<'a> {
 }
 
 fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Result<Ended> {
-    let interrupt = Interrupt::listen()?;
+    let simulation = match Simulation::new(model) {
+        Ok(simulation) => simulation.heeding(ctrl_c()?),
+        Err(errors) => return Ok(refuse(&errors, file)),
+    };
     let clock = Instant::now();
     let progress = match model.analysis.dynamics() {
         Some(settings) if !quiet => Progress::until(settings.duration),
         _ => Progress::hidden(),
     };
     let mut conclusion = Conclusion::of(&model.analysis);
-    let mut sinks: Vec<Box<dyn Sink + '_>> = vec![
-        Box::new(Folder::new(output, model.output)),
-        Box::new(&mut conclusion),
-        Box::new(progress),
-        Box::new(interrupt),
-    ];
-    let summary = simulate(model, &mut sinks)?;
+    let mut sinks: Vec<Box<dyn Sink + '_>> =
+        vec![Box::new(Folder::new(output, model.output)), Box::new(&mut conclusion), Box::new(progress)];
+    let summary = simulation.run(&mut sinks)?;
     drop(sinks);
     let report = Report {
         program: concat!("ancf ", env!("CARGO_PKG_VERSION")),

@@ -54,18 +54,10 @@ impl<'a> Conclusion<'a> {
     /// How the run ended and what was done, for the terminal.
     pub fn sentence(&self, summary: &Summary, seconds: f64, folder: &str) -> String {
         let did = format!("{}, {seconds:.3} s", self.did(summary));
-        match &summary.outcome {
-            Outcome::Finished => format!("done: {did}; results in {folder}"),
-            Outcome::Stopped => format!("stopped: {did}; results so far in {folder}"),
-            Outcome::Failed { time, reason, at } => {
-                let place = match self.analysis {
-                    Analysis::Dynamics(_) => format!(" at t = {time}"),
-                    // Modes and critical loads are about one state, which may not be reached.
-                    Analysis::Modes(_) | Analysis::Buckling(_) if *time == 0.0 => String::new(),
-                    _ => format!(" at load factor {}", short(*time)),
-                };
-                format!("failed{place}: {reason}; at: {at}\n{did}; results so far in {folder}")
-            }
+        match summary.outcome.failure(self.analysis) {
+            Some(failure) => format!("{failure}\n{did}; results so far in {folder}"),
+            None if summary.outcome.is_finished() => format!("done: {did}; results in {folder}"),
+            None => format!("stopped: {did}; results so far in {folder}"),
         }
     }
 

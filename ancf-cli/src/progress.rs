@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use ancf::analysis::Interrupt;
 use ancf::record::Sink;
 use anyhow::{Context, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -74,23 +75,10 @@ impl Sink for Progress {
     }
 }
 
-/// Ends a run in good order at Ctrl-C.
-pub struct Interrupt(Arc<AtomicBool>);
-
-impl Interrupt {
-    /// Listens from now on.
-    pub fn listen() -> Result<Self> {
-        let stop = Arc::new(AtomicBool::new(false));
-        let heard = Arc::clone(&stop);
-        ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed))
-            .context("cannot listen to Ctrl-C")?;
-        Ok(Self(stop))
-    }
-}
-
-impl Sink for Interrupt {
-    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
-        let stop = self.0.load(Ordering::Relaxed);
-        Ok(if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
-    }
+/// Listens to Ctrl-C from now on.
+pub fn ctrl_c() -> Result<Interrupt> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let heard = Arc::clone(&stop);
+    ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed)).context("cannot listen to Ctrl-C")?;
+    Ok(Interrupt::new(move || stop.load(Ordering::Relaxed)))
 }

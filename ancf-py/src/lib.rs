@@ -1,6 +1,25 @@
-//! The native module `ancf._ancf` of the Python package.
+//! The native module `ancf._ancf`: models in as Python data, results out as NumPy arrays. What a user sees is in `python/ancf`.
+
+mod data;
+mod follower;
+mod model;
+mod run;
+mod signals;
+mod states;
 
 use pyo3::prelude::*;
 
+/// The engine of the package `ancf`; not to be used directly.
 #[pymodule]
-mod _ancf {}
+mod _ancf {
+    #[pymodule_export]
+    use super::model::{diagnose, plain, read, scaled, schema, to_toml};
+    #[pymodule_export]
+    use super::run::Simulation;
+    #[pymodule_export]
+    use super::states::States;
+
+    /// Version of the engine.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -67,6 +67,7 @@
 //! ```
 
 pub mod analysis;
+mod fields;
 pub mod function;
 pub mod mechanics;
 pub mod model;
@@ -76,7 +77,8 @@ pub mod scales;
 mod simulate;
 pub mod system;
 
+pub use fields::{Field, Fields, Station};
 pub use model::{Model, ModelError, ModelErrors};
 pub use rows::Rows;
 pub use scales::Scales;
-pub use simulate::{Error, Outcome, Summary, simulate};
+pub use simulate::{Error, Observer, Outcome, Simulation, Summary, simulate};

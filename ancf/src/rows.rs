@@ -2,7 +2,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::mechanics::StrainEnergy;
+use crate::mechanics::{StrainEnergy, Wrench};
 use crate::model::{Assembly, Quantity};
 use crate::scales::{Dimension, Scales};
 use crate::system::{Energy, Power, State};
@@ -154,10 +154,9 @@ impl Rows {
                 }
                 Quantity::SectionForces => {
                     let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
-                    let (wrench, frame) = (mesh.resultants(s, probe.s), mesh.section_frame(s, probe.s));
-                    let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
-                    self.extend(seen(wrench.force), Dimension::FORCE);
-                    self.extend(seen(wrench.moment), Dimension::ENERGY);
+                    let Wrench { force, moment } = mesh.section_forces(s, probe.s);
+                    self.extend(force, Dimension::FORCE);
+                    self.extend(moment, Dimension::ENERGY);
                 }
                 Quantity::Strain | Quantity::Stress => {
                     let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each module of the crate and the modules that it may name.
-const FLOORS: [(&str, &[&str]); 10] = [
+const FLOORS: [(&str, &[&str]); 11] = [
     ("function", &[]),
     ("system", &[]),
     ("scales", &[]),
@@ -15,6 +15,7 @@ const FLOORS: [(&str, &[&str]); 10] = [
     ("analysis", &["system"]),
     ("model", &["analysis", "function", "mechanics", "system", "scales"]),
     ("rows", &["analysis", "mechanics", "model", "record", "scales", "system"]),
+    ("fields", &["mechanics", "model", "scales", "system"]),
     ("simulate", &["analysis", "model", "record", "rows", "scales", "system"]),
     ("lib", &[]),
 ];

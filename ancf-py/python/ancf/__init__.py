@@ -1,1 +1,26 @@
-"""Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF)."""
+"""Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
+
+A model is stated in typed objects (`Model`, `Beam`, ...), in dictionaries, or in a TOML file; `run` carries out
+its analysis, and a `Result` has what was computed as NumPy arrays.
+"""
+
+from ancf._ancf import VERSION as __version__
+from ancf.analysis import buckling, check, modes, path, run, statics
+from ancf.errors import AnalysisError, Fault, ModelError
+from ancf.instant import Instant
+from ancf.result import Result
+
+__all__ = [
+    "AnalysisError",
+    "Fault",
+    "Instant",
+    "ModelError",
+    "Result",
+    "__version__",
+    "buckling",
+    "check",
+    "modes",
+    "path",
+    "run",
+    "statics",
+]

@@ -96,6 +96,7 @@ impl Adaptive {
                     self.h = h * x.sqrt().max(FALL);
                     SolveError::at(end, Failure::StepTooSmall)
                 }
+                Err(error) if error.is_final() => return Err(error),
                 Err(error) => {
                     report.iterations += error.iterations;
                     self.h = FALL * h;

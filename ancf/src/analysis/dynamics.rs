@@ -167,7 +167,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
                 }
                 Err(error) => {
                     report.iterations += error.iterations;
-                    if halvings == self.max_halvings {
+                    if halvings == self.max_halvings || error.is_final() {
                         return Err(error);
                     }
                     (h, left, halvings) = (0.5 * h, 2 * left, halvings + 1);
@@ -188,7 +188,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
                 Ok(done) => done,
                 Err(error) => {
                     self.take_back();
-                    if !self.newton.tangent.improve() {
+                    if error.is_final() || !self.newton.tangent.improve() {
                         return Err(error);
                     }
                     spent += error.iterations;

@@ -34,6 +34,9 @@ pub enum Failure {
     /// The error of a step exceeds its share of the tolerance even in the smallest permitted step.
     #[error("the step fell below the smallest permitted: the motion jumps, or the tolerance is too tight")]
     StepTooSmall,
+    /// It was ended from outside.
+    #[error("the iteration was interrupted")]
+    Interrupted,
 }
 
 /// A failed solution of the equations of motion, in the units of the solver.
@@ -55,6 +58,11 @@ pub struct SolveError {
 }
 
 impl SolveError {
+    /// Whether a smaller step is no help: somebody wants an end.
+    pub(super) fn is_final(&self) -> bool {
+        self.failure == Failure::Interrupted
+    }
+
     /// A failure before any iteration.
     pub(super) const fn at_start(failure: Failure) -> Self {
         Self::at(0.0, failure)

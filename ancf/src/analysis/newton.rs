@@ -3,7 +3,7 @@ use std::ops::ControlFlow;
 use super::floor::raise_to_achievable;
 use super::mover::{Linear, Mover, Whole, dot};
 use super::tangent::Tangent;
-use super::{Failure, SolveError};
+use super::{Failure, Interrupt, SolveError};
 use crate::system::{EquationsOfMotion, SparseMatrix, State, Weights};
 
 /// When a Newton iteration ends.
@@ -46,6 +46,7 @@ pub struct Newton {
     max_iterations: u32,
     patience: u32,
     full: bool,
+    interrupt: Interrupt,
     pub(super) tangent: Tangent,
     pub(super) r: Vec<f64>,
     pub(super) z: Vec<f64>,
@@ -74,6 +75,7 @@ impl Newton {
             max_iterations,
             patience: STUCK,
             full: false,
+            interrupt: Interrupt::default(),
             tangent: Tangent::new(matrix).map_err(SolveError::at_start)?,
             r: zeros.clone(),
             z: zeros.clone(),
@@ -95,6 +97,12 @@ impl Newton {
     #[must_use]
     pub fn full(self) -> Self {
         Self { full: true, ..self }
+    }
+
+    /// The same, heeding what may end it.
+    #[must_use]
+    pub fn heeding(self, interrupt: Interrupt) -> Self {
+        Self { interrupt, ..self }
     }
 
     /// Lets tangents be used again, if the rule for the end of the iteration knows what is left.
@@ -186,7 +194,7 @@ impl Newton {
         self.tangent.factor.negative_pivots()?.checked_sub(eom.multipliers())
     }
 
-    /// Ends the iteration on a residual that is small enough, at its floor, or not finite.
+    /// Ends the iteration on a residual that is small enough, at its floor, or not finite, or from outside.
     fn judge_residual(
         &mut self,
         eom: &dyn EquationsOfMotion,
@@ -194,6 +202,9 @@ impl Newton {
         progress: &Progress,
     ) -> ControlFlow<Result<Report, Failure>> {
         let report = progress.report;
+        if self.interrupt.is_set() {
+            return ControlFlow::Break(Err(Failure::Interrupted));
+        }
         if !report.residual.is_finite() {
             return ControlFlow::Break(Err(Failure::Diverged));
         }

@@ -198,7 +198,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                         self.doubt.get_or_insert(step);
                     }
                     self.step = 0.5 * step;
-                    if self.step < self.steps.smallest {
+                    if self.step < self.steps.smallest || cause.is_final() {
                         let (reached, load) = (self.state.load, self.trial.load);
                         return Err(EquilibriumError { reached, load, cause });
                     }

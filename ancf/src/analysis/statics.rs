@@ -99,7 +99,7 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
                     total.failed(&cause);
                     found.failed(&cause);
                     part = 0.5 * (next - done);
-                    if part < self.increments.smallest || way == 0.0 {
+                    if part < self.increments.smallest || way == 0.0 || cause.is_final() {
                         return Err(EquilibriumError { reached: self.state.load, load, cause });
                     }
                 }

@@ -23,6 +23,13 @@ impl BeamMesh {
         }
     }
 
+    /// N, Qy, Qz and T, My, Mz: [`resultants`](Self::resultants) seen in the [`section_frame`](Self::section_frame).
+    pub fn section_forces(&self, state: &State, s: f64) -> Wrench {
+        let (wrench, frame) = (self.resultants(state, s), self.section_frame(state, s));
+        let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
+        Wrench { force: seen(wrench.force), moment: seen(wrench.moment) }
+    }
+
     /// Forces and moments that hold the two ends of an element.
     fn ends(&self, state: &State, element: usize) -> [Wrench; 2] {
         let term = self.term(element);

@@ -46,7 +46,7 @@ impl Sink for Series {
 }
 
 /// A run may fill a series that its caller keeps.
-impl<S: Sink> Sink for &mut S {
+impl<S: Sink + ?Sized> Sink for &mut S {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         (**self).begin(columns)
     }

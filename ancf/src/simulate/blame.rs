@@ -16,6 +16,9 @@ pub(super) struct Blame {
 
 /// The joint equations to blame for an iteration that failed on its way from a state, at a load factor.
 pub(super) fn blame(assembly: &Assembly, from: &State, load: f64, error: &SolveError) -> Option<Blame> {
+    if error.failure == Failure::Interrupted {
+        return None;
+    }
     let there = State { t: error.t, load, ..from.clone() };
     let wrong = assembly.contradicting(&there);
     if !wrong.is_empty() {

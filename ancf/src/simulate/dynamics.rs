@@ -2,10 +2,9 @@ use std::ops::ControlFlow;
 
 use super::blame::blame;
 use super::pace::Pace;
-use super::{Ended, Reason, Run};
+use super::{Ended, Observer, Reason, Run};
 use crate::analysis::{self, StepReport};
 use crate::model::{Dynamics, Model};
-use crate::record::Sink;
 use crate::rows::{Rows, TIME};
 use crate::system::System;
 
@@ -17,8 +16,8 @@ impl Run<'_> {
     pub(super) fn dynamics(&mut self, model: &Model, settings: &Dynamics) -> Ended {
         let (assembly, scales) = (self.assembly, self.summary.scales);
         let mut rows = Rows::new(assembly, scales, TIME, &OWN);
-        self.sink.begin(rows.columns())?;
-        let mut pace = match Pace::new(model, settings, assembly, assembly.breaks().to_vec()) {
+        self.observer.begin(rows.columns())?;
+        let mut pace = match Pace::new(model, settings, assembly, self.interrupt.clone()) {
             Ok(pace) => pace,
             Err(error) => {
                 let blame = blame(assembly, &assembly.initial(), 1.0, &error);
@@ -26,16 +25,16 @@ impl Run<'_> {
             }
         };
         let mut record =
-            |sink: &mut dyn Sink, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
+            |observer: &mut dyn Observer, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
                 let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
                 let own = [f64::from(iterations), residual, increment, drift, violation];
                 let s = dynamics.state();
                 let (t, energy) = (s.t * scales.time, dynamics.energy());
-                sink.record(rows.fill(assembly, s, t, &own, energy, Some(dynamics.exchanged())))
+                observer.record(rows.fill(assembly, s, t, &own, energy, Some(dynamics.exchanged())), s)
             };
         let mut report = StepReport::default();
         loop {
-            let flow = record(self.sink, pace.dynamics(), &report)?;
+            let flow = record(self.observer, pace.dynamics(), &report)?;
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.
                 return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));

@@ -34,22 +34,26 @@ impl Run<'_> {
         self.begin(&["frequency", "squared", "residual"])?;
         let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
-            Ok(match system.completed(&s) {
+            let found = match system.completed(&s) {
                 Some((complete, matrix)) => modes(&complete, matrix, &s, count)?,
                 None => modes(system, system.matrix(), &s, count)?,
-            })
+            };
+            Ok((s, found.modes))
         });
         let rate = self.summary.scales.time.recip();
         match found {
             // Not seen but where a motion without stiffness escaped notice: no result rather than a wrong one.
-            Ok(found) if found.modes.iter().any(|mode| mode.residual > WRONG) => {
+            Ok((_, found)) if found.iter().any(|mode| mode.residual > WRONG) => {
                 Ok(Err(EigenError::NotConverged.into()))
             }
-            Ok(found) => self.shapes(found.modes.iter().map(|mode| {
-                let Mode { squared, shape, residual } = mode;
-                let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
-                (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
-            })),
+            Ok((about, found)) => self.shapes(
+                about,
+                found.iter().map(|mode| {
+                    let Mode { squared, shape, residual } = mode;
+                    let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
+                    (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
+                }),
+            ),
             Err(reason) => Ok(Err(reason)),
         }
     }
@@ -66,9 +70,8 @@ impl Run<'_> {
             })
         });
         match found {
-            Ok(found) => {
-                self.shapes(found.iter().map(|Critical { factor, shape }| (vec![*factor], shape.as_slice())))
-            }
+            Ok(found) => self
+                .shapes(s, found.iter().map(|Critical { factor, shape }| (vec![*factor], shape.as_slice()))),
             Err(reason) => Ok(Err(reason)),
         }
     }
@@ -78,22 +81,24 @@ impl Run<'_> {
         for (name, _) in &self.assembly.probes {
             columns.extend(["x", "y", "z"].map(|axis| format!("{name}.{axis}")));
         }
-        self.sink.begin(&columns)
+        self.observer.begin(&columns)
     }
 
-    /// Records numbers and shapes.
-    fn shapes<'s>(&mut self, found: impl Iterator<Item = (Vec<f64>, &'s [f64])>) -> Ended {
+    /// Records numbers and shapes, motions about a state.
+    fn shapes<'s>(&mut self, mut about: State, found: impl Iterator<Item = (Vec<f64>, &'s [f64])>) -> Ended {
         // xᵀ M x = 1: in a unit of mass m, displacements count in one over the root of m.
         let scales = self.summary.scales;
         let mass = scales.force * scales.time.powi(2) / scales.length;
+        let as_velocity = scales.time / scales.length / mass.sqrt();
         for (number, (own, shape)) in found.enumerate() {
             let mut row = vec![(number + 1) as f64];
             row.extend(own);
             for (_, point) in &self.assembly.probes {
                 row.extend(point.sum(shape).iter().map(|x| x / mass.sqrt()));
             }
+            about.v.iter_mut().zip(shape).for_each(|(v, x)| *v = x * as_velocity);
             self.summary.steps += 1;
-            if self.sink.record(&row)?.is_break() {
+            if self.observer.record(&row, &about)?.is_break() {
                 return Ok(Ok(ControlFlow::Break(())));
             }
         }

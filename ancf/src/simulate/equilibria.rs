@@ -71,7 +71,7 @@ impl Run<'_> {
     pub(super) fn statics(&mut self, settings: &Statics) -> Ended {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, "load", &OWN);
-        self.sink.begin(rows.columns())?;
+        self.observer.begin(rows.columns())?;
         let start = unloaded(assembly);
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));
@@ -79,7 +79,7 @@ impl Run<'_> {
         let increments = Increments { first: settings.first, ..Increments::default() };
         let matrix = assembly.system.matrix();
         let newton = match Newton::new(matrix, settings.stop.into(), settings.max_iterations) {
-            Ok(newton) => newton,
+            Ok(newton) => newton.heeding(self.interrupt.clone()),
             Err(error) => return Ok(Err(error.into())),
         };
         let mut statics = analysis::Statics::new(&assembly.system, newton, increments, start);
@@ -87,13 +87,15 @@ impl Run<'_> {
             return Ok(Err(error.into()));
         }
         let (none, energy) = (own(&Equilibrium::default()), statics.energy());
-        let mut written = self.sink.record(rows.fill(assembly, statics.state(), 0.0, &none, energy, None));
+        let first = rows.fill(assembly, statics.state(), 0.0, &none, energy, None);
+        let mut written = self.observer.record(first, statics.state());
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &own(found), found.energy, None));
+            written =
+                self.observer.record(rows.fill(assembly, s, s.load, &own(found), found.energy, None), s);
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, statics.state(), error));
@@ -104,7 +106,7 @@ impl Run<'_> {
     pub(super) fn path(&mut self, settings: &Path) -> Ended {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, "load", &[OWN.as_slice(), &PATH].concat());
-        self.sink.begin(rows.columns())?;
+        self.observer.begin(rows.columns())?;
         let start = unloaded(assembly);
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));
@@ -114,6 +116,7 @@ impl Run<'_> {
         let newton = Newton::new(system.matrix(), settings.stop.into(), settings.max_iterations);
         let begun = newton
             .map_err(Reason::from)
+            .map(|newton| newton.heeding(self.interrupt.clone()))
             .and_then(|newton| analysis::Path::new(system, newton, steps, start).map_err(Reason::from));
         let mut path = match begun {
             Ok(path) => path,
@@ -121,7 +124,7 @@ impl Run<'_> {
         };
         let none = [own(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
         let first = rows.fill(assembly, path.state(), 0.0, &none, path.energy(), None);
-        let mut written = self.sink.record(first);
+        let mut written = self.observer.record(first, path.state());
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
@@ -129,7 +132,7 @@ impl Run<'_> {
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
             let (own, energy) = (of_point(point), point.equilibrium.energy);
-            written = self.sink.record(rows.fill(assembly, s, s.load, &own, energy, None));
+            written = self.observer.record(rows.fill(assembly, s, s.load, &own, energy, None), s);
             flow(&written)
         });
         let ended = ended.map_err(|error| blamed(assembly, path.state(), error));

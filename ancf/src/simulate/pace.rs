@@ -1,4 +1,4 @@
-use crate::analysis::{Adaptive, Control, Dynamics, Newton, SolveError, StepReport};
+use crate::analysis::{Adaptive, Control, Dynamics, Interrupt, Newton, SolveError, StepReport};
 use crate::model::{self, Assembly, Model, NewtonMethod, Start, Step};
 use crate::system::System;
 
@@ -27,15 +27,16 @@ enum Steps {
 const SLIVER: f64 = 1e-9;
 
 impl<'a> Pace<'a> {
-    /// The start of an assembly from rest; loads of the model jump at `jumps`.
+    /// The start of an assembly from rest; it may be interrupted.
     pub(super) fn new(
         model: &Model,
         settings: &model::Dynamics,
         assembly: &'a Assembly,
-        mut jumps: Vec<f64>,
+        interrupt: Interrupt,
     ) -> Result<Self, SolveError> {
         let duration = settings.duration;
         let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
+        let newton = newton.heeding(interrupt);
         let newton = if settings.newton == NewtonMethod::Full { newton.full() } else { newton };
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics =
@@ -61,6 +62,7 @@ impl<'a> Pace<'a> {
             }
         };
         let sliver = SLIVER * settings.step.fixed().unwrap_or(duration);
+        let mut jumps = assembly.breaks().to_vec();
         jumps.retain(|t| *t > sliver && *t < duration - sliver);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= sliver);

@@ -1,0 +1,133 @@
+"""Analyses: a model in, a result out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, runtime_checkable
+
+from ancf import _ancf
+from ancf.errors import AnalysisError
+from ancf.instant import Instant
+from ancf.progress import Bar
+from ancf.result import Result
+
+if TYPE_CHECKING:
+    from ancf._ancf import States
+    from ancf.record import Array
+
+
+@runtime_checkable
+class HasData(Protocol):
+    """What can tell its data, such as `ancf.Model`."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Tell its data as plain dictionaries."""
+        ...
+
+
+ModelLike: TypeAlias = "HasData | Mapping[str, Any] | str | os.PathLike[str]"
+"""A model: `ancf.Model`, its data in dictionaries, or the path of a model file."""
+
+Callback: TypeAlias = Callable[[Instant], object]
+"""What is called at each step; a true answer ends the run."""
+
+
+def data(model: ModelLike) -> dict[str, Any]:
+    """The data of a model, whichever way it is stated."""
+    if isinstance(model, (str, os.PathLike)):
+        return _ancf.read(Path(model))
+    return model.to_dict() if isinstance(model, HasData) else dict(model)
+
+
+def run(
+    model: ModelLike,
+    *,
+    callback: Callback | None = None,
+    progress: bool | None = None,
+    states: Literal["all", "positions", "none"] = "all",
+) -> Result:
+    """Run the analysis that a model asks for.
+
+    Parameters
+    ----------
+    model
+        An `ancf.Model`, its data in dictionaries, or the path of a model file.
+    callback
+        Is called with an `Instant` at the start and after each step: to watch, or to set what the functions
+        of loads and drives then give. A true answer ends the run in good order.
+    progress
+        Whether a bar shows how far a motion is; by default if there is a terminal or a notebook.
+    states
+        What is kept of each state for `Result.field`: all of it, positions only, or nothing. All takes
+        24 bytes a coordinate and row: 12 coordinates a node and 1000 rows of 1000 elements take 290 MB.
+
+    Raises
+    ------
+    ModelError
+        If the model is not valid, with all that is wrong.
+    AnalysisError
+        If the analysis cannot go on; its `result` has what was computed until then. So has the attribute
+        `result` of any exception that ends a run from outside, such as `KeyboardInterrupt`.
+    """
+    simulation = _ancf.Simulation(data(model))
+    kind, duration = simulation.analysis
+    watch = None if callback is None else Watch(callback)
+    with Bar(duration, progress) as bar:
+        done = simulation.run(states, watch, bar.tick)
+    result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"])
+    error = done["error"]
+    if error is not None:
+        error.result = result
+        raise error
+    if done["failure"] is not None:
+        raise AnalysisError(done["failure"], result)
+    return result
+
+
+def statics(model: ModelLike, **settings: Any) -> Result:
+    """Find the equilibrium of a model, whatever analysis it asks for; `settings` are the keys of `ancf.Statics`.
+
+    The last row is the equilibrium under all loads. Raises as `run` does.
+    """
+    return _analysed(model, "statics", settings)
+
+
+def path(model: ModelLike, **settings: Any) -> Result:
+    """Follow the path of equilibria of a model through limit points; `settings` are the keys of `ancf.Path`."""
+    return _analysed(model, "path", settings)
+
+
+def modes(model: ModelLike, count: int = 10, **settings: Any) -> Result:
+    """Find the lowest natural modes of a model: `frequencies` and `shapes`; `settings` are the keys of `ancf.Modes`."""
+    return _analysed(model, "modes", {"count": count, **settings})
+
+
+def buckling(model: ModelLike, count: int = 1, **settings: Any) -> Result:
+    """Find the lowest critical loads of a model: `factors` and `shapes`; `settings` are the keys of `ancf.Buckling`."""
+    return _analysed(model, "buckling", {"count": count, **settings})
+
+
+def _analysed(model: ModelLike, kind: str, settings: dict[str, Any]) -> Result:
+    return run(data(model) | {"analysis": {"kind": kind, **settings}})
+
+
+def check(model: ModelLike) -> str:
+    """Check a model; what it consists of, what joints tie and what is free to move, in words. Raises `ModelError`."""
+    return _ancf.diagnose(data(model))
+
+
+class Watch:
+    """Shows each row of a run to a callback."""
+
+    def __init__(self, callback: Callback) -> None:
+        """Show them to `callback`."""
+        self._callback = callback
+        self._places: dict[str, int] | None = None
+
+    def __call__(self, columns: list[str], row: Array, states: States) -> object:
+        """Show a row."""
+        instant = Instant(columns, row, states, self._places)
+        self._places = instant.places
+        return self._callback(instant)

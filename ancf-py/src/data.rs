@@ -1,0 +1,122 @@
+use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
+use toml::{Table, Value};
+
+/// Data of a model from Python: dictionaries, sequences, numbers of Python and NumPy, text, and whatever has `to_dict`.
+///
+/// What is `None` is left out.
+#[derive(Debug, Default)]
+pub(crate) struct Data {
+    path: String,
+}
+
+impl Data {
+    /// The data of an object, nothing if it is `None`.
+    pub(crate) fn read(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Option<Value>> {
+        if any.is_none() {
+            return Ok(None);
+        }
+        self.value(any).map(Some)
+    }
+
+    fn value(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
+        if let Ok(yes) = any.cast::<PyBool>() {
+            return Ok(Value::Boolean(yes.is_true()));
+        }
+        if let Ok(x) = any.cast::<PyFloat>() {
+            return Ok(Value::Float(x.extract()?));
+        }
+        if let Ok(text) = any.cast::<PyString>() {
+            return Ok(Value::String(text.to_str()?.to_owned()));
+        }
+        if let Ok(table) = any.cast::<PyMapping>() {
+            return self.table(table);
+        }
+        if any.hasattr("to_dict")? {
+            return self.value(&any.call_method0("to_dict")?);
+        }
+        if any.is_instance_of::<PyInt>() || any.hasattr("__index__")? {
+            return integer(any);
+        }
+        // NumPy's scalars have `__float__` and are no arrays; arrays of one number have both.
+        if any.hasattr("__float__")? && !any.hasattr("__len__")? {
+            return Ok(Value::Float(any.call_method0("__float__")?.extract()?));
+        }
+        self.array(any)
+    }
+
+    fn table(&mut self, table: &Bound<'_, PyMapping>) -> PyResult<Value> {
+        let mut data = Table::new();
+        for entry in table.items()?.iter() {
+            let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = entry.extract()?;
+            let Ok(key) = key.extract::<String>() else {
+                return Err(self.unknown(&key, "a text as key"));
+            };
+            let length = self.path.len();
+            self.path += if length == 0 { "" } else { "." };
+            self.path += &key;
+            let value = self.read(&value)?;
+            self.path.truncate(length);
+            data.extend(value.map(|value| (key, value)));
+        }
+        Ok(Value::Table(data))
+    }
+
+    fn array(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
+        let Ok(items) = any.try_iter() else {
+            return Err(self.unknown(any, "a number, a text, a sequence or a table"));
+        };
+        let mut data = Vec::new();
+        for (i, item) in items.enumerate() {
+            let length = self.path.len();
+            self.path += &format!("[{i}]");
+            data.push(self.value(&item?)?);
+            self.path.truncate(length);
+        }
+        Ok(Value::Array(data))
+    }
+
+    fn unknown(&self, any: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+        let kind = any.get_type();
+        let name = kind.name().map_or_else(|_| "?".to_owned(), |name| name.to_string());
+        let place = if self.path.is_empty() { "the model" } else { &self.path };
+        PyTypeError::new_err(format!("{place}: found an object of type {name}, wanted {wanted}"))
+    }
+}
+
+/// Integers beyond 64 bits become numbers with a decimal point, as in files.
+fn integer(any: &Bound<'_, PyAny>) -> PyResult<Value> {
+    match any.extract::<i64>() {
+        Ok(n) => Ok(Value::Integer(n)),
+        Err(_) => Ok(Value::Float(any.extract()?)),
+    }
+}
+
+/// The data of a table that may not be left out.
+pub(crate) fn table(any: &Bound<'_, PyAny>) -> PyResult<Value> {
+    Ok(Data::default().read(any)?.unwrap_or_else(|| Value::Table(Table::new())))
+}
+
+/// Python's dictionaries, lists and numbers for data.
+pub(crate) fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+    match value {
+        Value::String(text) => text.into_bound_py_any(py),
+        Value::Integer(n) => n.into_bound_py_any(py),
+        Value::Float(x) => x.into_bound_py_any(py),
+        Value::Boolean(yes) => yes.into_bound_py_any(py),
+        Value::Datetime(date) => date.to_string().into_bound_py_any(py),
+        Value::Array(items) => {
+            let items: Vec<_> = items.iter().map(|item| object(py, item)).collect::<PyResult<_>>()?;
+            Ok(PyList::new(py, items)?.into_any())
+        }
+        Value::Table(table) => {
+            let dict = PyDict::new(py);
+            for (key, value) in table {
+                dict.set_item(key, object(py, value)?)?;
+            }
+            Ok(dict.into_any())
+        }
+    }
+}

@@ -1,0 +1,83 @@
+use std::path::PathBuf;
+
+use ancf::model::{ModelErrors, schema_text};
+use ancf::{Model, Scales};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use toml::Value;
+
+use crate::data::{object, table};
+
+/// `ancf.ModelError` with all errors of a model, and the file that it is from.
+pub(crate) fn refused(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) -> PyErr {
+    let faults: Vec<_> = errors
+        .iter()
+        .map(|error| {
+            let place = error.at.as_ref().map(|at| (at.line, at.column));
+            (&error.path, &error.found, &error.wanted, error.hint.as_deref(), place, error.to_string())
+        })
+        .collect();
+    let error = py
+        .import("ancf.errors")
+        .and_then(|errors| errors.getattr("ModelError"))
+        .and_then(|class| class.call_method1("of", (faults, file)));
+    error.map_or_else(|why| why, PyErr::from_value)
+}
+
+/// The valid model that an object states.
+pub(crate) fn model(any: &Bound<'_, PyAny>) -> PyResult<Model> {
+    Model::from_value(&table(any)?).map_err(|errors| refused(any.py(), &errors, None))
+}
+
+fn unprintable(error: impl ToString) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+fn plain_data<'py>(py: Python<'py>, model: &Model) -> PyResult<Bound<'py, PyAny>> {
+    object(py, &Value::try_from(model).map_err(unprintable)?)
+}
+
+/// Reads and checks a model file; its data as dictionaries, with the keys that the file has.
+#[pyfunction]
+pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> {
+    let file = path.display().to_string();
+    Model::read(&path).map_err(|errors| refused(py, &errors, Some(&file)))?;
+    let text = std::fs::read_to_string(&path)?;
+    object(py, &Value::Table(text.parse().map_err(unprintable)?))
+}
+
+/// The data of a model as plain dictionaries, lists and numbers; checked.
+#[pyfunction]
+pub(crate) fn plain<'py>(py: Python<'py>, data: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let value = table(data)?;
+    Model::from_value(&value).map_err(|errors| refused(py, &errors, None))?;
+    object(py, &value)
+}
+
+/// The text of a model file.
+#[pyfunction]
+pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
+    toml::to_string(&table(data)?).map_err(unprintable)
+}
+
+/// The model in the units in which its equations are solved, and these: length, time, force.
+#[pyfunction]
+pub(crate) fn scaled<'py>(data: &Bound<'py, PyAny>) -> PyResult<(Bound<'py, PyAny>, [f64; 3])> {
+    let model = model(data)?;
+    let scales = model.scales().scales;
+    let Scales { length, time, force } = scales;
+    Ok((plain_data(data.py(), &model.scaled(&scales))?, [length, time, force]))
+}
+
+/// What the model consists of, what joints tie and what is free to move, in words.
+#[pyfunction]
+pub(crate) fn diagnose(data: &Bound<'_, PyAny>) -> PyResult<String> {
+    let diagnosis = model(data)?.diagnose();
+    diagnosis.map(|found| found.to_string()).map_err(|errors| refused(data.py(), &errors, None))
+}
+
+/// The JSON Schema of models.
+#[pyfunction]
+pub(crate) fn schema() -> String {
+    schema_text()
+}

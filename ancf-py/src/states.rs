@@ -1,0 +1,135 @@
+use std::sync::Arc;
+
+use ancf::system::State;
+use ancf::{Field, Fields, Simulation};
+use numpy::{PyArray1, PyArray3, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// States of a run, from which fields are read.
+#[pyclass(frozen, module = "ancf._ancf")]
+#[derive(Debug)]
+pub(crate) struct States {
+    simulation: Arc<Simulation>,
+    frames: Frames,
+}
+
+/// What is kept of a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Keep {
+    All,
+    Positions,
+    Nothing,
+}
+
+impl Keep {
+    pub(crate) fn named(name: &str) -> PyResult<Self> {
+        match name {
+            "all" => Ok(Self::All),
+            "positions" => Ok(Self::Positions),
+            "none" => Ok(Self::Nothing),
+            _ => Err(PyValueError::new_err(format!(
+                "states: found {name:?}, wanted \"all\", \"positions\" or \"none\""
+            ))),
+        }
+    }
+}
+
+/// Frames one after the other: of each, time and load factor, and so many coordinates, velocities and accelerations.
+#[derive(Clone, Debug)]
+pub(crate) struct Frames {
+    keep: Keep,
+    at: Vec<[f64; 2]>,
+    numbers: Vec<f64>,
+}
+
+impl Frames {
+    pub(crate) const fn new(keep: Keep) -> Self {
+        Self { keep, at: Vec::new(), numbers: Vec::new() }
+    }
+
+    pub(crate) fn push(&mut self, s: &State) {
+        let kept: &[&[f64]] = match self.keep {
+            Keep::All => &[&s.q, &s.v, &s.a],
+            Keep::Positions => &[&s.q],
+            Keep::Nothing => return,
+        };
+        self.at.push([s.t, s.load]);
+        kept.iter().for_each(|numbers| self.numbers.extend_from_slice(numbers));
+    }
+
+    /// Takes the last frame out.
+    pub(crate) fn pop(&mut self) {
+        if let Some(width) = self.numbers.len().checked_div(self.at.len()) {
+            self.numbers.truncate(self.numbers.len() - width);
+            self.at.pop();
+        }
+    }
+
+    /// The frames as states, one after the other in the same place.
+    fn each(&self, mut s: State, mut see: impl FnMut(&State)) {
+        let n = s.q.len();
+        let width = if self.keep == Keep::All { 3 * n } else { n };
+        for (&[t, load], numbers) in self.at.iter().zip(self.numbers.chunks_exact(width.max(1))) {
+            (s.t, s.load) = (t, load);
+            s.q.copy_from_slice(&numbers[..n]);
+            if self.keep == Keep::All {
+                s.v.copy_from_slice(&numbers[n..2 * n]);
+                s.a.copy_from_slice(&numbers[2 * n..]);
+            }
+            see(&s);
+        }
+    }
+}
+
+impl States {
+    pub(crate) fn new(simulation: &Arc<Simulation>, frames: Frames) -> Self {
+        Self { simulation: Arc::clone(simulation), frames }
+    }
+}
+
+#[pymethods]
+impl States {
+    /// A field at the stations along all bodies: [frame, station, number].
+    fn field<'py>(&self, py: Python<'py>, name: &str, parts: u32) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let Some((_, field)) = Field::ALL.into_iter().find(|(own, _)| *own == name) else {
+            let names: Vec<_> = Field::ALL.iter().map(|(name, _)| format!("{name:?}")).collect();
+            let (found, wanted) = (name, names.join(", "));
+            return Err(PyValueError::new_err(format!("field: found {found:?}, wanted one of {wanted}")));
+        };
+        let still = matches!(field, Field::Position | Field::Displacement | Field::Directors);
+        let wanted = match self.frames.keep {
+            Keep::All => None,
+            Keep::Positions if still => None,
+            Keep::Positions => Some("states=\"all\""),
+            Keep::Nothing => Some("states=\"all\" or \"positions\""),
+        };
+        if let Some(wanted) = wanted {
+            return Err(PyValueError::new_err(format!(
+                "field {name:?}: the run kept no such states; run it with {wanted}"
+            )));
+        }
+        let (numbers, stations) = py.detach(|| {
+            let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
+            let stations = fields.stations().len();
+            let mut numbers = Vec::with_capacity(self.frames.at.len() * stations * field.width());
+            self.frames.each(self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
+            (numbers, stations)
+        });
+        PyArray1::from_vec(py, numbers).reshape([self.frames.at.len(), stations, field.width()])
+    }
+
+    /// Names of the bodies, and the body's number and the arc length of each station.
+    fn stations(&self, parts: u32) -> (Vec<String>, Vec<usize>, Vec<f64>) {
+        let assembly = self.simulation.assembly();
+        let names = assembly.bodies().map(|(name, _)| name.to_owned()).collect();
+        let fields = Fields::new(assembly, self.simulation.scales(), parts);
+        let (bodies, lengths) = fields.stations().iter().map(|station| (station.body, station.s)).unzip();
+        (names, bodies, lengths)
+    }
+
+    /// Number of frames.
+    fn __len__(&self) -> usize {
+        self.frames.at.len()
+    }
+}

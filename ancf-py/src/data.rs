@@ -37,12 +37,12 @@ impl Data {
         if any.hasattr("to_dict")? {
             return self.value(&any.call_method0("to_dict")?);
         }
-        if any.is_instance_of::<PyInt>() || any.hasattr("__index__")? {
+        if any.is_instance_of::<PyInt>() {
             return integer(any);
         }
-        // NumPy's scalars have `__float__` and are no arrays; arrays of one number have both.
-        if any.hasattr("__float__")? && !any.hasattr("__len__")? {
-            return Ok(Value::Float(any.call_method0("__float__")?.extract()?));
+        // Arrays and scalars of NumPy and its kin.
+        if any.hasattr("tolist")? {
+            return self.value(&any.call_method0("tolist")?);
         }
         self.array(any)
     }

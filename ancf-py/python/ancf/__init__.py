@@ -4,11 +4,13 @@ A model is stated in typed objects (`Model`, `Beam`, ...), in dictionaries, or i
 its analysis, and a `Result` has what was computed as NumPy arrays.
 """
 
-from ancf._ancf import VERSION as __version__
+from ancf import _ancf
 from ancf.analysis import buckling, check, modes, path, run, statics
 from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.result import Result
+
+__version__ = _ancf.VERSION
 
 __all__ = [
     "AnalysisError",

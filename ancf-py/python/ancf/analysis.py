@@ -70,6 +70,7 @@ def run(
     AnalysisError
         If the analysis cannot go on; its `result` has what was computed until then. So has the attribute
         `result` of any exception that ends a run from outside, such as `KeyboardInterrupt`.
+
     """
     simulation = _ancf.Simulation(data(model))
     kind, duration = simulation.analysis
@@ -79,7 +80,7 @@ def run(
     result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"])
     error = done["error"]
     if error is not None:
-        error.result = result
+        error.result = result  # type: ignore[attr-defined]
         raise error
     if done["failure"] is not None:
         raise AnalysisError(done["failure"], result)

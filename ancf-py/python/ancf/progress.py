@@ -16,7 +16,7 @@ class Bar:
         """A bar for a motion of a duration, if one is wanted; if that is not said, where somebody can see it."""
         self._bar: Any = None
         self._duration = duration
-        seen = _in_notebook() or sys.stderr is not None and sys.stderr.isatty()
+        seen = _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
         self._wanted = duration is not None and (seen if wanted is None else wanted)
 
     def __enter__(self) -> Bar:
@@ -32,7 +32,7 @@ class Bar:
             self._bar.close()
 
     @property
-    def tick(self) -> Any:  # noqa: ANN401
+    def tick(self) -> Any:
         """What is to be called with the time that is reached, now and then; nothing if no bar is wanted."""
         return self._tick if self._wanted else None
 

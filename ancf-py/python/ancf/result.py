@@ -80,7 +80,8 @@ class Result(Record):
         """All columns as a table, by time, load factor or number of the mode."""
         import pandas as pd
 
-        return pd.DataFrame(self.data, columns=self.columns, copy=False).set_index(self.columns[0])
+        table: pd.DataFrame = pd.DataFrame(self.data, columns=self.columns, copy=False).set_index(self.columns[0])
+        return table
 
     def to_xarray(self, fields: Sequence[str] = (), parts: int = 1) -> xr.Dataset:
         """All columns as variables over time, load factor or mode, and such `fields` as are wanted over stations.
@@ -90,7 +91,7 @@ class Result(Record):
         import xarray as xr
 
         row = self.columns[0]
-        data = xr.Dataset(
+        data: xr.Dataset = xr.Dataset(
             {name: (row, self[name]) for name in self.columns[1:]},
             coords={row: self[row]},
             attrs={"analysis": self.kind},

@@ -1,0 +1,53 @@
+"""Models that several tests run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def models() -> Path:
+    """The folder of the models to start from."""
+    return ROOT / "models"
+
+
+@pytest.fixture
+def rod() -> dict[str, Any]:
+    """A rod that swings as a pendulum, as plain data."""
+    return {
+        "gravity": [0, -9.81, 0],
+        "materials": {"plastic": {"density": 2000.0, "young": 5e9}},
+        "sections": {"strip": {"kind": "rectangle", "width": 0.05, "height": 0.02}},
+        "bodies": [
+            {
+                "kind": "beam",
+                "name": "arm",
+                "from": [0, 0, 0],
+                "to": [1, 0, 0],
+                "elements": 4,
+                "section": "strip",
+                "material": "plastic",
+            }
+        ],
+        "joints": [
+            {
+                "kind": "revolute",
+                "name": "pivot",
+                "a": {"body": "arm", "at": "start"},
+                "axis": [0, 0, 1],
+            }
+        ],
+        "probes": [
+            {
+                "name": "tip",
+                "on": {"body": "arm", "at": "end"},
+                "record": ["motion", "rotation", "section_forces", "strain", "stress"],
+            }
+        ],
+        "analysis": {"kind": "dynamics", "duration": 0.3, "step": 1e-3},
+    }

@@ -80,7 +80,9 @@ class Result(Record):
         """All columns as a table, by time, load factor or number of the mode."""
         import pandas as pd
 
-        table: pd.DataFrame = pd.DataFrame(self.data, columns=self.columns, copy=False).set_index(self.columns[0])
+        table: pd.DataFrame = pd.DataFrame(self.data, columns=self.columns, copy=False).set_index(
+            self.columns[0]
+        )
         return table
 
     def to_xarray(self, fields: Sequence[str] = (), parts: int = 1) -> xr.Dataset:

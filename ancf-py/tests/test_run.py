@@ -211,7 +211,7 @@ def test_a_bar_shows_how_far_a_motion_is(rod: dict[str, Any], capsys: pytest.Cap
 
 def test_names_that_are_not_there(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
-    with pytest.raises(KeyError, match="no column 'tip.aay'; did you mean 'tip.ay'"):
+    with pytest.raises(KeyError, match=r"no column 'tip\.aay'; did you mean 'tip\.ay'"):
         result["tip.aay"]
     with pytest.raises(KeyError, match="no probe 'top'; did you mean 'tip'"):
         result.probe("top")

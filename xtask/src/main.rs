@@ -1,18 +1,23 @@
 //! Chores of the workspace: `cargo xtask test` is everything that can be tested.
 
+mod debian;
+mod environment;
+mod package;
 mod speed;
 
 use std::env;
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// What a chore returns: why it failed, in words.
 type Done = Result<(), String>;
 
 const HELP: &str = "\
-cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions
+cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions, Python
+cargo xtask python          the Python package alone: installed, checked, tested, its site built
+cargo xtask docs            the site, into target/site
 cargo xtask schema          refresh docs/model.schema.json after a change of the model types
 cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
@@ -25,6 +30,8 @@ fn main() -> ExitCode {
         arguments.split_first().map_or(("", &[][..]), |(chore, rest)| (chore.as_str(), rest));
     let done = match chore {
         "test" => test(),
+        "python" => package::test(),
+        "docs" => package::docs(),
         "schema" => schema(),
         "bench" => speed::bench(options),
         "instructions" => speed::instructions(options),
@@ -50,6 +57,7 @@ fn test() -> Done {
     let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
     speed::instructions(&[])?;
+    package::test()?;
     say("all tests passed");
     Ok(())
 }
@@ -70,12 +78,22 @@ fn component(subcommand: &str, name: &str) -> Done {
 /// Runs cargo under a headline.
 fn cargo(what: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Done {
     say(&format!("\n== {what}: cargo {}", arguments.join(" ")));
-    let status = Command::new(env!("CARGO")).args(arguments).envs(variables.iter().copied()).status();
-    match status {
+    run(what, Command::new(env!("CARGO")).args(arguments).envs(variables.iter().copied()))
+}
+
+/// Runs a program and waits for its end.
+fn run(what: &str, command: &mut Command) -> Done {
+    match command.status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{what}: {status}")),
-        Err(error) => Err(format!("{what}: cannot run cargo: {error}")),
+        Err(error) => Err(format!("{what}: cannot run {}: {error}", command.get_program().display())),
     }
+}
+
+/// The folder of the workspace.
+fn root() -> PathBuf {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    own.parent().unwrap_or(own).to_owned()
 }
 
 /// Writes the JSON Schema of model files as the program prints it.
@@ -87,7 +105,7 @@ fn schema() -> Done {
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model.schema.json");
+    let path = root().join("docs/model.schema.json");
     fs::write(&path, output.stdout).map_err(|error| format!("{}: {error}", path.display()))
 }
 

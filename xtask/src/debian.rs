@@ -1,0 +1,23 @@
+//! Packages of Debian and its kin, where there are such.
+
+use std::process::Command;
+
+use crate::say;
+
+/// Whether a program is there.
+pub(crate) fn has(program: &str) -> bool {
+    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// Installs a package, as root or without a password; whether that went well.
+pub(crate) fn install(package: &str) -> bool {
+    let run = |program: &str, arguments: &[&str]| {
+        say(&format!("\n== {package}: {program} {}", arguments.join(" ")));
+        let command = Command::new(program).args(arguments).env("DEBIAN_FRONTEND", "noninteractive").status();
+        command.is_ok_and(|status| status.success())
+    };
+    let install = ["apt-get", "install", "--yes", package];
+    let by_sudo = [&["-n"][..], &install].concat();
+    let again = || run(install[0], &["update"]) && run(install[0], &install[1..]);
+    has("apt-get") && (run(install[0], &install[1..]) || again() || has("sudo") && run("sudo", &by_sudo))
+}

@@ -1,0 +1,41 @@
+//! The Python package: installed as a user would, then checked and tested.
+
+use std::process::Command;
+
+use crate::environment::Environment;
+use crate::{Done, root, run, say};
+
+/// Installs the package with all that its tests and its documentation need, and runs them.
+pub(crate) fn test() -> Done {
+    let environment = installed()?;
+    let checks: [(&str, &str, &[&str]); 6] = [
+        ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
+        ("lints of Python", "ruff", &["check", "--quiet", "."]),
+        ("types", "mypy", &["ancf-py/python/ancf", "ancf-py/tests"]),
+        ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
+        ("tests of Python", "pytest", &["--quiet"]),
+        ("site", "sphinx-build", &["-W", "--keep-going", "--quiet", "docs", "target/site"]),
+    ];
+    checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))
+}
+
+/// Builds the documentation, into `target/site`.
+pub(crate) fn docs() -> Done {
+    step(&installed()?, "site", "sphinx-build", &["-W", "--keep-going", "docs", "target/site"])?;
+    say("the site is in target/site/index.html");
+    Ok(())
+}
+
+fn installed() -> Result<Environment, String> {
+    let environment = Environment::at(&root().join("target/python"))?;
+    environment.install([format!("{}[test,docs]", root().display())])?;
+    Ok(environment)
+}
+
+fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]) -> Done {
+    say(&format!("\n== {what}: {program} {}", arguments.join(" ")));
+    let mut command = Command::new(environment.program(program));
+    command.args(arguments).current_dir(root());
+    // Pictures are drawn without a screen.
+    run(what, command.env("MPLBACKEND", "Agg").env("PYVISTA_OFF_SCREEN", "true"))
+}

@@ -177,7 +177,10 @@ fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Resu
         Box::new(progress),
         Box::new(interrupt),
     ];
-    let summary = simulate(model, &mut sinks)?;
+    let summary = match simulate(model, &mut sinks) {
+        Err(ancf::Error::Model(errors)) => return Ok(refuse(&errors, file)),
+        done => done?,
+    };
     drop(sinks);
     let report = Report {
         program: concat!("ancf ", env!("CARGO_PKG_VERSION")),

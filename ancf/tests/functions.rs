@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use ancf::function::{Expression, Function, Instant, Table};
+use ancf::function::{Expression, External, Function, Instant, Table};
 use ancf::model::{At, Load, Place, TimeFunction, Varying};
 use ancf::{Model, Scales};
 use proptest::prelude::*;
@@ -12,6 +12,18 @@ use proptest::prelude::*;
 fn formula(text: &str) -> Function {
     let formula = Expression::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     Function::Expression { formula: Arc::new(formula), unit: 1.0 }
+}
+
+/// e^(−t) sin 3t as a program computes it.
+fn program() -> External {
+    External::new(|t: f64| {
+        let (decay, (sin, cos)) = ((-t).exp(), (3.0 * t).sin_cos());
+        Instant {
+            value: decay * sin,
+            rate: decay * (3.0 * cos - sin),
+            acceleration: decay * (-8.0 * sin - 6.0 * cos),
+        }
+    })
 }
 
 fn value(text: &str, t: f64) -> f64 {
@@ -91,6 +103,7 @@ fn every_function() -> Vec<Function> {
         Function::Ramp { start: 0.5, end: 2.0 },
         Function::Step { at: 1.0, until: Some(2.0) },
         Function::Sine { frequency: 0.7, phase: 0.3 },
+        Function::External { function: program(), unit: 1.3 },
         formula("0.4*(t^2/2 + (15/(2*pi))^2*(cos(2*pi*t/15) - 1))"),
         formula("if(t < 1, t^3, exp(-t)*sin(3*t)) + tanh(t)*sqrt(t + 1) - ln(t + 2)/atan(t + 0.1)"),
         formula("max(t, 2 - t) + min(t^2, 2) + abs(t - 0.7) + t^(t + 1) + (t - 9)^-3*asin(t/9)"),
@@ -166,6 +179,9 @@ fn varying() -> impl Strategy<Value = Varying> {
         (number(), 0.1..2.0).prop_map(|(at, more)| Varying::Step { at, until: Some(at + more) }),
         (0.0..3.0, number()).prop_map(|(frequency, phase)| Varying::Sine { frequency, phase }),
         (0.1..9.0).prop_map(|unit| Varying::Expression { text: "sin(t) + t^2".into(), unit }),
+        (0.1..9.0).prop_map(|unit| {
+            Varying::External { name: "program".into(), unit, supplied: Some(program()) }
+        }),
     ]
 }
 

@@ -56,7 +56,7 @@ impl Model {
 
     /// Supplies a force wherever the model asks for one of this name; returns whether it does anywhere.
     ///
-    /// A spring that holds a mass to a point above it:
+    /// A spring that holds a mass to the origin, with which it swings once in a unit of time:
     ///
     /// ```
     /// use ancf::function::ForceFunction;
@@ -69,15 +69,16 @@ impl Model {
     ///     bodies = [{ kind = "mass", name = "bob", center = [0, 0, -1], mass = 2 }]
     ///     loads = [{ kind = "external", name = "spring", on = { body = "bob", at = "center" } }]
     ///     probes = [{ name = "bob", on = { body = "bob", at = "center" } }]
-    ///     analysis = { kind = "statics" }
+    ///     analysis = { kind = "dynamics", duration = 1, step = 1e-3 }
     ///     "#,
     /// )?;
-    /// let spring = |_t: f64, x: [f64; 3], _v: [f64; 3]| x.map(|x| -40.0 * x);
+    /// let stiffness = 2.0 * std::f64::consts::TAU.powi(2);
+    /// let spring = move |_t: f64, x: [f64; 3], _v: [f64; 3]| x.map(|x| -stiffness * x);
     /// assert!(model.supply_force("spring", ForceFunction::new(spring)));
     /// let mut series = Series::new();
     /// simulate(&model, &mut series)?;
     /// let z = series.column("bob.z").and_then(|z| z.last()).ok_or("no such column")?;
-    /// assert!((z - -20.0 / 40.0).abs() < 1e-9);
+    /// assert!((z - -1.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn supply_force(&mut self, name: &str, function: ForceFunction) -> bool {

@@ -61,7 +61,7 @@ impl Model {
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
         Self::from_value(&data)?;
         // Data have no functions: with what is supplied the rules may be broken yet.
-        let findings = if self.is_supplied() { broken(self) } else { Vec::new() };
+        let findings = if self.has_functions(true) { broken(self) } else { Vec::new() };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
 }

@@ -69,7 +69,7 @@ impl Model {
     ///     bodies = [{ kind = "mass", name = "bob", center = [0, 0, -1], mass = 2 }]
     ///     loads = [{ kind = "external", name = "spring", on = { body = "bob", at = "center" } }]
     ///     probes = [{ name = "bob", on = { body = "bob", at = "center" } }]
-    ///     analysis = { kind = "dynamics", duration = 1, step = 1e-3 }
+    ///     analysis = { kind = "dynamics", duration = 1, step = 1e-3, scheme = "average_acceleration" }
     ///     "#,
     /// )?;
     /// let stiffness = 2.0 * std::f64::consts::TAU.powi(2);
@@ -120,12 +120,13 @@ impl Model {
         if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
     }
 
-    /// Whether a function of time is supplied.
-    pub(super) fn is_supplied(&self) -> bool {
-        let supplied = |time: &TimeFunction| {
-            matches!(time, TimeFunction::Varying(Varying::External { supplied: Some(_), .. }))
+    /// Whether there are functions of time for the program to supply that are supplied already, or are not yet.
+    pub(super) fn has_functions(&self, already: bool) -> bool {
+        let is_one = |time: &TimeFunction| match time {
+            TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == already,
+            _ => false,
         };
-        self.time_functions().iter().any(|(_, time)| supplied(time))
+        self.time_functions().iter().any(|(_, time)| is_one(time))
     }
 
     /// All functions of time with their paths.

@@ -1,5 +1,6 @@
 //! Chores of the workspace: `cargo xtask test` is everything that can be tested.
 
+mod python;
 mod speed;
 
 use std::env;
@@ -13,7 +14,7 @@ type Done = Result<(), String>;
 
 const HELP: &str = "\
 cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions
-cargo xtask schema          refresh docs/model.schema.json after a change of the model types
+cargo xtask schema          refresh docs/model.schema.json and the classes of Python after a change of the model types
 cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
@@ -78,7 +79,7 @@ fn cargo(what: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Done {
     }
 }
 
-/// Writes the JSON Schema of model files as the program prints it.
+/// Writes the JSON Schema of model files as the program prints it, and the classes of Python by it.
 fn schema() -> Done {
     let output = Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--package", "ancf-cli", "--", "schema"])
@@ -88,7 +89,8 @@ fn schema() -> Done {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model.schema.json");
-    fs::write(&path, output.stdout).map_err(|error| format!("{}: {error}", path.display()))
+    fs::write(&path, &output.stdout).map_err(|error| format!("{}: {error}", path.display()))?;
+    python::write(&String::from_utf8_lossy(&output.stdout))
 }
 
 fn say(text: &str) {

@@ -110,7 +110,7 @@ fn module_text(module: &str, what: &str, codes: &[Code], homes: &BTreeMap<String
     let gap = if outer.is_empty() || inner.is_empty() { "" } else { "\n" };
     let blocks: Vec<String> = codes.iter().flat_map(|code| code.blocks.clone()).collect();
     let (all, text) = (all(&own), spaced(&blocks));
-    format!("\"\"\"{what}\"\"\"\n\n{ORIGIN}# ruff: noqa: RUF002\n\n{outer}{gap}{inner}\n{all}{text}")
+    format!("\"\"\"{what}\"\"\"\n\n{ORIGIN}\n{outer}{gap}{inner}\n{all}{text}")
 }
 
 /// The module of a name that is in none of those written here.

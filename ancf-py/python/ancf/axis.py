@@ -35,14 +35,16 @@ class Axis(Part):
         """The place where the axis ends."""
         return _place(self.name, "end", None)
 
-    def at(
-        self, at: Literal["start", "center", "end"] | float, *, offset: Vector | None = None
-    ) -> Place:
+    def at(self, at: Literal["start", "center", "end"] | float, *, offset: Vector | None = None) -> Place:
         """The place at an arc length from the start, or at a named point.
 
-        Args:
-            at: Arc length in the undeformed state, length, or ``"start"``, ``"center"``, ``"end"``.
-            offset: A rigid arm from there, fixed to the section, in the global frame at the start, length.
+        Parameters
+        ----------
+        at
+            Arc length in the undeformed state, length, or ``"start"``, ``"center"``, ``"end"``.
+        offset
+            A rigid arm from there, fixed to the section, in the global frame at the start, length.
+
         """
         return _place(self.name, at, offset)
 
@@ -57,9 +59,13 @@ class Frame(Part):
     def at(self, at: Literal["center"] | Vector = "center", *, offset: Vector | None = None) -> Place:
         """The place at a point, or at the centre of mass.
 
-        Args:
-            at: A point, where it is at the start, length, or ``"center"``.
-            offset: A rigid arm from there, in the global frame at the start, length.
+        Parameters
+        ----------
+        at
+            A point, where it is at the start, length, or ``"center"``.
+        offset
+            A rigid arm from there, in the global frame at the start, length.
+
         """
         return _place(self.name, at, offset)
 
@@ -74,8 +80,12 @@ class Point(Part):
     def at(self, at: Literal["center"] = "center", *, offset: Vector | None = None) -> Place:
         """The place of the point.
 
-        Args:
-            at: ``"center"``, the only place it has.
-            offset: A rigid arm from there, in the global frame at the start, length.
+        Parameters
+        ----------
+        at
+            ``"center"``, the only place it has.
+        offset
+            A rigid arm from there, in the global frame at the start, length.
+
         """
         return _place(self.name, at, offset)

@@ -32,15 +32,11 @@ class Document(Part):
 
     @classmethod
     def read(cls: type[D], path: str | PathLike[str]) -> D:
-        """Reads a model file.
-
-        Raises:
-            ModelError: With all that is wrong with the file.
-        """
-        return cls.from_dict(_ancf.read(path))
+        """Read a model file; raises `ModelError` with all that is wrong."""
+        return cls.from_dict(_ancf.read(Path(path)))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data as in a model file; sections and materials that bodies hold themselves are in its tables."""
+        """Plain data as in a model file; what bodies have in the place of names is in its tables."""
         tables = Tables(materials=self.materials, sections=self.sections)
         data = self._plain(tables)
         data.update({key: plain(table, tables) for key, table in tables.tables.items() if table})
@@ -51,16 +47,16 @@ class Document(Part):
         return _ancf.to_toml(self.to_dict())
 
     def write(self, path: str | PathLike[str]) -> None:
-        """Writes the model file."""
+        """Write the model file."""
         Path(path).write_text(self.to_toml(), encoding="utf-8")
 
     # The kind of a body or joint is known to whoever asks for it by name, hence `Any`.
 
-    def body(self, name: str) -> Any:  # noqa: ANN401
+    def body(self, name: str) -> Any:
         """The body of a name; ``KeyError`` if there is none."""
         return _named("body", name, self.bodies)
 
-    def joint(self, name: str) -> Any:  # noqa: ANN401
+    def joint(self, name: str) -> Any:
         """The joint of a name; ``KeyError`` if there is none."""
         return _named("joint", name, self.joints)
 
@@ -75,7 +71,7 @@ class Document(Part):
         return self.to_dict() == other.to_dict()
 
 
-def _named(kind: str, name: str, parts: Sequence[Any] | None) -> Any:  # noqa: ANN401
+def _named(kind: str, name: str, parts: Sequence[Any] | None) -> Any:
     """The part of a name."""
     names = [part.name for part in parts or ()]
     if name not in names:

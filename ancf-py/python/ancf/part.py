@@ -6,7 +6,6 @@ import types
 import typing
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from functools import cache
 from typing import Any, ClassVar, TypeAlias, TypeVar
 
 import numpy as np
@@ -29,16 +28,19 @@ P = TypeVar("P", bound="Part")
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Part:
-    """A part of a model: what its keys are in a model file are its attributes.
+    """A part of a model: its attributes are the keys that it has in a model file.
 
     What is left out is ``None``, and the program's default holds. A part is checked when it is built; the whole
     model is checked when it is run.
 
-    Raises:
-        ModelError: When it is built, with all that is wrong with it.
+    Raises
+    ------
+    ModelError
+        When it is built, with all that is wrong with it.
+
     """
 
-    # Its definition in the schema; the key whose word tells it from others, and that key is a class constant.
+    # Its definition in the schema; the key whose word, a class constant, tells it from others of the definition.
     _form: ClassVar[str] = ""
     _tag: ClassVar[str | None] = None
     # Keys that name a part in a table of the model, for which the part itself may be given.
@@ -55,11 +57,7 @@ class Part:
 
     @classmethod
     def from_dict(cls: type[P], data: Mapping[str, Any]) -> P:
-        """A part of plain data, as in a model file.
-
-        Raises:
-            ModelError: With all that is wrong with the data.
-        """
+        """Make a part of plain data, as in a model file; raises `ModelError` with all that is wrong."""
         tag = {cls._tag: getattr(cls, cls._tag)} if cls._tag else {}
         data = {**tag, **data}
         _ancf.check_part(cls._form, plain(data, Tables()))
@@ -110,9 +108,11 @@ class Part:
 class Shared(Part):
     """A part that others refer to by name: the name is its key in a table of the model.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if left
-            out.
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left out.
+
     """
 
     _own: ClassVar[frozenset[str]] = frozenset({"name"})
@@ -120,11 +120,11 @@ class Shared(Part):
     name: str | None = field(default=None, kw_only=False)
 
 
-def plain(value: Any, tables: Tables) -> Any:  # noqa: ANN401
+def plain(value: Any, tables: Tables) -> Any:
     """Plain data of parts, arrays and all that holds them."""
     if isinstance(value, Part):
         return value._plain(tables)
-    if isinstance(value, (np.ndarray, np.generic)):
+    if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     if isinstance(value, Mapping):
         return {key: plain(item, tables) for key, item in value.items()}
@@ -133,7 +133,7 @@ def plain(value: Any, tables: Tables) -> Any:  # noqa: ANN401
     return value
 
 
-def typed(hint: Any, data: Any) -> Any:  # noqa: ANN401
+def typed(hint: Any, data: Any) -> Any:
     """Plain data as parts of the classes that a type hint allows."""
     arms = typing.get_args(hint) if typing.get_origin(hint) in (typing.Union, types.UnionType) else (hint,)
     if isinstance(data, Mapping):
@@ -142,17 +142,17 @@ def typed(hint: Any, data: Any) -> Any:  # noqa: ANN401
                 return arm._of(data)
             if typing.get_origin(arm) is Mapping:
                 return {key: typed(typing.get_args(arm)[1], item) for key, item in data.items()}
-    if isinstance(data, (list, tuple)):
+    if isinstance(data, list | tuple):
         for arm in arms:
             if typing.get_origin(arm) is Sequence:
                 return [typed(typing.get_args(arm)[0], item) for item in data]
     return data
 
 
-def same(one: Any, other: Any) -> bool:  # noqa: ANN401
+def same(one: Any, other: Any) -> bool:
     """Whether two values are equal; lists, tuples and arrays of the same numbers are."""
     if isinstance(one, Part):
-        return one == other
+        return bool(one == other)
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return one.keys() == other.keys() and all(same(item, other[key]) for key, item in one.items())
     if _is_row(one) and _is_row(other):
@@ -160,8 +160,8 @@ def same(one: Any, other: Any) -> bool:  # noqa: ANN401
     return bool(one == other)
 
 
-def _is_row(value: Any) -> bool:  # noqa: ANN401
-    return isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, str)
+def _is_row(value: Any) -> bool:
+    return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str)
 
 
 def _key(name: str) -> str:
@@ -169,8 +169,12 @@ def _key(name: str) -> str:
     return name.rstrip("_")
 
 
-@cache
+_KNOWN: dict[type[Part], dict[str, Any]] = {}
+
+
 def _hints(part: type[Part]) -> dict[str, Any]:
     """Type hints of the attributes that are keys."""
-    hints = typing.get_type_hints(part)
-    return {item.name: hints[item.name] for item in fields(part) if item.name not in part._own}
+    if part not in _KNOWN:
+        hints = typing.get_type_hints(part)
+        _KNOWN[part] = {item.name: hints[item.name] for item in fields(part) if item.name not in part._own}
+    return _KNOWN[part]

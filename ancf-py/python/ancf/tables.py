@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Tables:
-    """The tables of a model, such as ``sections``, and the parts that it refers to without having them there."""
+    """The tables of a model, such as ``sections``, to which parts come that are given in the place of names."""
 
     def __init__(self, **tables: Mapping[str, Shared] | None) -> None:
         self.tables: dict[str, dict[str, Shared]] = {key: dict(table or {}) for key, table in tables.items()}

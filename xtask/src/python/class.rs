@@ -151,7 +151,7 @@ fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
     for paragraph in rest.split("\n\n").filter(|text| !text.is_empty()) {
         text += &format!("\n{}", wrapped(paragraph, 4, 4));
     }
-    let attribute = |name: &str, meaning: &str| wrapped(&format!("{name}: {meaning}"), 8, 12);
+    let attribute = |name: &str, meaning: &str| format!("    {name}\n{}", wrapped(meaning, 8, 8));
     let name = is_shared.then(|| attribute("name", NAME));
     let keys = form.keys.iter().map(|key| {
         let itself = names::table(form.definition, key.name).map_or("", |_| " Or the part itself.");
@@ -162,5 +162,5 @@ fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
         let end = if rest.is_empty() { text.trim_end().to_owned() } else { text + "    " };
         return end + "\"\"\"\n";
     }
-    format!("{text}\n    Attributes:\n{attributes}    \"\"\"\n")
+    format!("{text}\n    Attributes\n    ----------\n{attributes}\n    \"\"\"\n")
 }

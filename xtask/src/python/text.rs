@@ -87,15 +87,22 @@ pub(super) fn summary(text: &str, indent: usize) -> (String, String) {
     if first.chars().count() <= room {
         return (first, rest.to_owned());
     }
-    let (head, tail) = [". ", ": ", "; "]
-        .iter()
-        .find_map(|mark| first.split_once(mark).filter(|(head, _)| head.chars().count() < room))
+    let (head, tail) = sentence(&first)
+        .into_iter()
+        .chain([": ", "; "].iter().filter_map(|mark| first.split_once(mark)))
+        .find(|(head, _)| head.chars().count() < room)
         .unwrap_or((&first, ""));
     let mut letters = tail.chars();
     let tail = letters.next().map(|letter| letter.to_uppercase().collect::<String>() + letters.as_str());
     let rest = [tail.unwrap_or_default(), rest.to_owned()];
     let rest: Vec<_> = rest.into_iter().filter(|text| !text.is_empty()).collect();
     (format!("{}.", head.trim_end_matches('.')), rest.join("\n\n"))
+}
+
+/// The first sentence and the rest; a full stop before a small letter or a bracket ends none.
+fn sentence(text: &str) -> Option<(&str, &str)> {
+    let ends = text.match_indices(". ").map(|(at, _)| (&text[..at], &text[at + 2..]));
+    ends.into_iter().find(|(_, rest)| rest.starts_with(char::is_uppercase))
 }
 
 /// A paragraph in lines with an indent; those after the first have another.

@@ -1,7 +1,6 @@
 """What is computed."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
@@ -45,9 +44,13 @@ NewtonMethod: TypeAlias = Literal["modified", "full"]
 class Newmark(Part):
     """Newmark with any pair.
 
-    Attributes:
-        gamma: γ; 1/2 for second order, more for damping (>= 0, <= 1).
-        beta: β > 0 (>= 0, <= 1).
+    Attributes
+    ----------
+    gamma
+        γ; 1/2 for second order, more for damping (>= 0, <= 1).
+    beta
+        β > 0 (>= 0, <= 1).
+
     """
 
     _form = "Scheme"
@@ -60,9 +63,12 @@ class Newmark(Part):
 class GeneralizedAlpha(Part):
     """Generalized-α: second order, in reactions too, damps what the step does not resolve.
 
-    Attributes:
-        spectral_radius: Part of a vibration of infinite frequency that survives a step: 0 ends it, 1 damps
-            nothing, 0.8 is a good choice (>= 0, <= 1).
+    Attributes
+    ----------
+    spectral_radius
+        Part of a vibration of infinite frequency that survives a step: 0 ends it, 1 damps nothing, 0.8 is a
+        good choice (>= 0, <= 1).
+
     """
 
     _form = "Scheme"
@@ -74,8 +80,11 @@ class GeneralizedAlpha(Part):
 class HHT(Part):
     """The scheme of Hilber, Hughes and Taylor: second order, in reactions too, damps high frequencies.
 
-    Attributes:
-        alpha: From −1/3, most damping, to 0, none (>= -0.3333333333333333, <= 0).
+    Attributes
+    ----------
+    alpha
+        From −1/3, most damping, to 0, none (>= -0.3333333333333333, <= 0).
+
     """
 
     _form = "Scheme"
@@ -114,11 +123,16 @@ Start: TypeAlias = Literal["consistent", "zero"]
 class AdaptiveStep(Part):
     """By error control; wants a scheme of second order.
 
-    Attributes:
-        tolerance: Error that the motion may gather over the duration, a root mean square displacement
-            relative to the length of the longest body (> 0, <= 0.1).
-        initial: First step, time; found by itself if left out (> 0).
-        largest: Largest step, time (> 0).
+    Attributes
+    ----------
+    tolerance
+        Error that the motion may gather over the duration, a root mean square displacement relative to the
+        length of the longest body (> 0, <= 0.1).
+    initial
+        First step, time; found by itself if left out (> 0).
+    largest
+        Largest step, time (> 0).
+
     """
 
     _form = "Step"
@@ -139,8 +153,11 @@ class EnergyStop(Part):
     The energy |Δz·r| of the increment is at most tolerance² times the largest energy met, or the residual is
     down to its own rounding error.
 
-    Attributes:
-        tolerance: Relative size of the increment in the energy norm (> 0, <= 0.01). Default: ``1e-8``.
+    Attributes
+    ----------
+    tolerance
+        Relative size of the increment in the energy norm (> 0, <= 0.01). Default: ``1e-8``.
+
     """
 
     _form = "Stop"
@@ -154,8 +171,11 @@ class EnergyStop(Part):
 class ResidualStop(Part):
     """|r|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
 
-    Attributes:
-        tolerance: Bound on the Euclidean norm of the residual (> 0).
+    Attributes
+    ----------
+    tolerance
+        Bound on the Euclidean norm of the residual (> 0).
+
     """
 
     _form = "Stop"
@@ -169,8 +189,11 @@ class ResidualStop(Part):
 class IncrementStop(Part):
     """|Δq|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
 
-    Attributes:
-        tolerance: Bound on the Euclidean norm of the increment of the coordinates (> 0).
+    Attributes
+    ----------
+    tolerance
+        Bound on the Euclidean norm of the increment of the coordinates (> 0).
+
     """
 
     _form = "Stop"
@@ -203,18 +226,28 @@ Sense: TypeAlias = Literal["stated", "reversed", "either"]
 class Dynamics(Part):
     """Motion from rest in the undeformed state.
 
-    Attributes:
-        duration: Duration, time (> 0).
-        step: Step, time; always the user's, whatever the scales.
-        max_halvings: How often a failed step of fixed size may be halved before the run ends (>= 0, <= 30).
-            Default: ``10``.
-        max_iterations: Newton iterations after which a step has failed (>= 1). Default: ``50``.
-        newton: Newton's method with a new tangent in each iteration, or with tangents that are used again.
-            One of ``"modified"``, ``"full"``. Default: ``"modified"``.
-        scheme: Scheme of time integration. Default: ``"adams"``.
-        start: Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
-            ``"consistent"``.
-        stop: When the Newton iteration of a step ends. Default: ``EnergyStop(tolerance=1e-8)``.
+    Attributes
+    ----------
+    duration
+        Duration, time (> 0).
+    step
+        Step, time; always the user's, whatever the scales.
+    max_halvings
+        How often a failed step of fixed size may be halved before the run ends (>= 0, <= 30). Default:
+        ``10``.
+    max_iterations
+        Newton iterations after which a step has failed (>= 1). Default: ``50``.
+    newton
+        Newton's method with a new tangent in each iteration, or with tangents that are used again. One of
+        ``"modified"``, ``"full"``. Default: ``"modified"``.
+    scheme
+        Scheme of time integration. Default: ``"adams"``.
+    start
+        Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
+        ``"consistent"``.
+    stop
+        When the Newton iteration of a step ends. Default: ``EnergyStop(tolerance=1e-8)``.
+
     """
 
     _form = "Analysis"
@@ -235,11 +268,17 @@ class Dynamics(Part):
 class Statics(Part):
     """Equilibrium under growing loads.
 
-    Attributes:
-        first: The part of the way that is tried first (> 0, <= 1). Default: ``1.0``.
-        load: The load factor to reach. Default: ``1.0``.
-        max_iterations: Newton iterations after which an increment has failed (>= 1). Default: ``100``.
-        stop: When the Newton iteration of an increment ends. Default: ``EnergyStop(tolerance=1e-8)``.
+    Attributes
+    ----------
+    first
+        The part of the way that is tried first (> 0, <= 1). Default: ``1.0``.
+    load
+        The load factor to reach. Default: ``1.0``.
+    max_iterations
+        Newton iterations after which an increment has failed (>= 1). Default: ``100``.
+    stop
+        When the Newton iteration of an increment ends. Default: ``EnergyStop(tolerance=1e-8)``.
+
     """
 
     _form = "Analysis"
@@ -256,14 +295,22 @@ class Statics(Part):
 class Path(Part):
     """A path of equilibria by arc length.
 
-    Attributes:
-        first: The first step, as a change of the load factor (> 0). Default: ``0.05``.
-        largest: The largest step of arc length; one that begins the path changes the load factor by as much
-            (> 0). Default: ``0.2``.
-        load: The load factor at which the path ends, when it first gets there. Default: ``1.0``.
-        max_iterations: Newton iterations after which a step has failed (>= 1). Default: ``30``.
-        points: The most points (>= 1, <= 1000000). Default: ``1000``.
-        stop: When the Newton iteration of a point ends. Default: ``EnergyStop(tolerance=1e-8)``.
+    Attributes
+    ----------
+    first
+        The first step, as a change of the load factor (> 0). Default: ``0.05``.
+    largest
+        The largest step of arc length; one that begins the path changes the load factor by as much (> 0).
+        Default: ``0.2``.
+    load
+        The load factor at which the path ends, when it first gets there. Default: ``1.0``.
+    max_iterations
+        Newton iterations after which a step has failed (>= 1). Default: ``30``.
+    points
+        The most points (>= 1, <= 1000000). Default: ``1000``.
+    stop
+        When the Newton iteration of a point ends. Default: ``EnergyStop(tolerance=1e-8)``.
+
     """
 
     _form = "Analysis"
@@ -282,9 +329,13 @@ class Path(Part):
 class Modes(Part):
     """Natural frequencies and mode shapes.
 
-    Attributes:
-        about: About which state. One of ``"reference"``, ``"equilibrium"``. Default: ``"reference"``.
-        count: How many of the lowest, rigid ones included (>= 1, <= 10000). Default: ``10``.
+    Attributes
+    ----------
+    about
+        About which state. One of ``"reference"``, ``"equilibrium"``. Default: ``"reference"``.
+    count
+        How many of the lowest, rigid ones included (>= 1, <= 10000). Default: ``10``.
+
     """
 
     _form = "Analysis"
@@ -299,10 +350,13 @@ class Modes(Part):
 class Buckling(Part):
     """Critical load factors.
 
-    Attributes:
-        count: How many of the lowest (>= 1, <= 10000). Default: ``1``.
-        sense: Which way the loads grow. One of ``"stated"``, ``"reversed"``, ``"either"``. Default:
-            ``"stated"``.
+    Attributes
+    ----------
+    count
+        How many of the lowest (>= 1, <= 10000). Default: ``1``.
+    sense
+        Which way the loads grow. One of ``"stated"``, ``"reversed"``, ``"either"``. Default: ``"stated"``.
+
     """
 
     _form = "Analysis"

@@ -1,7 +1,6 @@
 """Bodies, flexible and rigid."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -46,10 +45,15 @@ Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 class InitialMotion(Part):
     """How a body moves at the start of a motion: as a rigid one, v(r) = v₀ + ω × (r − c).
 
-    Attributes:
-        about: The point c, length; the start of the axis, or the centre of a rigid body, by default.
-        spin: Angular velocity ω in the global frame, radians/time. Default: ``[0.0, 0.0, 0.0]``.
-        velocity: Velocity v₀ of the point ``about``, length/time. Default: ``[0.0, 0.0, 0.0]``.
+    Attributes
+    ----------
+    about
+        The point c, length; the start of the axis, or the centre of a rigid body, by default.
+    spin
+        Angular velocity ω in the global frame, radians/time. Default: ``[0.0, 0.0, 0.0]``.
+    velocity
+        Velocity v₀ of the point ``about``, length/time. Default: ``[0.0, 0.0, 0.0]``.
+
     """
 
     _form = "InitialMotion"
@@ -72,8 +76,11 @@ class Straight(Part):
 class Arc(Part):
     """Along the arc of a circle.
 
-    Attributes:
-        through: A point between start and end.
+    Attributes
+    ----------
+    through
+        A point between start and end.
+
     """
 
     _form = "Shape"
@@ -87,10 +94,15 @@ class Arc(Part):
 class Helix(Part):
     """Along a helix.
 
-    Attributes:
-        center: A point of the helix's axis.
-        axis: Direction of the helix's axis; the helix turns about it by the right hand.
-        turns: Number of turns (> 0).
+    Attributes
+    ----------
+    center
+        A point of the helix's axis.
+    axis
+        Direction of the helix's axis; the helix turns about it by the right hand.
+    turns
+        Number of turns (> 0).
+
     """
 
     _form = "Shape"
@@ -106,8 +118,11 @@ class Helix(Part):
 class Spline(Part):
     """Along a natural cubic spline.
 
-    Attributes:
-        through: The points between start and end.
+    Attributes
+    ----------
+    through
+        The points between start and end.
+
     """
 
     _form = "Shape"
@@ -132,25 +147,39 @@ Slopes: TypeAlias = Literal["gradient", "length"]
 class Beam(Axis):
     """A beam that bends, twists, stretches and shears.
 
-    Attributes:
-        name: The name by which joints, loads and probes refer to the beam.
-        from_: Where the axis starts, length.
-        to: Where the axis ends, length.
-        elements: Number of elements, all of one length (>= 1).
-        section: Name of the section, a key of ``sections``. Or the part itself.
-        material: Name of the material, a key of ``materials``. Or the part itself.
-        formulation: Which element, and which of its strains are how stiff. One of ``"continuum"``,
-            ``"enhanced"``, ``"linked"``, ``"quadratic"``. Default: ``"continuum"``.
-        motion: How it moves at the start of a motion; at rest by default.
-        section_end: Name of the section at the end, of the same kind; sizes in between are interpolated
-            linearly. The same by default. Or the part itself.
-        shape: How the axis goes from start to end; straight by default. Free of stress.
-        slopes: What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default:
-            ``"gradient"``.
-        twist: Angle by which the section turns about the axis from start to end, in radians; free of stress.
-            Default: ``0.0``.
-        up: A direction that fixes the section's y-axis at the start: its part normal to the axis. Global y by
-            default, global z for a beam along y.
+    Attributes
+    ----------
+    name
+        The name by which joints, loads and probes refer to the beam.
+    from_
+        Where the axis starts, length.
+    to
+        Where the axis ends, length.
+    elements
+        Number of elements, all of one length (>= 1).
+    section
+        Name of the section, a key of ``sections``. Or the part itself.
+    material
+        Name of the material, a key of ``materials``. Or the part itself.
+    formulation
+        Which element, and which of its strains are how stiff. One of ``"continuum"``, ``"enhanced"``,
+        ``"linked"``, ``"quadratic"``. Default: ``"continuum"``.
+    motion
+        How it moves at the start of a motion; at rest by default.
+    section_end
+        Name of the section at the end, of the same kind; sizes in between are interpolated linearly. The same
+        by default. Or the part itself.
+    shape
+        How the axis goes from start to end; straight by default. Free of stress.
+    slopes
+        What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default: ``"gradient"``.
+    twist
+        Angle by which the section turns about the axis from start to end, in radians; free of stress.
+        Default: ``0.0``.
+    up
+        A direction that fixes the section's y-axis at the start: its part normal to the axis. Global y by
+        default, global z for a beam along y.
+
     """
 
     _form = "Body"
@@ -181,17 +210,26 @@ class Beam(Axis):
 class Cable(Axis):
     """A cable: a line that stretches and bends, equally about every axis across, and has no torsion.
 
-    Attributes:
-        name: The name by which joints, loads and probes refer to the cable.
-        from_: Where the axis starts, length.
-        to: Where the axis ends, length.
-        elements: Number of elements, all of one length (>= 1).
-        section: Name of the section, a key of ``sections``; it bends equally about every axis across. Or the
-            part itself.
-        material: Name of the material, a key of ``materials``. Or the part itself.
-        motion: How it moves at the start of a motion; at rest by default.
-        slopes: What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default:
-            ``"gradient"``.
+    Attributes
+    ----------
+    name
+        The name by which joints, loads and probes refer to the cable.
+    from_
+        Where the axis starts, length.
+    to
+        Where the axis ends, length.
+    elements
+        Number of elements, all of one length (>= 1).
+    section
+        Name of the section, a key of ``sections``; it bends equally about every axis across. Or the part
+        itself.
+    material
+        Name of the material, a key of ``materials``. Or the part itself.
+    motion
+        How it moves at the start of a motion; at rest by default.
+    slopes
+        What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default: ``"gradient"``.
+
     """
 
     _form = "Body"
@@ -216,14 +254,21 @@ class Cable(Axis):
 class RigidBody(Frame):
     """A body that does not deform.
 
-    Attributes:
-        name: The name by which joints, loads and probes refer to the body.
-        center: Centre of mass at the start, length.
-        mass: Mass, force time²/length (> 0).
-        inertia: Moments of inertia ``[xx, yy, zz]`` about the centre along the global axes at the start, mass
-            length².
-        motion: How it moves at the start of a motion; at rest by default.
-        products: Off-diagonal entries ``[xy, xz, yz]`` of the same tensor; none by default.
+    Attributes
+    ----------
+    name
+        The name by which joints, loads and probes refer to the body.
+    center
+        Centre of mass at the start, length.
+    mass
+        Mass, force time²/length (> 0).
+    inertia
+        Moments of inertia ``[xx, yy, zz]`` about the centre along the global axes at the start, mass length².
+    motion
+        How it moves at the start of a motion; at rest by default.
+    products
+        Off-diagonal entries ``[xy, xz, yz]`` of the same tensor; none by default.
+
     """
 
     _form = "Body"
@@ -242,11 +287,17 @@ class RigidBody(Frame):
 class PointMass(Point):
     """A point mass.
 
-    Attributes:
-        name: The name by which joints, loads and probes refer to the mass.
-        center: Where it is at the start, length.
-        mass: Mass, force time²/length (> 0).
-        motion: How it moves at the start of a motion; at rest by default.
+    Attributes
+    ----------
+    name
+        The name by which joints, loads and probes refer to the mass.
+    center
+        Where it is at the start, length.
+    mass
+        Mass, force time²/length (> 0).
+    motion
+        How it moves at the start of a motion; at rest by default.
+
     """
 
     _form = "Body"

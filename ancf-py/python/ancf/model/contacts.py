@@ -1,7 +1,6 @@
 """What bodies may touch."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,10 +16,15 @@ __all__ = ["Against", "Contact", "Cylinder", "EachOther", "Plane", "Sphere"]
 class Plane(Part):
     """The half space behind a plane.
 
-    Attributes:
-        point: A point of it in the undeformed state, length.
-        normal: Its normal in the undeformed state, towards the bodies; its length does not matter.
-        on: What carries it; the ground by default.
+    Attributes
+    ----------
+    point
+        A point of it in the undeformed state, length.
+    normal
+        Its normal in the undeformed state, towards the bodies; its length does not matter.
+    on
+        What carries it; the ground by default.
+
     """
 
     _form = "Against"
@@ -36,11 +40,17 @@ class Plane(Part):
 class Sphere(Part):
     """A ball, or a round hollow.
 
-    Attributes:
-        center: Its centre in the undeformed state, length.
-        radius: Its radius, length (> 0).
-        inside: Whether the bodies are inside. Default: ``False``.
-        on: What carries it; the ground by default.
+    Attributes
+    ----------
+    center
+        Its centre in the undeformed state, length.
+    radius
+        Its radius, length (> 0).
+    inside
+        Whether the bodies are inside. Default: ``False``.
+    on
+        What carries it; the ground by default.
+
     """
 
     _form = "Against"
@@ -57,12 +67,19 @@ class Sphere(Part):
 class Cylinder(Part):
     """An endless cylinder, or a bore.
 
-    Attributes:
-        point: A point of its axis in the undeformed state, length.
-        axis: Direction of its axis in the undeformed state; its length does not matter.
-        radius: Its radius, length (> 0).
-        inside: Whether the bodies are inside. Default: ``False``.
-        on: What carries it; the ground by default.
+    Attributes
+    ----------
+    point
+        A point of its axis in the undeformed state, length.
+    axis
+        Direction of its axis in the undeformed state; its length does not matter.
+    radius
+        Its radius, length (> 0).
+    inside
+        Whether the bodies are inside. Default: ``False``.
+    on
+        What carries it; the ground by default.
+
     """
 
     _form = "Against"
@@ -95,20 +112,31 @@ class Contact(Part):
 
     Bodies are round tubes about their axes.
 
-    Attributes:
-        with_: What the bodies may touch.
-        stiffness: Force per length of a body and per depth, force/length² (> 0).
-        bodies: Names of the beams and cables; all but the one that carries an obstacle, by default.
-        damping: Part by which the force is less at each speed of parting, and more when meeting, time/length
-            (>= 0). Default: ``0.0``.
-        friction: Coefficient of friction; none in statics (>= 0). Default: ``0.0``.
-        points: Contact points of each element; by default so many that their distance suits the obstacle and
-            the radius (>= 1, <= 10000).
-        radius: Radius of the bodies, length; that of circles and tubes by default (> 0).
-        slip_speed: Sliding speed below which friction is viscous, length/time; by default a thousandth of the
-            length of the longest body over the duration (> 0).
-        transition: Depth over which the stiffness grows from zero, length; a fiftieth of the smallest radius
-            by default (> 0).
+    Attributes
+    ----------
+    with_
+        What the bodies may touch.
+    stiffness
+        Force per length of a body and per depth, force/length² (> 0).
+    bodies
+        Names of the beams and cables; all but the one that carries an obstacle, by default.
+    damping
+        Part by which the force is less at each speed of parting, and more when meeting, time/length (>= 0).
+        Default: ``0.0``.
+    friction
+        Coefficient of friction; none in statics (>= 0). Default: ``0.0``.
+    points
+        Contact points of each element; by default so many that their distance suits the obstacle and the
+        radius (>= 1, <= 10000).
+    radius
+        Radius of the bodies, length; that of circles and tubes by default (> 0).
+    slip_speed
+        Sliding speed below which friction is viscous, length/time; by default a thousandth of the length of
+        the longest body over the duration (> 0).
+    transition
+        Depth over which the stiffness grows from zero, length; a fiftieth of the smallest radius by default
+        (> 0).
+
     """
 
     _form = "Contact"

@@ -1,7 +1,6 @@
 """Joints that move together."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -23,11 +22,16 @@ Freed: TypeAlias = Literal["angle", "displacement"]
 class Coupled(Part):
     """A joint of a coupling.
 
-    Attributes:
-        joint: Name of the joint.
-        factor: Factor, not zero: a number for an angle, 1/length for a displacement.
-        of: Which freedom of the joint; by default the angle, if it has one. One of ``"angle"``,
-            ``"displacement"``.
+    Attributes
+    ----------
+    joint
+        Name of the joint.
+    factor
+        Factor, not zero: a number for an angle, 1/length for a displacement.
+    of
+        Which freedom of the joint; by default the angle, if it has one. One of ``"angle"``,
+        ``"displacement"``.
+
     """
 
     _form = "Coupled"
@@ -43,9 +47,13 @@ class Coupling(Part):
 
     Gears, racks, belts, screws.
 
-    Attributes:
-        name: Name in messages.
-        joints: The joints and their factors, 63 at most.
+    Attributes
+    ----------
+    name
+        Name in messages.
+    joints
+        The joints and their factors, 63 at most.
+
     """
 
     _form = "Coupling"

@@ -1,7 +1,6 @@
 """Drives, springs and friction of joints."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from dataclasses import dataclass
 
@@ -22,11 +21,16 @@ __all__ = [
 class AngularDrive(Part):
     """Prescribes the angle of a joint: by ``angle`` or by ``rate``.
 
-    Attributes:
-        angle: Angle by which the function of time is multiplied, in radians.
-        rate: Angular velocity by which the function of time is multiplied, 1/time.
-        time: Function of time; 1 by default. Statics turns by ``angle`` with the load, and does not turn by
-            ``rate``.
+    Attributes
+    ----------
+    angle
+        Angle by which the function of time is multiplied, in radians.
+    rate
+        Angular velocity by which the function of time is multiplied, 1/time.
+    time
+        Function of time; 1 by default. Statics turns by ``angle`` with the load, and does not turn by
+        ``rate``.
+
     """
 
     _form = "AngularDrive"
@@ -40,10 +44,15 @@ class AngularDrive(Part):
 class AngularSpring(Part):
     """A torsion spring and a damper: the moment −stiffness (θ − angle) − damping dθ/dt.
 
-    Attributes:
-        angle: The angle at which the spring is free of moment, in radians; 0 by default.
-        damping: Damping, force length time (>= 0). Default: ``0.0``.
-        stiffness: Stiffness, force length per radian (>= 0). Default: ``0.0``.
+    Attributes
+    ----------
+    angle
+        The angle at which the spring is free of moment, in radians; 0 by default.
+    damping
+        Damping, force length time (>= 0). Default: ``0.0``.
+    stiffness
+        Stiffness, force length per radian (>= 0). Default: ``0.0``.
+
     """
 
     _form = "AngularSpring"
@@ -57,9 +66,13 @@ class AngularSpring(Part):
 class AngularFriction(Part):
     """Dry friction of a hinge: the moment −moment tanh(ω/rate).
 
-    Attributes:
-        moment: Moment of the friction, force length (>= 0).
-        rate: Angular velocity below which what should stick creeps, 1/time (> 0).
+    Attributes
+    ----------
+    moment
+        Moment of the friction, force length (>= 0).
+    rate
+        Angular velocity below which what should stick creeps, 1/time (> 0).
+
     """
 
     _form = "AngularFriction"
@@ -72,11 +85,16 @@ class AngularFriction(Part):
 class LinearDrive(Part):
     """Prescribes the displacement of a joint: by ``displacement`` or by ``speed``.
 
-    Attributes:
-        displacement: Displacement by which the function of time is multiplied, length.
-        speed: Velocity by which the function of time is multiplied, length/time.
-        time: Function of time; 1 by default. Statics moves by ``displacement`` with the load, and does not
-            move by ``speed``.
+    Attributes
+    ----------
+    displacement
+        Displacement by which the function of time is multiplied, length.
+    speed
+        Velocity by which the function of time is multiplied, length/time.
+    time
+        Function of time; 1 by default. Statics moves by ``displacement`` with the load, and does not move by
+        ``speed``.
+
     """
 
     _form = "LinearDrive"
@@ -90,10 +108,15 @@ class LinearDrive(Part):
 class LinearSpring(Part):
     """A spring and a damper: the force −stiffness (s − displacement) − damping ds/dt.
 
-    Attributes:
-        damping: Damping, force time/length (>= 0). Default: ``0.0``.
-        displacement: The displacement at which the spring is free of force, length; 0 by default.
-        stiffness: Stiffness, force/length (>= 0). Default: ``0.0``.
+    Attributes
+    ----------
+    damping
+        Damping, force time/length (>= 0). Default: ``0.0``.
+    displacement
+        The displacement at which the spring is free of force, length; 0 by default.
+    stiffness
+        Stiffness, force/length (>= 0). Default: ``0.0``.
+
     """
 
     _form = "LinearSpring"
@@ -107,9 +130,13 @@ class LinearSpring(Part):
 class LinearFriction(Part):
     """Dry friction of a slider: the force −force tanh(v/speed).
 
-    Attributes:
-        force: Force of the friction (>= 0).
-        speed: Velocity below which what should stick creeps, length/time (> 0).
+    Attributes
+    ----------
+    force
+        Force of the friction (>= 0).
+    speed
+        Velocity below which what should stick creeps, length/time (> 0).
+
     """
 
     _form = "LinearFriction"

@@ -1,7 +1,6 @@
 """Functions of time."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -16,9 +15,13 @@ __all__ = ["Expression", "Ramp", "Sine", "Step", "Table", "TimeFunction", "Varyi
 class Table(Part):
     """Linear between points, held before the first and after the last.
 
-    Attributes:
-        times: Times of the points, in order; two equal ones are a jump. Time.
-        values: Values at these times.
+    Attributes
+    ----------
+    times
+        Times of the points, in order; two equal ones are a jump. Time.
+    values
+        Values at these times.
+
     """
 
     _form = "Varying"
@@ -33,9 +36,13 @@ class Table(Part):
 class Ramp(Part):
     """0 until the start, then linear up to 1 at the end, then 1.
 
-    Attributes:
-        end: Where it reaches 1, time.
-        start: Where it leaves 0, time. Default: ``0.0``.
+    Attributes
+    ----------
+    end
+        Where it reaches 1, time.
+    start
+        Where it leaves 0, time. Default: ``0.0``.
+
     """
 
     _form = "Varying"
@@ -50,9 +57,13 @@ class Ramp(Part):
 class Step(Part):
     """0, then 1 from a time on.
 
-    Attributes:
-        at: Where it becomes 1, time. Default: ``0.0``.
-        until: Where it becomes 0 again, time; never by default.
+    Attributes
+    ----------
+    at
+        Where it becomes 1, time. Default: ``0.0``.
+    until
+        Where it becomes 0 again, time; never by default.
+
     """
 
     _form = "Varying"
@@ -67,9 +78,13 @@ class Step(Part):
 class Sine(Part):
     """sin(2π f t + φ).
 
-    Attributes:
-        frequency: Frequency f, cycles per time (>= 0).
-        phase: Phase φ in radians. Default: ``0.0``.
+    Attributes
+    ----------
+    frequency
+        Frequency f, cycles per time (>= 0).
+    phase
+        Phase φ in radians. Default: ``0.0``.
+
     """
 
     _form = "Varying"
@@ -84,9 +99,13 @@ class Sine(Part):
 class Expression(Part):
     """A formula in t.
 
-    Attributes:
-        text: The formula in t, the time, such as ``if(t < 2, t^2/4, 1)``.
-        unit: The t of the formula when one unit of time has passed; 1 by default (> 0).
+    Attributes
+    ----------
+    text
+        The formula in t, the time, such as ``if(t < 2, t^2/4, 1)``.
+    unit
+        The t of the formula when one unit of time has passed; 1 by default (> 0).
+
     """
 
     _form = "Varying"

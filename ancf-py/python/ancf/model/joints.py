@@ -1,7 +1,6 @@
 """Joints."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal, TypeAlias
@@ -51,12 +50,18 @@ Clamped: TypeAlias = Literal["all", "section"]
 class Clamp(Part):
     """Ties position and orientation.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        b: The other end; the ground by default.
-        fix: Which gradients are tied besides the position: ``"all"`` for beams of the continuum formulation,
-            ``"section"`` for all else, by default. One of ``"all"``, ``"section"``.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    b
+        The other end; the ground by default.
+    fix
+        Which gradients are tied besides the position: ``"all"`` for beams of the continuum formulation,
+        ``"section"`` for all else, by default. One of ``"all"``, ``"section"``.
+
     """
 
     _form = "Joint"
@@ -73,14 +78,23 @@ class Clamp(Part):
 class Revolute(Part):
     """A hinge: ties the position and leaves rotation about one axis.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        axis: Direction of the axis in the undeformed state, in the global frame; its length does not matter.
-        b: The other end; the ground by default.
-        drive: Prescribes the angle.
-        friction: Dry friction.
-        spring: A torsion spring and a damper.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    axis
+        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    b
+        The other end; the ground by default.
+    drive
+        Prescribes the angle.
+    friction
+        Dry friction.
+    spring
+        A torsion spring and a damper.
+
     """
 
     _form = "Joint"
@@ -100,10 +114,15 @@ class Revolute(Part):
 class Spherical(Part):
     """A ball joint: ties the position.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        b: The other end; the ground by default.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    b
+        The other end; the ground by default.
+
     """
 
     _form = "Joint"
@@ -119,16 +138,25 @@ class Spherical(Part):
 class Drive(Part):
     """A clamp to a frame that turns about the place and moves as it is told.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that is led, and receives the reaction.
-        time: Function of time; statics ignores it, turns and moves with the load.
-        angle: Angle by which the function of time is multiplied, in radians; 1 by default.
-        axis: Direction of the axis in the global frame; its length does not matter. Without one the frame
-            does not turn.
-        displacement: Displacement by which the function of time is multiplied, length; none by default.
-        fix: Which gradients are tied besides the position, by default as those of a clamp. One of ``"all"``,
-            ``"section"``.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that is led, and receives the reaction.
+    time
+        Function of time; statics ignores it, turns and moves with the load.
+    angle
+        Angle by which the function of time is multiplied, in radians; 1 by default.
+    axis
+        Direction of the axis in the global frame; its length does not matter. Without one the frame does not
+        turn.
+    displacement
+        Displacement by which the function of time is multiplied, length; none by default.
+    fix
+        Which gradients are tied besides the position, by default as those of a clamp. One of ``"all"``,
+        ``"section"``.
+
     """
 
     _form = "Joint"
@@ -148,13 +176,20 @@ class Drive(Part):
 class Universal(Part):
     """Two shafts that meet.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        axis_a: Direction of the arm of the cross that is fixed to ``a``, in the undeformed state.
-        axis_b: Direction of the arm of the cross that is fixed to ``b``, in the undeformed state, not along
-            the other.
-        b: The other end; the ground by default.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    axis_a
+        Direction of the arm of the cross that is fixed to ``a``, in the undeformed state.
+    axis_b
+        Direction of the arm of the cross that is fixed to ``b``, in the undeformed state, not along the
+        other.
+    b
+        The other end; the ground by default.
+
     """
 
     _form = "Joint"
@@ -172,14 +207,23 @@ class Universal(Part):
 class Cylindrical(Part):
     """A pin in a sleeve.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        axis: Direction of the axis in the undeformed state, in the global frame; its length does not matter.
-        b: The other end, which carries the axis; the ground by default.
-        drive: Prescribes the angle.
-        feed: Prescribes the displacement.
-        spring: A torsion spring and a damper.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    axis
+        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    b
+        The other end, which carries the axis; the ground by default.
+    drive
+        Prescribes the angle.
+    feed
+        Prescribes the displacement.
+    spring
+        A torsion spring and a damper.
+
     """
 
     _form = "Joint"
@@ -199,14 +243,23 @@ class Cylindrical(Part):
 class Prismatic(Part):
     """A slider in a straight guide.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        axis: Direction of the axis in the undeformed state, in the global frame; its length does not matter.
-        b: The other end, which carries the axis; the ground by default.
-        drive: Prescribes the displacement.
-        friction: Dry friction.
-        spring: A spring and a damper.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    axis
+        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    b
+        The other end, which carries the axis; the ground by default.
+    drive
+        Prescribes the displacement.
+    friction
+        Dry friction.
+    spring
+        A spring and a damper.
+
     """
 
     _form = "Joint"
@@ -226,11 +279,17 @@ class Prismatic(Part):
 class Planar(Part):
     """A plate on a plane.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        normal: Normal of the plane in the undeformed state, in the global frame; its length does not matter.
-        b: The other end, which carries the plane; the ground by default.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    normal
+        Normal of the plane in the undeformed state, in the global frame; its length does not matter.
+    b
+        The other end, which carries the plane; the ground by default.
+
     """
 
     _form = "Joint"
@@ -247,11 +306,17 @@ class Planar(Part):
 class PointOnLine(Part):
     """A point on a straight line.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        axis: Direction of the line in the undeformed state, in the global frame; its length does not matter.
-        b: The other end, which carries the line; the ground by default.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    axis
+        Direction of the line in the undeformed state, in the global frame; its length does not matter.
+    b
+        The other end, which carries the line; the ground by default.
+
     """
 
     _form = "Joint"
@@ -268,12 +333,19 @@ class PointOnLine(Part):
 class Distance(Part):
     """A massless rod with balls at its ends.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        b: The other end: a place or a point of the ground, elsewhere than ``a``.
-        change: By how much the distance grows, times the function of time, length; 0 by default.
-        time: Function of time; 1 by default. Statics ignores it and changes the distance with the load.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    b
+        The other end: a place or a point of the ground, elsewhere than ``a``.
+    change
+        By how much the distance grows, times the function of time, length; 0 by default.
+    time
+        Function of time; 1 by default. Statics ignores it and changes the distance with the load.
+
     """
 
     _form = "Joint"
@@ -291,13 +363,21 @@ class Distance(Part):
 class Slide(Part):
     """A bead on a beam.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The point that slides, and receives the reaction.
-        b: The place of a beam of two-node elements or of a cable where it is at the start.
-        drive: Prescribes the displacement along the beam.
-        friction: Dry friction along the beam, of a given force.
-        spring: A spring and a damper along the beam.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The point that slides, and receives the reaction.
+    b
+        The place of a beam of two-node elements or of a cable where it is at the start.
+    drive
+        Prescribes the displacement along the beam.
+    friction
+        Dry friction along the beam, of a given force.
+    spring
+        A spring and a damper along the beam.
+
     """
 
     _form = "Joint"
@@ -316,13 +396,19 @@ class Slide(Part):
 class Bushing(Part):
     """An elastic mount.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        stiffness: Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
-        b: The other end, which carries the axes, at first the global ones; the ground by default.
-        damping: Dampings along x, y, z, force time/length, and about x, y, z, force length time; none by
-            default.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    stiffness
+        Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
+    b
+        The other end, which carries the axes, at first the global ones; the ground by default.
+    damping
+        Dampings along x, y, z, force time/length, and about x, y, z, force length time; none by default.
+
     """
 
     _form = "Joint"
@@ -340,14 +426,23 @@ class Bushing(Part):
 class Spring(Part):
     """A spring and a damper between two points.
 
-    Attributes:
-        name: Name in outputs and messages.
-        a: The end that receives the reaction.
-        b: The other end: a place or a point of the ground, elsewhere than ``a``.
-        damping: Damping, force time/length (>= 0). Default: ``0.0``.
-        length: Length at which it is free of force; the distance in the undeformed state by default (>= 0).
-        stiffness: Stiffness, force/length (>= 0). Default: ``0.0``.
-        tension_only: Whether it only draws, as a rope does. Default: ``False``.
+    Attributes
+    ----------
+    name
+        Name in outputs and messages.
+    a
+        The end that receives the reaction.
+    b
+        The other end: a place or a point of the ground, elsewhere than ``a``.
+    damping
+        Damping, force time/length (>= 0). Default: ``0.0``.
+    length
+        Length at which it is free of force; the distance in the undeformed state by default (>= 0).
+    stiffness
+        Stiffness, force/length (>= 0). Default: ``0.0``.
+    tension_only
+        Whether it only draws, as a rope does. Default: ``False``.
+
     """
 
     _form = "Joint"

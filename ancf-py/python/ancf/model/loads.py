@@ -1,7 +1,6 @@
 """Loads besides gravity."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,11 +17,17 @@ __all__ = ["BaseAcceleration", "DistributedForce", "DistributedMoment", "Fluid",
 class Force(Part):
     """A force on a point of the axis.
 
-    Attributes:
-        on: Where it acts.
-        force: The force in the global frame; of a follower, in the undeformed state.
-        follower: Whether it turns with the section. Default: ``False``.
-        time: Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+    Attributes
+    ----------
+    on
+        Where it acts.
+    force
+        The force in the global frame; of a follower, in the undeformed state.
+    follower
+        Whether it turns with the section. Default: ``False``.
+    time
+        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+
     """
 
     _form = "Load"
@@ -39,11 +44,17 @@ class Force(Part):
 class Moment(Part):
     """A moment on a section.
 
-    Attributes:
-        on: Where it acts.
-        moment: The moment in the global frame; of a follower, in the undeformed state.
-        follower: Whether it turns with the section. Default: ``False``.
-        time: Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+    Attributes
+    ----------
+    on
+        Where it acts.
+    moment
+        The moment in the global frame; of a follower, in the undeformed state.
+    follower
+        Whether it turns with the section. Default: ``False``.
+    time
+        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+
     """
 
     _form = "Load"
@@ -60,14 +71,23 @@ class Moment(Part):
 class DistributedForce(Part):
     """A force per length along an axis.
 
-    Attributes:
-        body: Name of the body.
-        force: The force per undeformed length, in the global frame; of a follower, in that of each section.
-        follower: Whether it turns with the sections. Default: ``False``.
-        force_end: Likewise at ``to``, if it varies: linearly, from ``force`` at ``from``.
-        from_: Where it begins; at the start of the body by default.
-        time: Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
-        to: Where it ends; at the end of the body by default.
+    Attributes
+    ----------
+    body
+        Name of the body.
+    force
+        The force per undeformed length, in the global frame; of a follower, in that of each section.
+    follower
+        Whether it turns with the sections. Default: ``False``.
+    force_end
+        Likewise at ``to``, if it varies: linearly, from ``force`` at ``from``.
+    from_
+        Where it begins; at the start of the body by default.
+    time
+        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+    to
+        Where it ends; at the end of the body by default.
+
     """
 
     _form = "Load"
@@ -87,14 +107,23 @@ class DistributedForce(Part):
 class DistributedMoment(Part):
     """A moment per length on the sections of a beam.
 
-    Attributes:
-        body: Name of the body.
-        moment: The moment per undeformed length, in the global frame; of a follower, in that of each section.
-        follower: Whether it turns with the sections. Default: ``False``.
-        from_: Where it begins; at the start of the body by default.
-        moment_end: Likewise at ``to``, if it varies: linearly, from ``moment`` at ``from``.
-        time: Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
-        to: Where it ends; at the end of the body by default.
+    Attributes
+    ----------
+    body
+        Name of the body.
+    moment
+        The moment per undeformed length, in the global frame; of a follower, in that of each section.
+    follower
+        Whether it turns with the sections. Default: ``False``.
+    from_
+        Where it begins; at the start of the body by default.
+    moment_end
+        Likewise at ``to``, if it varies: linearly, from ``moment`` at ``from``.
+    time
+        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+    to
+        Where it ends; at the end of the body by default.
+
     """
 
     _form = "Load"
@@ -114,9 +143,13 @@ class DistributedMoment(Part):
 class BaseAcceleration(Part):
     """The ground accelerates without turning; all that is computed is relative to it.
 
-    Attributes:
-        acceleration: Acceleration of the ground, length/time².
-        time: Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+    Attributes
+    ----------
+    acceleration
+        Acceleration of the ground, length/time².
+    time
+        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+
     """
 
     _form = "Load"
@@ -131,18 +164,28 @@ class BaseAcceleration(Part):
 class Fluid(Part):
     """A fluid around bodies: drag, added mass and buoyancy.
 
-    Attributes:
-        bodies: Names of the bodies in the fluid.
-        density: Mass per volume of the fluid, ρ (> 0).
-        drag: Coefficients of drag across and along the axis: ½ρ d C_n |w_n| w_n and ½ρ π d C_t |w_t| w_t per
-            length.
-        added_mass: Coefficients of added mass across and along the axis, in multiples of ρ A per length.
-            Default: ``[1.0, 0.0]``.
-        area: Area A of the fluid that a section displaces, length²; that of a circle of the diameter by
-            default (> 0).
-        current: Velocity of the fluid, the same everywhere; at rest by default.
-        diameter: Diameter d that meets the flow, length; the outer one of circles and tubes by default (> 0).
-        time: Function of time by which the current is multiplied; statics ignores it. Default: ``1.0``.
+    Attributes
+    ----------
+    bodies
+        Names of the bodies in the fluid.
+    density
+        Mass per volume of the fluid, ρ (> 0).
+    drag
+        Coefficients of drag across and along the axis: ½ρ d C_n |w_n| w_n and ½ρ π d C_t |w_t| w_t per
+        length.
+    added_mass
+        Coefficients of added mass across and along the axis, in multiples of ρ A per length. Default: ``[1.0,
+        0.0]``.
+    area
+        Area A of the fluid that a section displaces, length²; that of a circle of the diameter by default (>
+        0).
+    current
+        Velocity of the fluid, the same everywhere; at rest by default.
+    diameter
+        Diameter d that meets the flow, length; the outer one of circles and tubes by default (> 0).
+    time
+        Function of time by which the current is multiplied; statics ignores it. Default: ``1.0``.
+
     """
 
     _form = "Load"

@@ -1,7 +1,6 @@
 """What is recorded and written."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -31,11 +30,17 @@ Quantity: TypeAlias = Literal["motion", "rotation", "section_forces", "strain", 
 class Probe(Part):
     """A place where motion, section forces, strain or stress are recorded.
 
-    Attributes:
-        name: Name in the outputs: the columns are ``name.x``, ``name.vx``, ``name.ax`` and so on.
-        on: The place on the axis.
-        offset: Coordinates (y, z) of the point in the section, lengths; on the axis by default.
-        record: What is recorded; the motion by default.
+    Attributes
+    ----------
+    name
+        Name in the outputs: the columns are ``name.x``, ``name.vx``, ``name.ax`` and so on.
+    on
+        The place on the axis.
+    offset
+        Coordinates (y, z) of the point in the section, lengths; on the axis by default.
+    record
+        What is recorded; the motion by default.
+
     """
 
     _form = "Probe"
@@ -50,14 +55,20 @@ class Probe(Part):
 class Output(Part):
     """What is written, and how often.
 
-    Attributes:
-        csv: Write ``probes.csv``. Default: ``True``.
-        energy_parts: Record the strain energy of each body by part. Default: ``False``.
-        every: Record every so many of these; the first and the last instant always are (>= 1). Default:
-            ``1``.
-        interval: Time between recorded instants, on each of which a step ends; every step is recorded if left
-            out (> 0).
-        npz: Write ``probes.npz``, one binary array a column, readable by NumPy. Default: ``True``.
+    Attributes
+    ----------
+    csv
+        Write ``probes.csv``. Default: ``True``.
+    energy_parts
+        Record the strain energy of each body by part. Default: ``False``.
+    every
+        Record every so many of these; the first and the last instant always are (>= 1). Default: ``1``.
+    interval
+        Time between recorded instants, on each of which a step ends; every step is recorded if left out (>
+        0).
+    npz
+        Write ``probes.npz``, one binary array a column, readable by NumPy. Default: ``True``.
+
     """
 
     _form = "Output"

@@ -1,7 +1,6 @@
 """Places on bodies."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
@@ -30,11 +29,16 @@ Of a beam or a cable ``"start"``, ``"center"``, ``"end"`` or the arc length from
 class Place(Part):
     """A point of a body.
 
-    Attributes:
-        body: Name of the body.
-        at: Where on its axis, or where on a rigid body.
-        offset: A rigid arm from there, fixed to the section, in the global frame at the start, length; none
-            by default.
+    Attributes
+    ----------
+    body
+        Name of the body.
+    at
+        Where on its axis, or where on a rigid body.
+    offset
+        A rigid arm from there, fixed to the section, in the global frame at the start, length; none by
+        default.
+
     """
 
     _form = "Place"
@@ -48,8 +52,11 @@ class Place(Part):
 class Ground(Part):
     """A point of the fixed frame.
 
-    Attributes:
-        point: The point, length.
+    Attributes
+    ----------
+    point
+        The point, length.
+
     """
 
     _form = "Ground"

@@ -1,7 +1,6 @@
 """Cross-sections."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
@@ -15,10 +14,14 @@ __all__ = ["Circle", "Ellipse", "GeneralSection", "Rectangle", "Section", "Tube"
 class Circle(Shared):
     """A full circle.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if
-            left out.
-        diameter: Diameter, length (> 0).
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left
+        out.
+    diameter
+        Diameter, length (> 0).
+
     """
 
     _form = "Section"
@@ -32,11 +35,16 @@ class Circle(Shared):
 class Tube(Shared):
     """A circular tube.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if
-            left out.
-        outer: Outer diameter, length (> 0).
-        inner: Inner diameter, length; less than the outer (> 0).
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left
+        out.
+    outer
+        Outer diameter, length (> 0).
+    inner
+        Inner diameter, length; less than the outer (> 0).
+
     """
 
     _form = "Section"
@@ -51,11 +59,16 @@ class Tube(Shared):
 class Rectangle(Shared):
     """A full rectangle.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if
-            left out.
-        height: Extent along the section's y-axis, length (> 0).
-        width: Extent along the section's z-axis, length (> 0).
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left
+        out.
+    height
+        Extent along the section's y-axis, length (> 0).
+    width
+        Extent along the section's z-axis, length (> 0).
+
     """
 
     _form = "Section"
@@ -70,11 +83,16 @@ class Rectangle(Shared):
 class Ellipse(Shared):
     """A full ellipse.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if
-            left out.
-        height: Extent along the section's y-axis, length: twice that semi-axis (> 0).
-        width: Extent along the section's z-axis, length: twice that semi-axis (> 0).
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left
+        out.
+    height
+        Extent along the section's y-axis, length: twice that semi-axis (> 0).
+    width
+        Extent along the section's z-axis, length: twice that semi-axis (> 0).
+
     """
 
     _form = "Section"
@@ -89,17 +107,28 @@ class Ellipse(Shared):
 class GeneralSection(Shared):
     """A section known by its numbers only, with moduli E and G of its material.
 
-    Attributes:
-        name: Key in the model's table, for a part that is given in the place of its name; found by itself if
-            left out.
-        area: Area A, length² (> 0).
-        iy: Second moment ∫z² dA, length⁴: for bending about y, deflections along z (> 0).
-        iz: Second moment ∫y² dA, length⁴: for bending about z, deflections along y (> 0).
-        j: Torsion constant, length⁴; iy + iz by default (> 0).
-        ky: Shear factor of forces along y: their stiffness is ky G A; 1 by default (> 0).
-        kz: Shear factor of forces along z: their stiffness is kz G A; 1 by default (> 0).
-        mass_iy: ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default (> 0).
-        mass_iz: ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default (> 0).
+    Attributes
+    ----------
+    name
+        Key in the model's table, for a part that is given in the place of its name; found by itself if left
+        out.
+    area
+        Area A, length² (> 0).
+    iy
+        Second moment ∫z² dA, length⁴: for bending about y, deflections along z (> 0).
+    iz
+        Second moment ∫y² dA, length⁴: for bending about z, deflections along y (> 0).
+    j
+        Torsion constant, length⁴; iy + iz by default (> 0).
+    ky
+        Shear factor of forces along y: their stiffness is ky G A; 1 by default (> 0).
+    kz
+        Shear factor of forces along z: their stiffness is kz G A; 1 by default (> 0).
+    mass_iy
+        ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default (> 0).
+    mass_iz
+        ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default (> 0).
+
     """
 
     _form = "Section"

@@ -1,7 +1,6 @@
 """The whole model."""
 
 # Written by `cargo xtask schema` from the types of the program: change those.
-# ruff: noqa: RUF002
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -33,9 +32,9 @@ class NoScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PaperScales(Part):
-    """Of Kim et al.
+    """Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7).
 
-    (2017): length of the beam, weight of one element, time by eq. (7). For one beam under gravity.
+    For one beam under gravity.
     """
 
     _form = "ScaleChoice"
@@ -45,9 +44,10 @@ class PaperScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AutoScales(Part):
-    """The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq.
+    """The longest body's length L.
 
-    (7); each rounded to a power of two, so that nothing is lost on the way to these units and back.
+    The weight of that body, or E I/L² without gravity; time by eq. (7); each rounded to a power of two, so
+    that nothing is lost on the way to these units and back.
     """
 
     _form = "ScaleChoice"
@@ -59,10 +59,15 @@ class AutoScales(Part):
 class GivenScales(Part):
     """Given by number.
 
-    Attributes:
-        length: Unit of length (> 0).
-        force: Unit of force (> 0).
-        time: Unit of time; by eq. (7) with the ρA of the longest body if left out (> 0).
+    Attributes
+    ----------
+    length
+        Unit of length (> 0).
+    force
+        Unit of force (> 0).
+    time
+        Unit of time; by eq. (7) with the ρA of the longest body if left out (> 0).
+
     """
 
     _form = "ScaleChoice"
@@ -85,23 +90,38 @@ class Model(Document):
     Every number is in the user's own coherent units (m-kg-s, mm-t-s, ...). The same type is read from TOML,
     built in Rust, printed, and rewritten in other units by ``Model::scaled``.
 
-    Attributes:
-        bodies: The bodies, flexible and rigid.
-        analysis: What to compute.
-        assemble: Whether gaps between the places of joints are closed before the analysis begins; they are
-            refused by default.
-        contacts: What bodies may touch: obstacles and each other.
-        couplings: Gears, racks, belts: joints that move together.
-        gravity: Acceleration of gravity, length/time²; no gravity by default.
-        joints: Joints that tie bodies to the ground or to each other.
-        loads: Loads besides gravity.
-        materials: Materials by name.
-        output: What is written, and how often. Default: ``Output(csv=True, energy_parts=False, every=1,
-            npz=True)``.
-        probes: Points whose motion is recorded.
-        scales: Units in which the equations are solved; the user's own by default.
-        sections: Cross-sections by name.
-        title: A line that says what this model is.
+    Attributes
+    ----------
+    bodies
+        The bodies, flexible and rigid.
+    analysis
+        What to compute.
+    assemble
+        Whether gaps between the places of joints are closed before the analysis begins; they are refused by
+        default.
+    contacts
+        What bodies may touch: obstacles and each other.
+    couplings
+        Gears, racks, belts: joints that move together.
+    gravity
+        Acceleration of gravity, length/time²; no gravity by default.
+    joints
+        Joints that tie bodies to the ground or to each other.
+    loads
+        Loads besides gravity.
+    materials
+        Materials by name.
+    output
+        What is written, and how often. Default: ``Output(csv=True, energy_parts=False, every=1, npz=True)``.
+    probes
+        Points whose motion is recorded.
+    scales
+        Units in which the equations are solved; the user's own by default.
+    sections
+        Cross-sections by name.
+    title
+        A line that says what this model is.
+
     """
 
     _form = "Model"

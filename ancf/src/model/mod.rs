@@ -89,7 +89,10 @@ pub use shape::Shape;
 /// built in Rust, printed, and rewritten in other units by [`Model::scaled`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "ancf model")]
+#[schemars(
+    title = "ancf model",
+    description = "A flexible multibody model.\n\nEvery number is in your own coherent units (m-kg-s, mm-t-s, ...)."
+)]
 pub struct Model {
     /// A line that says what this model is.
     #[serde(default, skip_serializing_if = "Option::is_none")]

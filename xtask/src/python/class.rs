@@ -115,13 +115,16 @@ impl Code {
 
 /// The assignment of a type, in as many lines as it needs.
 fn assigned(alias: &str, arms: &[String]) -> String {
-    let line = format!("{alias}: TypeAlias = {}\n", arms.join(" | "));
+    let all = arms.join(" | ");
+    if alias.len() + all.chars().count() + ": TypeAlias = ".len() <= WIDTH {
+        return format!("{alias}: TypeAlias = {all}\n");
+    }
     match arms {
-        _ if line.chars().count() <= WIDTH + 1 => line,
         [words] => {
             let words = words.trim_start_matches("Literal[").trim_end_matches(']').replace(", ", ",\n    ");
             format!("{alias}: TypeAlias = Literal[\n    {words},\n]\n")
         }
+        _ if 4 + all.chars().count() <= WIDTH => format!("{alias}: TypeAlias = (\n    {all}\n)\n"),
         arms => format!("{alias}: TypeAlias = (\n    {}\n)\n", arms.join("\n    | ")),
     }
 }

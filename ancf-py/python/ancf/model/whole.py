@@ -85,10 +85,9 @@ ScaleChoice: TypeAlias = NoScales | PaperScales | AutoScales | GivenScales
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Model(Document):
-    """A flexible multibody model as its user states it.
+    """A flexible multibody model.
 
-    Every number is in the user's own coherent units (m-kg-s, mm-t-s, ...). The same type is read from TOML,
-    built in Rust, printed, and rewritten in other units by ``Model::scaled``.
+    Every number is in your own coherent units (m-kg-s, mm-t-s, ...).
 
     Attributes
     ----------

@@ -115,6 +115,20 @@ def test_arguments_that_are_unknown_or_missing_are_refused() -> None:
         rod().elemnts = 3  # type: ignore[attr-defined]
 
 
+def test_a_part_in_the_place_of_another_is_refused() -> None:
+    """It is named, wherever it is."""
+    beam: Any = rod()
+    with pytest.raises(TypeError, match=r"^on: found a Beam, wanted a Place$"):
+        ancf.Force(on=beam, force=[1, 2, 3])
+    with pytest.raises(TypeError, match="section: found a Material, wanted a Circle or Tube or"):
+        rod(section=ancf.Material(density=1, young=1))
+    with pytest.raises(TypeError, match=re.escape("bodies[1]: found a Place, wanted a Beam or")):
+        ancf.Model(bodies=[beam, beam.start], analysis=ancf.Modes())
+    with pytest.raises(TypeError, match=r"sections\.x: found a Clamp"):
+        sections: Any = {"x": ancf.Clamp("root", a=beam.start)}
+        ancf.Model(bodies=[beam], sections=sections, analysis=ancf.Modes())
+
+
 def test_data_of_another_kind_are_refused() -> None:
     """Plain data become the class that they are of, or none."""
     assert ancf.Circle.from_dict({"diameter": 1}) == ancf.Circle(diameter=1)

@@ -42,7 +42,7 @@ fn all_that_is_wrong_with_a_part_is_said() {
     );
     assert_eq!(
         wrong("Probe", "name = 'tip'"),
-        ["on: found no key `on`, wanted a table with `body` and `at` (The point)"]
+        ["on: found no key `on`, wanted a table with `body` and `at` (The place on the axis)"]
     );
 }
 

@@ -37,6 +37,8 @@ class Part:
     ------
     ModelError
         When it is built, with all that is wrong with it.
+    TypeError
+        When another part is given than is wanted, or an argument is unknown or missing.
 
     """
 
@@ -49,6 +51,12 @@ class Part:
     _own: ClassVar[frozenset[str]] = frozenset()
 
     def __post_init__(self) -> None:
+        hints = _hints(type(self))
+        found = [
+            misplaced(hints[name], value, name) for name, value in self._given().items() if name in hints
+        ]
+        if any(found):
+            raise TypeError("\n".join(filter(None, found)))
         _ancf.check_part(self._form, self.to_dict())
 
     def to_dict(self) -> dict[str, Any]:
@@ -135,11 +143,12 @@ def plain(value: Any, tables: Tables) -> Any:
 
 def typed(hint: Any, data: Any) -> Any:
     """Plain data as parts of the classes that a type hint allows."""
-    arms = typing.get_args(hint) if typing.get_origin(hint) in (typing.Union, types.UnionType) else (hint,)
+    arms = _arms(hint)
     if isinstance(data, Mapping):
+        for part in _parts(arms):
+            if part._fits(data):
+                return part._of(data)
         for arm in arms:
-            if isinstance(arm, type) and issubclass(arm, Part) and arm._fits(data):
-                return arm._of(data)
             if typing.get_origin(arm) is Mapping:
                 return {key: typed(typing.get_args(arm)[1], item) for key, item in data.items()}
     if isinstance(data, list | tuple):
@@ -147,6 +156,30 @@ def typed(hint: Any, data: Any) -> Any:
             if typing.get_origin(arm) is Sequence:
                 return [typed(typing.get_args(arm)[0], item) for item in data]
     return data
+
+
+def misplaced(hint: Any, value: Any, path: str) -> str | None:
+    """Where another part is given than a type hint allows, in words."""
+    arms = _arms(hint)
+    if isinstance(value, Part):
+        wanted = _parts(arms)
+        if not wanted or isinstance(value, wanted):
+            return None
+        return f"{path}: found a {type(value).__name__}, wanted a {' or '.join(part.__name__ for part in wanted)}"
+    lines: list[str | None] = []
+    for arm in arms:
+        # Whether numbers are numbers is seen by the engine.
+        if (
+            typing.get_origin(arm) is Sequence
+            and typing.get_args(arm) != (float,)
+            and isinstance(value, list | tuple)
+        ):
+            item = typing.get_args(arm)[0]
+            lines += [misplaced(item, part, f"{path}[{i}]") for i, part in enumerate(value)]
+        if typing.get_origin(arm) is Mapping and isinstance(value, Mapping):
+            item = typing.get_args(arm)[1]
+            lines += [misplaced(item, part, f"{path}.{key}") for key, part in value.items()]
+    return "\n".join(filter(None, lines)) or None
 
 
 def same(one: Any, other: Any) -> bool:
@@ -162,6 +195,16 @@ def same(one: Any, other: Any) -> bool:
 
 def _is_row(value: Any) -> bool:
     return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str)
+
+
+def _arms(hint: Any) -> tuple[Any, ...]:
+    """The alternatives of a type hint."""
+    return typing.get_args(hint) if typing.get_origin(hint) in (typing.Union, types.UnionType) else (hint,)
+
+
+def _parts(arms: tuple[Any, ...]) -> tuple[type[Part], ...]:
+    """The classes of parts among alternatives."""
+    return tuple(arm for arm in arms if isinstance(arm, type) and issubclass(arm, Part))
 
 
 def _key(name: str) -> str:

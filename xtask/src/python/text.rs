@@ -21,11 +21,8 @@ pub(super) fn meaning(schema: &Json, key: &Key) -> String {
     if !words.is_empty() {
         text += &format!(" One of {}.", words.join(", "));
     }
-    match key.schema.get("default") {
-        Some(value) if !text.contains("by default") => {
-            text += &format!(" Default: `{}`.", default(schema, key.schema, value))
-        }
-        _ => {}
+    if let Some(value) = key.schema.get("default").filter(|_| !text.contains("by default")) {
+        text += &format!(" Default: `{}`.", default(schema, key.schema, value));
     }
     text
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import types
 import typing
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar, TypeAlias, TypeVar
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ancf import _ancf
 from ancf.tables import Tables
 
-__all__ = ["Numbers", "Part", "Points", "Shared", "Vector"]
+__all__ = ["ForceFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
 
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 """Numbers in a row."""
@@ -22,6 +22,8 @@ Vector: TypeAlias = Sequence[float] | NDArray[Any]
 """Three numbers in the global frame."""
 Points: TypeAlias = Sequence[Vector] | NDArray[Any]
 """Points in a row, each three numbers."""
+ForceFunction: TypeAlias = Callable[[float, NDArray[Any], NDArray[Any]], Vector]
+"""The force at a time on a point with a position and a velocity."""
 
 P = TypeVar("P", bound="Part")
 

@@ -64,7 +64,7 @@ impl Code {
     /// The keys for which a part may be given in the place of its name.
     fn tables(&mut self, form: &Form) -> String {
         let table = |key: &Key| {
-            let (table, _) = names::table(form.definition, key.name)?;
+            let table = names::table(form.definition, key.name)?;
             Some(format!("        {:?}: {table:?},\n", key.name))
         };
         let tables: String = form.keys.iter().filter_map(table).collect();
@@ -77,7 +77,7 @@ impl Code {
 
     fn field(&mut self, schema: &Json, form: &Form, key: &Key) -> String {
         let mut hint = hint(schema, key.schema, &mut self.uses);
-        if let Some((_, part)) = names::table(form.definition, key.name) {
+        if let Some((part, _)) = names::instead(form.definition, key.name) {
             self.uses(&[part]);
             hint += &format!(" | {part}");
         }
@@ -103,13 +103,14 @@ impl Code {
         let others = serde_json::json!({ "oneOf": others });
         let mut all = arms(schema, &others, &mut self.uses);
         all.extend(forms.iter().map(|form| form.class.clone()));
-        if let Some(besides) = names::besides(name) {
+        let besides = names::besides(name);
+        if let Some((callable, _)) = besides {
             self.uses(&["Callable"]);
-            all.push(besides.into());
+            all.push(callable.into());
         }
         self.uses(&["TypeAlias"]);
         self.defines.push(alias.into());
-        self.blocks.push(assigned(alias, &all) + &meanings(of));
+        self.blocks.push(assigned(alias, &all) + &meanings(of, besides.map(|(_, text)| text)));
     }
 }
 
@@ -130,11 +131,11 @@ fn assigned(alias: &str, arms: &[String]) -> String {
 }
 
 /// The docstring of a type: its description and its words.
-fn meanings(of: &Json) -> String {
+fn meanings(of: &Json, besides: Option<&str>) -> String {
     let (first, rest) = summary(description(of), 0);
     let words: Vec<_> = alternatives(of).into_iter().filter(|form| form["const"].is_string()).collect();
     let mut text = wrapped(&format!("\"\"\"{first}"), 0, 0);
-    for paragraph in rest.split("\n\n").filter(|text| !text.is_empty()) {
+    for paragraph in rest.split("\n\n").chain(besides).filter(|text| !text.is_empty()) {
         text += &format!("\n{}", wrapped(paragraph, 0, 0));
     }
     if !words.is_empty() {
@@ -157,8 +158,9 @@ fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
     let attribute = |name: &str, meaning: &str| format!("    {name}\n{}", wrapped(meaning, 8, 8));
     let name = is_shared.then(|| attribute("name", NAME));
     let keys = form.keys.iter().map(|key| {
-        let itself = names::table(form.definition, key.name).map_or("", |_| " Or the part itself.");
-        attribute(&names::attribute(key.name), &(meaning(schema, key) + itself))
+        let itself = names::instead(form.definition, key.name)
+            .map_or_else(String::new, |(_, text)| format!(" {text}"));
+        attribute(&names::attribute(key.name), &(meaning(schema, key) + &itself))
     });
     let attributes: String = name.into_iter().chain(keys).collect();
     if attributes.is_empty() {

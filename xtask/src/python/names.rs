@@ -59,9 +59,22 @@ pub(super) fn alias(definition: &str) -> &str {
     if definition == "Step" { "StepSize" } else { definition }
 }
 
-/// What a definition allows in Python besides.
-pub(super) fn besides(definition: &str) -> Option<&'static str> {
-    (definition == "TimeFunction").then_some("Callable[[float], float]")
+/// What a definition allows in Python besides, and what that is.
+pub(super) fn besides(definition: &str) -> Option<(&'static str, &'static str)> {
+    (definition == "TimeFunction").then_some((
+        "Callable[[float], float | tuple[float, float, float]]",
+        "Or a function of Python, which gives its value at a time, or value, rate and acceleration.",
+    ))
+}
+
+/// What a key allows in Python in the place of a name, and what that is.
+pub(super) fn instead(definition: &str, key: &str) -> Option<(&'static str, &'static str)> {
+    match (definition, key) {
+        ("Body", "section" | "section_end") => Some(("Section", "Or the section itself.")),
+        ("Body", "material") => Some(("Material", "Or the material itself.")),
+        ("Load", "name") => Some(("ForceFunction", "Or the function itself, F(t, x, v).")),
+        _ => None,
+    }
 }
 
 /// The module and the name of the class from which a class derives.
@@ -85,11 +98,11 @@ pub(super) fn positional(class: &str) -> &'static [&'static str] {
     }
 }
 
-/// The table and the type of the part whose name a key of a body wants.
-pub(super) fn table(definition: &str, key: &str) -> Option<(&'static str, &'static str)> {
-    match (definition, key) {
-        ("Body", "section" | "section_end") => Some(("sections", "Section")),
-        ("Body", "material") => Some(("materials", "Material")),
+/// The table of the part that a key names.
+pub(super) fn table(definition: &str, key: &str) -> Option<&'static str> {
+    match instead(definition, key)? {
+        ("Section", _) => Some("sections"),
+        ("Material", _) => Some("materials"),
         _ => None,
     }
 }

@@ -158,9 +158,9 @@ class Beam(Axis):
     elements
         Number of elements, all of one length (>= 1).
     section
-        Name of the section, a key of ``sections``. Or the part itself.
+        Name of the section, a key of ``sections``. Or the section itself.
     material
-        Name of the material, a key of ``materials``. Or the part itself.
+        Name of the material, a key of ``materials``. Or the material itself.
     formulation
         Which element, and which of its strains are how stiff. One of ``"continuum"``, ``"enhanced"``,
         ``"linked"``, ``"quadratic"``. Default: ``"continuum"``.
@@ -168,7 +168,7 @@ class Beam(Axis):
         How it moves at the start of a motion; at rest by default.
     section_end
         Name of the section at the end, of the same kind; sizes in between are interpolated linearly. The same
-        by default. Or the part itself.
+        by default. Or the section itself.
     shape
         How the axis goes from start to end; straight by default. Free of stress.
     slopes
@@ -221,10 +221,10 @@ class Cable(Axis):
     elements
         Number of elements, all of one length (>= 1).
     section
-        Name of the section, a key of ``sections``; it bends equally about every axis across. Or the part
+        Name of the section, a key of ``sections``; it bends equally about every axis across. Or the section
         itself.
     material
-        Name of the material, a key of ``materials``. Or the part itself.
+        Name of the material, a key of ``materials``. Or the material itself.
     motion
         How it moves at the start of a motion; at rest by default.
     slopes

@@ -119,8 +119,10 @@ class Expression(Part):
 Varying: TypeAlias = Table | Ramp | Step | Sine | Expression
 """How a function varies in time. All values are pure numbers."""
 
-TimeFunction: TypeAlias = float | Varying | Callable[[float], float]
+TimeFunction: TypeAlias = float | Varying | Callable[[float], float | tuple[float, float, float]]
 """A function of time by which a load or an angle is multiplied.
 
 A number, or a table that says how it varies.
+
+Or a function of Python, which gives its value at a time, or value, rate and acceleration.
 """

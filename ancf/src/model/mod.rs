@@ -30,6 +30,7 @@ mod mechanism;
 mod meshes;
 mod motion;
 mod output;
+mod part;
 mod read;
 mod redundant;
 mod rigid;
@@ -75,6 +76,7 @@ pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
 pub use motion::InitialMotion;
 pub use output::{Output, Probe, Quantity};
+pub use part::check_part;
 pub use redundant::Redundant;
 pub use rigid::{PointMass, Rigid};
 pub use scale_choice::{Chosen, ScaleChoice};
@@ -88,7 +90,10 @@ pub use shape::Shape;
 /// built in Rust, printed, and rewritten in other units by [`Model::scaled`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "ancf model")]
+#[schemars(
+    title = "ancf model",
+    description = "A flexible multibody model.\n\nEvery number is in your own coherent units (m-kg-s, mm-t-s, ...)."
+)]
 pub struct Model {
     /// A line that says what this model is.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -7,6 +7,7 @@ use toml::Value;
 
 use super::check::broken_rules;
 use super::redundant::contradictions;
+use super::schema::SCHEMA;
 use super::survey::{Finding, Survey};
 use super::syntax::{Document, position};
 use super::{Model, ModelError, ModelErrors};
@@ -78,7 +79,7 @@ fn broken(model: &Model) -> Vec<Finding> {
 
 /// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
 fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut survey, mended) = Survey::of(data);
+    let (mut survey, mended) = Survey::of(&SCHEMA, data);
     let mut findings = std::mem::take(&mut survey.findings);
     let model = Model::deserialize(mended);
     let broken = model.as_ref().map(broken_rules).unwrap_or_default();

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use super::ModelError;
 use super::schema::{
-    SCHEMA, allows, forms, found, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
+    allows, forms, found, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
 };
 
 /// An error and what decides whether and where it is reported.
@@ -44,10 +44,10 @@ pub(super) struct Survey {
 type Entries<'a> = BTreeMap<&'a str, (&'a str, &'a Value)>;
 
 impl Survey {
-    /// Compares data with the schema; returns a copy of the data that has the form of a model.
-    pub(super) fn of(data: &Value) -> (Self, Value) {
+    /// Compares data with a schema; returns a copy of the data that has its form.
+    pub(super) fn of(schema: &'static Json, data: &Value) -> (Self, Value) {
         let mut survey = Self::default();
-        let mended = survey.value(&SCHEMA, data, "");
+        let mended = survey.value(schema, data, "");
         (survey, mended)
     }
 

@@ -1,6 +1,7 @@
 //! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
 
 mod acting;
+mod address;
 mod analysis;
 mod assemble;
 mod body;
@@ -42,6 +43,7 @@ mod scheme;
 mod section;
 mod shape;
 mod spread;
+mod substitute;
 mod survey;
 mod syntax;
 mod ties;
@@ -80,6 +82,7 @@ pub use scale_choice::{Chosen, ScaleChoice};
 pub use schema::{schema, schema_text};
 pub use section::Section;
 pub use shape::Shape;
+pub use substitute::substitute;
 
 /// A flexible multibody model as its user states it.
 ///

@@ -58,13 +58,8 @@ impl<'a> Conclusion<'a> {
             Outcome::Finished => format!("done: {did}; results in {folder}"),
             Outcome::Stopped => format!("stopped: {did}; results so far in {folder}"),
             Outcome::Failed { time, reason, at } => {
-                let place = match self.analysis {
-                    Analysis::Dynamics(_) => format!(" at t = {time}"),
-                    // Modes and critical loads are about one state, which may not be reached.
-                    Analysis::Modes(_) | Analysis::Buckling(_) if *time == 0.0 => String::new(),
-                    _ => format!(" at load factor {}", short(*time)),
-                };
-                format!("failed{place}: {reason}; at: {at}\n{did}; results so far in {folder}")
+                let failure = failure(self.analysis, *time, reason, at);
+                format!("{failure}\n{did}; results so far in {folder}")
             }
         }
     }
@@ -133,13 +128,24 @@ impl Sink for Conclusion<'_> {
     }
 }
 
+/// When an analysis failed, why and where.
+pub fn failure(analysis: &Analysis, time: f64, reason: &str, at: &str) -> String {
+    let place = match analysis {
+        Analysis::Dynamics(_) => format!(" at t = {time}"),
+        // Modes and critical loads are about one state, which may not be reached.
+        Analysis::Modes(_) | Analysis::Buckling(_) if time == 0.0 => String::new(),
+        _ => format!(" at load factor {}", short(time)),
+    };
+    format!("failed{place}: {reason}; at: {at}")
+}
+
 /// "1 step", "2 steps".
-fn count(number: u64, thing: &str) -> String {
+pub fn count(number: u64, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
 /// At most six digits, without trailing zeros.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 

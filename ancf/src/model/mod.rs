@@ -76,13 +76,15 @@ pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
 pub use motion::InitialMotion;
 pub use output::{Output, Probe, Quantity};
+pub use read::parse_as;
 pub use redundant::Redundant;
 pub use rigid::{PointMass, Rigid};
 pub use scale_choice::{Chosen, ScaleChoice};
-pub use schema::{schema, schema_text};
+pub use schema::{nearest, schema, schema_text};
 pub use section::Section;
 pub use shape::Shape;
 pub use substitute::substitute;
+pub use survey::join;
 
 /// A flexible multibody model as its user states it.
 ///

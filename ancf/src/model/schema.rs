@@ -46,6 +46,11 @@ pub(super) fn forms(schema: &'static Json) -> Vec<&'static Json> {
     }
 }
 
+/// Whether a form admits anything.
+pub(super) fn is_free(form: &Json) -> bool {
+    form["type"].is_null() && form["const"].is_null()
+}
+
 /// The type of a form; that a key may be left out (`null`) is said by `required`.
 pub(super) fn kind(form: &Json) -> &str {
     let first = |types: &'_ Vec<Json>| types.iter().position(|kind| kind != "null");
@@ -183,7 +188,7 @@ pub(super) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> Str
 }
 
 /// The candidate that was probably meant by a word, if at most a third of the letters differ.
-pub(super) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
     let near = candidates.into_iter().map(|candidate| (distance(candidate), candidate));

@@ -129,10 +129,7 @@ fn a_key_that_was_left_out_may_be_set() {
     let (model, _) = set("output.every", 10);
     assert_eq!((model.output.every, model.output.csv), (10, true), "the other keys of a table left out keep");
     let (model, _) = set("bodies.rod.motion.velocity[2]", 3);
-    assert_eq!(
-        toml::Value::try_from(&model.bodies[0]).unwrap()["motion"]["velocity"][2].as_float(),
-        Some(3.0)
-    );
+    assert_eq!(Value::try_from(&model.bodies[0]).unwrap()["motion"]["velocity"][2].as_float(), Some(3.0));
     assert_eq!(set("joints.weld.fix", "section").1, ["joints[1].fix"]);
 }
 

@@ -91,4 +91,11 @@ mod tests {
         assert_eq!(few, many[..10]);
         assert!(few.iter().zip(Sampling::Random.parts(10, 2, "a")).all(|(a, b)| *a != b));
     }
+
+    /// SipHash-2-4 of `a`, `place`, 0 with the key 1, 0 by an independent program that gives the test vector of
+    /// Aumasson & Bernstein (2012).
+    #[test]
+    fn samples_are_the_same_on_every_machine() {
+        assert_eq!(hash(1, "a", "place", 0), 0xf2fc_4fcd_b802_ce45);
+    }
 }

@@ -41,7 +41,8 @@ pub(super) fn forms(schema: &'static Json) -> Vec<&'static Json> {
         return forms(&SCHEMA["$defs"][name]);
     }
     match ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array()) {
-        Some(forms_of) => forms_of.iter().flat_map(forms).collect(),
+        // That a key may be left out is no form of its value.
+        Some(forms_of) => forms_of.iter().flat_map(forms).filter(|form| form["type"] != "null").collect(),
         None => vec![schema],
     }
 }

@@ -23,6 +23,7 @@ pub struct Results<'a> {
     /// The key of every case that is wanted.
     keys: BTreeMap<usize, String>,
     rows: BTreeMap<usize, Row>,
+    counts: BTreeMap<Ending, usize>,
     taken_over: usize,
     /// Whether the file lacks something.
     is_due: bool,
@@ -34,12 +35,13 @@ pub struct Results<'a> {
 impl<'a> Results<'a> {
     /// No case done yet.
     pub fn new(table: Table<'a>, path: PathBuf, keys: BTreeMap<usize, String>) -> Self {
-        let rows = BTreeMap::new();
+        let (rows, counts) = (BTreeMap::new(), BTreeMap::new());
         Self {
             table,
             path,
             keys,
             rows,
+            counts,
             taken_over: 0,
             is_due: true,
             written: Instant::now(),
@@ -49,14 +51,15 @@ impl<'a> Results<'a> {
 
     /// Takes over what was done earlier, by key; with `retry` only what finished.
     pub fn take_over(&mut self, earlier: HashMap<String, Row>, retry: bool) {
-        for (&case, key) in &self.keys {
+        let missing = self.missing();
+        for case in missing {
             let is_done = |row: &&Row| match row.ending {
                 Ending::Finished => true,
                 Ending::Stopped => false,
                 Ending::Failed | Ending::Invalid => !retry,
             };
-            if let Some(row) = earlier.get(key).filter(is_done) {
-                self.rows.insert(case, row.clone());
+            if let Some(row) = earlier.get(&self.keys[&case]).filter(is_done) {
+                self.add(case, row.clone());
             }
         }
         self.taken_over = self.rows.len();
@@ -69,6 +72,7 @@ impl<'a> Results<'a> {
 
     /// Adds what came of a case.
     pub fn add(&mut self, case: usize, row: Row) {
+        *self.counts.entry(row.ending).or_default() += 1;
         self.rows.insert(case, row);
         self.is_due = true;
     }
@@ -110,7 +114,7 @@ impl<'a> Results<'a> {
 
     /// How many cases ended in a way.
     pub fn count(&self, ending: Ending) -> usize {
-        self.rows.values().filter(|row| row.ending == ending).count()
+        self.counts.get(&ending).copied().unwrap_or(0)
     }
 
     /// The objectives.

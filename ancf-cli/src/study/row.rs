@@ -14,7 +14,7 @@ use crate::conclusion::failure;
 use crate::progress::Interrupt;
 
 /// How a case ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ending {
     /// All was computed.
     Finished,

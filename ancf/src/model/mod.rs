@@ -1,6 +1,7 @@
 //! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
 
 mod acting;
+mod address;
 mod analysis;
 mod assemble;
 mod body;
@@ -43,6 +44,7 @@ mod scheme;
 mod section;
 mod shape;
 mod spread;
+mod substitute;
 mod supply;
 mod survey;
 mod syntax;
@@ -77,12 +79,15 @@ pub use mechanism::{FreeMotion, Motion};
 pub use motion::InitialMotion;
 pub use output::{Output, Probe, Quantity};
 pub use part::check_part;
+pub use read::parse_as;
 pub use redundant::Redundant;
 pub use rigid::{PointMass, Rigid};
 pub use scale_choice::{Chosen, ScaleChoice};
-pub use schema::{schema, schema_text};
+pub use schema::{nearest, schema, schema_text};
 pub use section::Section;
 pub use shape::Shape;
+pub use substitute::substitute;
+pub use survey::join;
 
 /// A flexible multibody model as its user states it.
 ///

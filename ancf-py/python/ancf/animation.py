@@ -10,7 +10,7 @@ import numpy as np
 
 from ancf.lines import COLOURS, Lines, shaking, told
 from ancf.plot import style
-from ancf.shape import GREY, Canvas, View, arms, axes_of, body_colours, legend, strokes
+from ancf.shape import GREY, Canvas, View, arms, arms_at, axes_of, body_colours, legend, strokes
 
 if TYPE_CHECKING:
     import os
@@ -27,8 +27,7 @@ FILM = 5.0
 def frames(result: Result, speed: float | None, fps: int) -> tuple[list[int], float]:
     """Rows that a film shows one after the other, and by how much it is faster than the motion."""
     if result.kind != "dynamics":
-        count = min(len(result), round(FILM * fps))
-        return [round(row) for row in np.linspace(0, len(result) - 1, count)], 1.0
+        return [round(row) for row in np.linspace(0, len(result) - 1, round(FILM * fps))], 1.0
     time = result.time
     lasted = float(time[-1] - time[0])
     speed = lasted / FILM if speed is None else speed
@@ -73,31 +72,37 @@ def animate(
         drawn = strokes(ax, view, lines, film.places(film.frames[0]), body_colours(lines, None), {})
         links = arms(ax, view, lines, 0, film.places(film.frames[0]), {})
         view.fit(ax, np.concatenate([every, lines.rest[None]]))
-        ax.set_autoscale_on(False)
         if 1 < len(lines.bodies) <= len(COLOURS):
             legend(ax, lines)
         stamp = ax.set_title(film.told(film.frames[0]), loc="left", family="monospace", fontsize="medium")
+        settle(ax)
 
     def show(frame: int) -> list[Any]:
         places = film.places(frame)
-        seen = view.seen(places)
-        for line, stations in zip(drawn, lines.bodies.values(), strict=True):
-            (line.set_data_3d if view.spatial else line.set_data)(*seen[stations].T)
+        ways = [view.seen(places[stations]).T for stations in lines.bodies.values()]
         if not lines.modal:
-            ends = view.seen(np.stack([places[lines.arms.stations], lines.arms.tips(frame, places)], axis=1))
-            links.set_segments(ends)
+            ways.append(arms_at(view, lines, frame, places))
+        for line, way in zip([*drawn, links], ways, strict=False):
+            (line.set_data_3d if view.spatial else line.set_data)(*way)
         stamp.set_text(film.told(frame))
         return [*drawn, links, stamp]
 
-    made = FuncAnimation(
-        ax.figure, show, frames=film.frames, interval=1000 / fps, save_count=len(film.frames)
-    )
+    made = FuncAnimation(ax.figure, show, frames=film.frames, interval=1000 / fps)
     if save is not None:
         write(made, Path(save), fps)
     if "inline" in plt.get_backend():
         # A notebook would show the first frame below the film.
         plt.close(ax.figure)
     return made
+
+
+def settle(ax: Canvas) -> None:
+    """Find the layout and the limits once: they would be found anew for each frame, and might change."""
+    ax.figure.draw_without_rendering()
+    ax.figure.set_layout_engine("none")
+    if not hasattr(ax, "get_zlim"):
+        ax.set(xlim=ax.get_xlim(), ylim=ax.get_ylim())
+        ax.set_adjustable("box")
 
 
 class Motion:
@@ -119,7 +124,7 @@ class Motion:
         if self._result.kind != "dynamics":
             return told(self._result, frame)
         time = self._result.time
-        decimals = max(0, 3 - int(np.floor(np.log10(time[-1])))) if time[-1] > 0 else 0
+        decimals = max(0, 2 - int(np.floor(np.log10(time[-1])))) if time[-1] > 0 else 0
         return f"t = {time[frame]:.{decimals}f}" + (f"   speed {self._speed:.3g}" if self._speed != 1 else "")
 
 
@@ -157,9 +162,9 @@ def write(film: FuncAnimation, path: Path, fps: int) -> None:
     elif kind == ".html":
         path.write_text(film.to_jshtml(fps=fps), encoding="utf-8")
     elif kind == ".mp4":
-        settings = {}
+        settings: dict[Any, Any] = {}
         if find_spec("imageio_ffmpeg"):
-            from imageio_ffmpeg import get_ffmpeg_exe
+            from imageio_ffmpeg import get_ffmpeg_exe  # type: ignore[import-untyped]
 
             settings = {"animation.ffmpeg_path": get_ffmpeg_exe()}
         with plt.rc_context(settings):

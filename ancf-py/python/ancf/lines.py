@@ -63,7 +63,8 @@ class Lines:
         if self.shapes is not None:
             shape: Array = self.path[row] + scale * self.shapes[row]
             return shape
-        return self.path[row] if scale == 1 else self.rest + scale * (self.path[row] - self.rest)
+        still: Array = self.path[row] if scale == 1 else self.rest + scale * (self.path[row] - self.rest)
+        return still
 
     def values(self, result: Result, name: str, parts: int = 8) -> Array:
         """A number for each row and station, `[row, station]`, by the name of a section force or of a vector.
@@ -123,8 +124,8 @@ class Arms:
 
     def tips(self, row: int, places: Array) -> Array:
         """Ends of all arms of the bodies at `places`, `[arm, 3]`."""
-        turned: Array = np.einsum("ai,aij->aj", self.offsets, self._directors[row])
-        return places[self.stations] + turned
+        tips: Array = places[self.stations] + np.einsum("ai,aij->aj", self.offsets, self._directors[row])
+        return tips
 
 
 def tied(model: Mapping[str, Any], body: str) -> Iterator[tuple[float, ...]]:

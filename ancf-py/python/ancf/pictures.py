@@ -197,9 +197,9 @@ class Pictures:
         """The surfaces of all bodies in a row, for PyVista: sections swept along beams and cables.
 
         Each body is closed. Cells have the number of their `body`, points the arc length `s` and what
-        `color` names. Rigid bodies, whose outlines a model does not know, are boxes with arms to their joints;
-        masses are balls. Without a model, beams are tubes of a fiftieth of their length. In modes, sections
-        do not twist.
+        `color` names. Rigid bodies, whose outlines a model does not know, are boxes in the proportions of
+        their inertia with arms to their joints, masses are balls. Without a model, beams are tubes of a
+        fiftieth of their length. In modes, sections do not twist.
 
         Parameters
         ----------
@@ -242,8 +242,9 @@ class Pictures:
         """Show the bodies in space, in a window or in a notebook, or write a picture or a film of them.
 
         What is thinner than a 400th of the model is drawn that thick, so that it is seen.
-        Notebooks need trame for pictures that can be turned; without it they are still. Returns what PyVista
-        does, which a notebook displays.
+        In notebooks, pictures can be turned if there is trame (`pip install 'pyvista[jupyter]'`) and are still
+        otherwise, and after `pyvista.set_jupyter_backend("static")`. Returns what PyVista does, which a
+        notebook displays.
 
         Parameters
         ----------
@@ -256,7 +257,8 @@ class Pictures:
         animate
             Whether a slider goes through the rows.
         screenshot
-            A picture to write, such as `x.png`; nothing is shown then.
+            A picture to write, such as `x.png`, or `x.html`, a page in which it can be turned; nothing is
+            shown then.
         movie
             A film to write, `.gif` or `.mp4`; nothing is shown then. Of a mode, it swings to and fro.
         seconds

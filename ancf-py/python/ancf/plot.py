@@ -45,7 +45,7 @@ def style() -> Iterator[None]:
     import matplotlib.pyplot as plt
     from cycler import cycler
 
-    settings = {
+    settings: dict[Any, Any] = {
         "axes.axisbelow": True,
         "axes.edgecolor": "#777777",
         "axes.linewidth": 0.6,

@@ -61,14 +61,15 @@ class Scene:
         """Points of all surfaces in a row, `[point, 3]`."""
         scale = self.scale if scale is None else scale
         places = self.lines.places(row, scale)
-        directors = self.directors[row]
+        directors: Array = self.directors[row]
         if self.lines.modal or scale not in {None, 1.0}:
             directors = self._aligned(directors, places)
         # What stands on the ground is at one more station, the origin.
         places = np.concatenate([places, np.zeros((1, 3))])
         directors = np.concatenate([directors, np.eye(3)[None]])
-        points: Array = places[self._owners]
-        return points + np.einsum("pi,pij->pj", self._offsets, directors[self._owners])
+        turned = np.einsum("pi,pij->pj", self._offsets, directors[self._owners])
+        points: Array = places[self._owners] + turned
+        return points
 
     def mesh(self, row: int) -> PolyData:
         """The surfaces in a row."""
@@ -78,7 +79,9 @@ class Scene:
         mesh = pv.PolyData(self.points(row), np.concatenate(faces))
         counts = [len(face) for _, face in self._faces]
         mesh.cell_data["body"] = np.repeat([surface.body for surface, _ in self._faces], counts)
-        mesh.cell_data["shade"] = np.repeat([self._shade(s) for s, _ in self._faces], counts, axis=0)
+        mesh.cell_data["shade"] = np.repeat(
+            np.array([self._shade(surface) for surface, _ in self._faces], dtype=np.uint8), counts, axis=0
+        )
         mesh.point_data["s"] = np.append(self.lines.along, 0.0)[self._owners]
         self._dress(mesh, row)
         return mesh
@@ -89,15 +92,10 @@ class Scene:
         for joint in self.model.get("joints", []):
             span, at = self.lines.bodies[joint["a"]["body"]], joint["a"].get("at", "center")
             along = self.lines.along[span]
-            s = (
-                {"start": 0.0, "center": along[-1] / 2, "end": along[-1]}.get(at, at)
-                if isinstance(at, (str, float, int))
-                else None
-            )
-            if s is not None and len(along) > 1:
-                found[joint["name"]] = places[span][np.abs(along - s).argmin()]
-            else:
-                found[joint["name"]] = places[span.start]
+            named = {"start": 0.0, "center": along[-1] / 2, "end": along[-1]}
+            s = named.get(at) if isinstance(at, str) else at
+            # Of a rigid body, whose stations are one, it is the centre.
+            found[joint["name"]] = places[span][np.abs(along - s).argmin() if np.isscalar(s) else 0]
         return found
 
     def move(self, mesh: PolyData, row: int, scale: float | None = None) -> None:
@@ -110,13 +108,13 @@ class Scene:
             mesh.point_data[self.color] = np.append(self.values[row], np.nan)[self._owners]
         mesh.compute_normals(cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True)
 
-    def _shade(self, surface: Surface) -> Array:
-        colour = "#9a9a9a" if surface.grey else COLOURS[surface.body % len(COLOURS)]
-        return np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)], dtype=np.uint8)
+    def _shade(self, surface: Surface) -> list[int]:
+        colour = "#b0b0b0" if surface.grey else COLOURS[surface.body % len(COLOURS)]
+        return [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
 
     def _aligned(self, directors: Array, places: Array) -> Array:
         """Directors turned as little as makes them go with lines that are not where the directors were."""
-        turned = directors.copy()
+        turned: Array = directors.copy()
         for span in self.lines.bodies.values():
             if span.stop - span.start > 1:
                 tangent = np.gradient(places[span], axis=0)
@@ -178,9 +176,6 @@ class Scene:
         # It is endless: what is shown reaches a little beyond the bodies.
         point = np.asarray(obstacle["point"], dtype=float)
         axis = np.asarray(obstacle["axis"], dtype=float) / np.linalg.norm(obstacle["axis"])
-        along = (self.lines.rest - point) @ axis
-        ends = [
-            point - origin + axis * s
-            for s in (along.min() - 0.04 * self.lines.size, along.max() + 0.04 * self.lines.size)
-        ]
-        return Surface.rod(body, station, *ends, radius, 2 * self.sides)
+        along, beyond = (self.lines.rest - point) @ axis, 0.04 * self.lines.size
+        start, end = (point - origin + axis * s for s in (along.min() - beyond, along.max() + beyond))
+        return Surface.rod(body, station, start, end, radius, 2 * self.sides)

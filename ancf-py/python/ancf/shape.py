@@ -11,7 +11,7 @@ from ancf.plot import Grid, grid, style
 from ancf.record import Array
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
 
     from matplotlib.axes import Axes
 
@@ -25,14 +25,14 @@ GREY = "#b8b8b8"
 
 
 Canvas: TypeAlias = "Any"
-"""Axes of matplotlib, flat or in space, of which its types do not say what they have in common."""
+"""Axes of matplotlib, flat or in space; its types do not say what they have in common."""
 
 
 class View:
     """A plane, by its horizontal and its vertical direction, or space."""
 
     def __init__(self, basis: Array, names: str) -> None:
-        """The plane of two directions `basis[2, 3]`, or space with three, and the names of their coordinates."""
+        """The plane of two directions, `basis[2, 3]`, or space with three, and the names of coordinates."""
         self.basis, self.names = basis, names
 
     @classmethod
@@ -92,20 +92,20 @@ class View:
             ax.autoscale_view()
             return
         middle, half = (seen.max(0) + seen.min(0)) / 2, np.ptp(seen, axis=0) / 2
-        half = 1.05 * np.maximum(half, 0.2 * half.max() or 1.0)
+        half = 1.05 * np.maximum(half, 0.3 * half.max() or 1.0)
         for name, m, h in zip("xyz", middle, half, strict=True):
             getattr(ax, f"set_{name}lim")(m - h, m + h)
             axis = getattr(ax, f"{name}axis")
             axis.get_major_locator().set_params(nbins=max(2, int(5 * h / half.max())))
-            axis.labelpad = 8
-        ax.set_box_aspect(half, zoom=0.9)
+            axis.labelpad = 12 if name == "z" else 7
+        ax.set_box_aspect(half, zoom=0.82)
 
 
 def plot_shape(
     result: Result,
     frame: int | Iterable[int] = -1,
     *,
-    time: float | Sequence[float] | None = None,
+    time: float | Iterable[float] | None = None,
     plane: str | None = None,
     color: str | None = None,
     scale: float | None = None,
@@ -227,9 +227,17 @@ def strokes(
 
 
 def arms(ax: Canvas, view: View, lines: Lines, row: int, places: Array, look: dict[str, Any]) -> Canvas:
-    """Lines from the centres of rigid bodies to their joints."""
-    ends = view.seen(np.stack([places[lines.arms.stations], lines.arms.tips(row, places)], axis=1))
-    return collection(ax, view, ends, {"colors": "#888888", "linewidths": 3.0, "zorder": 1.5, **alpha(look)})
+    """Lines from the centres of rigid bodies to their joints, as one with gaps."""
+    keys = {"color": "#888888", "linewidth": 3.0, "linestyle": "-", "zorder": 1.5, "label": "_arms"}
+    return ax.plot(*arms_at(view, lines, row, places), **keys, **alpha(look))[0]
+
+
+def arms_at(view: View, lines: Lines, row: int, places: Array) -> Array:
+    """Coordinates of the arms, `[axis, point]`, with a gap after each."""
+    tips = lines.arms.tips(row, places)
+    ends = np.stack([places[lines.arms.stations], tips, np.full_like(tips, np.nan)], axis=1)
+    coordinates: Array = view.seen(ends).reshape(-1, len(view.basis)).T
+    return coordinates
 
 
 def coloured(
@@ -262,10 +270,11 @@ def coloured(
 def collection(ax: Canvas, view: View, segments: Array, keys: dict[str, Any]) -> Canvas:
     """Segments `[segment, end, axis]` as one artist."""
     from matplotlib.collections import LineCollection
-    from mpl_toolkits.mplot3d.art3d import Line3DCollection
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection  # type: ignore[import-untyped]
 
-    made = (Line3DCollection if view.spatial else LineCollection)(segments, **keys)
-    return ax.add_collection3d(made) if view.spatial else ax.add_collection(made)
+    if view.spatial:
+        return ax.add_collection3d(Line3DCollection(segments, **keys))
+    return ax.add_collection(LineCollection(list(segments), **keys))
 
 
 def alpha(look: dict[str, Any]) -> dict[str, Any]:
@@ -285,15 +294,12 @@ def mapped(result: Result, lines: Lines, color: str | None, parts: int) -> Array
 def limits(values: Array) -> tuple[float, float]:
     """Ends of a scale of colours, as far on both sides of zero if there are values on both."""
     least, greatest = float(np.nanmin(values)), float(np.nanmax(values))
-    far = max(-least, greatest)
-    # What is a thousandth of the rest on the other side of zero is an error, and of one sign.
-    if least < -1e-3 * far and greatest > 1e-3 * far:
-        return -far, far
-    return (
-        (0.0, greatest)
-        if -1e-3 * far <= least < 0
-        else (least, 0.0 if 0 < greatest <= 1e-3 * far else greatest)
-    )
+    far = max(abs(least), abs(greatest))
+    if far == 0:
+        return 0.0, 1.0
+    # What is within a thousandth of zero is zero but for errors.
+    least, greatest = (0.0 if abs(end) < 1e-3 * far else end for end in (least, greatest))
+    return (-far, far) if least < 0 < greatest else (least, greatest)
 
 
 def legend(ax: Canvas, lines: Lines) -> None:

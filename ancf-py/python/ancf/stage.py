@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
     from ancf.record import Array
     from ancf.result import Result
+
+EDGE = 0.86
+"""How much of a picture is filled."""
 
 FPS = 25
 """Frames of a film in a second."""
@@ -67,6 +70,14 @@ def show(
     return None
 
 
+def can_turn() -> bool:
+    """Whether pictures in notebooks can be turned: since 0.49 PyVista has a package of its own for that."""
+    import pyvista as pv
+
+    new = tuple(int(part) for part in pv.__version__.split(".")[:2]) >= (0, 49)
+    return find_spec("trame_pyvista" if new else "trame") is not None
+
+
 def painted(color: str) -> bool:
     """Whether it is the name of a colour, not of a quantity."""
     import pyvista as pv
@@ -76,6 +87,24 @@ def painted(color: str) -> bool:
     except ValueError:
         return False
     return True
+
+
+LIGHT = {"smooth_shading": True, "ambient": 0.35, "diffuse": 0.75, "specular": 0.1}
+"""How surfaces reflect."""
+
+BAR = {
+    "vertical": True,
+    "position_x": 0.88,
+    "position_y": 0.2,
+    "height": 0.6,
+    "width": 0.06,
+    "n_labels": 5,
+    "fmt": "%.3g",
+    "color": "black",
+    "title_font_size": 18,
+    "label_font_size": 14,
+}
+"""The scale of colours."""
 
 
 class Stage:
@@ -101,33 +130,43 @@ class Stage:
 
         self.scene, self.row = scene, row
         self.mesh = scene.mesh(row)
-        self.plotter = pv.Plotter(off_screen=hidden or None, window_size=list(size))
+        # PyVista decorates its methods in ways that types do not follow.
+        self.plotter = cast("Any", pv.Plotter(off_screen=hidden or None, window_size=list(size)))
         self.plotter.set_background("white")
         self.plotter.enable_anti_aliasing("ssaa")
-        if scene.values is not None:
-            between = limits(scene.values if moving else scene.values[row])
-            self.plotter.add_mesh(
-                self.mesh,
-                scalars=scene.color,
-                smooth_shading=True,
-                clim=list(between),
-                cmap="coolwarm" if between[0] == -between[1] else "viridis",
-                nan_color="#9a9a9a",
-                scalar_bar_args={"color": "black", "fmt": "%.3g", "n_labels": 5},
-            )
-        elif paint is not None:
-            self.plotter.add_mesh(self.mesh, color=paint, smooth_shading=True)
-        else:
-            self.plotter.add_mesh(self.mesh, scalars="shade", rgb=True, smooth_shading=True)
-        self.stamp = self.plotter.add_text(told(scene.result, row), "upper_left", 10, "black")
-        self.plotter.add_axes(color="black")  # type: ignore[call-arg]
+        self.plotter.enable_parallel_projection()
+        self.plotter.add_mesh(self.mesh, **self._paint(paint, moving), **LIGHT)
+        words = told(scene.result, row)
+        self.stamp = self.plotter.add_text(words, position="upper_left", font_size=10, color="black")
+        self.plotter.add_axes(color="black")
         if labels:
             self._label()
         self._look(view, moving)
 
+    def _paint(self, paint: str | None, moving: bool) -> dict[str, Any]:
+        """Colours, as what adds a mesh to a plotter wants to know them."""
+        if paint is not None:
+            return {"color": paint}
+        if self.scene.values is None:
+            return {"scalars": "shade", "rgb": True}
+        least, greatest = limits(self.scene.values if moving else self.scene.values[self.row])
+        return {
+            "scalars": self.scene.color,
+            "clim": [least, greatest],
+            "cmap": "coolwarm" if least == -greatest else "viridis",
+            "nan_color": "#b0b0b0",
+            "scalar_bar_args": {"title": f"{self.scene.color}\n", **BAR},
+        }
+
     def picture(self, path: str | os.PathLike[str]) -> None:
-        """Write what is seen."""
-        self.plotter.screenshot(str(path))
+        """Write what is seen, or a page in which it can be turned."""
+        if Path(path).suffix.lower() != ".html":
+            self.plotter.screenshot(str(path))
+        elif can_turn():
+            self.plotter.export_html(str(path))
+        else:
+            msg = f"{path}: needs trame: pip install 'pyvista[jupyter]'"
+            raise RuntimeError(msg)
 
     def film(self, path: str | os.PathLike[str], seconds: float) -> None:
         """Write a film, `.gif` or `.mp4`."""
@@ -150,20 +189,22 @@ class Stage:
 
     def open(self, *, slider: bool) -> object:
         """Show it in a window, or in a notebook as a picture that can be turned if trame is there."""
-        turned = find_spec("trame") is not None
-        if slider and (turned or not self.plotter.notebook):
+        import pyvista as pv
+
+        notebook = bool(self.plotter.notebook)
+        turned = can_turn() and pv.global_theme.jupyter_backend not in {"static", "none"}
+        if slider and (turned or not notebook):
             last = len(self.scene.result) - 1
             self.plotter.add_slider_widget(
-                lambda value: self.to(round(value)), [0, last], self.row, fmt="%.0f", color="black"
+                lambda value: self.to(round(value)), [0, last], value=self.row, fmt="%.0f", color="black"
             )
-        return self.plotter.show(jupyter_backend="trame" if turned else "static")
+        return self.plotter.show(**({} if turned or not notebook else {"jupyter_backend": "static"}))
 
     def to(self, row: int, scale: float | None = None) -> None:
         """Go to another row."""
         self.row = row
         self.scene.move(self.mesh, row, scale)
         self.stamp.set_text("upper_left", told(self.scene.result, row))
-        self.plotter.render()
 
     def _frames(self, seconds: float) -> list[tuple[int, float | None]]:
         scene = self.scene
@@ -171,7 +212,7 @@ class Stage:
             count = max(2, round(FPS * seconds / max(1, round(seconds))))
             scale = scene.lines.scale(self.row) if scene.scale is None else scene.scale
             swing = scale * np.sin(2 * np.pi * np.arange(count) / count)
-            return [(self.row, float(x)) for x in swing] * max(1, round(seconds))
+            return [(self.row, x) for x in swing.tolist()] * max(1, round(seconds))
         result = scene.result
         if result.kind != "dynamics":
             at = np.linspace(0, len(result) - 1, max(2, round(seconds * FPS)))
@@ -188,29 +229,36 @@ class Stage:
         return np.concatenate([scene.points(row) for row in (*every, count - 1)])
 
     def _look(self, view: str | None, moving: bool) -> None:
-        points = self._seen(moving)
-        flat = View.of(None, self.scene.lines.path if moving else self.scene.lines.places(self.row))
-        tilted = view is None and not flat.spatial
+        """Turn the camera and have everything in view, beside the scale of colours."""
         if view not in {None, "iso", "xy", "xz", "yz"}:
             msg = f"view: found {view!r}, wanted 'xy', 'xz', 'yz' or 'iso'"
             raise ValueError(msg)
-        self.plotter.camera_position = flat.names if tilted else view or "iso"
-        if tilted:
+        flat = View.of(None, self.scene.lines.path if moving else self.scene.lines.places(self.row))
+        camera = self.plotter.camera
+        self.plotter.camera_position = view or ("iso" if flat.spatial else flat.names)
+        if view is None and not flat.spatial:
             # Nearly onto the plane, but so that bodies are seen to be thick.
-            self.plotter.camera.azimuth = 20
-            self.plotter.camera.elevation = 15
-        low, high = points.min(0), points.max(0)
-        self.plotter.reset_camera(bounds=[float(x) for pair in zip(low, high, strict=True) for x in pair])
-        self.plotter.camera.zoom(1.15)
+            camera.azimuth, camera.elevation = 20, 15
+        points = self._seen(moving)
+        forward = np.asarray(camera.direction)
+        right = np.cross(forward, camera.up)
+        right /= np.linalg.norm(right)
+        axes = np.stack([right, np.cross(right, forward), forward])
+        low, high = (points @ axes.T).min(0), (points @ axes.T).max(0)
+        half, middle = (high - low) / 2, (high + low) / 2
+        wide, high_pixels = self.plotter.window_size
+        room = 0.74 if self.scene.values is not None else EDGE
+        scale = max(half[1] / EDGE, half[0] / room * high_pixels / wide) or 1.0
+        middle[0] += (EDGE - room) * scale * wide / high_pixels
+        camera.focal_point = middle @ axes
+        camera.position = middle @ axes - forward * 4 * (scale + half[2])
+        camera.parallel_scale = scale
+        self.plotter.reset_camera_clipping_range()
 
     def _label(self) -> None:
+        """Name the joints, where they are in the row."""
         named = self.scene.joints(self.row)
         if named:
-            self.plotter.add_point_labels(
-                np.array(list(named.values())),
-                list(named),
-                font_size=14,
-                shape=None,
-                text_color="black",
-                always_visible=True,
-            )
+            look = {"font_size": 13, "bold": False, "text_color": "black", "shape_color": "white"}
+            places = np.array(list(named.values()))
+            self.plotter.add_point_labels(places, list(named), shape_opacity=0.7, always_visible=True, **look)

@@ -32,7 +32,7 @@ class Outline:
     def of(cls, section: Section, sides: int) -> Outline:
         """The outline of a section, with so many `sides` if it is round.
 
-        That of a section which is given by numbers is the ellipse of its area and of the ratio of its moments.
+        Of a section that is given by numbers, an ellipse of its area and of the ratio of its moments.
         """
         kind = section["kind"]
         if kind == "rectangle":
@@ -78,7 +78,7 @@ class Surface:
 
     @classmethod
     def swept(cls, body: int, stations: range, start: Outline, end: Outline, along: Array) -> Surface:
-        """The closed surface of a body whose section goes from `start` to `end` as `along` goes from 0 to 1."""
+        """The closed surface of a body with sections from `start` to `end`, as `along` goes from 0 to 1."""
         if len(start.points) != len(end.points) or (start.hole is None) != (end.hole is None):
             end = start
         count, k = len(stations), len(start.points)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from ancf.shape import GREY, Canvas, View, arms, arms_at, axes_of, body_colours,
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Iterator
 
     from matplotlib.animation import FuncAnimation
 
@@ -57,6 +59,8 @@ def animate(
     import matplotlib.pyplot as plt
     from matplotlib.animation import FuncAnimation
 
+    if save is not None:
+        check(Path(save))
     lines = Lines(result, parts)
     film = (
         Vibration(result, lines, mode, scale, fps)
@@ -151,27 +155,42 @@ class Vibration:
         return self._words
 
 
+def check(path: Path) -> None:
+    """Refuse a file that cannot be written, before work is done for it."""
+    from matplotlib.animation import FFMpegWriter
+
+    if path.suffix.lower() not in {".gif", ".mp4", ".html"}:
+        msg = f"save: found {str(path)!r}, wanted a name that ends in .gif, .mp4 or .html"
+        raise ValueError(msg)
+    with ffmpeg():
+        if path.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
+            msg = f"{path}: needs ffmpeg, which was not found; save a .gif, or pip install imageio-ffmpeg"
+            raise RuntimeError(msg)
+
+
 def write(film: FuncAnimation, path: Path, fps: int) -> None:
     """Write a film as a GIF, by Pillow, or as an MP4, by ffmpeg, or as a page with buttons."""
-    import matplotlib.pyplot as plt
     from matplotlib.animation import FFMpegWriter, PillowWriter
 
     kind = path.suffix.lower()
     if kind == ".gif":
         film.save(path, writer=PillowWriter(fps=fps))
-    elif kind == ".html":
-        path.write_text(film.to_jshtml(fps=fps), encoding="utf-8")
     elif kind == ".mp4":
-        settings: dict[Any, Any] = {}
-        if find_spec("imageio_ffmpeg"):
-            from imageio_ffmpeg import get_ffmpeg_exe  # type: ignore[import-untyped]
-
-            settings = {"animation.ffmpeg_path": get_ffmpeg_exe()}
-        with plt.rc_context(settings):
-            if not FFMpegWriter.isAvailable():
-                msg = f"{path}: needs ffmpeg, which was not found; save a .gif, or pip install imageio-ffmpeg"
-                raise RuntimeError(msg)
+        with ffmpeg():
             film.save(path, writer=FFMpegWriter(fps=fps))
     else:
-        msg = f"save: found {str(path)!r}, wanted a name that ends in .gif, .mp4 or .html"
-        raise ValueError(msg)
+        path.write_text(film.to_jshtml(fps=fps), encoding="utf-8")
+
+
+@contextmanager
+def ffmpeg() -> Iterator[None]:
+    """The program that writes MP4: that of imageio-ffmpeg if it is installed, otherwise the system's."""
+    import matplotlib.pyplot as plt
+
+    settings: dict[Any, Any] = {}
+    if find_spec("imageio_ffmpeg"):
+        from imageio_ffmpeg import get_ffmpeg_exe  # type: ignore[import-untyped]
+
+        settings = {"animation.ffmpeg_path": get_ffmpeg_exe()}
+    with plt.rc_context(settings):
+        yield

@@ -242,9 +242,8 @@ class Pictures:
         """Show the bodies in space, in a window or in a notebook, or write a picture or a film of them.
 
         What is thinner than a 400th of the model is drawn that thick, so that it is seen.
-        In notebooks, pictures can be turned if there is trame (`pip install 'pyvista[jupyter]'`) and are still
-        otherwise, and after `pyvista.set_jupyter_backend("static")`. Returns what PyVista does, which a
-        notebook displays.
+        In notebooks, pictures can be turned if there is trame (`pip install 'pyvista[jupyter]'`), and are
+        still otherwise. Returns what PyVista does, which a notebook displays.
 
         Parameters
         ----------

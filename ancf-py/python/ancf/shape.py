@@ -36,11 +36,15 @@ class View:
         self.basis, self.names = basis, names
 
     @classmethod
-    def of(cls, plane: str | None, points: Array) -> View:
-        """The named plane, such as `xy`, or that in which the points spread, or space if they leave it."""
+    def of(cls, plane: str | None, points: Array, ax: Canvas = None) -> View:
+        """The named plane, such as `xy`, or that in which the points spread, or space if they leave it.
+
+        If there are axes `ax` already, they say whether it is space.
+        """
         if plane is None:
             spread = np.ptp(points.reshape(-1, 3), axis=0)
-            if spread.min() > FLAT * spread.max():
+            spatial = spread.min() > FLAT * spread.max() if ax is None else hasattr(ax, "get_zlim")
+            if spatial:
                 return cls(np.eye(3), "xyz")
             # A straight line alone does not say which plane is meant.
             off = min(
@@ -118,7 +122,7 @@ def plot_shape(
     lines = Lines(result, parts)
     wanted = rows(result, frame, time)
     places = [lines.places(row, scale) for row in wanted]
-    view = View.of(plane, np.stack([*places, lines.rest] if reference else places))
+    view = View.of(plane, np.stack([*places, lines.rest] if reference else places), ax)
     values = mapped(result, lines, color, parts)
     with style():
         ax = axes_of(view) if ax is None else ax

@@ -163,7 +163,8 @@ class Stage:
         if Path(path).suffix.lower() != ".html":
             self.plotter.screenshot(str(path))
         elif can_turn():
-            self.plotter.export_html(str(path))
+            # Since 0.49 what needs trame is under a name of its own.
+            getattr(self.plotter, "trame", self.plotter).export_html(str(path))
         else:
             msg = f"{path}: needs trame: pip install 'pyvista[jupyter]'"
             raise RuntimeError(msg)

@@ -237,7 +237,7 @@ def test_a_film_of_a_mode_swings_to_both_sides(tmp_path: Path) -> None:
     run = result("tuning_fork")
     film = run.animate(fps=8, scale=0.001, parts=1, save=tmp_path / "fork.html")
     ax = plt.gcf().axes[0]
-    prong = [line for line in ax.get_lines() if line.get_label() == "left"][-1]
+    prong: Any = [line for line in ax.get_lines() if line.get_label() == "left"][-1]
     swing = 0.001 * run["left tip.x"][6]
     for frame, expected in ((0, 0), (2, swing), (4, 0), (6, -swing)):
         film._draw_frame(frame)

@@ -67,15 +67,17 @@ def animate(
         if lines.modal
         else Motion(result, lines, speed, scale, fps)
     )
-    every = np.stack([film.places(i) for i in film.frames[:: max(1, len(film.frames) // 60)]])
-    view = View.of(plane, np.concatenate([every, lines.rest[None]]))
+    step = max(1, len(film.frames) // 60)
+    every = [lines.reach(0 if lines.modal else i, film.places(i)) for i in film.frames[::step]]
+    extent = np.concatenate([*every, lines.rest])
+    view = View.of(plane, extent)
     with style():
         ax: Canvas = axes_of(view)
         if reference:
             strokes(ax, view, lines, lines.rest, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
         drawn = strokes(ax, view, lines, film.places(film.frames[0]), body_colours(lines, None), {})
         links = arms(ax, view, lines, 0, film.places(film.frames[0]), {})
-        view.fit(ax, np.concatenate([every, lines.rest[None]]))
+        view.fit(ax, extent)
         if 1 < len(lines.bodies) <= len(COLOURS):
             legend(ax, lines)
         stamp = ax.set_title(film.told(film.frames[0]), loc="left", family="monospace", fontsize="medium")

@@ -35,6 +35,8 @@ class Lines:
         """Stations of each body."""
         self.along = np.array([s for _, s in stations])
         """Arc length of each station."""
+        self.pieces = np.array([i for i in range(len(names) - 1) if names[i] == names[i + 1]], dtype=int)
+        """Stations after which the line of their body goes on."""
         self.path = result.field("position", parts=parts)
         """Positions, `[row, station, 3]`; of modes, those about which it moves."""
         self.rest: Array = (self.path[:1] - result.field("displacement", parts=parts)[:1])[0]
@@ -48,7 +50,8 @@ class Lines:
     @property
     def size(self) -> float:
         """Diagonal of the box about the reference configuration."""
-        return float(np.linalg.norm(np.ptp(self.rest, axis=0))) or 1.0
+        points = np.concatenate([self.rest, self.rest[self.arms.stations] + self.arms.offsets])
+        return float(np.linalg.norm(np.ptp(points, axis=0))) or 1.0
 
     def scale(self, row: int) -> float:
         """By what to multiply deflections if nothing else is said: 1, and what makes a shape well seen."""
@@ -65,6 +68,10 @@ class Lines:
             return shape
         still: Array = self.path[row] if scale == 1 else self.rest + scale * (self.path[row] - self.rest)
         return still
+
+    def reach(self, row: int, places: Array) -> Array:
+        """All points that a picture of the bodies at `places` has, `[point, 3]`."""
+        return np.concatenate([places, self.arms.tips(row, places)])
 
     def values(self, result: Result, name: str, parts: int = 8) -> Array:
         """A number for each row and station, `[row, station]`, by the name of a section force or of a vector.

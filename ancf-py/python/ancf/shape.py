@@ -122,10 +122,13 @@ def plot_shape(
     lines = Lines(result, parts)
     wanted = rows(result, frame, time)
     places = [lines.places(row, scale) for row in wanted]
-    view = View.of(plane, np.stack([*places, lines.rest] if reference else places), ax)
+    reach = [lines.reach(row, place) for row, place in zip(wanted, places, strict=True)]
+    extent = np.concatenate([*reach, lines.rest] if reference else reach)
+    view = View.of(plane, extent, ax)
     values = mapped(result, lines, color, parts)
     with style():
-        ax = axes_of(view) if ax is None else ax
+        own = ax is None
+        ax = axes_of(view, ax)
         if reference:
             strokes(ax, view, lines, lines.rest, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
         for row, place, strength in zip(
@@ -137,11 +140,11 @@ def plot_shape(
                 strokes(ax, view, lines, place, body_colours(lines, color), look)
             else:
                 bands = coloured(ax, view, lines, place, values[row], limits(values[wanted]), look)
-        view.fit(ax, np.stack([*places, lines.rest] if reference else places))
+        view.fit(ax, extent)
         if values is not None:
             ax.figure.colorbar(bands, ax=ax, label=color, shrink=0.8, pad=0.1 if view.spatial else 0.03)
         elif 1 < len(lines.bodies) <= len(COLOURS) and color is None:
-            legend(ax, lines)
+            legend(ax, lines, beside=own)
         ax.set_title(" ... ".join(dict.fromkeys(told(result, row) for row in (wanted[0], wanted[-1]))))
     return ax
 
@@ -184,11 +187,13 @@ def plot_modes(
     return axes.ravel()[: len(wanted)]
 
 
-def axes_of(view: View) -> Canvas:
-    """New axes for a view."""
+def axes_of(view: View, ax: Canvas = None) -> Canvas:
+    """Axes for a view, new ones if there are none."""
     import matplotlib.pyplot as plt
 
-    if view.spatial:
+    if ax is not None:
+        pass
+    elif view.spatial:
         _, ax = plt.subplots(subplot_kw={"projection": "3d"})
     else:
         _, ax = plt.subplots()
@@ -258,7 +263,7 @@ def coloured(
     for span in lines.bodies.values():
         if span.stop - span.start == 1:
             ax.plot(*seen[span].T, **{"marker": "o", "color": "#888888"} | alpha(look))
-    firsts = np.concatenate([np.arange(span.start, span.stop - 1) for span in lines.bodies.values()])
+    firsts = lines.pieces
     middles = (values[firsts] + values[firsts + 1]) / 2
     keys = {
         "array": middles,
@@ -292,12 +297,16 @@ def mapped(result: Result, lines: Lines, color: str | None, parts: int) -> Array
 
     if color is None or is_color_like(color):
         return None
+    if not len(lines.pieces):
+        msg = f"color: found {color!r}, wanted a colour, since there is no beam or cable"
+        raise ValueError(msg)
     return lines.values(result, color, parts)
 
 
 def limits(values: Array) -> tuple[float, float]:
     """Ends of a scale of colours, as far on both sides of zero if there are values on both."""
-    least, greatest = float(np.nanmin(values)), float(np.nanmax(values))
+    known = values[np.isfinite(values)]
+    least, greatest = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
     far = max(abs(least), abs(greatest))
     if far == 0:
         return 0.0, 1.0
@@ -306,12 +315,11 @@ def limits(values: Array) -> tuple[float, float]:
     return (-far, far) if least < 0 < greatest else (least, greatest)
 
 
-def legend(ax: Canvas, lines: Lines) -> None:
-    """Names of the bodies, beside the picture."""
+def legend(ax: Canvas, lines: Lines, *, beside: bool = True) -> None:
+    """Names of the bodies, in the axes or, if the figure is our own, beside them."""
     handles = {line.get_label(): line for line in ax.get_lines()}
-    ax.figure.legend(
-        [handles[name] for name in lines.bodies],
-        list(lines.bodies),
-        loc="outside right upper",
-        fontsize="small",
-    )
+    chosen = [handles[name] for name in lines.bodies]
+    if beside:
+        ax.figure.legend(chosen, list(lines.bodies), loc="outside right upper", fontsize="small")
+    else:
+        ax.legend(chosen, list(lines.bodies))

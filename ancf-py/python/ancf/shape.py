@@ -87,8 +87,8 @@ class View:
         for name, own in zip("xyz", self.names, strict=False):
             getattr(ax, f"set_{name}label")(own)
 
-    def fit(self, ax: Canvas, points: Array) -> None:
-        """Show all points with the same scale along all axes."""
+    def fit(self, ax: Canvas, points: Array, zoom: float = 0.82) -> None:
+        """Show all points with the same scale along all axes; in space with room for their labels."""
         seen = self.seen(points.reshape(-1, 3))
         if not self.spatial:
             ax.set_aspect("equal", adjustable="datalim")
@@ -102,7 +102,7 @@ class View:
             axis = getattr(ax, f"{name}axis")
             axis.get_major_locator().set_params(nbins=max(2, int(5 * h / half.max())))
             axis.labelpad = 12 if name == "z" else 7
-        ax.set_box_aspect(half, zoom=0.82)
+        ax.set_box_aspect(half, zoom=zoom)
 
 
 def plot_shape(
@@ -181,7 +181,7 @@ def plot_modes(
             own = view if straight is None else View.along(lines.path[row], place - lines.path[row]) or view
             strokes(ax, own, lines, lines.path[row], [GREY] * len(lines.bodies), {"linewidth": 1})
             strokes(ax, own, lines, place, [COLOURS[0]] * len(lines.bodies), {})
-            own.fit(ax, np.stack([*places, lines.path[0]]))
+            own.fit(ax, np.stack([*places, lines.path[0]]), zoom=1.15)
             ax.set_title(told(result, row))
             bare(ax, own)
     return axes.ravel()[: len(wanted)]

@@ -126,7 +126,8 @@ impl States {
             let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
             let stations = fields.stations().len();
             let mut numbers = Vec::with_capacity(frames.len() * stations * field.width());
-            self.frames.each(&frames, self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
+            self.frames
+                .each(&frames, self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
             (numbers, stations)
         });
         PyArray1::from_vec(py, numbers).reshape([frames.len(), stations, field.width()])

@@ -10,6 +10,7 @@ from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
 from ancf.result import Result
+from ancf.studies import Study, study
 
 __version__ = _ancf.VERSION
 
@@ -19,6 +20,7 @@ __all__ = [
     "Instant",
     "ModelError",
     "Result",
+    "Study",
     "__version__",
     "buckling",
     "check",
@@ -26,5 +28,6 @@ __all__ = [
     "path",
     "run",
     "statics",
+    "study",
     *model.__all__,
 ]

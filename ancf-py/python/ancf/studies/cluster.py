@@ -36,15 +36,17 @@ def run(
     """Run cases on the workers of a client and hand on each row as it comes; `None` now and then, if none comes.
 
     Tasks have as many cases as take about half a second, and a few of them wait for each worker. The scheduler
-    runs those again whose worker dies. If it gives a task up, its cases go out alone; one that gets no answer so
-    either becomes a row with the reason.
+    runs those again whose worker dies. If it gives a task up, since several of its workers died, its cases go out
+    again when nothing else is out, one after the other: which of them it was is known then, and becomes a row.
     """
     import cloudpickle
 
     flight = Flight(client, cloudpickle.dumps(work), values)
     waiting = deque(cases)
     try:
-        while waiting or flight.tasks:
+        while waiting or flight.tasks or flight.suspects:
+            if not waiting and not flight.tasks:
+                flight.send([flight.suspects.pop()], TRIES)
             while waiting and flight.has_room():
                 size = min(flight.size, 1 + len(waiting) // (4 * flight.threads()))
                 flight.send([waiting.popleft() for _ in range(size)])
@@ -76,6 +78,8 @@ class Flight:
         """No task is out yet."""
         self.tasks: dict[int, tuple[Any, list[int], int]] = {}
         """Future, cases and number of the try, by the number of the task."""
+        self.suspects: list[int] = []
+        """Cases whose workers died, maybe of others that they were with."""
         self.size = 1
         """How many cases a task should have."""
         self._client, self._packed, self._values = client, packed, values
@@ -127,13 +131,14 @@ class Flight:
         error: Exception,
         receive: Callable[[int | None, Row | None], None],
     ) -> None:
-        """Send cases out again, each alone; after several tries, or the death of several workers, no more."""
-        is_deadly = type(error).__name__ == "KilledWorker"
+        """Send cases out again, each alone, but not for ever."""
         for case in cases:
-            if trial < TRIES and not (is_deadly and len(cases) == 1):
-                self.send([case], trial + 1)
-            else:
+            if trial >= TRIES:
                 receive(case, Row("failed", f"{type(error).__name__}: {error}"))
+            elif type(error).__name__ == "KilledWorker":
+                self.suspects.append(case)
+            else:
+                self.send([case], trial + 1)
 
     def _learn(self, answers: list[Row]) -> None:
         """How many cases take as long as a task should."""

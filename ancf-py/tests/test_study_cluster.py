@@ -93,3 +93,26 @@ def test_a_case_that_kills_its_workers_is_a_row(client: Client, rod: dict[str, A
     outcomes = dict(zip(study.table["elements"], study.table["outcome"], strict=True))
     assert outcomes == dict.fromkeys(elements, "finished") | {3: "failed"}
     assert str(study.failed["message"].iloc[0]).startswith("KilledWorker: ")
+
+
+def test_an_interrupt_keeps_what_a_cluster_did(client: Client, rod: dict[str, Any], tmp_path: Path) -> None:
+    calls = tmp_path / "calls"
+    calls.mkdir()
+
+    def interrupt() -> None:
+        while len(list(calls.iterdir())) < 20:
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    parameters = {
+        "bodies.arm.to": [[length, 0, 0] for length in np.linspace(1, 1.2, 400)],
+        "analysis.duration": [0.01],
+    }
+    watcher = threading.Thread(target=interrupt)
+    watcher.start()
+    with pytest.raises(KeyboardInterrupt):
+        ancf.study(rod, parameters, logged(calls, 0.05), client=client, folder=tmp_path)
+    watcher.join()
+    kept = pd.read_parquet(tmp_path / "cases.parquet")
+    assert 0 < len(kept) < 400
+    assert set(kept["outcome"]) == {"finished"}

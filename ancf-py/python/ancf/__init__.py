@@ -10,7 +10,7 @@ from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
 from ancf.result import Result
-from ancf.studies import Study, study
+from ancf.studies import Study, sobol, study
 
 __version__ = _ancf.VERSION
 
@@ -27,6 +27,7 @@ __all__ = [
     "modes",
     "path",
     "run",
+    "sobol",
     "statics",
     "study",
     *model.__all__,

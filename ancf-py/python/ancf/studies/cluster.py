@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
+from concurrent.futures import CancelledError
 from functools import lru_cache
 from queue import Empty, SimpleQueue
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from ancf.studies.row import Row
@@ -15,10 +17,13 @@ if TYPE_CHECKING:
     from ancf.studies.row import Work
 
 TICK = 0.2
-"""How often the receiver is called if no case ends, in seconds."""
+"""How often `tick` is called if no case ends, in seconds."""
 
 LENGTH = 0.5
 """How long a task should take, in seconds: many times of what the scheduler does for it."""
+
+COUNTED = 1.0
+"""How often threads are counted, in seconds."""
 
 TRIES = 3
 """How often a case is sent out whose tasks end without an answer."""
@@ -31,9 +36,10 @@ def run(
     cases: Sequence[int],
     work: Work,
     values: Callable[[int], Values],
-    receive: Callable[[int | None, Row | None], None],
+    add: Callable[[int, Row], None],
+    tick: Callable[[], None],
 ) -> None:
-    """Run cases on the workers of a client and hand on each row as it comes; `None` now and then, if none comes.
+    """Run cases on the workers of a client and add each row as it comes; `tick` is called then, and now and then.
 
     Tasks have as many cases as take about half a second, and a few of them wait for each worker. The scheduler
     runs those again whose worker dies. If it gives a task up, since several of its workers died, its cases go out
@@ -50,9 +56,11 @@ def run(
             while waiting and flight.has_room():
                 size = min(flight.size, 1 + len(waiting) // (4 * flight.threads()))
                 flight.send([waiting.popleft() for _ in range(size)])
-            flight.land(receive)
+            flight.land(add)
+            tick()
     except BaseException:
-        client.cancel([future for future, _, _ in flight.tasks.values()])
+        if client.status == "running":
+            client.cancel([future for future, _, _ in flight.tasks.values()])
         raise
 
 
@@ -86,11 +94,14 @@ class Flight:
         self._landed: SimpleQueue[int] = SimpleQueue()
         self._sent = 0
         self._time, self._count = 0.0, 0
+        self._threads, self._counted = 1, -COUNTED
 
     def threads(self) -> int:
         """Threads of all workers, of which there may be none yet."""
-        threads: dict[str, int] = self._client.nthreads()
-        return max(1, sum(threads.values()))
+        if perf_counter() - self._counted > COUNTED:
+            threads: dict[str, int] = self._client.nthreads()
+            self._threads, self._counted = max(1, sum(threads.values())), perf_counter()
+        return self._threads
 
     def has_room(self) -> bool:
         """Whether more should be sent: three tasks a thread, and enough to ask a cluster that adapts for more."""
@@ -108,33 +119,35 @@ class Flight:
         self.tasks[number] = (future, cases, trial)
         future.add_done_callback(lambda _: self._landed.put(number))
 
-    def land(self, receive: Callable[[int | None, Row | None], None]) -> None:
-        """Wait for a task and hand on its rows."""
+    def land(self, add: Callable[[int, Row], None]) -> None:
+        """Wait for a task, but not long, and add its rows."""
         try:
             future, cases, trial = self.tasks.pop(self._landed.get(timeout=TICK))
         except Empty:
-            receive(None, None)
             return
         try:
             answers: list[Row] = future.result()
+        except CancelledError as error:
+            msg = "the cluster dropped cases that were out; those that had finished are kept"
+            raise RuntimeError(msg) from error
         except Exception as error:  # Whatever a scheduler may tell.
-            self._again(cases, trial, error, receive)
+            self._again(cases, trial, error, add)
             return
         self._learn(answers)
         for case, row in zip(cases, answers, strict=True):
-            receive(case, row)
+            add(case, row)
 
     def _again(
         self,
         cases: list[int],
         trial: int,
         error: Exception,
-        receive: Callable[[int | None, Row | None], None],
+        add: Callable[[int, Row], None],
     ) -> None:
         """Send cases out again, each alone, but not for ever."""
         for case in cases:
             if trial >= TRIES:
-                receive(case, Row("failed", f"{type(error).__name__}: {error}"))
+                add(case, Row("failed", f"{type(error).__name__}: {error}"))
             elif type(error).__name__ == "KilledWorker":
                 self.suspects.append(case)
             else:

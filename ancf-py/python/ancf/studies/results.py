@@ -72,18 +72,19 @@ class Results:
     @property
     def names(self) -> list[str]:
         """Names of the objectives, those that functions told too."""
-        told = {name for row in self.rows.values() for name in row.objectives}
+        told = {name for row in list(self.rows.values()) for name in row.objectives}
         stated = set() if told and self._objectives.tells_names else set(self._objectives.readings)
         return sorted(stated | told)
 
     def add(self, case: int, row: Row) -> None:
-        """Add what came of a case."""
+        """Add what came of a case; threads may do so at any time."""
         self.rows[case] = row
         self._is_due = True
 
     def table(self) -> pa.Table:
         """All rows."""
-        return table(self.design.axes, self.names, self.rows, {case: self.key(case) for case in self.rows})
+        names, rows = self.names, dict(self.rows)
+        return table(self.design.axes, names, rows, {case: self.key(case) for case in rows})
 
     def write_when_due(self) -> None:
         """Write if there is something new and writing does not come too often."""
@@ -95,6 +96,7 @@ class Results:
         if self.folder is None:
             return
         clock = perf_counter()
+        self._is_due = False
         write(self.table(), self.folder / "cases.parquet")
-        self._is_due, self._written = False, perf_counter()
+        self._written = perf_counter()
         self._cost = self._written - clock

@@ -20,10 +20,10 @@ from ancf.studies.table import COLUMNS
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Callable
 
     from ancf.analysis import ModelLike
     from ancf.studies.objective import Objective
-    from ancf.studies.row import Row
 
 
 def study(
@@ -105,16 +105,17 @@ def carry_out(results: Results, work: Work, client: Any, jobs: int, progress: bo
     shown = is_seen() if progress is None else progress
     with tqdm(total=results.design.cases, initial=len(results.rows), unit="case", disable=not shown) as bar:
 
-        def receive(case: int | None, row: Row | None) -> None:
-            if case is not None and row is not None:
-                results.add(case, row)
-                bar.update()
+        def ran(case: int, is_stopped: Callable[[], bool]) -> None:
+            results.add(case, work.row(values(case), is_stopped))
+
+        def tick() -> None:
+            bar.update(len(results.rows) - bar.n)
             results.write_when_due()
 
         try:
-            if client is not None:
-                cluster.run(client, missing, work, values, receive)
+            if client is None:
+                threads.run(missing, jobs, ran, tick)
             else:
-                threads.run(missing, jobs, lambda case, stop: work.row(values(case), stop), receive)
+                cluster.run(client, missing, work, values, results.add, tick)
         finally:
             results.write()

@@ -51,8 +51,7 @@ class Statement:
         return Design.of(self.lists, samples, self.combine)
 
     def _fault(self, path: str, found: str, wanted: str, hint: str | None = None) -> None:
-        text = f"{path}: found {found}, wanted {wanted}" + (f" ({hint})" if hint else "")
-        self.faults.append(Fault(path, found, wanted, hint, None, text))
+        self.faults.append(fault(path, found, wanted, hint))
 
     def _choose(self, name: str, word: str, words: Iterable[str]) -> None:
         if word not in words:
@@ -104,8 +103,8 @@ class Statement:
             try:
                 _, found = _ancf.substitute(self.base, path, value)
             except ModelError as error:
-                for fault in error.errors:
-                    self._fault(at(path), fault.found, fault.wanted, fault.hint)
+                for one in error.errors:
+                    self._fault(at(path), one.found, one.wanted, one.hint)
                 continue
             for place in found:
                 if place in places:
@@ -153,6 +152,12 @@ class Statement:
             if column not in known:
                 found = f"{quoted(column)}, which is no column of the results"
                 self._fault(path, found, "a column of the results of the model", near(column, known))
+
+
+def fault(path: str, found: str, wanted: str, hint: str | None = None) -> Fault:
+    """One thing that is wrong, in the words of the engine."""
+    text = f"{path}: found {found}, wanted {wanted}" + (f" ({hint})" if hint else "")
+    return Fault(path, found, wanted, hint, None, text)
 
 
 def is_reading(reading: Any) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from queue import Empty, SimpleQueue
 from threading import Event, Lock
 from typing import TYPE_CHECKING
@@ -11,10 +12,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from ancf.studies.row import Row
-
 TICK = 0.2
-"""How often the receiver is called if no case ends, in seconds."""
+"""How often `tick` is called if no case ends, in seconds."""
 
 
 def cores() -> int:
@@ -27,16 +26,16 @@ def cores() -> int:
 def run(
     cases: Sequence[int],
     jobs: int,
-    work: Callable[[int, Callable[[], bool]], Row],
-    receive: Callable[[int | None, Row | None], None],
+    work: Callable[[int, Callable[[], bool]], None],
+    tick: Callable[[], None],
 ) -> None:
-    """Run cases on so many threads and hand on each row as it comes; `None` now and then, if none comes.
+    """Run cases on so many threads; `tick` is called here after each, and now and then.
 
     Simulations run without Python's lock. What is raised here, such as `KeyboardInterrupt`, ends those that run
-    within a step; their rows are handed on before it is raised again.
+    within a step, which is what the second argument of `work` is for.
     """
     queue, lock, stop = iter(cases), Lock(), Event()
-    done: SimpleQueue[tuple[int | None, Row | None]] = SimpleQueue()
+    done: SimpleQueue[bool] = SimpleQueue()
 
     def loop() -> None:
         try:
@@ -45,27 +44,20 @@ def run(
                     case = next(queue, None)
                 if case is None:
                     return
-                done.put((case, work(case, stop.is_set)))
+                work(case, stop.is_set)
+                done.put(False)
         finally:
-            done.put((None, None))
+            done.put(True)
 
     with ThreadPoolExecutor(max(1, min(jobs, len(cases)))) as pool:
         threads = [pool.submit(loop) for _ in range(min(jobs, len(cases)))]
         running = len(threads)
         try:
             while running:
-                try:
-                    case, row = done.get(timeout=TICK)
-                except Empty:
-                    case, row = None, None
-                else:
-                    running -= case is None
-                receive(case, row)
-        except BaseException:
+                with suppress(Empty):
+                    running -= done.get(timeout=TICK)
+                tick()
+        finally:
             stop.set()
-            pool.shutdown()
-            while not done.empty():
-                receive(*done.get())
-            raise
     for thread in threads:
         thread.result()

@@ -10,6 +10,7 @@ from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
 from ancf.result import Result
+from ancf.studies import Study, sobol, study
 
 __version__ = _ancf.VERSION
 
@@ -19,12 +20,15 @@ __all__ = [
     "Instant",
     "ModelError",
     "Result",
+    "Study",
     "__version__",
     "buckling",
     "check",
     "modes",
     "path",
     "run",
+    "sobol",
     "statics",
+    "study",
     *model.__all__,
 ]

@@ -73,10 +73,18 @@ def run(
 
     """
     simulation = _ancf.Simulation(data(model))
-    kind, duration = simulation.analysis
+    _, duration = simulation.analysis
     watch = None if callback is None else Watch(callback)
     with Bar(duration, progress) as bar:
-        done = simulation.run(states, watch, bar.tick)
+        return carried_out(simulation, states, watch, bar.tick)
+
+
+def carried_out(
+    simulation: _ancf.Simulation, states: str, watch: Watch | None, tick: Callable[[float], object] | None
+) -> Result:
+    """Run a simulation; `watch` sees each row, `tick` is called with the time now and then, and both may end it."""
+    done = simulation.run(states, watch, tick)
+    kind, _ = simulation.analysis
     result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"], simulation.model)
     error = done["error"]
     if error is not None:

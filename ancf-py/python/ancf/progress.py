@@ -16,8 +16,7 @@ class Bar:
         """A bar for a motion of a duration, if one is wanted; if that is not said, where somebody can see it."""
         self._bar: Any = None
         self._duration = duration
-        seen = _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
-        self._wanted = duration is not None and (seen if wanted is None else wanted)
+        self._wanted = duration is not None and (is_seen() if wanted is None else wanted)
 
     def __enter__(self) -> Bar:
         return self
@@ -46,6 +45,11 @@ class Bar:
             form = "{percentage:3.0f}%|{bar}| t = {n:.4g} of {total:.4g} [{elapsed}<{remaining}]"
             self._bar = tqdm(total=self._duration, bar_format=form, leave=False)
         self._bar.update(time - self._bar.n)
+
+
+def is_seen() -> bool:
+    """Whether somebody can see a bar: in a terminal or a notebook."""
+    return _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
 
 
 def _in_notebook() -> bool:

@@ -1,0 +1,413 @@
+"""Studies: cases, objectives, samples, restart and what goes wrong."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import scipy.stats
+
+import ancf
+
+ANCF = "ANCF_PROGRAM"
+"""Variable of the environment that says where the program is."""
+
+# Of a round bar of steel, clamped at one end: the tip's deflection under its own weight, q L^4 / (8 E I).
+DIAMETER, YOUNG, DENSITY = 0.02, 193e9, 8030.0
+WEIGHT = DENSITY * np.pi / 4 * DIAMETER**2 * 9.81
+SAG_TIMES_YOUNG = WEIGHT / (8 * np.pi / 64 * DIAMETER**4)
+
+
+@pytest.fixture
+def bar(models: Path) -> dict[str, Any]:
+    """A bar of steel in equilibrium under its own weight."""
+    return ancf.Model.read(models / "cantilever.toml").to_dict() | {"analysis": {"kind": "statics"}}
+
+
+@pytest.fixture
+def pushed(bar: dict[str, Any]) -> dict[str, Any]:
+    """The bar with a small force at its tip instead."""
+    push = {"kind": "force", "on": {"body": "beam", "at": "end"}, "force": [0, -0.1, 0]}
+    return bar | {"gravity": [0, 0, 0], "loads": [push]}
+
+
+class Log:
+    """Counts what an objective is called for, in a file, so that the objective itself stays what it is."""
+
+    def __init__(self, folder: Path) -> None:
+        """Nothing counted yet."""
+        self._file = str(folder / "calls.log")
+
+    def tip(self, result: ancf.Result) -> float:
+        """The deflection at the end."""
+        with Path(self._file).open("a") as file:
+            file.write(".")
+        return float(result["tip.y"][-1])
+
+    @property
+    def calls(self) -> int:
+        """How many there were."""
+        return Path(self._file).stat().st_size if Path(self._file).exists() else 0
+
+
+def test_a_sweep_is_single_runs(bar: dict[str, Any]) -> None:
+    study = ancf.study(bar, {"elements": [1, 3], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
+    assert list(study.table["elements"]) == [1, 1, 3, 3]
+    assert list(study.table["gravity[1]"]) == [-9.81, -1.62] * 2
+    for _, row in study.table.iterrows():
+        single = bar | {"gravity": [0, row["gravity[1]"], 0]}
+        single["bodies"] = [bar["bodies"][0] | {"elements": row["elements"]}]
+        result = ancf.run(single)
+        assert row["tip"] == result["tip.y"][-1]
+        assert row["iterations"] == result.summary["iterations"]
+    assert set(study.table["outcome"]) == {"finished"}
+    assert study.table["key"].is_unique
+
+
+def test_lists_in_pairs_each_with_every_sample(bar: dict[str, Any]) -> None:
+    parameters = {
+        "elements": [1, 2],
+        "bodies.beam.formulation": ["continuum", "enhanced"],
+        "bodies.beam.material.young": scipy.stats.uniform(190e9, 10e9),
+    }
+    study = ancf.study(bar, parameters, {"tip": "tip.y"}, combine="zip", samples=3)
+    table = study.table
+    assert list(table["elements"]) == [1, 1, 1, 2, 2, 2]
+    assert list(table["bodies.beam.formulation"]) == ["continuum"] * 3 + ["enhanced"] * 3
+    young = table["bodies.beam.material.young"]
+    assert list(young[:3]) == list(young[3:])
+    assert young.between(190e9, 200e9).all()
+    assert len(ancf.study(bar, parameters, {"tip": "tip.y"}, samples=3)) == 12
+
+
+def test_values_of_any_kind(bar: dict[str, Any], tmp_path: Path) -> None:
+    vectors = np.array([[0, -9.81, 0], [0, 0, -9.81]])
+    steels = [ancf.Material(density=7850.0, young=young) for young in (2e11, 2.1e11)]
+    study = ancf.study(bar, {"gravity": vectors, "materials.steel": steels}, folder=tmp_path)
+    assert len(study.finished) == 4
+    assert list(study.table["gravity"][::2]) == ["[0.0, -9.81, 0.0]", "[0.0, 0.0, -9.81]"]
+    pd.testing.assert_frame_equal(pd.read_parquet(tmp_path / "cases.parquet"), study.table)
+
+
+def test_objectives_of_every_kind(rod: dict[str, Any]) -> None:
+    result = ancf.run(rod)
+    y = result["tip.y"]
+    takes = {"first": y[0], "last": y[-1], "mean": y.mean(), "min": y.min(), "max": y.max()}
+    takes |= {"amplitude": np.ptp(y) / 2, "rms": np.sqrt((y**2).mean())}
+    objective = {take: ("tip.y", take) for take in takes} | {"row": ("tip.y", 7), "plain": "tip.y"}
+    table = ancf.study(rod, {"elements": [4]}, objective).table  # type: ignore[arg-type]
+    for take, value in takes.items():
+        assert table[take][0] == pytest.approx(value, rel=1e-14)
+    assert (table["row"][0], table["plain"][0]) == (y[7], y[-1])
+    deepest = float(result.field("position")[:, :, 1].min())
+    several = ancf.study(
+        rod, {"elements": [4]}, lambda r: {"deepest": r.field("position")[..., 1].min(), "end": r.time[-1]}
+    )
+    assert several.objectives == ["deepest", "end"]
+    assert several.table["deepest"][0] == deepest
+    # No row of that number: the case did finish, the number is missing.
+    short = ancf.study(rod, {"elements": [4]}, {"late": ("tip.y", 1000)}).table
+    assert np.isnan(short["late"][0])
+    assert short["message"][0] == "objectives.late: no row 1000 among 301"
+
+
+@pytest.mark.parametrize("sampling", ["latin_hypercube", "sobol"])
+def test_one_sample_in_each_interval(bar: dict[str, Any], sampling: Any) -> None:
+    parameters = {
+        "bodies.beam.material.young": scipy.stats.norm(193e9, 5e9),
+        "gravity[1]": scipy.stats.norm(-9, 1),
+    }
+    table = ancf.study(bar, parameters, samples=16, sampling=sampling).table
+    intervals = [(16 * law.cdf(table[path])).astype(int) for path, law in parameters.items()]
+    for interval in intervals:
+        assert sorted(interval) == list(range(16))
+    assert list(intervals[0]) != list(intervals[1])
+
+
+def test_the_seed_decides_the_cases(bar: dict[str, Any]) -> None:
+    def young(seed: int, sampling: Any, samples: int = 8, **more: Any) -> list[float]:
+        parameters = {"bodies.beam.material.young": scipy.stats.norm(193e9, 5e9), **more}
+        return list(
+            ancf.study(bar, parameters, samples=samples, seed=seed, sampling=sampling).table[
+                "bodies.beam.material.young"
+            ]
+        )
+
+    for sampling in ["latin_hypercube", "random", "sobol"]:
+        assert young(1, sampling) == young(1, sampling)
+        assert set(young(1, sampling)).isdisjoint(young(2, sampling))
+    # Another distribution changes nothing, more samples are added to those that there were.
+    other = {"gravity[1]": scipy.stats.norm(-9, 1)}
+    assert young(1, "latin_hypercube", **other) == young(1, "latin_hypercube")
+    assert young(1, "random", 12)[:8] == young(1, "random")
+    integers = ancf.study(bar, {"elements": scipy.stats.randint(1, 9)}, samples=8, seed=3)
+    assert list(integers.finished["elements"].sort_values()) == list(range(1, 9))
+
+
+def test_what_was_run_is_not_run_again(bar: dict[str, Any], tmp_path: Path) -> None:
+    log = Log(tmp_path)
+
+    def run(elements: list[int], model: dict[str, Any] = bar) -> ancf.Study:
+        return ancf.study(model, {"elements": elements}, log.tip, folder=tmp_path)
+
+    first = run([1, 2, 3])
+    assert log.calls == 3
+    pd.testing.assert_frame_equal(run([1, 2, 3]).table, first.table)
+    assert log.calls == 3
+    more = run([1, 2, 4, 3])
+    assert log.calls == 4
+    assert list(more.table["elements"]) == [1, 2, 4, 3]
+    assert list(more.table["tip"].iloc[[0, 1, 3]]) == list(first.table["tip"])
+    # The title decides nothing, gravity does; and another objective of the same name is another number.
+    run([1, 2, 4], bar | {"title": "the same"})
+    assert log.calls == 4
+    run([1, 2], bar | {"gravity": [0, -1.62, 0]})
+    assert log.calls == 6
+    other = ancf.study(bar, {"elements": [1, 2]}, {"tip": "tip.x"}, folder=tmp_path)
+    assert (other.table["tip"] > 0.9).all()
+
+
+def test_functions_are_told_apart(rod: dict[str, Any], tmp_path: Path) -> None:
+    def pull(size: float) -> Any:
+        return lambda t: size * t
+
+    load = {"kind": "force", "on": {"body": "arm", "at": "end"}, "force": [0, 1, 0], "time": pull(1.0)}
+    model = rod | {"loads": [load]}
+
+    def tips(*sizes: float) -> list[float]:
+        parameters = {"loads[0].time": [pull(size) for size in sizes]}
+        return list(ancf.study(model, parameters, {"tip": "tip.y"}, folder=tmp_path).table["tip"])
+
+    one, two = tips(1.0, 20.0)
+    assert one < two
+    assert tips(20.0, 1.0) == [two, one]
+
+
+def test_failures_are_rows(bar: dict[str, Any], tmp_path: Path) -> None:
+    def tip(result: ancf.Result) -> float:
+        if result["tip.y"][-1] < -0.01:
+            raise ArithmeticError("too deep")
+        return float(result["tip.y"][-1])
+
+    loads = [{"kind": "force", "on": {"body": "beam", "at": "end"}, "force": [0, 0, 0]}]
+    model = bar | {"loads": loads, "analysis": {"kind": "statics", "max_iterations": 12}}
+    forces = [[0, 0, 0], [0, -100, 0], [-1e9, 1e3, 0], [0, 0]]
+    study = ancf.study(model, {"loads[0].force": forces}, tip, folder=tmp_path)
+    assert list(study.table["outcome"]) == ["finished", "failed", "failed", "invalid"]
+    messages = list(study.table["message"])
+    assert messages[1] == "objectives.tip: ArithmeticError: too deep"
+    assert "load" in messages[2]
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.run(model | {"loads": [loads[0] | {"force": [0, 0]}]})
+    assert messages[3] == str(caught.value)
+    assert np.isnan(study.table["tip"][1:]).all()
+    assert (len(study.finished), len(study.failed)) == (1, 3)
+    # They are kept as they are, unless they are to be tried again.
+    seconds = study.table["seconds"]
+    kept = ancf.study(model, {"loads[0].force": forces}, tip, folder=tmp_path).table["seconds"]
+    assert list(kept == seconds) == [True] * 4
+    tried = ancf.study(model, {"loads[0].force": forces}, tip, folder=tmp_path, retry=True).table["seconds"]
+    assert list(tried == seconds) == [True, False, False, False]
+
+
+def test_all_that_is_wrong_is_told_before_anything_runs(bar: dict[str, Any], tmp_path: Path) -> None:
+    law = scipy.stats.norm(193e9, 5e9)
+    parameters = {
+        "elemnts": [1],
+        "elements": [],
+        "gravity": 9.81,
+        "bodies.beam.material.young": law,
+        "title": "a",
+    }
+    objective: Any = {"tip": "tip.q", "case": "tip.y", "a": ("tip.y", "men"), "b": 3}
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.study(bar, parameters, objective, combine="gird", folder=tmp_path / "new")  # type: ignore[arg-type]
+    assert str(caught.value).splitlines() == [
+        'combine: found "gird", wanted "grid" or "zip" (did you mean "grid"?)',
+        "parameters.elements: found an empty list, wanted a list of at least one value",
+        "parameters.gravity: found 9.81, wanted a list of values, or a distribution such as "
+        "scipy.stats.norm(mean, deviation)",
+        'parameters.title: found "a", wanted a list of values, or a distribution such as '
+        "scipy.stats.norm(mean, deviation)",
+        'parameters."bodies.beam.material.young": found a distribution without `samples`, wanted the number of '
+        "samples, such as `samples=100`",
+        "parameters.elemnts: found unknown key `elemnts`, wanted a key of the model or of a body "
+        "(did you mean `elements`?)",
+        "objectives.case: found `case`, which is another column of the table, wanted another name",
+        'objectives.a: found "men", wanted "first", "last", "mean", "min", "max", "amplitude", "rms" or '
+        'a row from 0 (did you mean "mean"?)',
+        "objectives.b: found 3, wanted a function of the result, or a column and what is taken of it, such as "
+        '("tip.y", "mean")',
+        'objectives.tip: found "tip.q", which is no column of the results, wanted a column of the results of the '
+        'model (did you mean "tip.z"?)',
+    ]
+    assert not (tmp_path / "new").exists()
+
+
+def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
+    parameters = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.study(bar, parameters, combine="zip")
+    assert str(caught.value).splitlines() == [
+        "parameters.elements: found 3 values, wanted 2, as many as `bodies.beam.elements` has, since `combine` is "
+        '"zip"',
+        "parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too, wanted every place to "
+        "be set once",
+    ]
+    with pytest.raises(ancf.ModelError, match="wanted at most 10 000 000 cases"):
+        ancf.study(bar, {"elements": range(1, 10001), "gravity[1]": range(10001)})
+    with pytest.raises(ancf.ModelError, match=r"found a distribution with the quantile nan"):
+        ancf.study(bar, {"gravity[1]": scipy.stats.norm(1, -1)}, samples=2)
+
+
+def test_an_interrupt_keeps_what_is_done(rod: dict[str, Any], tmp_path: Path) -> None:
+    log = Log(tmp_path)
+
+    def tip(result: ancf.Result) -> float:
+        if result.time[-1] > 0.25:
+            os.kill(os.getpid(), signal.SIGINT)
+        return log.tip(result)
+
+    # Three cases are done when the fourth ends; then there are two motions that would take hours.
+    durations = [0.01, 0.02, 0.03, 0.3, 1e5, 2e5, 0.05]
+    clock = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        ancf.study(rod, {"analysis.duration": durations}, tip, folder=tmp_path, jobs=2, states="none")
+    assert time.perf_counter() - clock < 30
+    table = pd.read_parquet(tmp_path / "cases.parquet").set_index("case")
+    assert list(table["outcome"][:4]) == ["finished"] * 4
+    assert set(table["outcome"][4:]) <= {"stopped"}
+    assert 6 not in table.index
+    short = [*durations[:4], 0.05]
+    study = ancf.study(rod, {"analysis.duration": short}, tip, folder=tmp_path, states="none")
+    assert len(study.finished) == 5
+    assert log.calls == 5
+
+
+def test_convergence_of_order_two(bar: dict[str, Any]) -> None:
+    study = ancf.study(bar, {"elements": [4, 1, 2, 16, 8]}, {"tip": "tip.y"})
+    table = study.convergence("elements", "tip")
+    assert list(table["elements"]) == [1, 2, 4, 8, 16]
+    assert list(table["order"][2:]) == pytest.approx([2, 2, 2], abs=0.02)
+    # What shear adds to the sag is a part of 1e-4 of it.
+    assert table["limit"].iloc[-1] == pytest.approx(-SAG_TIMES_YOUNG / YOUNG, rel=5e-4)
+    assert table["error"].iloc[-1] == pytest.approx(-table["limit"].iloc[-1] / (3 * 16**2), rel=0.02)
+    both = ancf.study(bar, {"elements": [1, 2, 4], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
+    with pytest.raises(ValueError, match="varies too"):
+        both.convergence("elements", "tip")
+    assert len(both.convergence("elements", "tip", where={"gravity[1]": -1.62})) == 3
+    with pytest.raises(KeyError, match="did you mean 'tip'"):
+        both.convergence("elements", "tipp")
+
+
+def test_monte_carlo_of_the_sag(bar: dict[str, Any]) -> None:
+    law = scipy.stats.lognorm(0.05, scale=YOUNG)
+    parameters = {"bodies.beam.material.young": law, "elements": [20]}
+    study = ancf.study(bar, parameters, {"tip": "tip.y"}, samples=400, seed=1, sampling="random")
+    # 1/E is distributed lognormally as well.
+    inverse = scipy.stats.lognorm(0.05, scale=1 / YOUNG)
+    mean, deviation = SAG_TIMES_YOUNG * inverse.mean(), SAG_TIMES_YOUNG * inverse.std()
+    sag = -study.finished["tip"]
+    assert len(sag) == 400
+    # Four standard errors, beside the part of 1/1200 that twenty elements miss.
+    assert sag.mean() == pytest.approx(mean * (1 - 1 / 1200), abs=4 * deviation / np.sqrt(400))
+    assert sag.var() == pytest.approx(deviation**2, rel=4 * np.sqrt(2 / 400))
+
+
+def test_sensitivity_of_a_pushed_bar(pushed: dict[str, Any]) -> None:
+    parameters = {
+        "bodies.beam.section.diameter": scipy.stats.uniform(0.019, 0.002),
+        "bodies.beam.material.young": scipy.stats.norm(YOUNG, 5e9),
+        "elements": [4],
+    }
+    study = ancf.study(pushed, parameters, {"tip": "tip.y"}, samples=128)
+    table = study.sensitivity("tip")
+    # F L^3 / (3 E I) with I ~ d^4.
+    assert table["elasticity"]["bodies.beam.section.diameter"] == pytest.approx(-4, abs=0.01)
+    assert table["elasticity"]["bodies.beam.material.young"] == pytest.approx(-1, abs=0.01)
+    assert "elements" not in table.index
+    # Of independent parameters the squares are parts of the variance; those of the logarithms are known.
+    variances = np.square([4 * 0.002 / np.sqrt(12) / 0.02, 5e9 / YOUNG])
+    shares = table["regression"][["bodies.beam.section.diameter", "bodies.beam.material.young"]] ** 2
+    assert list(shares) == pytest.approx(list(variances / variances.sum()), abs=0.05)
+    assert table["rank"]["bodies.beam.section.diameter"] > 0.95
+    assert table.attrs["r2"] > 0.98
+    assert len(study.plot()) == 3
+
+
+def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> None:
+    found = [Path(os.environ[ANCF]) if ANCF in os.environ else None]
+    found += [models.parent / "target" / profile / "ancf" for profile in ("release", "debug")]
+    program = next((path for path in found if path is not None and path.exists()), None)
+    if program is None:
+        pytest.skip(f"the program is not built, and {ANCF} does not say where it is")
+    file = models / "studies" / "convergence.toml"
+    subprocess.run([program, "study", file, "-o", tmp_path, "--quiet"], check=True, capture_output=True)
+    theirs = pd.read_parquet(tmp_path / "cases.parquet")
+    study = ancf.study(
+        models / "cantilever.toml",
+        {"elements": [1, 2, 4, 8, 16]},
+        {"tip": ("tip.y", "mean")},
+        folder=tmp_path,
+    )
+    ours = pd.read_parquet(tmp_path / "cases.parquet")
+    assert list(ours.columns) == list(theirs.columns)
+    assert list(ours.dtypes) == list(theirs.dtypes)
+    same = ["case", "elements", "outcome", "message", "steps", "iterations"]
+    pd.testing.assert_frame_equal(ours[same], theirs[same])
+    np.testing.assert_allclose(ours["tip"], theirs["tip"], rtol=1e-12)
+    assert len(study.finished) == 5
+
+
+@pytest.mark.skipif(
+    not Path("/proc/thread-self/schedstat").exists(), reason="the system tells no times of threads"
+)
+def test_threads_keep_cores_busy(models: Path) -> None:
+    """Of the time of a study its threads compute, or wait for a core that others have, more than 90 %."""
+    busy: dict[int, float] = {}
+
+    def tip(result: ancf.Result) -> float:
+        computed, waited, _ = map(int, Path("/proc/thread-self/schedstat").read_text().split())
+        busy[threading.get_ident()] = 1e-9 * (computed + waited)
+        return float(result["tip.y"].mean())
+
+    parameters = {"bodies.beam.material.young": np.linspace(190e9, 200e9, 200), "analysis.duration": [0.5]}
+    clock = time.perf_counter()
+    ancf.study(models / "cantilever.toml", parameters, tip, jobs=2, states="none")
+    wall = time.perf_counter() - clock
+    assert len(busy) == 2
+    assert sum(busy.values()) > 0.9 * 2 * wall
+
+
+def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
+    laws = {
+        "bodies.beam.section.diameter": scipy.stats.uniform(0.015, 0.01),
+        "bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9),
+    }
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.sobol(pushed, laws | {"elements": [4]}, {"tip": "tip.y"}, samples=100)
+    assert str(caught.value).splitlines() == [
+        "parameters.elements: found [4], wanted a distribution, such as scipy.stats.norm(mean, deviation)",
+        "samples: found 100, wanted a power of 2, as Sobol's sequence has (such as 256)",
+    ]
+    table = ancf.sobol(pushed, laws, {"tip": "tip.y", "end": ("tip.y", "min")}, samples=512)
+    # The tip's deflection is a product of functions g of one parameter each, with relative variances v:
+    # (1 + v1)(1 + v2) - 1 = v1 + v2 + v1 v2 (Saltelli & Sobol 1995).
+    places = (np.arange(100_000) + 0.5) / 100_000
+    relative = []
+    for path, power in zip(laws, [-4, -1], strict=True):
+        g = laws[path].ppf(places) ** power
+        relative.append(g.var() / g.mean() ** 2)
+    whole = np.prod(np.add(relative, 1)) - 1
+    for path, v, other in zip(laws, relative, reversed(relative), strict=True):
+        assert table["first"]["tip", path] == pytest.approx(v / whole, abs=0.03)
+        assert table["total"]["tip", path] == pytest.approx(v * (1 + other) / whole, abs=0.03)
+    assert len(table) == 4

@@ -36,7 +36,8 @@ impl Callables {
     /// The function that a table asks for, if it was met in this role.
     pub(crate) fn function(&self, table: &Table, role: Role) -> Option<&Py<PyAny>> {
         let name = table.get("name").filter(|_| table.get("kind").is_some_and(is_external))?.as_str()?;
-        self.0.iter().find(|one| one.role == role && one.name == name).map(|one| &one.function)
+        // The one that was met last at a path is the one that is there.
+        self.0.iter().rev().find(|one| one.role == role && one.name == name).map(|one| &one.function)
     }
 
     /// Gives them to the model; what they raise ends its runs.

@@ -7,6 +7,8 @@ from typing import Any
 
 import pytest
 
+import ancf
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -51,3 +53,16 @@ def rod() -> dict[str, Any]:
         ],
         "analysis": {"kind": "dynamics", "duration": 0.3, "step": 1e-3},
     }
+
+
+@pytest.fixture
+def bar(models: Path) -> dict[str, Any]:
+    """A bar of steel in equilibrium under its own weight."""
+    return ancf.Model.read(models / "cantilever.toml").to_dict() | {"analysis": {"kind": "statics"}}
+
+
+@pytest.fixture
+def pushed(bar: dict[str, Any]) -> dict[str, Any]:
+    """The bar with a small force at its tip instead."""
+    push = {"kind": "force", "on": {"body": "beam", "at": "end"}, "force": [0, -0.1, 0]}
+    return bar | {"gravity": [0, 0, 0], "loads": [push]}

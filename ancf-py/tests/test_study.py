@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -19,24 +18,6 @@ import ancf
 
 ANCF = "ANCF_PROGRAM"
 """Variable of the environment that says where the program is."""
-
-# Of a round bar of steel, clamped at one end: the tip's deflection under its own weight, q L^4 / (8 E I).
-DIAMETER, YOUNG, DENSITY = 0.02, 193e9, 8030.0
-WEIGHT = DENSITY * np.pi / 4 * DIAMETER**2 * 9.81
-SAG_TIMES_YOUNG = WEIGHT / (8 * np.pi / 64 * DIAMETER**4)
-
-
-@pytest.fixture
-def bar(models: Path) -> dict[str, Any]:
-    """A bar of steel in equilibrium under its own weight."""
-    return ancf.Model.read(models / "cantilever.toml").to_dict() | {"analysis": {"kind": "statics"}}
-
-
-@pytest.fixture
-def pushed(bar: dict[str, Any]) -> dict[str, Any]:
-    """The bar with a small force at its tip instead."""
-    push = {"kind": "force", "on": {"body": "beam", "at": "end"}, "force": [0, -0.1, 0]}
-    return bar | {"gravity": [0, 0, 0], "loads": [push]}
 
 
 class Log:
@@ -117,39 +98,6 @@ def test_objectives_of_every_kind(rod: dict[str, Any]) -> None:
     short = ancf.study(rod, {"elements": [4]}, {"late": ("tip.y", 1000)}).table
     assert np.isnan(short["late"][0])
     assert short["message"][0] == "objectives.late: no row 1000 among 301"
-
-
-@pytest.mark.parametrize("sampling", ["latin_hypercube", "sobol"])
-def test_one_sample_in_each_interval(bar: dict[str, Any], sampling: Any) -> None:
-    parameters = {
-        "bodies.beam.material.young": scipy.stats.norm(193e9, 5e9),
-        "gravity[1]": scipy.stats.norm(-9, 1),
-    }
-    table = ancf.study(bar, parameters, samples=16, sampling=sampling).table
-    intervals = [(16 * law.cdf(table[path])).astype(int) for path, law in parameters.items()]
-    for interval in intervals:
-        assert sorted(interval) == list(range(16))
-    assert list(intervals[0]) != list(intervals[1])
-
-
-def test_the_seed_decides_the_cases(bar: dict[str, Any]) -> None:
-    def young(seed: int, sampling: Any, samples: int = 8, **more: Any) -> list[float]:
-        parameters = {"bodies.beam.material.young": scipy.stats.norm(193e9, 5e9), **more}
-        return list(
-            ancf.study(bar, parameters, samples=samples, seed=seed, sampling=sampling).table[
-                "bodies.beam.material.young"
-            ]
-        )
-
-    for sampling in ["latin_hypercube", "random", "sobol"]:
-        assert young(1, sampling) == young(1, sampling)
-        assert set(young(1, sampling)).isdisjoint(young(2, sampling))
-    # Another distribution changes nothing, more samples are added to those that there were.
-    other = {"gravity[1]": scipy.stats.norm(-9, 1)}
-    assert young(1, "latin_hypercube", **other) == young(1, "latin_hypercube")
-    assert young(1, "random", 12)[:8] == young(1, "random")
-    integers = ancf.study(bar, {"elements": scipy.stats.randint(1, 9)}, samples=8, seed=3)
-    assert list(integers.finished["elements"].sort_values()) == list(range(1, 9))
 
 
 def test_what_was_run_is_not_run_again(bar: dict[str, Any], tmp_path: Path) -> None:
@@ -292,57 +240,6 @@ def test_an_interrupt_keeps_what_is_done(rod: dict[str, Any], tmp_path: Path) ->
     assert log.calls == 5
 
 
-def test_convergence_of_order_two(bar: dict[str, Any]) -> None:
-    study = ancf.study(bar, {"elements": [4, 1, 2, 16, 8]}, {"tip": "tip.y"})
-    table = study.convergence("elements", "tip")
-    assert list(table["elements"]) == [1, 2, 4, 8, 16]
-    assert list(table["order"][2:]) == pytest.approx([2, 2, 2], abs=0.02)
-    # What shear adds to the sag is a part of 1e-4 of it.
-    assert table["limit"].iloc[-1] == pytest.approx(-SAG_TIMES_YOUNG / YOUNG, rel=5e-4)
-    assert table["error"].iloc[-1] == pytest.approx(-table["limit"].iloc[-1] / (3 * 16**2), rel=0.02)
-    both = ancf.study(bar, {"elements": [1, 2, 4], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
-    with pytest.raises(ValueError, match="varies too"):
-        both.convergence("elements", "tip")
-    assert len(both.convergence("elements", "tip", where={"gravity[1]": -1.62})) == 3
-    with pytest.raises(KeyError, match="did you mean 'tip'"):
-        both.convergence("elements", "tipp")
-
-
-def test_monte_carlo_of_the_sag(bar: dict[str, Any]) -> None:
-    law = scipy.stats.lognorm(0.05, scale=YOUNG)
-    parameters = {"bodies.beam.material.young": law, "elements": [20]}
-    study = ancf.study(bar, parameters, {"tip": "tip.y"}, samples=400, seed=1, sampling="random")
-    # 1/E is distributed lognormally as well.
-    inverse = scipy.stats.lognorm(0.05, scale=1 / YOUNG)
-    mean, deviation = SAG_TIMES_YOUNG * inverse.mean(), SAG_TIMES_YOUNG * inverse.std()
-    sag = -study.finished["tip"]
-    assert len(sag) == 400
-    # Four standard errors, beside the part of 1/1200 that twenty elements miss.
-    assert sag.mean() == pytest.approx(mean * (1 - 1 / 1200), abs=4 * deviation / np.sqrt(400))
-    assert sag.var() == pytest.approx(deviation**2, rel=4 * np.sqrt(2 / 400))
-
-
-def test_sensitivity_of_a_pushed_bar(pushed: dict[str, Any]) -> None:
-    parameters = {
-        "bodies.beam.section.diameter": scipy.stats.uniform(0.019, 0.002),
-        "bodies.beam.material.young": scipy.stats.norm(YOUNG, 5e9),
-        "elements": [4],
-    }
-    study = ancf.study(pushed, parameters, {"tip": "tip.y"}, samples=128)
-    table = study.sensitivity("tip")
-    # F L^3 / (3 E I) with I ~ d^4.
-    assert table["elasticity"]["bodies.beam.section.diameter"] == pytest.approx(-4, abs=0.01)
-    assert table["elasticity"]["bodies.beam.material.young"] == pytest.approx(-1, abs=0.01)
-    assert "elements" not in table.index
-    # Of independent parameters the squares are parts of the variance; those of the logarithms are known.
-    variances = np.square([4 * 0.002 / np.sqrt(12) / 0.02, 5e9 / YOUNG])
-    shares = table["regression"][["bodies.beam.section.diameter", "bodies.beam.material.young"]] ** 2
-    assert list(shares) == pytest.approx(list(variances / variances.sum()), abs=0.05)
-    assert table["rank"]["bodies.beam.section.diameter"] > 0.95
-    assert table.attrs["r2"] > 0.98
-    assert len(study.plot()) == 3
-
-
 def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> None:
     found = [Path(os.environ[ANCF]) if ANCF in os.environ else None]
     found += [models.parent / "target" / profile / "ancf" for profile in ("release", "debug")]
@@ -365,49 +262,3 @@ def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> 
     pd.testing.assert_frame_equal(ours[same], theirs[same])
     np.testing.assert_allclose(ours["tip"], theirs["tip"], rtol=1e-12)
     assert len(study.finished) == 5
-
-
-@pytest.mark.skipif(
-    not Path("/proc/thread-self/schedstat").exists(), reason="the system tells no times of threads"
-)
-def test_threads_keep_cores_busy(models: Path) -> None:
-    """Of the time of a study its threads compute, or wait for a core that others have, more than 90 %."""
-    busy: dict[int, float] = {}
-
-    def tip(result: ancf.Result) -> float:
-        computed, waited, _ = map(int, Path("/proc/thread-self/schedstat").read_text().split())
-        busy[threading.get_ident()] = 1e-9 * (computed + waited)
-        return float(result["tip.y"].mean())
-
-    parameters = {"bodies.beam.material.young": np.linspace(190e9, 200e9, 200), "analysis.duration": [0.5]}
-    clock = time.perf_counter()
-    ancf.study(models / "cantilever.toml", parameters, tip, jobs=2, states="none")
-    wall = time.perf_counter() - clock
-    assert len(busy) == 2
-    assert sum(busy.values()) > 0.9 * 2 * wall
-
-
-def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
-    laws = {
-        "bodies.beam.section.diameter": scipy.stats.uniform(0.015, 0.01),
-        "bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9),
-    }
-    with pytest.raises(ancf.ModelError) as caught:
-        ancf.sobol(pushed, laws | {"elements": [4]}, {"tip": "tip.y"}, samples=100)
-    assert str(caught.value).splitlines() == [
-        "parameters.elements: found [4], wanted a distribution, such as scipy.stats.norm(mean, deviation)",
-        "samples: found 100, wanted a power of 2, as Sobol's sequence has (such as 256)",
-    ]
-    table = ancf.sobol(pushed, laws, {"tip": "tip.y", "end": ("tip.y", "min")}, samples=512)
-    # The tip's deflection is a product of functions g of one parameter each, with relative variances v:
-    # (1 + v1)(1 + v2) - 1 = v1 + v2 + v1 v2 (Saltelli & Sobol 1995).
-    places = (np.arange(100_000) + 0.5) / 100_000
-    relative = []
-    for path, power in zip(laws, [-4, -1], strict=True):
-        g = laws[path].ppf(places) ** power
-        relative.append(g.var() / g.mean() ** 2)
-    whole = np.prod(np.add(relative, 1)) - 1
-    for path, v, other in zip(laws, relative, reversed(relative), strict=True):
-        assert table["first"]["tip", path] == pytest.approx(v / whole, abs=0.03)
-        assert table["total"]["tip", path] == pytest.approx(v * (1 + other) / whole, abs=0.03)
-    assert len(table) == 4

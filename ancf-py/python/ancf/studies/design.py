@@ -73,15 +73,5 @@ def substituted(base: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
     """
     data = dict(base)
     for path, value in values.items():
-        if has_function(value):
-            # A function goes by its place, so that the one that was there has to go first.
-            data, _ = _ancf.substitute(data, path, 0)
         data, _ = _ancf.substitute(data, path, value)
     return data
-
-
-def has_function(value: Any) -> bool:
-    """Whether there is a function in plain data."""
-    if isinstance(value, dict | list):
-        return any(map(has_function, value.values() if isinstance(value, dict) else value))
-    return callable(value)

@@ -164,11 +164,11 @@ struct Report<'a> {
 }
 
 fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Result<Ended> {
+    let clock = Instant::now();
     let simulation = match Simulation::new(model) {
         Ok(simulation) => simulation.heeding(ctrl_c()?),
         Err(errors) => return Ok(refuse(&errors, file)),
     };
-    let clock = Instant::now();
     let progress = match model.analysis.dynamics() {
         Some(settings) if !quiet => Progress::until(settings.duration),
         _ => Progress::hidden(),

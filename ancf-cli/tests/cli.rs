@@ -203,6 +203,23 @@ fn bad_input_is_refused() {
     }
 }
 
+/// The program has no functions to supply: it says which a model waits for.
+#[test]
+fn functions_of_other_programs_are_refused() {
+    let (bench, file) = (Bench::new(), "ancf/tests/models/good/external.toml");
+    for mut command in [command(&["check", file]), bench.run(file)] {
+        let output = command.output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        let said = stderr(&output);
+        assert_eq!(said.lines().count(), 5, "{said}");
+        let motor = "external.toml: joints[0].drive.time.name: found the external function \"motor\", wanted a function \
+                     that the program supplies under this name\n";
+        assert!(said.contains(motor), "{said}");
+    }
+    assert!(!bench.out().exists(), "an output folder");
+    assert_eq!(command(&["scaled", file]).output().unwrap().status.code(), Some(0));
+}
+
 /// What a model consists of, ties and leaves free is told; a joint that ties what another ties already is a warning.
 #[test]
 fn a_model_is_diagnosed() {

@@ -4,12 +4,15 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
 use toml::{Table, Value};
 
+use crate::callables::{Callables, Role};
+
 /// Data of a model from Python: dictionaries, sequences, numbers of Python and NumPy, text, and whatever has `to_dict`.
 ///
-/// What is `None` is left out.
+/// What is `None` is left out. A function becomes one that the program supplies.
 #[derive(Debug, Default)]
 pub(crate) struct Data {
     path: String,
+    pub(crate) callables: Callables,
 }
 
 impl Data {
@@ -37,6 +40,9 @@ impl Data {
         if any.hasattr("to_dict")? {
             return self.value(&any.call_method0("to_dict")?);
         }
+        if any.is_callable() {
+            return Ok(external(self.callables.name(any, &self.path, Role::Time)));
+        }
         if any.is_instance_of::<PyInt>() {
             return integer(any);
         }
@@ -57,7 +63,11 @@ impl Data {
             let length = self.path.len();
             self.path += if length == 0 { "" } else { "." };
             self.path += &key;
-            let value = self.read(&value)?;
+            let value = if key == "name" && value.is_callable() {
+                Some(Value::String(self.callables.name(&value, &self.path, Role::Force)))
+            } else {
+                self.read(&value)?
+            };
             self.path.truncate(length);
             data.extend(value.map(|value| (key, value)));
         }
@@ -84,6 +94,11 @@ impl Data {
         let place = if self.path.is_empty() { "the model" } else { &self.path };
         PyTypeError::new_err(format!("{place}: found an object of type {name}, wanted {wanted}"))
     }
+}
+
+/// The function of time that the program supplies under a name.
+fn external(name: String) -> Value {
+    Value::Table(Table::from_iter([("kind".into(), "external".into()), ("name".into(), name.into())]))
 }
 
 /// Integers beyond 64 bits become numbers with a decimal point, as in files.

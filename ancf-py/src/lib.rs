@@ -1,5 +1,6 @@
 //! The native module `ancf._ancf`: models in as Python data, results out as NumPy arrays. What a user sees is in `python/ancf`.
 
+mod callables;
 mod data;
 mod follower;
 mod model;

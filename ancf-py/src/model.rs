@@ -24,9 +24,13 @@ pub(crate) fn refused(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) 
     error.map_or_else(|why| why, PyErr::from_value)
 }
 
-/// The valid model that an object states.
-pub(crate) fn model(any: &Bound<'_, PyAny>) -> PyResult<Model> {
-    Model::from_value(&table(any)?).map_err(|errors| refused(any.py(), &errors, None))
+/// The model that data state, if it is valid.
+pub(crate) fn valid(py: Python<'_>, data: &Value) -> PyResult<Model> {
+    Model::from_value(data).map_err(|errors| refused(py, &errors, None))
+}
+
+fn model(any: &Bound<'_, PyAny>) -> PyResult<Model> {
+    valid(any.py(), &table(any)?)
 }
 
 fn unprintable(error: impl ToString) -> PyErr {
@@ -50,7 +54,7 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> 
 #[pyfunction]
 pub(crate) fn plain<'py>(py: Python<'py>, data: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let value = table(data)?;
-    Model::from_value(&value).map_err(|errors| refused(py, &errors, None))?;
+    valid(py, &value)?;
     object(py, &value)
 }
 

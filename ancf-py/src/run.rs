@@ -5,11 +5,11 @@ use ancf::model::Analysis;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use toml::Value;
+use toml::{Table, Value};
 
-use crate::data::object;
+use crate::data::{Data, object};
 use crate::follower::Follower;
-use crate::model::{model, refused};
+use crate::model::{refused, valid};
 use crate::signals::Signals;
 use crate::states::{Keep, States};
 
@@ -29,9 +29,14 @@ impl Simulation {
     #[new]
     fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = data.py();
-        let model = model(data)?;
-        let signals = Signals::default();
+        let mut reader = Data::default();
+        let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+        let (mut model, signals) = (valid(py, &value)?, Signals::default());
+        reader.callables.supply(&mut model, &signals);
         let simulation = py.detach(|| ancf::Simulation::new(&model));
+        if let Some(error) = signals.take() {
+            return Err(error);
+        }
         let simulation = simulation.map_err(|errors| refused(py, &errors, None))?;
         let simulation = Arc::new(simulation.heeding(signals.interrupt()));
         Ok(Self { simulation, analysis: model.analysis, every: model.output.every, signals })

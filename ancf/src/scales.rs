@@ -66,10 +66,13 @@ impl Dimension {
 #[serde(deny_unknown_fields)]
 pub struct Scales {
     /// Unit of length, `L_ND`.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub length: f64,
     /// Unit of time, `T_ND`.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub time: f64,
     /// Unit of force, `F_ND`.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub force: f64,
 }
 

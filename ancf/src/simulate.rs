@@ -140,7 +140,8 @@ impl Reason {
         match self {
             Self::Motion(error, _) => error.failure == Failure::Interrupted,
             Self::Equilibrium(error, _) => error.cause.failure == Failure::Interrupted,
-            Self::Eigen(_) | Self::Mechanism(_) => false,
+            Self::Eigen(error) => *error == EigenError::Interrupted,
+            Self::Mechanism(_) => false,
         }
     }
 }

@@ -1,17 +1,31 @@
 //! Functions of time: values, rates against differences, breaks, and formulas as they are written.
 #![cfg(test)]
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use ancf::function::{Expression, Function, Instant, Table};
-use ancf::model::{At, Load, Place, TimeFunction, Varying};
+use ancf::function::{Expression, External, Function, Instant, Table};
+use ancf::model::{At, Load, Place, TimeFunction, Varying, schema};
 use ancf::{Model, Scales};
 use proptest::prelude::*;
+use serde_json::Value as Json;
 
 fn formula(text: &str) -> Function {
     let formula = Expression::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     Function::Expression { formula: Arc::new(formula), unit: 1.0 }
+}
+
+/// e^(−t) sin 3t as a program computes it.
+fn program() -> External {
+    External::new(|t: f64| {
+        let (decay, (sin, cos)) = ((-t).exp(), (3.0 * t).sin_cos());
+        Instant {
+            value: decay * sin,
+            rate: decay * (3.0 * cos - sin),
+            acceleration: decay * (-8.0 * sin - 6.0 * cos),
+        }
+    })
 }
 
 fn value(text: &str, t: f64) -> f64 {
@@ -91,6 +105,7 @@ fn every_function() -> Vec<Function> {
         Function::Ramp { start: 0.5, end: 2.0 },
         Function::Step { at: 1.0, until: Some(2.0) },
         Function::Sine { frequency: 0.7, phase: 0.3 },
+        Function::External { function: program(), unit: 1.3 },
         formula("0.4*(t^2/2 + (15/(2*pi))^2*(cos(2*pi*t/15) - 1))"),
         formula("if(t < 1, t^3, exp(-t)*sin(3*t)) + tanh(t)*sqrt(t + 1) - ln(t + 2)/atan(t + 0.1)"),
         formula("max(t, 2 - t) + min(t^2, 2) + abs(t - 0.7) + t^(t + 1) + (t - 9)^-3*asin(t/9)"),
@@ -166,7 +181,79 @@ fn varying() -> impl Strategy<Value = Varying> {
         (number(), 0.1..2.0).prop_map(|(at, more)| Varying::Step { at, until: Some(at + more) }),
         (0.0..3.0, number()).prop_map(|(frequency, phase)| Varying::Sine { frequency, phase }),
         (0.1..9.0).prop_map(|unit| Varying::Expression { text: "sin(t) + t^2".into(), unit }),
+        (0.1..9.0).prop_map(|unit| {
+            Varying::External { name: "program".into(), unit, supplied: Some(program()) }
+        }),
     ]
+}
+
+/// Where the schema has functions of time, by the keys that lead there.
+fn places_of_functions(root: &Json, schema: &Json, path: &str, found: &mut BTreeSet<String>) {
+    match schema {
+        Json::Object(keys) => {
+            if let Some(name) = keys.get("$ref").and_then(Json::as_str) {
+                let name = name.trim_start_matches("#/$defs/");
+                if name == "TimeFunction" {
+                    found.insert(path.to_owned());
+                } else {
+                    places_of_functions(root, &root["$defs"][name], &format!("{path}/{name}"), found);
+                }
+            }
+            for (key, inner) in keys.iter().filter(|(key, _)| *key != "$defs") {
+                let tag = inner["properties"]["kind"]["const"].as_str().unwrap_or_default();
+                places_of_functions(root, inner, &format!("{path}/{key}{tag}"), found);
+            }
+        }
+        Json::Array(items) => {
+            for item in items {
+                let tag = item["properties"]["kind"]["const"].as_str().unwrap_or_default();
+                places_of_functions(root, item, &format!("{path}/{tag}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Whoever adds a function of time to the model adds it here, and sees whether it is supplied.
+#[test]
+fn functions_are_supplied_wherever_there_can_be_one() {
+    let time = "time = { kind = \"external\", name = \"f\" }";
+    let (on, a) = ("on = { body = \"b\", at = \"end\" }", "name = \"j\", a = { body = \"b\", at = \"end\" }");
+    let axis = "axis = [0, 0, 1]";
+    let text = format!(
+        r#"
+loads = [
+  {{ kind = "force", {on}, force = [0, 0, 1], {time} }},
+  {{ kind = "moment", {on}, moment = [0, 0, 1], {time} }},
+  {{ kind = "distributed_force", body = "b", force = [0, 0, 1], {time} }},
+  {{ kind = "distributed_moment", body = "b", moment = [0, 0, 1], {time} }},
+  {{ kind = "base_acceleration", acceleration = [0, 0, 1], {time} }},
+  {{ kind = "fluid", bodies = ["b"], density = 1, drag = [1, 1], {time} }},
+]
+joints = [
+  {{ kind = "drive", {a}, {time} }},
+  {{ kind = "distance", {a}, b = {{ point = [0, 0, 0] }}, {time} }},
+  {{ kind = "revolute", {a}, {axis}, drive = {{ {time} }} }},
+  {{ kind = "cylindrical", {a}, {axis}, drive = {{ {time} }}, feed = {{ {time} }} }},
+  {{ kind = "prismatic", {a}, {axis}, drive = {{ {time} }} }},
+  {{ kind = "slide", {a}, b = {{ body = "b", at = 0 }}, drive = {{ {time} }} }},
+]
+bodies = []
+analysis = {{ kind = "dynamics", duration = 1, step = 1 }}
+"#
+    );
+    let mut model: Model = toml::from_str(&text).unwrap();
+    let waiting = |model: &Model| format!("{model:?}").matches("supplied: None").count();
+    let schema = schema().to_value();
+    let mut places = BTreeSet::new();
+    places_of_functions(&schema, &schema, "", &mut places);
+    assert_eq!(waiting(&model), places.len(), "{places:#?}");
+    assert_eq!(model.check_supplies().unwrap_err().len(), places.len());
+    assert!(model.supply("f", program()));
+    assert_eq!(waiting(&model), 0);
+    let scales = Scales { length: 2.0, time: 3.0, force: 4.0 };
+    assert_eq!(waiting(&model.scaled(&scales)), 0);
+    assert_eq!(model.scaled(&scales).scaled(&scales.inverse()), model);
 }
 
 proptest! {

@@ -29,8 +29,8 @@ mod tied;
 #[path = "common/wet.rs"]
 mod wet;
 
-use ancf::function::Function;
-use ancf::mechanics::{CableDamping, FollowerForce, Moment, RigidBody};
+use ancf::function::{ForceFunction, Function};
+use ancf::mechanics::{CableDamping, ExternalForce, FollowerForce, Moment, RigidBody};
 use ancf::model::{Damping, MaterialLaw};
 use ancf::system::{Energy, Level, Local, Power, Term, Weights};
 use beams::Make;
@@ -159,6 +159,18 @@ fn followers() -> impl Iterator<Item = Case> {
     terms.into_iter().map(|(name, term)| Case { name: name.to_owned(), term, kind: Kind::Supplied })
 }
 
+/// A force that a program computes, quadratic in position and velocity: in a model so long that its steps are, differences
+/// are exact but for rounding.
+fn external() -> Case {
+    let law = |t: f64, x: [f64; 3], v: [f64; 3]| {
+        let [x, v] = [x, v].map(Vector3::from);
+        let field = Vector3::new(0.3 * t, -2.0, 0.7);
+        (field - x * 3.0 - v * 0.4 + field.cross(&v) + x * x.dot(&v) * 0.2 - v * x.y * 0.1).into()
+    };
+    let term = ExternalForce::new(&bodies()[1].point(0.31), ForceFunction::new(law), 1e6);
+    Case { name: "external force".into(), term: Box::new(term), kind: Kind::Supplied }
+}
+
 /// Every kind of term there is.
 fn terms() -> Vec<Case> {
     let gravity = Vector3::new(0.3, -2.0, 0.7);
@@ -200,7 +212,7 @@ fn terms() -> Vec<Case> {
         },
     });
     let free = beams(gravity).chain(others).chain(followers()).chain(cables).chain(wet);
-    free.chain(links).chain(rigid).chain(contacts).collect()
+    free.chain(links).chain(rigid).chain(contacts).chain([external()]).collect()
 }
 
 #[test]

@@ -8,7 +8,7 @@ mod equilibrium;
 mod rod;
 
 use ancf::Model;
-use ancf::analysis::modes;
+use ancf::analysis::{Interrupt, modes};
 use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place};
 use ancf::system::State;
 
@@ -19,7 +19,7 @@ fn words(model: &Model) -> Vec<String> {
     let assembly = model.assemble().unwrap();
     let rest = assembly.rest();
     let motions = assembly.free_motions(&rest);
-    let modes = modes(&assembly.system, assembly.system.matrix(), &rest, 14).unwrap();
+    let modes = modes(&assembly.system, assembly.system.matrix(), &rest, 14, &Interrupt::default()).unwrap();
     assert_eq!(modes.rigid, motions.len(), "{motions:?}");
     motions.iter().map(ToString::to_string).collect()
 }

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use ancf::analysis::{EigenError, Modes, modes};
+use ancf::analysis::{EigenError, Interrupt, Modes, modes};
 use ancf::system::{Local, LocalMatrix, State, System, Term, Weights};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -116,7 +116,7 @@ fn solve(blocks: Vec<Block>, count: usize) -> Result<Modes, EigenError> {
     });
     let terms: Vec<_> = terms.collect();
     let system = System::new(n, m, terms);
-    modes(&system, system.matrix(), &State::rest(n, m), count)
+    modes(&system, system.matrix(), &State::rest(n, m), count, &Interrupt::default())
 }
 
 /// The first `count` of all reference values, to rounding of the largest.

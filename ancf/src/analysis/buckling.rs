@@ -1,5 +1,6 @@
 use nalgebra::DVector;
 
+use super::Interrupt;
 use super::krylov::{EigenError, Operator, Search, krylov};
 use super::modes::modes;
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
@@ -56,15 +57,16 @@ const IDLE: f64 = 1e-12;
 /// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
 ///
 /// # Errors
-/// If K₀ is singular or not positive definite, or the iteration does not converge.
+/// If K₀ is singular or not positive definite, the iteration does not converge, or it is interrupted.
 pub fn buckling(
     eom: &dyn EquationsOfMotion,
     matrix: SparseMatrix,
     s: &State,
     count: usize,
     sense: Sense,
+    interrupt: &Interrupt,
 ) -> Result<Vec<Critical>, EigenError> {
-    let lowest = modes(eom, matrix.clone(), s, 1)?.modes;
+    let lowest = modes(eom, matrix.clone(), s, 1, interrupt)?.modes;
     match lowest.first().map(|mode| mode.squared) {
         None => return Ok(Vec::new()),
         Some(0.0) => return Err(EigenError::Singular),
@@ -80,7 +82,8 @@ pub fn buckling(
     eom.stress_stiffness(s, &increment, &mut softening);
     softening.values_mut().iter_mut().for_each(|value| *value = -*value);
     let inner = &stiffness;
-    let mut op = Operator { factor: &mut factor, left: inner, right: &softening, inner, coordinates: n };
+    let factor = &mut factor;
+    let mut op = Operator { factor, left: inner, right: &softening, inner, coordinates: n, interrupt };
     let key: fn(f64) -> f64 = match sense {
         Sense::Stated => |theta| theta,
         Sense::Reversed => |theta| -theta,

@@ -1,7 +1,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-/// What may end an analysis from outside: asked before each Newton iteration, so that also a long step ends soon.
+/// What may end an analysis from outside: asked before each Newton iteration and each solution in a
+/// search for eigenvalues, so that also a long step ends soon.
 ///
 /// Once it has answered yes it should go on to do so.
 ///

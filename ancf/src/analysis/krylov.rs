@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use thiserror::Error;
 
+use super::Interrupt;
 use crate::system::{Factor, SingularMatrix, SparseMatrix};
 
 /// Why eigenvalues were not found.
@@ -15,6 +16,9 @@ pub enum EigenError {
     /// The permitted number of passes was not enough.
     #[error("the eigenvalues did not converge")]
     NotConverged,
+    /// It was ended from outside.
+    #[error("the search was interrupted")]
+    Interrupted,
 }
 
 impl From<SingularMatrix> for EigenError {
@@ -39,6 +43,8 @@ pub(super) struct Operator<'a> {
     pub(super) inner: &'a SparseMatrix,
     /// Number of coordinates.
     pub(super) coordinates: usize,
+    /// What may end the search.
+    pub(super) interrupt: &'a Interrupt,
 }
 
 impl Operator<'_> {
@@ -49,6 +55,9 @@ impl Operator<'_> {
 
     /// S⁻¹ f.
     fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
+        if self.interrupt.is_set() {
+            return Err(EigenError::Interrupted);
+        }
         let clear = |x: &mut DVector<f64>| x.as_mut_slice()[self.coordinates..].fill(0.0);
         clear(&mut f);
         self.factor.solve(self.left, f.as_mut_slice())?;

@@ -2,6 +2,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
+use super::Interrupt;
 use super::krylov::{EigenError, Found, Operator, Search, krylov};
 use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
@@ -57,18 +58,19 @@ const ZERO: f64 = 8.0;
 /// Source: Ericsson & Ruhe (1980), the spectral transformation; Grimes, Lewis & Simon (1994).
 ///
 /// # Errors
-/// If constraints are redundant, the mass is negative, or the iteration does not converge.
+/// If constraints are redundant, the mass is negative, the iteration does not converge, or it is interrupted.
 pub fn modes(
     eom: &dyn EquationsOfMotion,
     matrix: SparseMatrix,
     s: &State,
     count: usize,
+    interrupt: &Interrupt,
 ) -> Result<Modes, EigenError> {
     let count = count.min(eom.freedoms(s));
     if count == 0 {
         return Ok(Modes { modes: Vec::new(), rigid: 0 });
     }
-    let mut pencil = Pencil::new(eom, matrix, s)?;
+    let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
     let mut search = Search { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
     // Far below all ω² no mode is preferred: the vectors to start from are independent even if the first shift is not.
     let highest = pencil.highest();
@@ -96,15 +98,21 @@ struct Pencil<'a> {
     mass: SparseMatrix,
     shifted: SparseMatrix,
     factor: Factor,
+    interrupt: &'a Interrupt,
 }
 
 impl<'a> Pencil<'a> {
-    fn new(eom: &'a dyn EquationsOfMotion, matrix: SparseMatrix, s: &'a State) -> Result<Self, EigenError> {
+    fn new(
+        eom: &'a dyn EquationsOfMotion,
+        matrix: SparseMatrix,
+        s: &'a State,
+        interrupt: &'a Interrupt,
+    ) -> Result<Self, EigenError> {
         let (mut stiffness, mut mass) = (matrix.clone(), matrix.clone());
         eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
         eom.tangent(s, Weights::MASS, &mut mass);
         let factor = Factor::new(matrix.pattern())?;
-        Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor })
+        Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor, interrupt })
     }
 
     /// The size of the highest ω², for which the largest K_ii / M_ii stands; one if nothing has stiffness.
@@ -132,8 +140,9 @@ impl<'a> Pencil<'a> {
     }
 
     fn operator(&mut self) -> Operator<'_> {
-        let Self { eom, mass, shifted, factor, .. } = self;
-        Operator { factor, left: shifted, right: mass, inner: mass, coordinates: eom.coordinates() }
+        let Self { eom, mass, shifted, factor, interrupt, .. } = self;
+        let coordinates = eom.coordinates();
+        Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
     }
 
     /// ω² = xᵀ K x for xᵀ M x = 1; zero if that is no more than rounding.

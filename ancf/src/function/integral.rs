@@ -13,10 +13,10 @@ pub struct Integral {
 }
 
 impl Integral {
-    /// The integral of a function, if there is a closed form: of a formula there is none.
+    /// The integral of a function, if there is a closed form: of formulas and of what the program supplies there is none.
     pub fn new(of: Function) -> Option<Self> {
         let sums = match &of {
-            Function::Expression { .. } | Function::Integral(_) => return None,
+            Function::Expression { .. } | Function::External { .. } | Function::Integral(_) => return None,
             Function::Table(table) => sums(table.points()),
             _ => Vec::new(),
         };
@@ -51,7 +51,7 @@ impl Integral {
                 let part = if half == 0.0 { 1.0 } else { half.sin() / half };
                 t * part * (half + phase).sin()
             }
-            Function::Expression { .. } | Function::Integral(_) => 0.0,
+            Function::Expression { .. } | Function::External { .. } | Function::Integral(_) => 0.0,
         }
     }
 

@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::{Expression, Integral, Table};
+use super::{Expression, External, Integral, Table};
 
 /// A function f of time t, a pure number.
 ///
@@ -41,6 +41,13 @@ pub enum Function {
         /// The t of the formula at time 1.
         unit: f64,
     },
+    /// One that the program supplies.
+    External {
+        /// The function.
+        function: External,
+        /// The t of the function at time 1.
+        unit: f64,
+    },
     /// The integral of another function from 0 on; time.
     Integral(Arc<Integral>),
 }
@@ -56,11 +63,18 @@ pub struct Instant {
     pub acceleration: f64,
 }
 
+impl Instant {
+    /// The same of a function whose time passes `unit` times as fast.
+    fn quickened(self, unit: f64) -> Self {
+        Self { rate: self.rate * unit, acceleration: self.acceleration * unit * unit, ..self }
+    }
+}
+
 impl Function {
     /// The function that is always 1.
     pub const ONE: Self = Self::Constant(1.0);
 
-    /// Its integral from 0 on, if there is a closed form: there is, but of formulas.
+    /// Its integral from 0 on, if there is a closed form: there is, but of formulas and of what the program supplies.
     pub fn integral(self) -> Option<Self> {
         Some(Self::Integral(Arc::new(Integral::new(self)?)))
     }
@@ -91,17 +105,17 @@ impl Function {
                 Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
             Self::Integral(integral) => integral.at(t),
-            Self::Expression { formula, unit } => {
-                let Instant { value, rate, acceleration } = formula.at(t * unit);
-                Instant { value, rate: rate * unit, acceleration: acceleration * unit * unit }
-            }
+            Self::Expression { formula, unit } => formula.at(t * unit).quickened(*unit),
+            Self::External { function, unit } => function.at(t * unit).quickened(*unit),
         }
     }
 
-    /// Times at which it or its rate jumps, as far as they are known: a formula does not tell.
+    /// Times at which it or its rate jumps, as far as they are known: formulas and programs do not tell.
     pub fn breaks(&self) -> Vec<f64> {
         match self {
-            Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } => Vec::new(),
+            Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } | Self::External { .. } => {
+                Vec::new()
+            }
             Self::Table(table) => table.breaks(),
             Self::Integral(integral) => integral.breaks(),
             Self::Ramp { start, end } => vec![*start, *end],

@@ -7,8 +7,7 @@ use super::freedom::Freedom;
 use super::function::Clock;
 use super::ties::{Holds, JointEquations};
 use super::{
-    Beam, Body, Coupled, Coupling, Formulation, Joint, Load, Model, ModelErrors, Place, Probe, Quantity,
-    Redundant,
+    Beam, Body, Coupled, Coupling, Formulation, Joint, Model, ModelErrors, Place, Probe, Quantity, Redundant,
 };
 use crate::mechanics::Measure as Measured;
 use crate::mechanics::{self, Attachment, BeamMesh, ElementAxis, Kind, Marker, Tie, Wrench};
@@ -156,7 +155,7 @@ impl Model {
     /// Turns a valid model into equations of motion in the model's own numbers.
     ///
     /// # Errors
-    /// If the model is not valid.
+    /// If the model is not valid, or functions are not supplied.
     pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
         self.assembled(Clock::Runs)
     }
@@ -165,13 +164,14 @@ impl Model {
     /// a state.
     ///
     /// # Errors
-    /// If the model is not valid.
+    /// If the model is not valid, or functions are not supplied.
     pub fn assemble_static(&self) -> Result<Assembly, ModelErrors> {
         self.assembled(Clock::Stands)
     }
 
     fn assembled(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
         self.check()?;
+        self.check_supplies()?;
         let bodies = self.meshes();
         let joints = self.joint_equations(&bodies, clock);
         let (mut terms, mut batches): (Vec<Box<dyn Term>>, Vec<_>) = Default::default();
@@ -184,7 +184,7 @@ impl Model {
         terms.extend(self.coupling_terms(&bodies, &joints));
         for load in &self.loads {
             if let Some(place) = load.on() {
-                terms.extend(load.term(&self.attachment(&bodies, place), clock));
+                terms.extend(load.term(&self.attachment(&bodies, place), clock, self.length()));
             }
             terms.extend(self.spread_load(load, &bodies, clock));
         }
@@ -251,9 +251,8 @@ impl Model {
 
     /// Breaks of all functions of time, in order.
     pub(super) fn breaks(&self, clock: Clock) -> Vec<f64> {
-        let of_joints = self.joints.iter().flat_map(Joint::times).map(|(_, time)| time);
-        let functions = self.loads.iter().map(Load::time).chain(of_joints);
-        let mut breaks: Vec<f64> = functions.flat_map(|time| clock.function(time).breaks()).collect();
+        let functions = self.time_functions().into_iter();
+        let mut breaks: Vec<f64> = functions.flat_map(|(_, time)| clock.function(time).breaks()).collect();
         breaks.sort_unstable_by(f64::total_cmp);
         breaks.dedup();
         breaks

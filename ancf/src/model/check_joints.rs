@@ -8,7 +8,7 @@ use super::coupling::Freed;
 use super::schema::{number, quoted};
 use super::survey::Finding;
 use super::times::is_dynamic;
-use super::{Beam, Body, Coupled, End, Formulation, Joint, Model};
+use super::{Beam, Body, Coupled, End, Formulation, Joint, Model, TimeFunction, Varying};
 use crate::system::LOCAL;
 
 /// Axes whose sine is less than this are parallel.
@@ -122,9 +122,13 @@ fn rule_of_drive(model: &Model, path: &str, acting: &Acting<'_>, [own, rate]: [&
         [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), wanted())),
         [None, None] => Some(finding(path.into(), format!("neither `{own}` nor `{rate}`"), wanted())),
         [None, Some(_)] => {
-            let formula = drive.time.compile().is_ok_and(|function| function.integral().is_none());
-            let wanted = format!("a function with an integral in closed form, or a formula of the `{own}`");
-            formula.then(|| finding(format!("{path}.time"), "a formula of a rate", wanted))
+            let open = drive.time.compile().is_ok_and(|function| function.integral().is_none());
+            let what = match drive.time {
+                TimeFunction::Varying(Varying::External { .. }) => "an external function",
+                _ => "a formula",
+            };
+            let wanted = format!("a function with an integral in closed form, or {what} of the `{own}`");
+            open.then(|| finding(format!("{path}.time"), format!("{what} of a rate"), wanted))
         }
         [Some(amount), None] => {
             let function = drive.time.compile().ok()?;

@@ -91,6 +91,7 @@ impl Model {
             Load::DistributedMoment { .. } => "moment per length",
             Load::BaseAcceleration { .. } => "base acceleration",
             Load::Fluid(_) => "fluid",
+            Load::External { .. } => "external force",
         });
         let gravity = (self.gravity != [0.0; 3]).then_some("gravity");
         count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Model;
-use crate::function::{Expression, ExpressionError, Function, Table};
+use crate::function::{Expression, ExpressionError, External, Function, Instant, Table};
 
 /// A function of time by which a load or an angle is multiplied: a number, or a table that says how it varies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -71,6 +71,20 @@ pub enum Varying {
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
     },
+    /// A function that the program supplies under this name; the command line has none.
+    External {
+        /// The name under which the program supplies it.
+        #[schemars(length(min = 1))]
+        name: String,
+        /// The t of the function when one unit of time has passed; 1 by default.
+        #[serde(default = "one")]
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        unit: f64,
+        /// The function, once it is supplied ([`Model::supply`]).
+        #[serde(skip)]
+        #[schemars(skip)]
+        supplied: Option<External>,
+    },
 }
 
 fn one() -> f64 {
@@ -78,7 +92,12 @@ fn one() -> f64 {
 }
 
 impl TimeFunction {
-    /// Whether its value jumps, as far as is known: a formula does not tell.
+    /// One that the program supplies under a name.
+    pub fn external(name: &str) -> Self {
+        Self::Varying(Varying::External { name: name.into(), unit: 1.0, supplied: None })
+    }
+
+    /// Whether its value jumps, as far as is known: formulas and programs do not tell.
     pub(super) fn jumps(&self) -> bool {
         match self {
             Self::Varying(Varying::Step { .. }) => true,
@@ -87,7 +106,7 @@ impl TimeFunction {
         }
     }
 
-    /// The function to be evaluated.
+    /// The function to be evaluated: 0 in the place of one that is not yet supplied.
     ///
     /// # Errors
     /// If a formula is not understood.
@@ -102,6 +121,10 @@ impl TimeFunction {
             &Self::Varying(Varying::Sine { frequency, phase }) => Function::Sine { frequency, phase },
             Self::Varying(Varying::Expression { text, unit }) => {
                 Function::Expression { formula: Arc::new(Expression::parse(text)?), unit: *unit }
+            }
+            Self::Varying(Varying::External { unit, supplied, .. }) => {
+                let rest = || External::new(|_| Instant::default());
+                Function::External { function: supplied.clone().unwrap_or_else(rest), unit: *unit }
             }
         })
     }

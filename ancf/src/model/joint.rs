@@ -170,6 +170,22 @@ impl Joint {
         }
     }
 
+    /// The same to be changed.
+    pub(super) fn times_mut(&mut self) -> Vec<&mut TimeFunction> {
+        match self {
+            Self::Drive { time, .. } | Self::Distance(Distance { time, .. }) => vec![time],
+            Self::Cylindrical(Cylindrical { drive, feed, .. }) => {
+                let drive = drive.iter_mut().map(|drive| &mut drive.time);
+                drive.chain(feed.iter_mut().map(|feed| &mut feed.time)).collect()
+            }
+            Self::Revolute { drive, .. } => drive.iter_mut().map(|drive| &mut drive.time).collect(),
+            Self::Prismatic(Prismatic { drive, .. }) | Self::Slide(Slide { drive, .. }) => {
+                drive.iter_mut().map(|drive| &mut drive.time).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// What acts along its angle.
     pub(super) fn turning(&self) -> Acting<'_> {
         match self {

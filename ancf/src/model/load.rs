@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::function::Clock;
 use super::{At, Fluid, Named, Place, TimeFunction};
-use crate::mechanics::{Attachment, FollowerForce, Force, Moment};
+use crate::function::ForceFunction;
+use crate::mechanics::{Attachment, ExternalForce, FollowerForce, Force, Moment};
+use crate::scales::Scales;
 use crate::system::Term;
 
 /// A load on bodies. Gravity is a property of the model.
@@ -91,7 +93,34 @@ pub enum Load {
     },
     /// A fluid around bodies: drag, added mass and buoyancy.
     Fluid(Fluid),
+    /// A force on a point that the program computes from time, position and velocity of the point; the command line has none.
+    /// In statics the velocity is 0, the time 1.
+    External {
+        /// Where it acts.
+        on: Place,
+        /// The name under which the program supplies it.
+        #[schemars(length(min = 1))]
+        name: String,
+        /// What the model's units of length, time and force are in those of the function; the same by default.
+        #[serde(default = "own", skip_serializing_if = "is_own")]
+        units: Scales,
+        /// The function, once it is supplied ([`Model::supply_force`](super::Model::supply_force)).
+        #[serde(skip)]
+        #[schemars(skip)]
+        supplied: Option<ForceFunction>,
+    },
 }
+
+fn own() -> Scales {
+    Scales::UNIT
+}
+
+fn is_own(units: &Scales) -> bool {
+    *units == Scales::UNIT
+}
+
+/// Of loads that have no function of time.
+static ALWAYS: TimeFunction = TimeFunction::Constant(1.0);
 
 fn start() -> At {
     At::Named(Named::Start)
@@ -121,10 +150,15 @@ impl Load {
         Self::Moment { on, moment, follower: false, time: TimeFunction::default() }
     }
 
+    /// A force that the program supplies under a name.
+    pub fn external(on: Place, name: &str) -> Self {
+        Self::External { on, name: name.into(), units: Scales::UNIT, supplied: None }
+    }
+
     /// The place where it acts, if it acts at one.
     pub const fn on(&self) -> Option<&Place> {
         match self {
-            Self::Force { on, .. } | Self::Moment { on, .. } => Some(on),
+            Self::Force { on, .. } | Self::Moment { on, .. } | Self::External { on, .. } => Some(on),
             _ => None,
         }
     }
@@ -147,7 +181,7 @@ impl Load {
             | Self::Moment { follower, .. }
             | Self::DistributedForce { follower, .. }
             | Self::DistributedMoment { follower, .. } => *follower,
-            Self::BaseAcceleration { .. } | Self::Fluid(_) => false,
+            Self::BaseAcceleration { .. } | Self::Fluid(_) | Self::External { .. } => false,
         }
     }
 
@@ -156,7 +190,7 @@ impl Load {
         matches!(self, Self::Moment { .. } | Self::DistributedMoment { .. })
     }
 
-    /// Its function of time.
+    /// Its function of time; 1 if it has none.
     pub const fn time(&self) -> &TimeFunction {
         match self {
             Self::Force { time, .. }
@@ -165,11 +199,25 @@ impl Load {
             | Self::DistributedMoment { time, .. }
             | Self::BaseAcceleration { time, .. }
             | Self::Fluid(Fluid { time, .. }) => time,
+            Self::External { .. } => &ALWAYS,
         }
     }
 
-    /// The load at a place, if it acts at one and the body has what it holds on to there.
-    pub(super) fn term(&self, on: &Attachment, clock: Clock) -> Option<Box<dyn Term>> {
+    /// The same to be changed, if it has one.
+    pub(super) const fn time_mut(&mut self) -> Option<&mut TimeFunction> {
+        match self {
+            Self::Force { time, .. }
+            | Self::Moment { time, .. }
+            | Self::DistributedForce { time, .. }
+            | Self::DistributedMoment { time, .. }
+            | Self::BaseAcceleration { time, .. }
+            | Self::Fluid(Fluid { time, .. }) => Some(time),
+            Self::External { .. } => None,
+        }
+    }
+
+    /// The load at a place of a model of a length, if it acts at one and the body has what it holds on to there.
+    pub(super) fn term(&self, on: &Attachment, clock: Clock, length: f64) -> Option<Box<dyn Term>> {
         let function = clock.function(self.time());
         let directors = on.axes().map(|[_, d, e]| [d, e]);
         Some(match self {
@@ -184,6 +232,12 @@ impl Load {
             }
             Self::Moment { moment, follower: true, .. } => {
                 Box::new(Moment::follower(directors?, Vector3::from(*moment), function))
+            }
+            Self::External { units, supplied, .. } => {
+                let own = supplied.as_ref()?;
+                let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
+                let function = own.in_units(units.length, units.time, units.force);
+                Box::new(ExternalForce::new(&on.point, function, length))
             }
             _ => return None,
         })

@@ -42,6 +42,7 @@ mod scheme;
 mod section;
 mod shape;
 mod spread;
+mod supply;
 mod survey;
 mod syntax;
 mod ties;

@@ -48,19 +48,32 @@ impl Model {
     /// All that is wrong, without positions.
     pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
         let (model, findings) = judge(data);
-        let errors: Vec<_> = findings.into_iter().map(|finding| finding.error).collect();
-        model.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+        model.filter(|_| findings.is_empty()).ok_or_else(|| ModelErrors(errors(findings)))
     }
 
-    /// Checks a model that was built in Rust by the rules for model files.
+    /// Checks a model that was built in Rust by the rules for model files, and functions that are supplied by those for functions
+    /// of time.
     ///
     /// # Errors
     /// All that is wrong, without positions.
     pub fn check(&self) -> Result<(), ModelErrors> {
         let data = Value::try_from(self)
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
-        Self::from_value(&data).map(|_| ())
+        Self::from_value(&data)?;
+        // Data have no functions: with what is supplied the rules may be broken yet.
+        let findings = if self.has_functions(true) { broken(self) } else { Vec::new() };
+        if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
+}
+
+fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
+    findings.into_iter().map(|finding| finding.error).collect()
+}
+
+/// The rules that a model of the right form breaks; only if there is none, what its joints contradict.
+fn broken(model: &Model) -> Vec<Finding> {
+    let findings = broken_rules(model);
+    if findings.is_empty() { contradictions(model) } else { findings }
 }
 
 /// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.

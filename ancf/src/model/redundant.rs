@@ -253,6 +253,9 @@ pub(super) fn contradictions(model: &Model) -> Vec<Finding> {
 /// Times at which functions of time are compared.
 fn instants(model: &Model) -> Vec<f64> {
     let Analysis::Dynamics(dynamics) = &model.analysis else { return vec![0.0] };
+    if model.has_functions(false) {
+        return vec![0.0]; // What drives will do is not known yet, but that they start from 0.
+    }
     let end = dynamics.duration;
     let mut times: Vec<f64> = (0..=INSTANTS).map(|k| end * f64::from(k) / f64::from(INSTANTS)).collect();
     let breaks = model.breaks(Clock::Runs);

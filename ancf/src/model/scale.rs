@@ -204,6 +204,9 @@ impl Load {
                 time: time.scaled(s),
             },
             Self::Fluid(fluid) => Self::Fluid(fluid.scaled(s)),
+            Self::External { on, name, units, supplied } => {
+                Self::External { on: on.scaled(s), name, units: units.then(s), supplied }
+            }
         }
     }
 }
@@ -237,9 +240,12 @@ impl TimeFunction {
             Varying::Sine { frequency, phase } => {
                 Varying::Sine { frequency: number(frequency, Dimension::RATE, s), phase }
             }
-            // The text is the user's, in the user's time.
+            // Text and function are the user's, in the user's time.
             Varying::Expression { text, unit } => {
                 Varying::Expression { text, unit: number(unit, Dimension::RATE, s) }
+            }
+            Varying::External { name, unit, supplied } => {
+                Varying::External { name, unit: number(unit, Dimension::RATE, s), supplied }
             }
         })
     }

@@ -21,7 +21,7 @@ impl Model {
     ) -> Terms {
         let function = clock.function(load.time());
         match load {
-            Load::Force { .. } | Load::Moment { .. } => Terms::new(),
+            Load::Force { .. } | Load::Moment { .. } | Load::External { .. } => Terms::new(),
             Load::DistributedForce { .. } | Load::DistributedMoment { .. } => {
                 load.stretch().map_or_else(Terms::new, |on| self.along(load, &on, bodies, &function))
             }

@@ -19,17 +19,12 @@ pub(super) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &super::L
 
 /// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
 pub(super) fn functions(model: &Model) -> Vec<Finding> {
-    let of_loads = loads_of(model).map(|(path, load)| (path, load.time()));
-    let of_joints = joints_of(model).flat_map(|(path, joint)| {
-        let times = joint.times().into_iter();
-        times.map(|(table, time)| (format!("{path}{table}"), time)).collect::<Vec<_>>()
-    });
-    of_loads.chain(of_joints).filter_map(|(path, time)| rule_of_function(&path, time)).collect()
+    model.time_functions().into_iter().filter_map(|(path, time)| rule_of_function(&path, time)).collect()
 }
 
 fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
     let TimeFunction::Varying(varying) = time else { return None };
-    let key = |key: &str| format!("{path}.time.{key}");
+    let key = |key: &str| format!("{path}.{key}");
     match varying {
         Varying::Table { times, values } if times.len() != values.len() => {
             let found = format!("{} for {} times", values.len(), times.len());
@@ -50,6 +45,11 @@ fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
         }),
         Varying::Step { until: None, .. } | Varying::Sine { .. } => None,
         Varying::Expression { text, .. } => rule_of_formula(key("text"), text, time),
+        Varying::External { .. } => {
+            let value = time.compile().ok()?.value(0.0);
+            let found = format!("a function that is {value} at t = 0");
+            (!value.is_finite()).then(|| finding(key("name"), found, "one that is a number"))
+        }
     }
 }
 

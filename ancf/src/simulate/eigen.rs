@@ -16,13 +16,13 @@ impl Run<'_> {
         let start = unloaded(self.assembly);
         match (about, self.held(&start)) {
             (About::Reference, _) => Ok(start),
-            (About::Equilibrium, Ok(())) => equilibrium(self.assembly, start),
+            (About::Equilibrium, Ok(())) => equilibrium(self.assembly, start, self.interrupt),
             (About::Equilibrium, Err(free)) => {
                 // What nothing holds without loads may hang on them.
-                let settled = settled(self.assembly, model, start).map_err(|_| free)?;
+                let settled = settled(self.assembly, model, start, self.interrupt).map_err(|_| free)?;
                 self.held(&settled)?;
                 match self.assembly.system.completed(&settled) {
-                    Some(_) => equilibrium(self.assembly, settled),
+                    Some(_) => equilibrium(self.assembly, settled, self.interrupt),
                     None => Ok(settled),
                 }
             }
@@ -35,8 +35,8 @@ impl Run<'_> {
         let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
             let found = match system.completed(&s) {
-                Some((complete, matrix)) => modes(&complete, matrix, &s, count)?,
-                None => modes(system, system.matrix(), &s, count)?,
+                Some((complete, matrix)) => modes(&complete, matrix, &s, count, self.interrupt)?,
+                None => modes(system, system.matrix(), &s, count, self.interrupt)?,
             };
             Ok((s, found.modes))
         });
@@ -65,8 +65,8 @@ impl Run<'_> {
         let found = self.held(&s).and_then(|()| {
             let (count, sense) = (settings.count as usize, settings.sense.into());
             Ok(match system.completed(&s) {
-                Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense)?,
-                None => buckling(system, system.matrix(), &s, count, sense)?,
+                Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense, self.interrupt)?,
+                None => buckling(system, system.matrix(), &s, count, sense, self.interrupt)?,
             })
         });
         match found {

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use super::blame::blame;
 use super::{Ended, Reason, Run, mechanism};
 use crate::analysis::{
-    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Limit, Newton, PathPoint, SolveError, Stop,
-    Until, settle,
+    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Interrupt, Limit, Newton, PathPoint,
+    SolveError, Stop, Until, settle,
 };
 use crate::model::{Assembly, Model, Path, ScaleChoice, Statics};
 use crate::rows::Rows;
@@ -27,9 +27,10 @@ pub(super) fn unloaded(assembly: &Assembly) -> State {
 }
 
 /// The equilibrium under all loads by the default settings, from a state on.
-pub(super) fn equilibrium(assembly: &Assembly, start: State) -> Result<State, Reason> {
+pub(super) fn equilibrium(assembly: &Assembly, start: State, interrupt: &Interrupt) -> Result<State, Reason> {
     let Statics { stop, max_iterations, .. } = Statics::default();
     let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
+    let newton = newton.heeding(interrupt.clone());
     let mut statics = analysis::Statics::new(&assembly.system, newton, Increments::default(), start);
     statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
     Ok(statics.state().clone())
@@ -41,11 +42,17 @@ const SETTLED: Stop = Stop::Energy(1e-14);
 const SETTLING: u32 = 1000;
 
 /// The equilibrium of a model that nothing may hold but its loads, without contacts.
-pub(super) fn settled(assembly: &Assembly, model: &Model, mut s: State) -> Result<State, SolveError> {
+pub(super) fn settled(
+    assembly: &Assembly,
+    model: &Model,
+    mut s: State,
+    interrupt: &Interrupt,
+) -> Result<State, SolveError> {
     // Weight swings a body of length L by the rate √(g/L), which is that of the automatic scales.
     let own = Model { scales: ScaleChoice::Auto, ..model.clone() }.scales().scales;
     s.load = 1.0;
-    let mut newton = Newton::new(assembly.system.matrix(), SETTLED, SETTLING)?;
+    let newton = Newton::new(assembly.system.matrix(), SETTLED, SETTLING)?;
+    let mut newton = newton.heeding(interrupt.clone());
     settle(&assembly.system, &mut newton, &mut s, own.time.recip())?;
     Ok(s)
 }

@@ -10,7 +10,7 @@
 //! the element, and Reissner's rod with k = 1 and the polar moment of area, bent in its plane by shooting, perturbed out of it.
 
 use ancf::Model;
-use ancf::analysis::{Critical, EigenError, Newton, Sense, Stop, buckling};
+use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
 use ancf::model::{
     Assembly, At, Body, Cable, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
 };
@@ -40,7 +40,7 @@ fn under(assembly: &Assembly, load: f64, steps: u32) -> State {
 }
 
 fn critical(assembly: &Assembly, s: &State, sense: Sense) -> Result<Vec<Critical>, EigenError> {
-    buckling(&assembly.system, assembly.system.matrix(), s, 2, sense)
+    buckling(&assembly.system, assembly.system.matrix(), s, 2, sense, &Interrupt::default())
 }
 
 fn first(assembly: &Assembly, s: &State) -> f64 {

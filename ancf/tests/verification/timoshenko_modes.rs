@@ -3,6 +3,7 @@
 //! Source: independent implementation of the element. Limits: Timoshenko's beam with k = 1 (bending: 13.714693124408,
 //! 85.85919781924, 240.0061199541, 469.17308113901 Hz), √(G/ρ)/4L in torsion, √(E/ρ)/4L along the axis.
 
+use ancf::analysis::Interrupt;
 use ancf::{Model, analysis};
 
 use crate::{assert_near, rod};
@@ -25,7 +26,14 @@ const KINDS: [Kind; 12] = {
 /// The lowest frequencies in Hz of the straight rod, ascending, each with the kind of its motion.
 fn modes(model: &Model) -> Vec<(f64, Kind)> {
     let assembly = model.assemble().unwrap();
-    let modes = analysis::modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 20).unwrap();
+    let modes = analysis::modes(
+        &assembly.system,
+        assembly.system.matrix(),
+        &assembly.rest(),
+        20,
+        &Interrupt::default(),
+    )
+    .unwrap();
     assert_eq!(modes.rigid, 0, "the rod is clamped");
     let kind = |shape: &[f64]| {
         let size = |i: &usize| shape[*i].abs();

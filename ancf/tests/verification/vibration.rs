@@ -5,7 +5,7 @@
 //! its axis; Euler (1744) for the column.
 
 use ancf::Model;
-use ancf::analysis::{Newton, Stop, modes};
+use ancf::analysis::{Interrupt, Newton, Stop, modes};
 use ancf::model::{Clamped, Load, Section, Slopes};
 use ancf::system::{State, Weights};
 
@@ -29,7 +29,9 @@ fn free_free_beam() {
     let unit = unit(&thin(1));
     let frequencies = |model: &Model, time: f64| {
         let assembly = model.assemble().unwrap();
-        let found = modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 10).unwrap();
+        let found =
+            modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 10, &Interrupt::default())
+                .unwrap();
         assert_eq!(found.rigid, 6);
         let omega = |k: usize| found.modes[k].squared.sqrt() / time / unit;
         assert_near("a pair", omega(7) / omega(6), 1.0, 1e-7);
@@ -61,7 +63,8 @@ fn compound_pendulum() {
         let (_, held) = equilibrium(&upright(rod::clamped(8, Clamped::Section)), 1);
         let assembly = upright(rod::revolute(8)).assemble().unwrap();
         let state = State { q: held.q, ..assembly.rest() };
-        let found = modes(&assembly.system, assembly.system.matrix(), &state, 1).unwrap();
+        let found =
+            modes(&assembly.system, assembly.system.matrix(), &state, 1, &Interrupt::default()).unwrap();
         assert_near("squared", found.modes[0].squared / (sign * exact), 1.0, 1e-4);
         assert_eq!((found.rigid, found.modes[0].frequency().is_some()), (0, sign > 0.0));
     }
@@ -82,7 +85,9 @@ fn spinning_beam() {
         }
         let mut newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 20).unwrap();
         newton.solve(&assembly.system, &mut state, Weights { q: 1.0, v: 0.0, a: -square }).unwrap();
-        let found = modes(&assembly.system, assembly.system.matrix(), &state, 4).unwrap().modes;
+        let found = modes(&assembly.system, assembly.system.matrix(), &state, 4, &Interrupt::default())
+            .unwrap()
+            .modes;
         for (k, reference) in table.into_iter().enumerate() {
             let omega = found[2 * k].squared.sqrt() / unit;
             assert_near(&format!("mode {k} at spin {spin}"), omega / reference, 1.0, 2e-3);
@@ -98,7 +103,9 @@ fn column_above_its_critical_load() {
         model.gravity = [0.0; 3];
         model.loads = vec![Load::force(rod::end(), [-part * 3740.132124561166 * 1.00055907, 0.0, 0.0])];
         let (assembly, state) = equilibrium(&model, 1);
-        let found = modes(&assembly.system, assembly.system.matrix(), &state, 2).unwrap().modes;
+        let found = modes(&assembly.system, assembly.system.matrix(), &state, 2, &Interrupt::default())
+            .unwrap()
+            .modes;
         [found[0].squared, found[1].squared]
     };
     let (below, above) = (column(0.99), column(1.01));

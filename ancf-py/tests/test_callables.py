@@ -1,0 +1,102 @@
+"""Functions of Python in loads, drives and forces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ancf
+
+Array = np.typing.NDArray[np.float64]
+
+
+def push(time: object) -> list[dict[str, Any]]:
+    """A force on the tip that varies in time."""
+    return [{"kind": "force", "on": {"body": "arm", "at": "end"}, "force": [0, 5, 0], "time": time}]
+
+
+def test_a_load_by_a_callable_is_that_of_a_formula(rod: dict[str, Any]) -> None:
+    formula = {"kind": "expression", "text": "t * sin(30*t)"}
+    built_in = ancf.run(rod | {"loads": push(formula)})
+    own = ancf.run(rod | {"loads": push(lambda t: t * np.sin(30 * t))})
+    np.testing.assert_allclose(own["tip.y"], built_in["tip.y"], rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_a_drive_by_a_callable_is_that_of_a_formula(rod: dict[str, Any], told: bool) -> None:
+    def turn(t: float) -> float | tuple[float, float, float]:
+        value = 1 - np.cos(8 * t)
+        return (value, 8 * np.sin(8 * t), 64 * np.cos(8 * t)) if told else float(value)
+
+    def driven(time: object) -> ancf.Result:
+        joint = rod["joints"][0] | {"drive": {"angle": 0.4, "time": time}}
+        return ancf.run(rod | {"joints": [joint], "scales": {"kind": "auto"}})
+
+    formula, own = driven({"kind": "expression", "text": "1 - cos(8*t)"}), driven(turn)
+    np.testing.assert_allclose(own.joints["pivot"].angle, 0.4 * (1 - np.cos(8 * own.time)), atol=1e-9)
+    # What is computed from differences has eight digits, and its derivatives go into the accelerations.
+    limit = 1e-9 if told else 1e-5 * np.abs(formula["pivot.mz"]).max()
+    np.testing.assert_allclose(own["pivot.mz"], formula["pivot.mz"], rtol=0, atol=limit)
+
+
+def test_a_force_by_a_callable_is_a_spring_and_a_damper(rod: dict[str, Any]) -> None:
+    spring = {
+        "kind": "spring",
+        "name": "spring",
+        "a": {"body": "arm", "at": "end"},
+        "b": {"point": [1, 1, 0]},
+        "stiffness": 200.0,
+        "damping": 3.0,
+    }
+
+    def pull(_: float, x: Array, v: Array) -> Array:
+        away = x - [1, 1, 0]
+        length = float(np.linalg.norm(away))
+        along = away / length
+        return -(200.0 * (length - 1) + 3.0 * float(v @ along)) * along
+
+    built_in = ancf.run(rod | {"joints": [*rod["joints"], spring]})
+    force = {"kind": "external", "name": pull, "on": {"body": "arm", "at": "end"}}
+    own = ancf.run(rod | {"loads": [force]})
+    np.testing.assert_allclose(own["tip.y"], built_in["tip.y"], rtol=0, atol=1e-8)
+
+
+def test_a_callback_controls_what_a_load_gives(rod: dict[str, Any]) -> None:
+    free = rod | {"gravity": [0, 0, 0]}
+    speed, force = 0.5, 0.0
+
+    def control(instant: ancf.Instant) -> None:
+        nonlocal force
+        force = 4.0 * (speed - instant.probe("tip").velocity[1])
+
+    result = ancf.run(
+        free | {"loads": push(lambda _: force), "analysis": rod["analysis"] | {"duration": 1.0}},
+        callback=control,
+    )
+    assert result.probe("tip").velocity[-1, 1] == pytest.approx(speed, rel=0.02)
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_what_a_callable_raises_ends_the_run(rod: dict[str, Any], late: bool) -> None:
+    def fail(t: float) -> float:
+        if t > 0.1 or not late:
+            msg = "no more"
+            raise ArithmeticError(msg)
+        return 1.0
+
+    with pytest.raises(ArithmeticError, match="no more") as caught:
+        ancf.run(rod | {"loads": push(fail)})
+    if late:
+        assert len(caught.value.result) == 101  # type: ignore[attr-defined]
+
+
+def test_what_is_no_number_is_refused(rod: dict[str, Any]) -> None:
+    with pytest.raises(TypeError):
+        ancf.run(rod | {"loads": push(lambda _: "strong")})
+
+
+def test_a_function_that_nobody_supplies_is_refused(rod: dict[str, Any]) -> None:
+    with pytest.raises(ancf.ModelError, match=r'loads\[0\]\.time\.name: found the external function "motor"'):
+        ancf.run(rod | {"loads": push({"kind": "external", "name": "motor"})})

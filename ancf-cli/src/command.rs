@@ -15,6 +15,7 @@ use crate::conclusion::Conclusion;
 use crate::folder::Folder;
 use crate::paper;
 use crate::progress::{Progress, ctrl_c, print, say};
+use crate::study;
 use crate::verify;
 
 /// What to do.
@@ -37,6 +38,9 @@ pub enum Command {
         #[arg(short, long)]
         quiet: bool,
     },
+    /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
+    #[command(after_help = study::EXAMPLES)]
+    Study(study::Arguments),
     /// Print the model in the units in which its equations are solved.
     Scaled {
         /// The model file (TOML).
@@ -113,6 +117,7 @@ impl Command {
             Self::Run { file, output, quiet } => {
                 with_model(&file, |model| simulate_into(model, &file, &output, quiet))
             }
+            Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 print(&ancf::model::schema_text());
                 Ok(Ended::Done)
@@ -137,8 +142,8 @@ fn with_model(file: &Path, then: impl FnOnce(&Model) -> Result<Ended>) -> Result
     }
 }
 
-/// Says what is wrong with a model file.
-fn refuse(errors: &[ModelError], file: &Path) -> Ended {
+/// Says what is wrong with a file.
+pub fn refuse(errors: &[ModelError], file: &Path) -> Ended {
     let text = fs::read(file).unwrap_or_default();
     say(check::render(errors, &file.display().to_string(), &String::from_utf8_lossy(&text)).trim_end());
     Ended::BadInput

@@ -126,12 +126,12 @@ impl Sink for Conclusion<'_> {
 }
 
 /// "1 step", "2 steps".
-fn count(number: u64, thing: &str) -> String {
+pub fn count(number: u64, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
 /// At most six digits, without trailing zeros.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 

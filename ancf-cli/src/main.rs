@@ -8,6 +8,7 @@ mod folder;
 mod paper;
 mod progress;
 mod report;
+mod study;
 mod verify;
 
 use std::process::ExitCode;

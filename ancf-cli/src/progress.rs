@@ -29,17 +29,31 @@ pub struct Progress {
     iterations: Option<usize>,
 }
 
+/// A bar that is full after so many cases; it appears on terminals only.
+pub fn cases(count: u64) -> ProgressBar {
+    bar(count, "{bar:30} {pos}/{len} cases  {msg}  [{elapsed_precise}, {eta} left]")
+}
+
+/// No bar.
+pub fn no_bar() -> ProgressBar {
+    ProgressBar::hidden()
+}
+
+fn bar(length: u64, template: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar =
+        ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr_with_hz(10)).with_style(style);
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
 /// Resolution of the bar.
 const TICKS: u64 = 1000;
 
 impl Progress {
     /// A bar that is full at time `duration`; it appears on terminals only.
     pub fn until(duration: f64) -> Self {
-        let template = "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}]";
-        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = ProgressBar::with_draw_target(Some(TICKS), ProgressDrawTarget::stderr_with_hz(10))
-            .with_style(style);
-        bar.enable_steady_tick(Duration::from_millis(200));
+        let bar = bar(TICKS, "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}]");
         Self { bar, duration, iterations: None }
     }
 

@@ -4,6 +4,7 @@ mod callables;
 mod data;
 mod follower;
 mod model;
+mod part;
 mod run;
 mod signals;
 mod states;
@@ -15,6 +16,8 @@ use pyo3::prelude::*;
 mod _ancf {
     #[pymodule_export]
     use super::model::{diagnose, plain, read, scaled, schema, to_toml};
+    #[pymodule_export]
+    use super::part::check_part;
     #[pymodule_export]
     use super::run::Simulation;
     #[pymodule_export]

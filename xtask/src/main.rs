@@ -3,6 +3,7 @@
 mod debian;
 mod environment;
 mod package;
+mod python;
 mod speed;
 
 use std::env;
@@ -18,7 +19,7 @@ const HELP: &str = "\
 cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions, Python
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
 cargo xtask docs            the site, into target/site
-cargo xtask schema          refresh docs/model.schema.json after a change of the model types
+cargo xtask schema          refresh docs/model.schema.json and the classes of Python after a change of the model types
 cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
@@ -96,7 +97,7 @@ fn root() -> PathBuf {
     own.parent().unwrap_or(own).to_owned()
 }
 
-/// Writes the JSON Schema of model files as the program prints it.
+/// Writes the JSON Schema of model files as the program prints it, and the classes of Python by it.
 fn schema() -> Done {
     let output = Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--package", "ancf-cli", "--", "schema"])
@@ -106,7 +107,8 @@ fn schema() -> Done {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
     let path = root().join("docs/model.schema.json");
-    fs::write(&path, output.stdout).map_err(|error| format!("{}: {error}", path.display()))
+    fs::write(&path, &output.stdout).map_err(|error| format!("{}: {error}", path.display()))?;
+    python::write(&String::from_utf8_lossy(&output.stdout))
 }
 
 fn say(text: &str) {

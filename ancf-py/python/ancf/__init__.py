@@ -4,10 +4,11 @@ A model is stated in typed objects (`Model`, `Beam`, ...), in dictionaries, or i
 its analysis, and a `Result` has what was computed as NumPy arrays.
 """
 
-from ancf import _ancf
+from ancf import _ancf, model
 from ancf.analysis import buckling, check, modes, path, run, statics
 from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
+from ancf.model import *  # noqa: F403
 from ancf.result import Result
 
 __version__ = _ancf.VERSION
@@ -25,4 +26,5 @@ __all__ = [
     "path",
     "run",
     "statics",
+    *model.__all__,
 ]

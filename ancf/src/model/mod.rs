@@ -1,6 +1,7 @@
 //! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
 
 mod acting;
+mod address;
 mod analysis;
 mod assemble;
 mod body;
@@ -30,6 +31,7 @@ mod mechanism;
 mod meshes;
 mod motion;
 mod output;
+mod part;
 mod read;
 mod redundant;
 mod rigid;
@@ -42,6 +44,7 @@ mod scheme;
 mod section;
 mod shape;
 mod spread;
+mod substitute;
 mod supply;
 mod survey;
 mod syntax;
@@ -75,12 +78,16 @@ pub use material::{Damping, Material, MaterialLaw};
 pub use mechanism::{FreeMotion, Motion};
 pub use motion::InitialMotion;
 pub use output::{Output, Probe, Quantity};
+pub use part::check_part;
+pub use read::parse_as;
 pub use redundant::Redundant;
 pub use rigid::{PointMass, Rigid};
 pub use scale_choice::{Chosen, ScaleChoice};
-pub use schema::{schema, schema_text};
+pub use schema::{nearest, schema, schema_text};
 pub use section::Section;
 pub use shape::Shape;
+pub use substitute::substitute;
+pub use survey::join;
 
 /// A flexible multibody model as its user states it.
 ///
@@ -88,7 +95,10 @@ pub use shape::Shape;
 /// built in Rust, printed, and rewritten in other units by [`Model::scaled`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "ancf model")]
+#[schemars(
+    title = "ancf model",
+    description = "A flexible multibody model.\n\nEvery number is in your own coherent units (m-kg-s, mm-t-s, ...)."
+)]
 pub struct Model {
     /// A line that says what this model is.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,10 +3,13 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value as Json;
 use toml::Value;
 
 use super::check::broken_rules;
 use super::redundant::contradictions;
+use super::schema::SCHEMA;
 use super::survey::{Finding, Survey};
 use super::syntax::{Document, position};
 use super::{Model, ModelError, ModelErrors};
@@ -31,15 +34,7 @@ impl Model {
     /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
-        let mut document = Document::parse(text);
-        let (model, findings) = judge(&Value::Table(std::mem::take(&mut document.data)));
-        let is_hidden = |finding: &Finding| finding.absence || document.is_spoilt(&finding.error.path);
-        let findings =
-            findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
-        let mut errors: Vec<_> = findings.map(|finding| placed(finding, &document, text)).collect();
-        errors.extend(document.errors);
-        errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
-        model.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+        judged(text, judge)
     }
 
     /// Makes a model of data such as a table of another language, and checks it.
@@ -76,9 +71,48 @@ fn broken(model: &Model) -> Vec<Finding> {
     if findings.is_empty() { contradictions(model) } else { findings }
 }
 
+/// Reads a TOML text of another type by the rules for model files: `schema` says what it may have, `rules` what else must hold.
+///
+/// The schema is that of the type by schemars, with all it consists of in place (`SchemaSettings::inline_subschemas`).
+///
+/// # Errors
+/// All that is wrong, in the order of the text; broken rules only where the text has the form of the schema.
+pub fn parse_as<T: DeserializeOwned>(
+    text: &str,
+    schema: &'static Json,
+    rules: impl FnOnce(&T) -> Vec<ModelError>,
+) -> Result<T, ModelErrors> {
+    judged(text, |data| {
+        let (survey, mended) = Survey::of(schema, data);
+        let mut findings = survey.findings;
+        match T::deserialize(mended) {
+            Ok(value) if findings.is_empty() => {
+                findings.extend(rules(&value).into_iter().map(Finding::from));
+                (Some(value), findings)
+            }
+            Err(error) if findings.is_empty() => {
+                (None, vec![ModelError::new("", error.to_string(), "the form of the schema").into()])
+            }
+            _ => (None, findings),
+        }
+    })
+}
+
+/// Reads a text, has its data judged, and puts what was found in its place.
+fn judged<T>(text: &str, judge: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>)) -> Result<T, ModelErrors> {
+    let mut document = Document::parse(text);
+    let (value, findings) = judge(&Value::Table(std::mem::take(&mut document.data)));
+    let is_hidden = |finding: &Finding| finding.absence || document.is_spoilt(&finding.error.path);
+    let findings = findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
+    let mut errors: Vec<_> = findings.map(|finding| placed(finding, &document, text)).collect();
+    errors.extend(document.errors);
+    errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
+    value.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+}
+
 /// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
 fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut survey, mended) = Survey::of(data);
+    let (mut survey, mended) = Survey::of(&SCHEMA, data);
     let mut findings = std::mem::take(&mut survey.findings);
     let model = Model::deserialize(mended);
     let broken = model.as_ref().map(broken_rules).unwrap_or_default();

@@ -41,9 +41,15 @@ pub(super) fn forms(schema: &'static Json) -> Vec<&'static Json> {
         return forms(&SCHEMA["$defs"][name]);
     }
     match ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array()) {
-        Some(forms_of) => forms_of.iter().flat_map(forms).collect(),
+        // That a key may be left out is no form of its value.
+        Some(forms_of) => forms_of.iter().flat_map(forms).filter(|form| form["type"] != "null").collect(),
         None => vec![schema],
     }
+}
+
+/// Whether a form admits anything.
+pub(super) fn is_free(form: &Json) -> bool {
+    form["type"].is_null() && form["const"].is_null()
 }
 
 /// The type of a form; that a key may be left out (`null`) is said by `required`.
@@ -183,7 +189,7 @@ pub(super) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> Str
 }
 
 /// The candidate that was probably meant by a word, if at most a third of the letters differ.
-pub(super) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
     let near = candidates.into_iter().map(|candidate| (distance(candidate), candidate));

@@ -1,6 +1,6 @@
-//! Compares data with the schema of a model, collects all that is wrong, and mends a copy.
+//! Compares data with a schema, such as that of a model, collects all that is wrong, and mends a copy.
 //!
-//! The mended copy is a model again, so that the rules of `check` can be applied to the rest of it.
+//! The mended copy has the form of the schema, so that the rules of `check` can be applied to the rest of it.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use super::ModelError;
 use super::schema::{
-    SCHEMA, allows, forms, found, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
+    allows, forms, found, is_free, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
 };
 
 /// An error and what decides whether and where it is reported.
@@ -44,10 +44,10 @@ pub(super) struct Survey {
 type Entries<'a> = BTreeMap<&'a str, (&'a str, &'a Value)>;
 
 impl Survey {
-    /// Compares data with the schema; returns a copy of the data that has the form of a model.
-    pub(super) fn of(data: &Value) -> (Self, Value) {
+    /// Compares data with a schema; returns a copy of the data that has its form.
+    pub(super) fn of(schema: &'static Json, data: &Value) -> (Self, Value) {
         let mut survey = Self::default();
-        let mended = survey.value(&SCHEMA, data, "");
+        let mended = survey.value(schema, data, "");
         (survey, mended)
     }
 
@@ -66,6 +66,9 @@ impl Survey {
 
     fn value(&mut self, schema: &'static Json, value: &Value, path: &str) -> Value {
         let forms = forms(schema);
+        if forms.iter().any(|form| is_free(form)) {
+            return value.clone();
+        }
         let of = |kinds: &[&str]| {
             forms.iter().copied().filter(|form| kinds.contains(&kind(form))).collect::<Vec<_>>()
         };
@@ -286,8 +289,8 @@ fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
     forms.iter().copied().rev().max_by_key(|form| fit(form)).unwrap_or(forms[0])
 }
 
-/// The path of a key in a table.
-pub(super) fn join(path: &str, key: &str) -> String {
+/// The path of a key in a table, as TOML spells it: in quotes if it has other signs than letters, digits, `_` and `-`.
+pub fn join(path: &str, key: &str) -> String {
     let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
     let key = if bare { key.to_owned() } else { format!("{key:?}") };
     if path.is_empty() { key } else { format!("{path}.{key}") }

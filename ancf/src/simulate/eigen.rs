@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::equilibria::{equilibrium, settled, unloaded};
 use super::{Ended, Reason, Run};
-use crate::analysis::{Critical, EigenError, Mode, buckling, modes};
+use crate::analysis::{Critical, EigenError, Failure, Mode, buckling, modes};
 use crate::model::{About, Buckling, Model, Modes};
 use crate::system::{EquationsOfMotion, State};
 
@@ -19,7 +19,11 @@ impl Run<'_> {
             (About::Equilibrium, Ok(())) => equilibrium(self.assembly, start, self.interrupt),
             (About::Equilibrium, Err(free)) => {
                 // What nothing holds without loads may hang on them.
-                let settled = settled(self.assembly, model, start, self.interrupt).map_err(|_| free)?;
+                let settled = settled(self.assembly, model, start, self.interrupt);
+                let settled = settled.map_err(|error| match error.failure {
+                    Failure::Interrupted => error.into(),
+                    _ => free,
+                })?;
                 self.held(&settled)?;
                 match self.assembly.system.completed(&settled) {
                     Some(_) => equilibrium(self.assembly, settled, self.interrupt),

@@ -1,0 +1,74 @@
+//! What a study came to, for the terminal.
+
+use super::results::Results;
+use super::row::Ending;
+use crate::command::Ended;
+use crate::conclusion::{count, short};
+
+/// Messages that are shown; the others are in the table.
+const SHOWN: usize = 3;
+
+/// Least value, mean and largest value of each objective over the cases that have it, as aligned lines.
+pub fn ranges(results: &Results<'_>) -> String {
+    let mut lines = vec![["objective", "least", "mean", "largest"].map(str::to_owned)];
+    for (k, name) in results.objectives().keys().enumerate() {
+        let values: Vec<f64> = results.rows().filter_map(|(_, row)| row.objectives[k]).collect();
+        let bound = |better: fn(f64, f64) -> f64| values.iter().copied().reduce(better);
+        let mean = (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64);
+        let shown = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), short);
+        lines.push([name.clone(), shown(bound(f64::min)), shown(mean), shown(bound(f64::max))]);
+    }
+    if lines.len() == 1 {
+        return String::new();
+    }
+    let width = lines.iter().map(|[name, ..]| name.chars().count()).max().unwrap_or(0);
+    let line = |[name, least, mean, most]: &[String; 4]| {
+        format!("{name:width$}  {least:>13}  {mean:>13}  {most:>13}\n")
+    };
+    lines.iter().map(line).collect()
+}
+
+/// The first messages of cases that failed or were invalid.
+pub fn failures(results: &Results<'_>) -> Vec<String> {
+    let is_failure = |ending| matches!(ending, Ending::Failed | Ending::Invalid);
+    let failed: Vec<_> = results.rows().filter(|(_, row)| is_failure(row.ending)).collect();
+    let line = |(case, row): &(usize, &super::row::Row)| {
+        let message = row.message.as_deref().unwrap_or_default();
+        let message = message.replace('\n', "\n  ");
+        let kind = if row.ending == Ending::Invalid { "invalid: " } else { "" };
+        format!("case {case}: {kind}{message}")
+    };
+    let mut lines: Vec<_> = failed.iter().take(SHOWN).map(line).collect();
+    if failed.len() > SHOWN {
+        lines.push(format!("and {} more: see the column `message`", failed.len() - SHOWN));
+    }
+    lines
+}
+
+/// How many cases failed or were invalid, if any.
+pub fn trouble(results: &Results<'_>) -> String {
+    let words = [Ending::Failed, Ending::Invalid].map(|ending| match results.count(ending) {
+        0 => String::new(),
+        count => format!("{count} {}", ending.word()),
+    });
+    words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// How the study ended.
+pub fn sentence(results: &Results<'_>, seconds: f64) -> String {
+    let stopped = results.count(Ending::Stopped);
+    let done = (results.done() - stopped) as u64;
+    let (word, cases) = match results.ended() {
+        Ended::Stopped => ("stopped", format!("{done} of {}", count(results.wanted() as u64, "case"))),
+        _ => ("done", count(done, "case")),
+    };
+    let taken_over = match results.taken_over() {
+        0 => String::new(),
+        count => format!(" ({count} taken over)"),
+    };
+    let trouble = match trouble(results) {
+        none if none.is_empty() => none,
+        trouble => format!(", {trouble}"),
+    };
+    format!("{word}: {cases}{taken_over}{trouble}, {seconds:.3} s; results in {}", results.path().display())
+}

@@ -1,0 +1,80 @@
+//! Types of the schema as type hints of Python.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value as Json;
+
+use super::form::{alternatives, definition, forms, referred};
+use super::names;
+
+/// The name of the class or type of a definition.
+pub(super) fn type_name(schema: &Json, name: &str) -> String {
+    match &forms(name, definition(schema, name))[..] {
+        [form] if form.class == name => form.class.clone(),
+        _ => names::alias(name).to_owned(),
+    }
+}
+
+/// The type hint of a schema, and the names that it uses.
+pub(super) fn hint(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
+    arms(schema, of, uses).join(" | ")
+}
+
+/// The types that a schema allows; words go together.
+pub(super) fn arms(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> Vec<String> {
+    let alternatives = alternatives(of);
+    let words: Vec<String> =
+        alternatives.iter().filter_map(|form| Some(format!("{:?}", form["const"].as_str()?))).collect();
+    let mut arms = Vec::new();
+    if !words.is_empty() {
+        uses.insert("Literal".into());
+        arms.push(format!("Literal[{}]", words.join(", ")));
+    }
+    let others = alternatives.into_iter().filter(|form| form["const"].is_null());
+    arms.extend(others.map(|form| one(schema, form, uses)));
+    arms
+}
+
+fn one(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
+    if let Some(name) = referred(of) {
+        let name = type_name(schema, name);
+        uses.insert(name.clone());
+        return name;
+    }
+    match kind(of) {
+        "number" => "float".into(),
+        "integer" => "int".into(),
+        "boolean" => "bool".into(),
+        "string" => "str".into(),
+        "array" => array(schema, of, uses),
+        _ => {
+            uses.insert("Mapping".into());
+            format!("Mapping[str, {}]", hint(schema, &of["additionalProperties"], uses))
+        }
+    }
+}
+
+fn array(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
+    let items = &of["items"];
+    let name = match (kind(items), of["minItems"].as_u64(), of["maxItems"].as_u64()) {
+        ("number", Some(3), Some(3)) => "Vector",
+        ("number", ..) => "Numbers",
+        ("array", ..) => "Points",
+        _ => {
+            uses.insert("Sequence".into());
+            return format!("Sequence[{}]", hint(schema, items, uses));
+        }
+    };
+    uses.insert(name.into());
+    name.into()
+}
+
+/// The type of a schema that is no reference and has no alternatives.
+pub(super) fn kind(of: &Json) -> &str {
+    match &of["type"] {
+        Json::Array(kinds) => {
+            kinds.iter().filter_map(Json::as_str).find(|kind| *kind != "null").unwrap_or_default()
+        }
+        kind => kind.as_str().unwrap_or_default(),
+    }
+}

@@ -1,5 +1,7 @@
 """The site: `cargo xtask docs` builds it, runs every code cell and every notebook, and fails on any warning."""
 
+import ast
+import inspect
 import re
 from os.path import relpath
 from pathlib import Path
@@ -14,7 +16,7 @@ project = "ancf"
 release = ancf.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 default_role = "code"
-nitpicky = False
+add_module_names = False
 
 html_theme = "furo"
 html_title = f"ancf {release}"
@@ -67,6 +69,23 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
     return f"[{words}]({relpath(target, page.parent)}{anchor})" if target.exists() else words
 
 
+def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
+    """Bars are bars; attributes of the parts of a model are what they are built with, with types as they are written."""
+    lines[:] = [line.replace("|", r"\|") for line in lines]
+    if what == "class" and isinstance(thing, type) and "Attributes" in lines:
+        types = stated(thing)
+        at = lines.index("Attributes")
+        lines[at:] = ["Parameters", "----------", *(types.get(line, line) for line in lines[at + 2 :])]
+
+
+def stated(part: type) -> dict[str, str]:
+    """Attributes of a class with their types, in the words of its source."""
+    body = ast.parse(inspect.getsource(part)).body[0].body  # type: ignore[attr-defined]
+    found = {item.target.id: ast.unparse(item.annotation) for item in body if isinstance(item, ast.AnnAssign)}
+    return {name: f"{name} : {text.replace(' | None', ', optional')}" for name, text in found.items()}
+
+
 def setup(app: "Sphinx") -> None:
-    """Read pages by `read`."""
+    """Read pages by `read`, and docstrings by `keys` before napoleon does."""
     app.connect("source-read", read)
+    app.connect("autodoc-process-docstring", keys, priority=400)

@@ -70,7 +70,7 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
 
 
 def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
-    """Bars are bars; attributes of the parts of a model are what they are built with, with types as they are written."""
+    """Bars are bars; attributes of parts of a model are what they are built with, their types as they are written."""
     lines[:] = [line.replace("|", r"\|") for line in lines]
     if what == "class" and isinstance(thing, type) and "Attributes" in lines:
         types = stated(thing)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ancf.pictures import Pictures
 from ancf.record import Array, Record
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from ancf._ancf import States
 
 
-class Result(Record):
+class Result(Pictures, Record):
     """What an analysis computed: rows in time, of equilibria, modes or critical loads, as NumPy arrays.
 
     Columns, probes, reactions and energies are views of one array, `data`; fields are computed from the

@@ -2,6 +2,7 @@ use ancf::Model;
 use ancf::function::{External, ForceFunction, Instant};
 use ancf::model::{Load, Step, TimeFunction, Varying};
 use pyo3::prelude::*;
+use toml::{Table, Value};
 
 use crate::signals::Signals;
 
@@ -32,6 +33,12 @@ impl Callables {
         path.to_owned()
     }
 
+    /// The function that a table asks for, if it was met in this role.
+    pub(crate) fn function(&self, table: &Table, role: Role) -> Option<&Py<PyAny>> {
+        let name = table.get("name").filter(|_| table.get("kind").is_some_and(is_external))?.as_str()?;
+        self.0.iter().find(|one| one.role == role && one.name == name).map(|one| &one.function)
+    }
+
     /// Gives them to the model; what they raise ends its runs.
     pub(crate) fn supply(self, model: &mut Model, signals: &Signals) {
         let step = model.analysis.dynamics().map_or(1.0, |settings| match settings.step {
@@ -50,6 +57,10 @@ impl Callables {
             }
         }
     }
+}
+
+fn is_external(kind: &Value) -> bool {
+    kind.as_str() == Some("external")
 }
 
 /// Whether a load takes the value of the function of a name, and no rates.

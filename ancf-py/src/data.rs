@@ -24,6 +24,11 @@ impl Data {
         self.value(any).map(Some)
     }
 
+    /// Says where the next object is.
+    pub(crate) fn begin_at(&mut self, path: &str) {
+        self.path = path.to_owned();
+    }
+
     fn value(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
         if let Ok(yes) = any.cast::<PyBool>() {
             return Ok(Value::Boolean(yes.is_true()));
@@ -116,6 +121,15 @@ pub(crate) fn table(any: &Bound<'_, PyAny>) -> PyResult<Value> {
 
 /// Python's dictionaries, lists and numbers for data.
 pub(crate) fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+    restored(py, value, &Callables::default())
+}
+
+/// The same, with functions again where they were met.
+pub(crate) fn restored<'py>(
+    py: Python<'py>,
+    value: &Value,
+    callables: &Callables,
+) -> PyResult<Bound<'py, PyAny>> {
     match value {
         Value::String(text) => text.into_bound_py_any(py),
         Value::Integer(n) => n.into_bound_py_any(py),
@@ -123,13 +137,20 @@ pub(crate) fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py,
         Value::Boolean(yes) => yes.into_bound_py_any(py),
         Value::Datetime(date) => date.to_string().into_bound_py_any(py),
         Value::Array(items) => {
-            let items: Vec<_> = items.iter().map(|item| object(py, item)).collect::<PyResult<_>>()?;
+            let items: Vec<_> =
+                items.iter().map(|item| restored(py, item, callables)).collect::<PyResult<_>>()?;
             Ok(PyList::new(py, items)?.into_any())
+        }
+        Value::Table(table) if table.len() == 2 && callables.function(table, Role::Time).is_some() => {
+            callables.function(table, Role::Time).into_bound_py_any(py)
         }
         Value::Table(table) => {
             let dict = PyDict::new(py);
             for (key, value) in table {
-                dict.set_item(key, object(py, value)?)?;
+                dict.set_item(key, restored(py, value, callables)?)?;
+            }
+            if let Some(force) = callables.function(table, Role::Force) {
+                dict.set_item("name", force)?;
             }
             Ok(dict.into_any())
         }

@@ -2,11 +2,11 @@ use std::path::PathBuf;
 
 use ancf::model::{ModelErrors, schema_text};
 use ancf::{Model, Scales};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use toml::Value;
+use toml::{Table, Value};
 
-use crate::data::{object, table};
+use crate::data::{Data, object, restored, table};
 
 /// `ancf.ModelError` with all errors of a model, and the file that it is from.
 pub(crate) fn refused(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) -> PyErr {
@@ -56,6 +56,24 @@ pub(crate) fn plain<'py>(py: Python<'py>, data: &Bound<'py, PyAny>) -> PyResult<
     let value = table(data)?;
     valid(py, &value)?;
     object(py, &value)
+}
+
+/// Data of a model in which a path has another value, and the paths that were set.
+#[pyfunction]
+pub(crate) fn substitute<'py>(
+    data: &Bound<'py, PyAny>,
+    path: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
+    let (py, mut reader) = (data.py(), Data::default());
+    let mut model = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    reader.begin_at(path);
+    let Some(value) = reader.read(value)? else {
+        return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
+    };
+    let set = ancf::model::substitute(&mut model, path, value);
+    let set = set.map_err(|error| refused(py, &ModelErrors(vec![error]), None))?;
+    Ok((restored(py, &model, &reader.callables)?, set))
 }
 
 /// The text of a model file.

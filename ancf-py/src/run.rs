@@ -18,6 +18,7 @@ use crate::states::{Keep, States};
 #[derive(Debug)]
 pub(crate) struct Simulation {
     simulation: Arc<ancf::Simulation>,
+    data: Value,
     analysis: Analysis,
     every: u32,
     signals: Signals,
@@ -39,7 +40,13 @@ impl Simulation {
         }
         let simulation = simulation.map_err(|errors| refused(py, &errors, None))?;
         let simulation = Arc::new(simulation.heeding(signals.interrupt()));
-        Ok(Self { simulation, analysis: model.analysis, every: model.output.every, signals })
+        Ok(Self { simulation, data: value, analysis: model.analysis, every: model.output.every, signals })
+    }
+
+    /// The model as plain data; functions are those that a program supplies.
+    #[getter]
+    fn model<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.data)
     }
 
     /// Kind of the analysis and, of a motion, its duration.

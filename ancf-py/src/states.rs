@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf::system::State;
 use ancf::{Field, Fields, Simulation};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 
 /// States of a run, from which fields are read.
@@ -66,12 +66,13 @@ impl Frames {
         }
     }
 
-    /// The frames as states, one after the other in the same place.
-    fn each(&self, mut s: State, mut see: impl FnMut(&State)) {
+    /// Frames of these numbers as states, one after the other in the same place.
+    fn each(&self, frames: &[usize], mut s: State, mut see: impl FnMut(&State)) {
         let n = s.q.len();
         let width = if self.keep == Keep::All { 3 * n } else { n };
-        for (&[t, load], numbers) in self.at.iter().zip(self.numbers.chunks_exact(width.max(1))) {
-            (s.t, s.load) = (t, load);
+        for &frame in frames {
+            let numbers = &self.numbers[frame * width..][..width];
+            [s.t, s.load] = self.at[frame];
             s.q.copy_from_slice(&numbers[..n]);
             if self.keep == Keep::All {
                 s.v.copy_from_slice(&numbers[n..2 * n]);
@@ -90,8 +91,20 @@ impl States {
 
 #[pymethods]
 impl States {
-    /// A field at the stations along all bodies: [frame, station, number].
-    fn field<'py>(&self, py: Python<'py>, name: &str, parts: u32) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    /// A field at the stations along all bodies, in all frames or in some: [frame, station, number].
+    #[pyo3(signature = (name, parts, frames=None))]
+    fn field<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        parts: u32,
+        frames: Option<Vec<usize>>,
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let count = self.frames.at.len();
+        let frames = frames.unwrap_or_else(|| (0..count).collect());
+        if let Some(frame) = frames.iter().find(|frame| **frame >= count) {
+            return Err(PyIndexError::new_err(format!("row {frame} of {count}")));
+        }
         let Some((_, field)) = Field::ALL.into_iter().find(|(own, _)| *own == name) else {
             let names: Vec<_> = Field::ALL.iter().map(|(name, _)| format!("{name:?}")).collect();
             let (found, wanted) = (name, names.join(", "));
@@ -112,11 +125,12 @@ impl States {
         let (numbers, stations) = py.detach(|| {
             let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
             let stations = fields.stations().len();
-            let mut numbers = Vec::with_capacity(self.frames.at.len() * stations * field.width());
-            self.frames.each(self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
+            let mut numbers = Vec::with_capacity(frames.len() * stations * field.width());
+            self.frames
+                .each(&frames, self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
             (numbers, stations)
         });
-        PyArray1::from_vec(py, numbers).reshape([self.frames.at.len(), stations, field.width()])
+        PyArray1::from_vec(py, numbers).reshape([frames.len(), stations, field.width()])
     }
 
     /// Names of the bodies, and the body's number and the arc length of each station.

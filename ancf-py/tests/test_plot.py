@@ -1,6 +1,5 @@
 """Pictures by matplotlib show what the result has."""
 
-# ruff: noqa: ANN401, D103
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -15,7 +14,7 @@ import pytest
 from PIL import Image
 
 import ancf
-from ancf import _ancf, animation
+from ancf import animation
 
 mpl.use("Agg")
 
@@ -25,10 +24,7 @@ MODELS = Path(__file__).parents[2] / "models"
 @cache
 def result(name: str) -> Any:
     """The result of a model of the collection."""
-    path = MODELS / f"{name}.toml"
-    found: Any = ancf.run(path)
-    found.model = _ancf.read(path)
-    return found
+    return ancf.run(MODELS / f"{name}.toml")
 
 
 @pytest.fixture(autouse=True)

@@ -1,6 +1,5 @@
 """Surfaces have the volumes, areas and places of the bodies; pictures are written without a screen."""
 
-# ruff: noqa: ANN401, D103
 from __future__ import annotations
 
 from functools import cache
@@ -14,22 +13,15 @@ from ancf.surface import inertial
 from PIL import Image
 
 import ancf
-from ancf import _ancf, stage
+from ancf import stage
 
 MODELS = Path(__file__).parents[2] / "models"
-
-
-def known(data: dict[str, Any]) -> Any:
-    """The result of a model, which it knows."""
-    found: Any = ancf.run(data)
-    found.model = data
-    return found
 
 
 @cache
 def result(name: str) -> Any:
     """The result of a model of the collection."""
-    return known(_ancf.read(MODELS / f"{name}.toml"))
+    return ancf.run(MODELS / f"{name}.toml")
 
 
 def rod(section: dict[str, Any], end: dict[str, Any] | None = None) -> Any:
@@ -47,7 +39,7 @@ def rod(section: dict[str, Any], end: dict[str, Any] | None = None) -> Any:
     sections = {"own": section}
     if end is not None:
         beam["section_end"], sections["end"] = "end", end
-    return known(
+    return ancf.run(
         {
             "materials": {"steel": {"density": 7850, "young": 2.1e11}},
             "sections": sections,
@@ -108,13 +100,6 @@ def test_bending_keeps_the_volume() -> None:
     wire = mesh.extract_cells(mesh["body"] == 0).extract_surface(algorithm="dataset_surface")
     length = np.hypot(6 * 2 * np.pi * 0.025, 0.072)
     assert volume(wire) == pytest.approx(np.pi * 0.002**2 * length * polygon(24), rel=2e-3)
-
-
-def test_without_a_model_beams_are_tubes_of_a_fiftieth_of_their_length() -> None:
-    run: Any = ancf.run(MODELS / "cantilever.toml")
-    run.model = None
-    mesh = run.scene(0, sides=48)
-    assert volume(mesh) == pytest.approx(np.pi * 0.01**2 * ROUND, rel=1e-4)
 
 
 def test_points_carry_arc_lengths_and_what_is_asked_for() -> None:

@@ -9,6 +9,12 @@ pub(crate) fn has(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
+/// Whether a shared library is there.
+pub(crate) fn has_library(name: &str) -> bool {
+    let known = Command::new("/sbin/ldconfig").arg("-p").output();
+    known.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains(name))
+}
+
 /// Installs a package, as root or without a password; whether that went well.
 pub(crate) fn install(package: &str) -> bool {
     let run = |program: &str, arguments: &[&str]| {

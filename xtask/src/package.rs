@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use crate::environment::Environment;
-use crate::{Done, root, run, say};
+use crate::{Done, debian, root, run, say};
 
 /// Installs the package with all that its tests and its documentation need, and runs them.
 pub(crate) fn test() -> Done {
@@ -27,6 +27,10 @@ pub(crate) fn docs() -> Done {
 }
 
 fn installed() -> Result<Environment, String> {
+    if cfg!(target_os = "linux") && !debian::has_library("libEGL.so.1") {
+        // What draws without a screen; whether it is there is seen by the tests of scenes.
+        let _ = ["libegl1", "libgl1-mesa-dri"].iter().all(|package| debian::install(package));
+    }
     let environment = Environment::at(&root().join("target/python"))?;
     environment.install([format!("{}[test,docs]", root().display())])?;
     Ok(environment)
@@ -37,5 +41,9 @@ fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]
     let mut command = Command::new(environment.program(program));
     command.args(arguments).current_dir(root());
     // Pictures are drawn without a screen.
-    run(what, command.env("MPLBACKEND", "Agg").env("PYVISTA_OFF_SCREEN", "true"))
+    command.env("MPLBACKEND", "Agg").env("PYVISTA_OFF_SCREEN", "true");
+    if cfg!(target_os = "linux") {
+        command.env("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow");
+    }
+    run(what, &mut command)
 }

@@ -77,7 +77,7 @@ def run(
     watch = None if callback is None else Watch(callback)
     with Bar(duration, progress) as bar:
         done = simulation.run(states, watch, bar.tick)
-    result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"])
+    result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"], simulation.model)
     error = done["error"]
     if error is not None:
         error.result = result  # type: ignore[attr-defined]

@@ -117,9 +117,9 @@ class Arms:
 
     @classmethod
     def of(cls, result: Result, lines: Lines, parts: int) -> Arms:
-        """Arms of all rigid bodies; none if the result does not know its model, or moves in modes."""
-        model = getattr(result, "model", None) or {}
-        rigid = [] if lines.modal else [body for body in model.get("bodies", []) if body["kind"] == "rigid"]
+        """Arms of all rigid bodies; none of modes."""
+        model = result.model
+        rigid = [] if lines.modal else [body for body in model["bodies"] if body["kind"] == "rigid"]
         stations, offsets = [], []
         for body in rigid:
             for place in sorted(set(tied(model, body["name"]))):

@@ -198,8 +198,7 @@ class Pictures:
 
         Each body is closed. Cells have the number of their `body`, points the arc length `s` and what
         `color` names. Rigid bodies, whose outlines a model does not know, are boxes in the proportions of
-        their inertia with arms to their joints, masses are balls. Without a model, beams are tubes of a
-        fiftieth of their length. In modes, sections do not twist.
+        their inertia with arms to their joints, masses are balls. In modes, sections do not twist.
 
         Parameters
         ----------

@@ -100,8 +100,14 @@ class Record:
         names = (column.rpartition(".") for column in self.columns)
         return list(dict.fromkeys(name for name, dot, suffix in names if dot and suffix in suffixes))
 
-    def field(self, name: str, body: str | None = None, parts: int = 1) -> Array:
-        """A quantity along the bodies, `[..., station, component]`, in a frame of its own for each row.
+    def field(
+        self,
+        name: str,
+        body: str | None = None,
+        parts: int = 1,
+        rows: int | slice | Sequence[int] | None = None,
+    ) -> Array:
+        """A quantity along the bodies, `[row, station, component]`, or `[station, component]` of one row.
 
         * `position`, `displacement`, `velocity`, `acceleration`: x, y, z
         * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components
@@ -109,9 +115,10 @@ class Record:
 
         Stations are the ends of elements and, with `parts` > 1, as many places within each; of rigid bodies
         their centres. They follow one another in the order of the bodies (see `stations`) or are those of
-        one `body`.
+        one `body`. Of long runs some `rows` may be enough: a number, a slice or several numbers.
         """
-        numbers = self.states.field(name, parts)
+        chosen = np.arange(len(self.states))[slice(None) if rows is None else rows]
+        numbers = self.states.field(name, parts, None if rows is None else np.atleast_1d(chosen).tolist())
         if body is not None:
             names, numbers_of, _ = self.states.stations(parts)
             if body not in names:
@@ -119,7 +126,7 @@ class Record:
             numbers = numbers[:, np.asarray(numbers_of) == names.index(body)]
         if name == "directors":
             numbers = numbers.reshape(*numbers.shape[:2], 3, 3)
-        return numbers.reshape(self.data.shape[:-1] + numbers.shape[1:])
+        return numbers[0] if np.ndim(chosen) == 0 or self.data.ndim == 1 else numbers
 
     def stations(self, parts: int = 1) -> list[tuple[str, float]]:
         """Body and arc length of each station of a field."""

@@ -26,14 +26,22 @@ class Result(Pictures, Record):
     """
 
     def __init__(
-        self, columns: list[str], data: Array, states: States, kind: str, summary: dict[str, Any]
+        self,
+        columns: list[str],
+        data: Array,
+        states: States,
+        kind: str,
+        summary: dict[str, Any],
+        model: dict[str, Any],
     ) -> None:
-        """Results of an analysis of a `kind`."""
+        """Results of an analysis of a `kind` of a model."""
         super().__init__(columns, data, states)
         self.kind = kind
         """Kind of the analysis: `dynamics`, `statics`, `path`, `modes` or `buckling`."""
         self.summary = summary
         """The run in a few numbers: outcome, steps, iterations, coordinates, units of the solver, ..."""
+        self.model = model
+        """The model, as plain data."""
 
     def __len__(self) -> int:
         """Number of rows."""

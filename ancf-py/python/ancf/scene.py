@@ -17,9 +17,6 @@ if TYPE_CHECKING:
     from ancf.record import Array
     from ancf.result import Result
 
-THIN = 50.0
-"""Length of a body of which no section is known, over its thickness."""
-
 
 class Scene:
     """The surfaces of all bodies of a result, put together once; only their points move."""
@@ -41,7 +38,7 @@ class Scene:
         self.directors = result.field("directors", parts=parts)
         self.values = None if color is None else self.lines.values(result, color, parts)
         """Numbers to colour by, `[row, station]`."""
-        self.model: Mapping[str, Any] = getattr(result, "model", None) or {}
+        self.model: Mapping[str, Any] = result.model
         self.sides, self._least = sides, least * self.lines.size
         self.surfaces = [*self._bodies(), *self._arms(), *self._obstacles()]
         starts = np.cumsum([0, *(len(surface.owners) for surface in self.surfaces)])
@@ -125,24 +122,22 @@ class Scene:
         return turned
 
     def _bodies(self) -> Iterator[Surface]:
-        data = {body["name"]: body for body in self.model.get("bodies", [])}
+        data = {body["name"]: body for body in self.model["bodies"]}
         size = self.lines.size
         for number, (name, span) in enumerate(self.lines.bodies.items()):
-            body = data.get(name, {})
+            body = data[name]
             if span.stop - span.start > 1:
                 s = self.lines.along[span]
-                start = self._outline(body.get("section"), s[-1])
-                end = self._outline(body["section_end"], s[-1]) if body.get("section_end") else start
+                start = self._outline(body["section"])
+                end = self._outline(body["section_end"]) if body.get("section_end") else start
                 yield Surface.swept(number, range(span.start, span.stop), start, end, s / s[-1])
-            elif body.get("kind") == "rigid":
+            elif body["kind"] == "rigid":
                 yield Surface.box(number, span.start, *inertial(body, 0.12 * size))
             else:
                 yield Surface.ball(number, span.start, np.zeros(3), 0.02 * size, self.sides)
 
-    def _outline(self, name: str | None, length: float) -> Outline:
-        unknown = {"kind": "circle", "diameter": length / THIN}
-        section = unknown if name is None else self.model["sections"][name]
-        return Outline.of(section, self.sides).swelled(self._least)
+    def _outline(self, name: str) -> Outline:
+        return Outline.of(self.model["sections"][name], self.sides).swelled(self._least)
 
     def _arms(self) -> Iterator[Surface]:
         numbers = {span.start: number for number, span in enumerate(self.lines.bodies.values())}
@@ -153,7 +148,7 @@ class Scene:
 
     def _obstacles(self) -> Iterator[Surface]:
         """Balls and cylinders that bodies touch from outside, on the ground or on rigid bodies."""
-        centres = {body["name"]: body["center"] for body in self.model.get("bodies", []) if "center" in body}
+        centres = {body["name"]: body["center"] for body in self.model["bodies"] if "center" in body}
         names = list(self.lines.bodies)
         for contact in self.model.get("contacts", []):
             obstacle, on = contact["with"], contact["with"].get("on", "ground")

@@ -2,8 +2,8 @@
 
 import ast
 import inspect
+import os
 import re
-from os.path import relpath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,9 @@ import ancf
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
+
+# Figures of cells go into the pages, wherever else they would be drawn.
+os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
 project = "ancf"
 release = ancf.__version__
@@ -23,6 +26,7 @@ html_title = f"ancf {release}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
+html_show_copyright = False
 
 myst_heading_anchors = 4
 nb_execution_mode = "force"
@@ -66,7 +70,7 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
         target /= "index.md"
     pages = {ROOT / name: DOCS / f"{page}.md" for page, name in ELSEWHERE.items()}
     target = pages.get(target, DOCS / "index.md" if target == ROOT / "README.md" else target)
-    return f"[{words}]({relpath(target, page.parent)}{anchor})" if target.exists() else words
+    return f"[{words}]({os.path.relpath(target, page.parent)}{anchor})" if target.exists() else words
 
 
 def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:

@@ -22,7 +22,8 @@ NOTEBOOKS = sorted(DOCS.rglob("*.ipynb"))
 TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",
     "sh": "run here by a shell, in the same folder",
-    "toml": "checked here as a model; written to the file that its first line names, for the blocks after it",
+    "toml": "written here to the file that its first line names, for the blocks after it; models are checked; those of "
+    "docs/model-file.md are read by ancf/tests/models.rs",
     "rust": "equal to a file in ancf/examples, which is run here",
     "{code-cell}": "run by the build of the site, which fails if a cell does",
     "text": "not code: what is printed, drawings",
@@ -34,7 +35,6 @@ TESTED_BY = {
 NOT_RUN = {
     "cargo xtask": "runs this test, or takes minutes",
     "cargo run --release -- paper": "takes minutes: ancf-cli/tests/paper.rs",
-    "ancf paper": "takes minutes: ancf-cli/tests/paper.rs",
     "ancf check FILE": "a synopsis: ancf-cli/tests/cli.rs",
     "ancf run FILE": "a synopsis: ancf-cli/tests/cli.rs",
     "ancf scaled FILE": "a synopsis: ancf-cli/tests/cli.rs",
@@ -98,6 +98,7 @@ def folder(tmp_path: Path, tools: Path, monkeypatch: pytest.MonkeyPatch) -> Path
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PATH", f"{tools}{os.pathsep}{os.environ['PATH']}")
     monkeypatch.setenv("MPLBACKEND", "Agg")
+    monkeypatch.setenv("SLURM_ARRAY_TASK_ID", "1")
     return tmp_path
 
 
@@ -111,9 +112,7 @@ def test_blocks_run(page: Path, folder: Path) -> None:
             exec(compile(code, page, "exec"), space)
         elif block.language == "sh":
             run(block)
-        elif (
-            block.language == "toml" and page.name != "model-file.md"
-        ):  # whose blocks ancf/tests/models.rs reads
+        elif block.language == "toml" and page.name != "model-file.md":
             write(block, folder)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -182,6 +183,24 @@ def test_notebooks_have_no_outputs(file: Path) -> None:
     for cell in book["cells"]:
         assert cell.get("outputs", []) == []
         assert cell.get("execution_count") is None
+
+
+def test_lists_have_all_there_is() -> None:
+    for page, files in [
+        ("decisions/index.md", "[0-9]*.md"),
+        ("notebooks/index.md", "*.ipynb"),
+        ("howto/index.md", "*.md"),
+    ]:
+        text = (DOCS / page).read_text(encoding="utf-8")
+        for file in (DOCS / page).parent.glob(files):
+            assert file.name == "index.md" or f"({file.name})" in text, (
+                f"docs/{page} does not name {file.name}"
+            )
+    problems = re.findall(
+        r"^    (\w+)::PROBLEM,$", (ROOT / "verification/src/problems/mod.rs").read_text(), re.M
+    )
+    named = re.findall(r"^\| \[`(\w+)`\]", (DOCS / "verification.md").read_text(encoding="utf-8"), re.M)
+    assert named == problems
 
 
 def test_there_are_five_notebooks() -> None:

@@ -11,11 +11,11 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from ancf.plot import style
 from PIL import Image
 
 import ancf
 from ancf import animation
-from ancf.plot import style
 
 mpl.use("Agg")
 

@@ -19,6 +19,7 @@ project = "ancf"
 release = ancf.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 default_role = "code"
+highlight_language = "text"
 add_module_names = False
 
 html_theme = "furo"

@@ -38,6 +38,7 @@ nb_execution_show_tb = True
 nb_merge_streams = True
 
 autodoc_member_order = "bysource"
+autodoc_type_aliases = {name: name for name in ("Array", "ModelLike")}
 autodoc_typehints = "description"
 autodoc_typehints_description_target = "documented"
 python_maximum_signature_line_length = 80
@@ -77,6 +78,9 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
 def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Bars are bars; attributes of parts of a model are what they are built with, their types as they are written."""
     lines[:] = [line.replace("|", r"\|") for line in lines]
+    if what in {"attribute", "property"}:
+        # An empty comment; else napoleon takes what is before a colon for a type.
+        lines[:0] = ["..", ""]
     if what == "class" and isinstance(thing, type) and "Attributes" in lines:
         types = stated(thing)
         at = lines.index("Attributes")

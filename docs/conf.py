@@ -77,7 +77,7 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
 
 def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Bars are bars; attributes of parts of a model are what they are built with, their types as they are written."""
-    lines[:] = [line.replace("|", r"\|") for line in lines]
+    lines[:] = [line.replace("|", r"\|") for line in lists(lines)]
     if what in {"attribute", "property"}:
         # An empty comment; else napoleon takes what is before a colon for a type.
         lines[:0] = ["..", ""]
@@ -85,6 +85,13 @@ def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, li
         types = stated(thing)
         at = lines.index("Attributes")
         lines[at:] = ["Parameters", "----------", *(types.get(line, line) for line in lines[at + 2 :])]
+
+
+def lists(lines: list[str]) -> list[str]:
+    """Tables of two columns, which a docstring has for its readers, as lists."""
+    heads = [k - 1 for k, line in enumerate(lines) if re.fullmatch(r"\|[-|]+\|", line)]
+    rows = [line for k, line in enumerate(lines) if k not in heads and k - 1 not in heads]
+    return [re.sub(r"^\| (.+?) \| (.+) \|$", r"* \1: \2", line) for line in rows]
 
 
 def stated(part: type) -> dict[str, str]:

@@ -7,8 +7,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import pytest
 from markdown_it import MarkdownIt
@@ -100,7 +104,23 @@ def folder(tmp_path: Path, tools: Path, monkeypatch: pytest.MonkeyPatch) -> Path
     monkeypatch.setenv("PATH", f"{tools}{os.pathsep}{os.environ['PATH']}")
     monkeypatch.setenv("MPLBACKEND", "Agg")
     monkeypatch.setenv("SLURM_ARRAY_TASK_ID", "1")
+    monkeypatch.setitem(sys.modules, "dask_jobqueue", slurm())
     return tmp_path
+
+
+def slurm() -> ModuleType:
+    """What stands for dask-jobqueue, as there is no SLURM here: jobs are threads of this process."""
+    local: Any = import_module("dask.distributed").LocalCluster
+
+    def start(cluster: Any, **_: object) -> None:
+        local.__init__(cluster, n_workers=0, threads_per_worker=2, processes=False, dashboard_address=None)
+
+    def scale(cluster: Any, count: int = 0, jobs: int = 0) -> object:
+        return local.scale(cluster, count or min(jobs, 2))
+
+    module: Any = ModuleType("dask_jobqueue")
+    module.SLURMCluster = type("SLURMCluster", (local,), {"__init__": start, "scale": scale})
+    return module  # type: ignore[no-any-return]
 
 
 @pytest.mark.parametrize("page", runnable(), ids=lambda page: str(page.relative_to(ROOT)))

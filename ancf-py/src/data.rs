@@ -1,7 +1,7 @@
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PySequence, PyString};
 use toml::{Table, Value};
 
 use crate::callables::{Callables, Role};
@@ -12,8 +12,12 @@ use crate::callables::{Callables, Role};
 #[derive(Debug, Default)]
 pub(crate) struct Data {
     path: String,
+    depth: usize,
     pub(crate) callables: Callables,
 }
+
+/// No model is nested as deeply.
+const DEEP: usize = 64;
 
 impl Data {
     /// The data of an object, nothing if it is `None`.
@@ -30,6 +34,16 @@ impl Data {
     }
 
     fn value(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
+        if self.depth == DEEP {
+            return Err(PyValueError::new_err("a model that holds itself, or is nested too deeply"));
+        }
+        self.depth += 1;
+        let value = self.shallow(any);
+        self.depth -= 1;
+        value
+    }
+
+    fn shallow(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
         if let Ok(yes) = any.cast::<PyBool>() {
             return Ok(Value::Boolean(yes.is_true()));
         }
@@ -80,11 +94,11 @@ impl Data {
     }
 
     fn array(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
-        let Ok(items) = any.try_iter() else {
+        let Ok(items) = any.cast::<PySequence>() else {
             return Err(self.unknown(any, "a number, a text, a sequence or a table"));
         };
         let mut data = Vec::new();
-        for (i, item) in items.enumerate() {
+        for (i, item) in items.try_iter()?.enumerate() {
             let length = self.path.len();
             self.path += &format!("[{i}]");
             data.push(self.value(&item?)?);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import pickle
 import signal
@@ -135,6 +136,14 @@ def test_errors_of_data_have_no_position(rod: dict[str, Any]) -> None:
     assert str(caught.value).splitlines()[1] == "gravity: found an array of 2, wanted an array of 3 numbers"
     with pytest.raises(TypeError, match=r"bodies\[0\]\.to\[1\]: found an object of type object"):
         ancf.run(rod | {"bodies": [rod["bodies"][0] | {"to": [0, object(), 0]}]})
+
+
+def test_data_that_never_end_are_refused(rod: dict[str, Any]) -> None:
+    rod["title"] = rod
+    with pytest.raises(ValueError, match="a model that holds itself"):
+        ancf.run(rod)
+    with pytest.raises(TypeError, match=r"gravity: found an object of type count"):
+        ancf.run({"gravity": itertools.count()})
 
 
 def test_numpy_numbers_are_numbers(rod: dict[str, Any]) -> None:

@@ -11,6 +11,7 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from ancf.plot import style
 from PIL import Image
 
 import ancf
@@ -249,3 +250,11 @@ def test_films_say_what_they_cannot_do(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.setattr("matplotlib.animation.FFMpegWriter.isAvailable", lambda: False)
     with pytest.raises(RuntimeError, match=r"ffmpeg.*save a \.gif"):
         run.animate(save=tmp_path / "x.mp4")
+
+
+def test_a_notebook_goes_on_to_show_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(mpl.rcParams, "interactive", False)
+    with style():
+        # As the backend of notebooks does when the first figure is made.
+        mpl.interactive(True)
+    assert mpl.is_interactive()

@@ -61,6 +61,9 @@ def style() -> Iterator[None]:
     }
     with plt.rc_context(settings):
         yield
+        interactive = plt.isinteractive()
+    # The first figure may have made a notebook show all that follow.
+    plt.rcParams["interactive"] = interactive
 
 
 def grid(ax: Axes) -> None:

@@ -109,11 +109,9 @@ class Record:
     ) -> Array:
         """A quantity along the bodies, `[row, station, component]`, or `[station, component]` of one row.
 
-        | name | components |
-        |---|---|
-        | `position`, `displacement`, `velocity`, `acceleration` | x, y, z |
-        | `directors` | (3, 3): normal, y and z of the section, or the axes of a rigid body, in global components |
-        | `section_forces` | N, Qy, Qz, T, My, Mz; not a number for rigid bodies |
+        * `position`, `displacement`, `velocity`, `acceleration`: x, y, z
+        * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components
+        * `section_forces`: N, Qy, Qz, T, My, Mz; not a number for rigid bodies
 
         Stations are the ends of elements and, with `parts` > 1, as many places within each; of rigid bodies
         their centres. They follow one another in the order of the bodies (see `stations`) or are those of

@@ -1,0 +1,107 @@
+"""The site: `cargo xtask docs` builds it, runs every code cell and every notebook, and fails on any warning."""
+
+import ast
+import inspect
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import ancf
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
+# Figures of cells go into the pages, wherever else they would be drawn.
+os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
+
+project = "ancf"
+release = ancf.__version__
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+default_role = "code"
+highlight_language = "text"
+add_module_names = False
+
+html_theme = "furo"
+html_title = f"ancf {release}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_copyright = False
+
+myst_heading_anchors = 4
+nb_execution_mode = "force"
+nb_execution_in_temp = True
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_execution_show_tb = True
+nb_merge_streams = True
+
+autodoc_member_order = "bysource"
+autodoc_type_aliases = {name: name for name in ("Array", "ModelLike")}
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
+python_maximum_signature_line_length = 80
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+
+DOCS = Path(__file__).parent
+ROOT = DOCS.parent
+ELSEWHERE = {"architecture": "ARCHITECTURE.md", "contributing": "CONTRIBUTING.md", "changes": "CHANGELOG.md"}
+"""Pages that are files at the root: the page of the same name in `docs` only leads there."""
+
+
+def read(app: "Sphinx", name: str, source: list[str]) -> None:
+    """Put files from the root in their places, and let links lead to what the site has."""
+    page = DOCS / f"{name}.md"
+    text, file = source[0], page
+    if name in ELSEWHERE:
+        file = ROOT / ELSEWHERE[name]
+        text = file.read_text(encoding="utf-8")
+        app.env.note_dependency(str(file))
+    source[0] = re.sub(r"\[([^][]*)\]\(([^()#\s]+)(#[^()\s]*)?\)", lambda link: led(link, file, page), text)
+
+
+def led(link: re.Match[str], file: Path, page: Path) -> str:
+    """A link of a file as it is on a page of the site: other pages, files to download; folders are only named."""
+    words, path, anchor = link.group(1), link.group(2), link.group(3) or ""
+    target = (file.parent / path).resolve()
+    if not target.exists():
+        return link.group()
+    if target.is_dir():
+        target /= "index.md"
+    pages = {ROOT / name: DOCS / f"{page}.md" for page, name in ELSEWHERE.items()}
+    target = pages.get(target, DOCS / "index.md" if target == ROOT / "README.md" else target)
+    return f"[{words}]({os.path.relpath(target, page.parent)}{anchor})" if target.exists() else words
+
+
+def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
+    """Bars are bars; attributes of parts of a model are what they are built with, their types as they are written."""
+    lines[:] = [line.replace("|", r"\|") for line in lists(lines)]
+    if what in {"attribute", "property"}:
+        # An empty comment; else napoleon takes what is before a colon for a type.
+        lines[:0] = ["..", ""]
+    if what == "class" and isinstance(thing, type) and "Attributes" in lines:
+        types = stated(thing)
+        at = lines.index("Attributes")
+        lines[at:] = ["Parameters", "----------", *(types.get(line, line) for line in lines[at + 2 :])]
+
+
+def lists(lines: list[str]) -> list[str]:
+    """Tables of two columns, which a docstring has for its readers, as lists."""
+    heads = [k - 1 for k, line in enumerate(lines) if re.fullmatch(r"\|[-|]+\|", line)]
+    rows = [line for k, line in enumerate(lines) if k not in heads and k - 1 not in heads]
+    return [re.sub(r"^\| (.+?) \| (.+) \|$", r"* \1: \2", line) for line in rows]
+
+
+def stated(part: type) -> dict[str, str]:
+    """Attributes of a class with their types, in the words of its source."""
+    body = ast.parse(inspect.getsource(part)).body[0].body  # type: ignore[attr-defined]
+    found = {item.target.id: ast.unparse(item.annotation) for item in body if isinstance(item, ast.AnnAssign)}
+    return {name: f"{name} : {text.replace(' | None', ', optional')}" for name, text in found.items()}
+
+
+def setup(app: "Sphinx") -> None:
+    """Read pages by `read`, and docstrings by `keys` before napoleon does."""
+    app.connect("source-read", read)
+    app.connect("autodoc-process-docstring", keys, priority=400)

@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
-    use super::model::{diagnose, plain, read, scaled, schema, substitute, to_toml};
+    use super::model::{diagnose, read, scaled, schema, substitute, to_toml};
     #[pymodule_export]
     use super::part::check_part;
     #[pymodule_export]

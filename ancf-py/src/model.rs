@@ -50,14 +50,6 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> 
     object(py, &Value::Table(text.parse().map_err(unprintable)?))
 }
 
-/// The data of a model as plain dictionaries, lists and numbers; checked.
-#[pyfunction]
-pub(crate) fn plain<'py>(py: Python<'py>, data: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-    let value = table(data)?;
-    valid(py, &value)?;
-    object(py, &value)
-}
-
 /// Data of a model in which a path has another value, and the paths that were set.
 #[pyfunction]
 pub(crate) fn substitute<'py>(

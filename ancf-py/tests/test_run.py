@@ -232,3 +232,13 @@ def test_names_that_are_not_there(rod: dict[str, Any]) -> None:
         result.field("position", body="leg")
     with pytest.raises(ValueError, match='field: found "speed", wanted one of "position"'):
         result.field("speed")
+
+
+def test_a_model_in_the_units_of_the_solver(models: Path) -> None:
+    model = ancf.Model.read(models / "cantilever.toml").to_dict() | {"scales": {"kind": "paper"}}
+    numbers, scales = ancf.scaled(model)
+    # Kim et al. (2017), eqs (7), (8): the length of the beam, the weight of an element, T = L sqrt(rho A / F).
+    weight = 8030 * np.pi / 4 * 0.02**2 * 9.81 / 20
+    assert scales == pytest.approx({"length": 1.0, "time": np.sqrt(20 / 9.81), "force": weight})
+    assert numbers["analysis"]["duration"] == pytest.approx(2 / scales["time"])
+    assert ancf.schema()["title"] == "ancf model"

@@ -5,7 +5,7 @@ its analysis, and a `Result` has what was computed as NumPy arrays.
 """
 
 from ancf import _ancf, model
-from ancf.analysis import buckling, check, modes, path, run, statics
+from ancf.analysis import buckling, check, modes, path, run, scaled, schema, statics
 from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
@@ -27,6 +27,8 @@ __all__ = [
     "modes",
     "path",
     "run",
+    "scaled",
+    "schema",
     "sobol",
     "statics",
     "study",

@@ -1,11 +1,25 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, TypedDict, final
+from typing import Any, TypedDict, final, type_check_only
 
 from ancf.record import Array
 
+__all__ = [
+    "VERSION",
+    "Simulation",
+    "States",
+    "check_part",
+    "diagnose",
+    "read",
+    "scaled",
+    "schema",
+    "substitute",
+    "to_toml",
+]
+
 VERSION: str
 
+@type_check_only
 class Done(TypedDict):
     columns: list[str]
     rows: Array
@@ -35,7 +49,6 @@ class States:
     def __len__(self) -> int: ...
 
 def read(path: Path) -> dict[str, Any]: ...
-def plain(data: Mapping[str, Any]) -> dict[str, Any]: ...
 def substitute(data: Mapping[str, Any], path: str, value: Any) -> tuple[dict[str, Any], list[str]]: ...
 def to_toml(data: Mapping[str, Any]) -> str: ...
 def scaled(data: Mapping[str, Any]) -> tuple[dict[str, Any], list[float]]: ...

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -125,6 +126,21 @@ def _analysed(model: ModelLike, kind: str, settings: dict[str, Any]) -> Result:
 def check(model: ModelLike) -> str:
     """Check a model; what it consists of, what joints tie and what is free to move, in words. Raises `ModelError`."""
     return _ancf.diagnose(data(model))
+
+
+def scaled(model: ModelLike) -> tuple[dict[str, Any], dict[str, float]]:
+    """Give the data of a model in the units in which its equations are solved, and these units.
+
+    The units are those of `length`, `time` and `force` in the model's own.
+    """
+    numbers, scales = _ancf.scaled(data(model))
+    return numbers, dict(zip(("length", "time", "force"), scales, strict=True))
+
+
+def schema() -> dict[str, Any]:
+    """Give the JSON Schema of models."""
+    found: dict[str, Any] = json.loads(_ancf.schema())
+    return found
 
 
 class Watch:

@@ -1,9 +1,12 @@
 use ancf::Model;
 use ancf::function::{External, ForceFunction, Instant};
-use ancf::model::{Load, Step, TimeFunction, Varying};
+use ancf::model::{Load, ModelErrors, Step, TimeFunction, Varying};
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toml::{Table, Value};
 
+use crate::model::refused;
 use crate::signals::Signals;
 
 /// Python's functions in the data of a model, by the names under which the model asks for them.
@@ -33,6 +36,11 @@ impl Callables {
         path.to_owned()
     }
 
+    /// The path of the first one.
+    pub(crate) fn first(&self) -> Option<&str> {
+        self.0.first().map(|one| one.name.as_str())
+    }
+
     /// The function that a table asks for, if it was met in this role.
     pub(crate) fn function(&self, table: &Table, role: Role) -> Option<&Py<PyAny>> {
         let name = table.get("name").filter(|_| table.get("kind").is_some_and(is_external))?.as_str()?;
@@ -40,20 +48,36 @@ impl Callables {
         self.0.iter().rev().find(|one| one.role == role && one.name == name).map(|one| &one.function)
     }
 
-    /// Gives them to the model; what they raise ends its runs.
-    pub(crate) fn supply(self, model: &mut Model, signals: &Signals) {
+    /// Gives them to a model and goes on with it; what they raise ends its runs, and is raised here if it comes at once.
+    pub(crate) fn with<T: Send>(
+        self,
+        py: Python<'_>,
+        mut model: Model,
+        signals: &Signals,
+        then: impl FnOnce(&Model) -> Result<T, ModelErrors> + Send,
+    ) -> PyResult<(Model, T)> {
+        self.supply(&mut model, signals);
+        let done = py.detach(|| then(&model));
+        match (signals.take(), done) {
+            (Some(error), _) => Err(error),
+            (None, Ok(done)) => Ok((model, done)),
+            (None, Err(errors)) => Err(refused(py, &errors, None)),
+        }
+    }
+
+    fn supply(self, model: &mut Model, signals: &Signals) {
         let step = model.analysis.dynamics().map_or(1.0, |settings| match settings.step {
             Step::Fixed(step) => step,
             Step::Adaptive { initial, .. } => initial.unwrap_or(1e-3 * settings.duration),
         });
         for Callable { name, function, role } in self.0 {
             let signals = signals.clone();
-            if role == Role::Force {
-                let force = move |t, x, v| force(&function, &signals, t, x, v);
-                model.supply_force(&name, ForceFunction::new(force));
+            if role == Role::Force && model.loads.iter().any(|load| is_force(load, &name)) {
+                let law = Law { name: name.clone(), function, signals };
+                model.supply_force(&name, ForceFunction::new(move |t, x, v| law.at(t, x, v)));
             } else {
                 let step = (!model.loads.iter().any(|load| takes_value(load, &name))).then_some(step * FINE);
-                let course = Course { function, signals, step };
+                let course = Course { name: name.clone(), function, signals, step };
                 model.supply(&name, External::new(move |t| course.at(t)));
             }
         }
@@ -64,10 +88,18 @@ fn is_external(kind: &Value) -> bool {
     kind.as_str() == Some("external")
 }
 
+/// Whether a load is the force of a name.
+fn is_force(load: &Load, name: &str) -> bool {
+    matches!(load, Load::External { name: own, .. } if own == name)
+}
+
 /// Whether a load takes the value of the function of a name, and no rates.
 fn takes_value(load: &Load, name: &str) -> bool {
-    let time = load.time();
-    let its = matches!(time, TimeFunction::Varying(Varying::External { name: own, .. }) if own == name);
+    let of_name = |time: &TimeFunction| match time {
+        TimeFunction::Varying(Varying::External { name: own, .. }) => own == name,
+        _ => false,
+    };
+    let its = load.time().is_some_and(of_name);
     its && !matches!(load, Load::Fluid(_))
 }
 
@@ -76,6 +108,7 @@ const FINE: f64 = 0.02;
 
 /// A function of time.
 struct Course {
+    name: String,
     function: Py<PyAny>,
     signals: Signals,
     /// Between the times from which rates are computed, if they are wanted.
@@ -85,24 +118,36 @@ struct Course {
 impl Course {
     /// Value and rates: those that the function tells, or by differences.
     fn at(&self, t: f64) -> Instant {
-        let told = Python::attach(|py| {
-            let answer = self.function.call1(py, (t,))?;
-            if let Ok((value, rate, acceleration)) = answer.extract(py) {
-                return Ok(Instant { value, rate, acceleration });
-            }
-            let value = answer.extract(py)?;
-            self.step
-                .map_or(Ok(Instant { value, ..Instant::default() }), |h| self.differences(py, t, value, h))
-        });
-        told.unwrap_or_else(|error| {
+        Python::attach(|py| self.told(py, t)).unwrap_or_else(|error| {
             self.signals.raise(error);
             Instant { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN }
         })
     }
 
+    fn told(&self, py: Python<'_>, t: f64) -> PyResult<Instant> {
+        let answer = self.function.call1(py, (t,))?.into_bound(py);
+        let three = answer.extract::<[f64; 3]>().ok().filter(are_finite);
+        if let Some([value, rate, acceleration]) = three {
+            return Ok(Instant { value, rate, acceleration });
+        }
+        let value = self.number(t, &answer)?;
+        match self.step {
+            None => Ok(Instant { value, ..Instant::default() }),
+            Some(h) => self.differences(py, t, value, h),
+        }
+    }
+
+    fn number(&self, t: f64, answer: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let number = answer.extract::<f64>().ok().filter(|number| number.is_finite());
+        number.ok_or_else(|| wrong(&self.name, t, answer, "a number, or value, rate and acceleration"))
+    }
+
     /// Rates from five values, central ones of fourth order; near 0, before which nothing is known, those ahead.
     fn differences(&self, py: Python<'_>, t: f64, value: f64, h: f64) -> PyResult<Instant> {
-        let of = |k: i32| self.function.call1(py, (t + f64::from(k) * h,))?.extract::<f64>(py);
+        let of = |k: i32| {
+            let there = t + f64::from(k) * h;
+            self.number(there, &self.function.call1(py, (there,))?.into_bound(py))
+        };
         let (rate, acceleration) = if t < 2.0 * h {
             let [f1, f2, f3, f4] = [of(1)?, of(2)?, of(3)?, of(4)?];
             (
@@ -117,13 +162,35 @@ impl Course {
     }
 }
 
-fn force(function: &Py<PyAny>, signals: &Signals, t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    let told = Python::attach(|py| {
-        let (x, v) = (numpy::PyArray1::from_slice(py, &x), numpy::PyArray1::from_slice(py, &v));
-        function.call1(py, (t, x, v))?.extract::<[f64; 3]>(py)
-    });
-    told.unwrap_or_else(|error| {
-        signals.raise(error);
-        [f64::NAN; 3]
-    })
+/// A force.
+struct Law {
+    name: String,
+    function: Py<PyAny>,
+    signals: Signals,
+}
+
+impl Law {
+    fn at(&self, t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+        let told = Python::attach(|py| {
+            let (x, v) = (PyArray1::from_slice(py, &x), PyArray1::from_slice(py, &v));
+            let answer = self.function.call1(py, (t, x, v))?.into_bound(py);
+            let force = answer.extract::<[f64; 3]>().ok().filter(are_finite);
+            force.ok_or_else(|| wrong(&self.name, t, &answer, "three numbers"))
+        });
+        told.unwrap_or_else(|error| {
+            self.signals.raise(error);
+            [f64::NAN; 3]
+        })
+    }
+}
+
+fn are_finite(numbers: &[f64; 3]) -> bool {
+    numbers.iter().all(|number| number.is_finite())
+}
+
+/// What a function returned that is of no use.
+fn wrong(name: &str, t: f64, answer: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+    let found = answer.repr().map_or_else(|_| "?".to_owned(), |text| text.to_string());
+    let found: String = found.chars().take(80).collect();
+    PyValueError::new_err(format!("{name} at t = {t}: found {found}, wanted {wanted}"))
 }

@@ -63,7 +63,7 @@ impl Data {
             return Ok(external(self.callables.name(any, &self.path, Role::Time)));
         }
         if any.is_instance_of::<PyInt>() {
-            return integer(any);
+            return integer(any).map_err(|_| self.unknown(any, "a number within the range of doubles"));
         }
         // Arrays and scalars of NumPy and its kin.
         if any.hasattr("tolist")? {

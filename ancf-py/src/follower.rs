@@ -1,3 +1,4 @@
+use std::collections::TryReserveError;
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -6,6 +7,7 @@ use std::time::{Duration, Instant};
 use ancf::system::State;
 use ancf::{Observer, Simulation};
 use numpy::PyArray1;
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
@@ -57,15 +59,17 @@ impl Follower {
         }
     }
 
-    fn keep(&mut self, row: &[f64], state: &State) {
+    fn keep(&mut self, row: &[f64], state: &State) -> Result<(), TryReserveError> {
         // What was not due was only kept in case it should be the last.
         if self.count > 0 && !(self.count - 1).is_multiple_of(self.every) {
             self.rows.truncate(self.rows.len() - row.len());
             self.frames.pop();
         }
+        self.rows.try_reserve(row.len())?;
+        self.frames.push(state)?;
         self.rows.extend_from_slice(row);
-        self.frames.push(state);
         self.count += 1;
+        Ok(())
     }
 
     /// Tells Python; whether it wants an end.
@@ -73,7 +77,7 @@ impl Follower {
         let mut wants_end = false;
         if let Some(callback) = &self.callback {
             let mut frames = Frames::new(Keep::All);
-            frames.push(state);
+            frames.push(state).map_err(|_| PyMemoryError::new_err("no memory for a state"))?;
             let states = States::new(&self.simulation, frames);
             wants_end |= Python::attach(|py| {
                 callback.call1(py, (&self.names, PyArray1::from_slice(py, row), states))?.is_truthy(py)
@@ -100,7 +104,7 @@ impl Observer for Follower {
     }
 
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
-        self.keep(row, state);
+        self.keep(row, state).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
         match self.tell(row, state) {
             Ok(false) => Ok(ControlFlow::Continue(())),
             Ok(true) => Ok(ControlFlow::Break(())),

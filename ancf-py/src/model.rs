@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use toml::{Table, Value};
 
 use crate::data::{Data, object, restored, table};
+use crate::signals::Signals;
 
 /// `ancf.ModelError` with all errors of a model, and the file that it is from.
 pub(crate) fn refused(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) -> PyErr {
@@ -26,11 +27,7 @@ pub(crate) fn refused(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) 
 
 /// The model that data state, if it is valid.
 pub(crate) fn valid(py: Python<'_>, data: &Value) -> PyResult<Model> {
-    Model::from_value(data).map_err(|errors| refused(py, &errors, None))
-}
-
-fn model(any: &Bound<'_, PyAny>) -> PyResult<Model> {
-    valid(any.py(), &table(any)?)
+    py.detach(|| Model::from_value(data)).map_err(|errors| refused(py, &errors, None))
 }
 
 fn unprintable(error: impl ToString) -> PyErr {
@@ -71,23 +68,34 @@ pub(crate) fn substitute<'py>(
 /// The text of a model file.
 #[pyfunction]
 pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
-    toml::to_string(&table(data)?).map_err(unprintable)
+    let mut reader = Data::default();
+    let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    if let Some(path) = reader.callables.first() {
+        let why = "found a function of Python, wanted what a file can say";
+        return Err(PyTypeError::new_err(format!("{path}: {why}")));
+    }
+    toml::to_string(&value).map_err(unprintable)
 }
 
 /// The model in the units in which its equations are solved, and these: length, time, force.
 #[pyfunction]
 pub(crate) fn scaled<'py>(data: &Bound<'py, PyAny>) -> PyResult<(Bound<'py, PyAny>, [f64; 3])> {
-    let model = model(data)?;
+    let py = data.py();
+    let model = valid(py, &table(data)?)?;
     let scales = model.scales().scales;
     let Scales { length, time, force } = scales;
-    Ok((plain_data(data.py(), &model.scaled(&scales))?, [length, time, force]))
+    let scaled = py.detach(|| model.scaled(&scales));
+    Ok((plain_data(py, &scaled)?, [length, time, force]))
 }
 
 /// What the model consists of, what joints tie and what is free to move, in words.
 #[pyfunction]
 pub(crate) fn diagnose(data: &Bound<'_, PyAny>) -> PyResult<String> {
-    let diagnosis = model(data)?.diagnose();
-    diagnosis.map(|found| found.to_string()).map_err(|errors| refused(data.py(), &errors, None))
+    let (py, mut reader) = (data.py(), Data::default());
+    let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    let (model, signals) = (valid(py, &value)?, Signals::default());
+    let (_, diagnosis) = reader.callables.with(py, model, &signals, Model::diagnose)?;
+    Ok(diagnosis.to_string())
 }
 
 /// The JSON Schema of models.

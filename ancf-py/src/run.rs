@@ -1,24 +1,34 @@
+use std::io;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use ancf::Summary;
 use ancf::model::Analysis;
+use ancf::record::Sink;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toml::{Table, Value};
 
-use crate::data::{Data, object};
+use crate::data::{Data, object, restored};
 use crate::follower::Follower;
-use crate::model::{refused, valid};
+use crate::model::valid;
 use crate::signals::Signals;
 use crate::states::{Keep, States};
+
+/// Said when rows and states of a run do not fit.
+const TOO_MUCH: &str =
+    "rows and states of the run do not fit into memory; `states=` and `output.every` keep fewer";
 
 /// A model that is checked and assembled, ready to run.
 #[pyclass(frozen, module = "ancf._ancf")]
 #[derive(Debug)]
 pub(crate) struct Simulation {
     simulation: Arc<ancf::Simulation>,
-    data: Value,
+    /// The model as plain data, functions as they are.
+    #[pyo3(get)]
+    model: Py<PyAny>,
     analysis: Analysis,
     every: u32,
     signals: Signals,
@@ -32,21 +42,11 @@ impl Simulation {
         let py = data.py();
         let mut reader = Data::default();
         let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
-        let (mut model, signals) = (valid(py, &value)?, Signals::default());
-        reader.callables.supply(&mut model, &signals);
-        let simulation = py.detach(|| ancf::Simulation::new(&model));
-        if let Some(error) = signals.take() {
-            return Err(error);
-        }
-        let simulation = simulation.map_err(|errors| refused(py, &errors, None))?;
+        let (model, signals) = (valid(py, &value)?, Signals::default());
+        let data = restored(py, &value, &reader.callables)?.unbind();
+        let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
         let simulation = Arc::new(simulation.heeding(signals.interrupt()));
-        Ok(Self { simulation, data: value, analysis: model.analysis, every: model.output.every, signals })
-    }
-
-    /// The model as plain data; functions are those that a program supplies.
-    #[getter]
-    fn model<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        object(py, &self.data)
+        Ok(Self { simulation, model: data, analysis: model.analysis, every: model.output.every, signals })
     }
 
     /// Kind of the analysis and, of a motion, its duration.
@@ -61,17 +61,32 @@ impl Simulation {
         }
     }
 
+    /// Names of the columns of its rows.
+    fn columns(&self, py: Python<'_>) -> Vec<String> {
+        let mut columns = Columns(Vec::new());
+        // It does fail: by the observer, before anything is computed.
+        let _ = py.detach(|| self.simulation.run(&mut columns));
+        columns.0
+    }
+
     /// Runs it; the results, in a dictionary.
+    #[pyo3(signature = (states, callback, tick, stop=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         states: &str,
         callback: Option<Py<PyAny>>,
         tick: Option<Py<PyAny>>,
+        stop: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::named(states)?;
+        self.signals.begin(stop);
         let mut follower = Follower::new(&self.simulation, &self.signals, self.every, keep, [callback, tick]);
-        let summary = py.detach(|| self.simulation.run(&mut follower))?;
+        let summary = py.detach(|| self.simulation.run(&mut follower));
+        let summary = summary.map_err(|error| match error.kind() {
+            io::ErrorKind::OutOfMemory => PyMemoryError::new_err(TOO_MUCH),
+            _ => error.into(),
+        })?;
         let results = PyDict::new(py);
         results.set_item("error", self.signals.take())?;
         results.set_item("failure", summary.outcome.failure(&self.analysis))?;
@@ -88,7 +103,21 @@ impl Simulation {
     /// The summary as dictionaries, as in `summary.json`.
     fn summary<'py>(&self, py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyAny>> {
         let data = Value::try_from(summary);
-        object(py, &data.map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?)
+        object(py, &data.map_err(|error| PyValueError::new_err(error.to_string()))?)
+    }
+}
+
+/// Learns the columns, and ends the run there.
+struct Columns(Vec<String>);
+
+impl Sink for Columns {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        self.0 = columns.to_vec();
+        Err(io::Error::other("the columns are all that was wanted"))
+    }
+
+    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
+        Ok(ControlFlow::Break(()))
     }
 }
 

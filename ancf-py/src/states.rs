@@ -1,10 +1,13 @@
+use std::collections::TryReserveError;
 use std::sync::Arc;
 
 use ancf::system::State;
 use ancf::{Field, Fields, Simulation};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
-use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
+
+use crate::signals::Signals;
 
 /// States of a run, from which fields are read.
 #[pyclass(frozen, module = "ancf._ancf")]
@@ -12,6 +15,17 @@ use pyo3::prelude::*;
 pub(crate) struct States {
     simulation: Arc<Simulation>,
     frames: Frames,
+}
+
+/// Said when a field does not fit.
+const FIELD: &str = "the field does not fit into memory; `rows=` and fewer `parts` need less";
+/// Parts of an element that nobody needs more of.
+const MOST_PARTS: u32 = 1000;
+
+fn checked(parts: i64) -> PyResult<u32> {
+    let known = u32::try_from(parts).ok().filter(|parts| (1..=MOST_PARTS).contains(parts));
+    let wanted = || format!("parts: found {parts}, wanted an integer from 1 to {MOST_PARTS}");
+    known.ok_or_else(|| PyValueError::new_err(wanted()))
 }
 
 /// What is kept of a state.
@@ -48,14 +62,21 @@ impl Frames {
         Self { keep, at: Vec::new(), numbers: Vec::new() }
     }
 
-    pub(crate) fn push(&mut self, s: &State) {
+    /// Adds a frame.
+    ///
+    /// # Errors
+    /// If it does not fit into memory.
+    pub(crate) fn push(&mut self, s: &State) -> Result<(), TryReserveError> {
         let kept: &[&[f64]] = match self.keep {
             Keep::All => &[&s.q, &s.v, &s.a],
             Keep::Positions => &[&s.q],
-            Keep::Nothing => return,
+            Keep::Nothing => return Ok(()),
         };
+        self.at.try_reserve(1)?;
+        self.numbers.try_reserve(kept.iter().map(|numbers| numbers.len()).sum())?;
         self.at.push([s.t, s.load]);
         kept.iter().for_each(|numbers| self.numbers.extend_from_slice(numbers));
+        Ok(())
     }
 
     /// Takes the last frame out.
@@ -67,7 +88,7 @@ impl Frames {
     }
 
     /// Frames of these numbers as states, one after the other in the same place.
-    fn each(&self, frames: &[usize], mut s: State, mut see: impl FnMut(&State)) {
+    fn each(&self, frames: &[usize], mut s: State, mut see: impl FnMut(&State) -> bool) {
         let n = s.q.len();
         let width = if self.keep == Keep::All { 3 * n } else { n };
         for &frame in frames {
@@ -78,7 +99,9 @@ impl Frames {
                 s.v.copy_from_slice(&numbers[n..2 * n]);
                 s.a.copy_from_slice(&numbers[2 * n..]);
             }
-            see(&s);
+            if !see(&s) {
+                return;
+            }
         }
     }
 }
@@ -97,7 +120,7 @@ impl States {
         &self,
         py: Python<'py>,
         name: &str,
-        parts: u32,
+        parts: i64,
         frames: Option<Vec<usize>>,
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let count = self.frames.at.len();
@@ -122,24 +145,34 @@ impl States {
                 "field {name:?}: the run kept no such states; run it with {wanted}"
             )));
         }
+        let parts = checked(parts)?;
+        let signals = Signals::default();
         let (numbers, stations) = py.detach(|| {
             let fields = Fields::new(self.simulation.assembly(), self.simulation.scales(), parts);
             let stations = fields.stations().len();
-            let mut numbers = Vec::with_capacity(frames.len() * stations * field.width());
-            self.frames
-                .each(&frames, self.simulation.assembly().rest(), |s| fields.fill(field, s, &mut numbers));
-            (numbers, stations)
-        });
+            let mut numbers = Vec::new();
+            let count = frames.len().saturating_mul(stations).saturating_mul(field.width());
+            numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(FIELD))?;
+            self.frames.each(&frames, self.simulation.assembly().rest(), |s| {
+                fields.fill(field, s, &mut numbers);
+                !signals.are_set()
+            });
+            Ok::<_, PyErr>((numbers, stations))
+        })?;
+        if let Some(error) = signals.take() {
+            return Err(error);
+        }
         PyArray1::from_vec(py, numbers).reshape([frames.len(), stations, field.width()])
     }
 
     /// Names of the bodies, and the body's number and the arc length of each station.
-    fn stations(&self, parts: u32) -> (Vec<String>, Vec<usize>, Vec<f64>) {
+    fn stations(&self, parts: i64) -> PyResult<(Vec<String>, Vec<usize>, Vec<f64>)> {
+        let parts = checked(parts)?;
         let assembly = self.simulation.assembly();
         let names = assembly.bodies().map(|(name, _)| name.to_owned()).collect();
         let fields = Fields::new(assembly, self.simulation.scales(), parts);
         let (bodies, lengths) = fields.stations().iter().map(|station| (station.body, station.s)).unzip();
-        (names, bodies, lengths)
+        Ok((names, bodies, lengths))
     }
 
     /// Number of frames.

@@ -92,11 +92,34 @@ def test_what_a_callable_raises_ends_the_run(rod: dict[str, Any], late: bool) ->
         assert len(caught.value.result) == 101  # type: ignore[attr-defined]
 
 
-def test_what_is_no_number_is_refused(rod: dict[str, Any]) -> None:
-    with pytest.raises(TypeError):
-        ancf.run(rod | {"loads": push(lambda _: "strong")})
-
-
 def test_a_function_that_nobody_supplies_is_refused(rod: dict[str, Any]) -> None:
     with pytest.raises(ancf.ModelError, match=r'loads\[0\]\.time\.name: found the external function "motor"'):
         ancf.run(rod | {"loads": push({"kind": "external", "name": "motor"})})
+
+
+def test_models_with_functions_are_checked(rod: dict[str, Any]) -> None:
+    assert "1 beam" in ancf.check(rod | {"loads": push(np.sin)})
+
+
+def test_a_function_may_have_a_time_of_its_own(rod: dict[str, Any]) -> None:
+    hours = {"kind": "external", "name": lambda t: np.sin(3 * t), "unit": 10.0}
+    fast = ancf.run(rod | {"loads": push(hours)})
+    own = ancf.run(rod | {"loads": push(lambda t: np.sin(30 * t))})
+    np.testing.assert_allclose(fast["tip.y"], own["tip.y"], rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("answer", [None, "strong", float("nan"), [1.0, 2.0], (1.0, float("inf"), 0.0)])
+def test_answers_of_no_use_are_named(rod: dict[str, Any], answer: Any) -> None:
+    with pytest.raises(ValueError, match=r"loads\[0\]\.time at t = 0: found .*, wanted a number, or value") as caught:
+        ancf.run(rod | {"loads": push(lambda _: answer)})
+    assert repr(answer) in str(caught.value)
+    force = {"kind": "external", "name": lambda *_: answer, "on": {"body": "arm", "at": "end"}}
+    with pytest.raises(ValueError, match=r"loads\[0\]\.name at t = 0: found .*, wanted three numbers"):
+        ancf.run(rod | {"loads": [force]})
+
+
+def test_a_model_with_functions_is_run_from_its_result(rod: dict[str, Any]) -> None:
+    result = ancf.run(rod | {"loads": push(np.sin)})
+    np.testing.assert_array_equal(ancf.run(result.model).data, result.data)
+    with pytest.raises(TypeError, match=r"loads\[0\]\.time: found a function of Python, wanted what a file can say"):
+        ancf.Model.from_dict(result.model).to_toml()

@@ -242,3 +242,21 @@ def test_a_model_in_the_units_of_the_solver(models: Path) -> None:
     assert scales == pytest.approx({"length": 1.0, "time": np.sqrt(20 / 9.81), "force": weight})
     assert numbers["analysis"]["duration"] == pytest.approx(2 / scales["time"])
     assert ancf.schema()["title"] == "ancf model"
+
+
+def test_what_is_no_model_is_refused() -> None:
+    for what in [None, 3, ancf.Model]:
+        with pytest.raises(TypeError, match="wanted an ancf.Model, its data in a dictionary, or the path of a file"):
+            ancf.run(what)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"density: found an object of type int, wanted a number within the range"):
+        ancf.Material(density=10**400, young=1e9)
+
+
+def test_what_does_not_fit_is_a_memory_error(rod: dict[str, Any]) -> None:
+    result = ancf.run(rod)
+    with pytest.raises(ValueError, match="parts: found 0, wanted an integer from 1 to 1000"):
+        result.field("position", parts=0)
+    with pytest.raises(MemoryError, match="the field does not fit into memory"):
+        result.field("directors", parts=1000, rows=[0] * 4_000_000)
+    with pytest.raises(TypeError, match="not iterable"):
+        iter(result)  # type: ignore[call-overload]

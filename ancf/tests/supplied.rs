@@ -252,7 +252,7 @@ fn a_damped_beam_keeps_its_books() {
     assert!(fine < 0.35 * coarse, "{fine:e} after {coarse:e}");
 }
 
-/// Elements under loads of one function, whether one thread adds them up or several, ask the program once for each time.
+/// Loads of one function ask the program once for each time.
 #[test]
 fn one_call_for_each_time() {
     let loads = r#"
@@ -269,20 +269,37 @@ force = [0, 0, 1]
 time = { kind = "external", name = "wave" }
 "#;
     let analysis = DYNAMICS.replace("duration = 1", "duration = 0.02");
-    for elements in [100, 1200] {
-        let calls = Arc::new(Mutex::new(Vec::new()));
-        let seen = Arc::clone(&calls);
-        let wave = External::new(move |t| {
-            seen.lock().unwrap().push(t);
-            Instant { value: t * t, rate: 2.0 * t, acceleration: 2.0 }
+    let calls = Arc::new(Mutex::new(Vec::new()));
+    let seen = Arc::clone(&calls);
+    let wave = External::new(move |t| {
+        seen.lock().unwrap().push(t);
+        Instant { value: t * t, rate: 2.0 * t, acceleration: 2.0 }
+    });
+    let run = Run::of(&supplied(model(&(cantilever(100) + loads + &analysis)), "wave", &wave));
+    assert_eq!(run.summary.steps, 20);
+    let calls = calls.lock().unwrap();
+    assert!(calls.windows(2).all(|pair| pair[0] != pair[1]), "{calls:?}");
+    // The start, two instants by which the scheme gets start values, the ends of the steps.
+    assert!(calls.len() <= 23, "{} calls in 20 steps: {calls:?}", calls.len());
+}
+
+/// Of several threads that ask for one time, one calls the program.
+#[test]
+fn one_call_for_all_threads() {
+    let calls = Arc::new(Mutex::new(0));
+    let count = Arc::clone(&calls);
+    let slow = External::new(move |t| {
+        *count.lock().unwrap() += 1;
+        std::thread::yield_now();
+        Instant { value: t, ..Instant::default() }
+    });
+    for t in 1..=20 {
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| assert_eq!(slow.at(f64::from(t)).value, f64::from(t)));
+            }
         });
-        let run = Run::of(&supplied(model(&(cantilever(elements) + loads + &analysis)), "wave", &wave));
-        assert_eq!(run.summary.steps, 20);
-        let calls = calls.lock().unwrap();
-        assert!(calls.windows(2).all(|pair| pair[0] != pair[1]), "{calls:?}");
-        // The start, two instants by which the scheme gets start values, the ends of the steps; what fails begins anew.
-        let most = if elements == 100 { 23 } else { 30 };
-        assert!(calls.len() <= most, "{} calls in 20 steps: {calls:?}", calls.len());
+        assert_eq!(*calls.lock().unwrap(), t);
     }
 }
 

@@ -40,7 +40,9 @@ class Simulation:
         states: str,
         callback: Callable[[list[str], Array, States], object] | None,
         tick: Callable[[float], object] | None,
+        stop: Callable[[], object] | None = None,
     ) -> Done: ...
+    def columns(self) -> list[str]: ...
 
 @final
 class States:

@@ -39,7 +39,12 @@ def data(model: ModelLike) -> dict[str, Any]:
     """The data of a model, whichever way it is stated."""
     if isinstance(model, (str, os.PathLike)):
         return _ancf.read(Path(model))
-    return model.to_dict() if isinstance(model, HasData) else dict(model)
+    if isinstance(model, Mapping):
+        return dict(model)
+    if isinstance(model, type) or not isinstance(model, HasData):
+        msg = f"model: found {model!r}, wanted an ancf.Model, its data in a dictionary, or the path of a file"
+        raise TypeError(msg)
+    return model.to_dict()
 
 
 def run(
@@ -56,8 +61,9 @@ def run(
     model
         An `ancf.Model`, its data in dictionaries, or the path of a model file.
     callback
-        Is called with an `Instant` at the start and after each step: to watch, or to set what the functions
-        of loads and drives then give. A true answer ends the run in good order.
+        Is called with an `Instant` at the start and after each step, or with `output.interval` at the instants
+        that are recorded: to watch, or to set what the functions of loads and drives then give. A true answer
+        ends the run in good order.
     progress
         Whether a bar shows how far a motion is; by default if there is a terminal or a notebook.
     states
@@ -81,10 +87,17 @@ def run(
 
 
 def carried_out(
-    simulation: _ancf.Simulation, states: str, watch: Watch | None, tick: Callable[[float], object] | None
+    simulation: _ancf.Simulation,
+    states: str,
+    watch: Watch | None = None,
+    tick: Callable[[float], object] | None = None,
+    stop: Callable[[], object] | None = None,
 ) -> Result:
-    """Run a simulation; `watch` sees each row, `tick` is called with the time now and then, and both may end it."""
-    done = simulation.run(states, watch, tick)
+    """Run a simulation; `watch` sees each row, `tick` is told the time now and then, `stop` is asked in each iteration.
+
+    A true answer of any of them ends it.
+    """
+    done = simulation.run(states, watch, tick, stop)
     kind, _ = simulation.analysis
     result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"], simulation.model)
     error = done["error"]

@@ -56,6 +56,9 @@ class Record:
             raise KeyError(unknown("column", column, self.columns))
         return self.data[..., place]
 
+    # Rows or columns? Neither goes without saying.
+    __iter__ = None
+
     def __contains__(self, column: object) -> bool:
         return column in self.places
 

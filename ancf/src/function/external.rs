@@ -7,7 +7,8 @@ use super::Instant;
 ///
 /// It keeps the last time and what the program said of it, so that all terms of the equations together call the program once
 /// for each time. Calls come from any thread, one at a time, for times in any order: an iteration that fails begins anew
-/// at an earlier one. What it returns must depend on t alone, and must not be computed by way of this very function. A value
+/// at an earlier one. What it returns must depend on t alone, but for this: between steps it may become another function
+/// of the times that are still to come, such as what a controller sets. It must not be computed by way of this very function. A value
 /// that is no number ends the analysis as one that diverged.
 ///
 /// Clones are the same function, and equal; functions made apart are not.

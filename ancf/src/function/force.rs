@@ -28,7 +28,7 @@ impl ForceFunction {
 
     /// The same force in other units, whose lengths, times and forces are so many of its own.
     #[must_use]
-    pub fn in_units(&self, length: f64, time: f64, force: f64) -> Self {
+    pub(crate) fn in_units(&self, length: f64, time: f64, force: f64) -> Self {
         let own = self.clone();
         let speed = length / time;
         Self::new(move |t, x, v| {
@@ -38,7 +38,7 @@ impl ForceFunction {
 
     /// The same force at all times as at this one.
     #[must_use]
-    pub fn held(&self, t: f64) -> Self {
+    pub(crate) fn held(&self, t: f64) -> Self {
         let own = self.clone();
         Self::new(move |_, x, v| own.at(t, x, v))
     }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::function::Clock;
 use super::{At, Fluid, Named, Place, TimeFunction};
 use crate::function::ForceFunction;
+use crate::function::Function;
 use crate::mechanics::{Attachment, ExternalForce, FollowerForce, Force, Moment};
 use crate::scales::Scales;
 use crate::system::Term;
@@ -102,7 +103,7 @@ pub enum Load {
         #[schemars(length(min = 1))]
         name: String,
         /// What the model's units of length, time and force are in those of the function; the same by default.
-        #[serde(default = "own", skip_serializing_if = "is_own")]
+        #[serde(default = "own")]
         units: Scales,
         /// The function, once it is supplied ([`Model::supply_force`](super::Model::supply_force)).
         #[serde(skip)]
@@ -114,13 +115,6 @@ pub enum Load {
 fn own() -> Scales {
     Scales::UNIT
 }
-
-fn is_own(units: &Scales) -> bool {
-    *units == Scales::UNIT
-}
-
-/// Of loads that have no function of time.
-static ALWAYS: TimeFunction = TimeFunction::Constant(1.0);
 
 fn start() -> At {
     At::Named(Named::Start)
@@ -190,20 +184,20 @@ impl Load {
         matches!(self, Self::Moment { .. } | Self::DistributedMoment { .. })
     }
 
-    /// Its function of time; 1 if it has none.
-    pub const fn time(&self) -> &TimeFunction {
+    /// Its function of time, if it has one.
+    pub const fn time(&self) -> Option<&TimeFunction> {
         match self {
             Self::Force { time, .. }
             | Self::Moment { time, .. }
             | Self::DistributedForce { time, .. }
             | Self::DistributedMoment { time, .. }
             | Self::BaseAcceleration { time, .. }
-            | Self::Fluid(Fluid { time, .. }) => time,
-            Self::External { .. } => &ALWAYS,
+            | Self::Fluid(Fluid { time, .. }) => Some(time),
+            Self::External { .. } => None,
         }
     }
 
-    /// The same to be changed, if it has one.
+    /// The same to be changed.
     pub(super) const fn time_mut(&mut self) -> Option<&mut TimeFunction> {
         match self {
             Self::Force { time, .. }
@@ -216,9 +210,14 @@ impl Load {
         }
     }
 
+    /// What its function of time is in an analysis; 1 if it has none.
+    pub(super) fn function(&self, clock: Clock) -> Function {
+        self.time().map_or(Function::ONE, |time| clock.function(time))
+    }
+
     /// The load at a place of a model of a length, if it acts at one and the body has what it holds on to there.
     pub(super) fn term(&self, on: &Attachment, clock: Clock, length: f64) -> Option<Box<dyn Term>> {
-        let function = clock.function(self.time());
+        let function = self.function(clock);
         let directors = on.axes().map(|[_, d, e]| [d, e]);
         Some(match self {
             Self::Force { force, follower: false, .. } => {

@@ -19,7 +19,7 @@ impl Model {
         bodies: &[(String, mechanics::Body)],
         clock: Clock,
     ) -> Terms {
-        let function = clock.function(load.time());
+        let function = load.function(clock);
         match load {
             Load::Force { .. } | Load::Moment { .. } | Load::External { .. } => Terms::new(),
             Load::DistributedForce { .. } | Load::DistributedMoment { .. } => {

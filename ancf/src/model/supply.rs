@@ -131,7 +131,8 @@ impl Model {
 
     /// All functions of time with their paths.
     pub(super) fn time_functions(&self) -> Vec<(String, &TimeFunction)> {
-        let of_loads = loads_of(self).map(|(path, load)| (format!("{path}.time"), load.time()));
+        let of_loads =
+            loads_of(self).filter_map(|(path, load)| load.time().map(|time| (format!("{path}.time"), time)));
         let of_joints = joints_of(self).flat_map(|(path, joint)| {
             let times = joint.times().into_iter();
             times.map(|(table, time)| (format!("{path}{table}.time"), time)).collect::<Vec<_>>()

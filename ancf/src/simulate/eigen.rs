@@ -94,7 +94,8 @@ impl Run<'_> {
         let scales = self.summary.scales;
         let mass = scales.force * scales.time.powi(2) / scales.length;
         let as_velocity = scales.time / scales.length / mass.sqrt();
-        for (number, (own, shape)) in found.enumerate() {
+        let mut found = found.enumerate().peekable();
+        while let Some((number, (own, shape))) = found.next() {
             let mut row = vec![(number + 1) as f64];
             row.extend(own);
             for (_, point) in &self.assembly.probes {
@@ -102,7 +103,8 @@ impl Run<'_> {
             }
             about.v.iter_mut().zip(shape).for_each(|(v, x)| *v = x * as_velocity);
             self.summary.steps += 1;
-            if self.observer.record(&row, &about)?.is_break() {
+            // Who breaks on the last one has stopped nothing.
+            if self.observer.record(&row, &about)?.is_break() && found.peek().is_some() {
                 return Ok(Ok(ControlFlow::Break(())));
             }
         }

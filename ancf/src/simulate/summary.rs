@@ -11,7 +11,7 @@ use crate::system::EquationsOfMotion;
 pub enum Outcome {
     /// The whole duration was computed.
     Finished,
-    /// A sink asked to stop.
+    /// A sink or an interrupt asked to stop.
     Stopped,
     /// The equations of a step could not be solved.
     Failed {

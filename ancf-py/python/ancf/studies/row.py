@@ -55,9 +55,8 @@ class Work:
             return Row("invalid", str(error))
         except Exception as error:  # One case that meets an error must not cost the others.
             return Row("invalid", f"{type(error).__name__}: {error}")
-        tick = None if is_stopped is None else lambda _: is_stopped()
         try:
-            result = carried_out(simulation, self.states, None, tick)
+            result = carried_out(simulation, self.states, stop=is_stopped)
         except AnalysisError as error:
             return counted(Row("failed", str(error)), error.result)
         except Exception as error:

@@ -171,8 +171,8 @@ def is_reading(reading: Any) -> bool:
 
 
 def columns(base: Mapping[str, Any]) -> list[str]:
-    """The columns of a run, which ends with its first row."""
-    return _ancf.Simulation(base).run("none", lambda *_: True, None)["columns"]
+    """The columns of a run."""
+    return _ancf.Simulation(base).columns()
 
 
 def at(path: str) -> str:

@@ -11,6 +11,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
+use crate::run;
 use crate::signals::Signals;
 use crate::states::{Frames, Keep, States};
 
@@ -23,6 +24,7 @@ pub(crate) struct Follower {
     every: u32,
     count: u32,
     simulation: Arc<Simulation>,
+    model: Py<PyAny>,
     signals: Signals,
     callback: Option<Py<PyAny>>,
     tick: Option<Py<PyAny>>,
@@ -38,9 +40,8 @@ impl Follower {
     /// `callback(columns, row, states)` is called with each row, `tick(first)` now and then with the first number of a row; what
     /// returns true ends the run.
     pub(crate) fn new(
-        simulation: &Arc<Simulation>,
-        signals: &Signals,
-        every: u32,
+        of: &run::Simulation,
+        py: Python<'_>,
         keep: Keep,
         [callback, tick]: [Option<Py<PyAny>>; 2],
     ) -> Self {
@@ -48,10 +49,11 @@ impl Follower {
             columns: Vec::new(),
             rows: Vec::new(),
             frames: Frames::new(keep),
-            every: every.max(1),
+            every: of.every.max(1),
             count: 0,
-            simulation: Arc::clone(simulation),
-            signals: signals.clone(),
+            simulation: Arc::clone(&of.simulation),
+            model: of.model.clone_ref(py),
+            signals: of.signals.clone(),
             callback,
             tick,
             ticked: None,
@@ -78,8 +80,8 @@ impl Follower {
         if let Some(callback) = &self.callback {
             let mut frames = Frames::new(Keep::All);
             frames.push(state).map_err(|_| PyMemoryError::new_err("no memory for a state"))?;
-            let states = States::new(&self.simulation, frames);
             wants_end |= Python::attach(|py| {
+                let states = States::new(&self.simulation, self.model.clone_ref(py), frames);
                 callback.call1(py, (&self.names, PyArray1::from_slice(py, row), states))?.is_truthy(py)
             })?;
         }

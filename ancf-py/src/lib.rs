@@ -21,7 +21,7 @@ mod _ancf {
     #[pymodule_export]
     use super::run::Simulation;
     #[pymodule_export]
-    use super::states::States;
+    use super::states::{States, states};
 
     /// Version of the engine.
     #[pymodule_export]

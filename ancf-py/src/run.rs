@@ -25,20 +25,20 @@ const TOO_MUCH: &str =
 #[pyclass(frozen, module = "ancf._ancf")]
 #[derive(Debug)]
 pub(crate) struct Simulation {
-    simulation: Arc<ancf::Simulation>,
+    pub(crate) simulation: Arc<ancf::Simulation>,
     /// The model as plain data, functions as they are.
     #[pyo3(get)]
-    model: Py<PyAny>,
+    pub(crate) model: Py<PyAny>,
     analysis: Analysis,
-    every: u32,
-    signals: Signals,
+    pub(crate) every: u32,
+    pub(crate) signals: Signals,
 }
 
 #[pymethods]
 impl Simulation {
     /// Of data of a model.
     #[new]
-    fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub(crate) fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = data.py();
         let mut reader = Data::default();
         let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
@@ -81,7 +81,7 @@ impl Simulation {
     ) -> PyResult<Bound<'py, PyDict>> {
         let keep = Keep::named(states)?;
         self.signals.begin(stop);
-        let mut follower = Follower::new(&self.simulation, &self.signals, self.every, keep, [callback, tick]);
+        let mut follower = Follower::new(self, py, keep, [callback, tick]);
         let summary = py.detach(|| self.simulation.run(&mut follower));
         let summary = summary.map_err(|error| match error.kind() {
             io::ErrorKind::OutOfMemory => PyMemoryError::new_err(TOO_MUCH),
@@ -94,7 +94,7 @@ impl Simulation {
         let Follower { columns, rows, frames, .. } = follower;
         results.set_item("rows", table(py, rows, columns.len())?)?;
         results.set_item("columns", columns)?;
-        results.set_item("states", States::new(&self.simulation, frames))?;
+        results.set_item("states", States::new(&self.simulation, self.model.clone_ref(py), frames))?;
         Ok(results)
     }
 }

@@ -3,10 +3,11 @@ use std::sync::Arc;
 
 use ancf::system::State;
 use ancf::{Field, Fields, Simulation};
-use numpy::{PyArray1, PyArray3, PyArrayMethods};
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::run;
 use crate::signals::Signals;
 
 /// States of a run, from which fields are read.
@@ -14,6 +15,8 @@ use crate::signals::Signals;
 #[derive(Debug)]
 pub(crate) struct States {
     simulation: Arc<Simulation>,
+    /// The model as plain data, by which another process makes the same simulation.
+    model: Py<PyAny>,
     frames: Frames,
 }
 
@@ -37,6 +40,14 @@ pub(crate) enum Keep {
 }
 
 impl Keep {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::Positions => "positions",
+            Self::Nothing => "none",
+        }
+    }
+
     pub(crate) fn named(name: &str) -> PyResult<Self> {
         match name {
             "all" => Ok(Self::All),
@@ -107,9 +118,35 @@ impl Frames {
 }
 
 impl States {
-    pub(crate) fn new(simulation: &Arc<Simulation>, frames: Frames) -> Self {
-        Self { simulation: Arc::clone(simulation), frames }
+    pub(crate) fn new(simulation: &Arc<Simulation>, model: Py<PyAny>, frames: Frames) -> Self {
+        Self { simulation: Arc::clone(simulation), model, frames }
     }
+}
+
+/// The model, what was kept, times and load factors, all numbers.
+type Packed<'py> = (Py<PyAny>, &'static str, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// States that were pickled.
+#[pyfunction]
+pub(crate) fn states(
+    model: Bound<'_, PyAny>,
+    keep: &str,
+    at: PyReadonlyArray1<'_, f64>,
+    numbers: PyReadonlyArray1<'_, f64>,
+) -> PyResult<States> {
+    let simulation = run::Simulation::new(&model)?;
+    let at = at.as_slice()?.as_chunks().0.to_vec();
+    let frames = Frames { keep: Keep::named(keep)?, at, numbers: numbers.as_slice()?.to_vec() };
+    let size = simulation.simulation.assembly().rest().q.len() * frames.at.len();
+    let wanted = match frames.keep {
+        Keep::All => 3 * size,
+        Keep::Positions => size,
+        Keep::Nothing => 0,
+    };
+    if frames.numbers.len() != wanted {
+        return Err(PyValueError::new_err("these states are not of this model"));
+    }
+    Ok(States::new(&simulation.simulation, model.unbind(), frames))
 }
 
 #[pymethods]
@@ -173,6 +210,14 @@ impl States {
         let fields = Fields::new(assembly, self.simulation.scales(), parts);
         let (bodies, lengths) = fields.stations().iter().map(|station| (station.body, station.s)).unzip();
         Ok((names, bodies, lengths))
+    }
+
+    /// How pickle makes them again: by `states` from the model and all numbers.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Packed<'py>)> {
+        let make = py.import("ancf._ancf")?.getattr("states")?;
+        let Frames { keep, at, numbers } = &self.frames;
+        let (at, numbers) = (PyArray1::from_slice(py, at.as_flattened()), PyArray1::from_slice(py, numbers));
+        Ok((make, (self.model.clone_ref(py), keep.name(), at, numbers)))
     }
 
     /// Number of frames.

@@ -260,3 +260,11 @@ def test_what_does_not_fit_is_a_memory_error(rod: dict[str, Any]) -> None:
         result.field("directors", parts=1000, rows=[0] * 4_000_000)
     with pytest.raises(TypeError, match="not iterable"):
         iter(result)  # type: ignore[call-overload]
+
+
+def test_results_go_to_other_processes(rod: dict[str, Any]) -> None:
+    result = ancf.run(rod)
+    again = pickle.loads(pickle.dumps(result))
+    np.testing.assert_array_equal(again.data, result.data)
+    np.testing.assert_array_equal(again.field("section_forces"), result.field("section_forces"))
+    assert again.summary == result.summary

@@ -85,16 +85,15 @@ fn parameters_in_each_others_way_are_refused() {
     );
     let said = bench.run(&[], 2);
     for message in [
-        ":4:1: parameters.\"materials.steel\": found `materials.steel`, of which `bodies.beam.material.young` sets a part, \
+        "parameters.\"materials.steel\": found `materials.steel`, of which `bodies.beam.material.young` sets a part, \
          wanted every place to be set once (give the whole with its parts, or the parts alone)",
-        ":6:1: parameters.\"gravity[1]\": found `gravity[1]`, which `gravity` sets too, wanted every place to be set once",
-        ":8:1: parameters.\"section.diameter\": found a path through what `bodies.beam.section` sets, wanted a path that leads \
+        "parameters.\"gravity[1]\": found `gravity[1]`, which `gravity` sets too, wanted every place to be set once",
+        "parameters.\"section.diameter\": found a path through what `bodies.beam.section` sets, wanted a path that leads \
          to the same place in every case (such as `sections.rod.diameter`)",
     ] {
-        let message = message.split_once(' ').unwrap().1;
         assert!(said.contains(message), "{message}\nis not in\n{said}");
     }
-    assert!(said.contains("3 errors") || said.matches("found ").count() == 3, "{said}");
+    assert_eq!(said.matches(": found ").count(), 3, "{said}");
 
     // What the first path would have meant, and nothing in its way.
     bench.state(

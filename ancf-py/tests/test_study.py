@@ -201,7 +201,7 @@ def test_all_that_is_wrong_is_told_before_anything_runs(bar: dict[str, Any], tmp
 
 
 def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
-    parameters = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
+    parameters: dict[str, Any] = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters, combine="zip")
     assert str(caught.value).splitlines() == [

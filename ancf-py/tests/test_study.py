@@ -201,7 +201,7 @@ def test_all_that_is_wrong_is_told_before_anything_runs(bar: dict[str, Any], tmp
 
 
 def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
-    parameters = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
+    parameters: dict[str, Any] = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters, combine="zip")
     assert str(caught.value).splitlines() == [
@@ -210,10 +210,37 @@ def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
         "parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too, wanted every place to "
         "be set once",
     ]
+    # The alphabetical order, in which parameters are set, decides nothing; neither does what a name stands for.
+    parameters = {
+        "bodies.beam.material.young": [193e9, 100e9],
+        "materials.steel": [{"density": 8030, "young": 193e9}],
+        "bodies.beam.section": [bar["bodies"][0]["section"]],
+        "section.diameter": [0.02, 0.03],
+        "gravity": [[0, -1, 0]],
+        "gravity[1]": [-2],
+    }
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.study(bar, parameters)
+    whole = "wanted every place to be set once (give the whole with its parts, or the parts alone)"
+    assert str(caught.value).splitlines() == [
+        f'parameters."gravity[1]": found `gravity[1]`, which `gravity` sets too, {whole}',
+        'parameters."materials.steel": found `materials.steel`, of which `bodies.beam.material.young` sets a part, '
+        f"{whole}",
+        'parameters."section.diameter": found a path through what `bodies.beam.section` sets, wanted a path that '
+        f"leads to the same place in every case (such as `sections.{bar['bodies'][0]['section']}.diameter`)",
+    ]
     with pytest.raises(ancf.ModelError, match="wanted at most 10 000 000 cases"):
         ancf.study(bar, {"elements": range(1, 10001), "gravity[1]": range(10001)})
     with pytest.raises(ancf.ModelError, match=r"found a distribution with the quantile nan"):
         ancf.study(bar, {"gravity[1]": scipy.stats.norm(1, -1)}, samples=2)
+
+
+def test_columns_are_those_of_the_first_case(bar: dict[str, Any]) -> None:
+    parameters = {"probes": [[{"name": "end", "on": {"body": "beam", "at": "end"}}]]}
+    study = ancf.study(bar, parameters, {"end": "end.y"})
+    assert len(study.finished) == 1
+    with pytest.raises(ancf.ModelError, match=r"found \"tip.y\", which is no column of the results"):
+        ancf.study(bar, parameters, {"tip": "tip.y"})
 
 
 def test_an_interrupt_keeps_what_is_done(rod: dict[str, Any], tmp_path: Path) -> None:

@@ -144,6 +144,44 @@ fn a_bare_key_means_every_body_that_may_have_it() {
     assert_eq!(set("material.density", 5e3).1, ["materials.steel.density", "materials.rubber.density"]);
 }
 
+/// A path that was set is a path to the same place, whatever a material is called.
+#[test]
+fn paths_that_were_set_lead_back() {
+    let names = [
+        "",
+        " ",
+        "a.b",
+        "a[0]",
+        "\"",
+        "'",
+        "\\",
+        "\\\"",
+        "\"\\",
+        "say \"steel\"",
+        "C:\\steel\\",
+        "a'b\"c",
+        "line\nbreak",
+        "tab\tand bell\u{7}",
+        "\u{7f}\u{85}",
+        "Stahl für Öfen",
+        "鋼",
+        "🔩",
+        "\\u0041",
+    ];
+    for name in names {
+        let mut data = data();
+        let steel = data["materials"]["steel"].clone();
+        data["materials"].as_table_mut().unwrap().insert(name.into(), steel);
+        data["bodies"][0]["material"] = name.into();
+        let set = substitute(&mut data, "bodies.rod.material.young", 5.into()).unwrap();
+        assert_eq!(data["materials"][name]["young"].as_integer(), Some(5), "{name:?}");
+        assert_eq!(substitute(&mut data, &set[0], 7.into()).unwrap(), set, "{name:?}");
+        assert_eq!(data["materials"][name]["young"].as_integer(), Some(7), "{name:?}");
+        let line: Value = Value::Table(format!("{} = 1", set[0]).parse().unwrap());
+        assert_eq!(line["materials"][name]["young"].as_integer(), Some(1), "{name:?}: TOML reads it too");
+    }
+}
+
 #[test]
 fn a_place_is_set_once() {
     let mut data = data();
@@ -223,6 +261,8 @@ fn a_path_that_is_none_is_refused() {
         ("gravity[y]", "`y` in brackets"),
         ("gravity[-1]", "`-1` in brackets"),
         ("bodies.\"guy wire.elements", "quotes that do not end"),
+        ("bodies.\"guy wire\\\".elements", "quotes that do not end"),
+        ("bodies.\"guy\\ wire\".elements", "a backslash that TOML does not know"),
         ("gravity[1]x", "`x` after a bracket or quotes"),
     ] {
         let error = refused(path);

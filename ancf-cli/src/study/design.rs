@@ -44,8 +44,7 @@ impl Axis {
 impl Design {
     /// The cases that a study states; `None` if there are more than can be counted.
     pub fn of(study: &Study) -> Option<Self> {
-        let is_drawn = study.parameters.values().any(|parameter| parameter.values().is_none());
-        let samples = if is_drawn { study.samples.unwrap_or(1) } else { 1 };
+        let samples = study.samples();
         let mut cases = samples as usize;
         let mut axes = Vec::new();
         for (path, parameter) in study.parameters.iter().rev() {
@@ -90,7 +89,8 @@ impl Design {
         Ok(data)
     }
 
-    /// A hash of all that decides the results of a case.
+    /// A hash of all that the study and the model say about a case. The program is not in it: another version may find other
+    /// results, but whether it does is known to the user, who then takes another folder.
     pub fn key(&self, base: &Value, objectives: &Objectives, case: usize) -> String {
         let mut data = self.data(base, case).unwrap_or_else(|error| Value::String(error.to_string()));
         if let Value::Table(table) = &mut data {

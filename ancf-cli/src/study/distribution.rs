@@ -119,6 +119,22 @@ impl Rule {
         Some((0..count).map(|k| whole(value(k))).collect())
     }
 
+    /// How many values a range has; `None` of a distribution.
+    pub const fn count(&self) -> Option<usize> {
+        match *self {
+            Self::Range { count, .. } | Self::Logarithmic { count, .. } => Some(count as usize),
+            _ => None,
+        }
+    }
+
+    /// The first value of a range; the median of a distribution.
+    pub fn first(&self) -> Value {
+        match *self {
+            Self::Range { from, .. } | Self::Logarithmic { from, .. } => whole(from),
+            _ => Value::Float(self.quantile(0.5)),
+        }
+    }
+
     /// The value that a part p of all values lies below, 0 < p < 1; not a number of a range.
     pub fn quantile(&self, p: f64) -> f64 {
         match *self {

@@ -3,6 +3,7 @@
 mod design;
 mod distribution;
 mod objective;
+mod places;
 mod results;
 mod row;
 mod sample;
@@ -43,7 +44,7 @@ pub struct Arguments {
     /// Run cases again that failed or were invalid.
     #[arg(long)]
     retry: bool,
-    /// Run part K of N only, K from 1, and write cases-K.parquet.
+    /// Run part K of N only, K from 1, and write cases-K-of-N.parquet.
     #[arg(long, value_name = "K/N")]
     index: Option<Part>,
     /// Show no progress.
@@ -87,6 +88,11 @@ impl FromStr for Part {
 impl Part {
     const WHOLE: Self = Self { k: 1, n: 1 };
 
+    /// The file of its results, another one for every division.
+    fn file(self) -> String {
+        format!("cases-{}-of-{}.parquet", self.k, self.n)
+    }
+
     /// The cases of this part.
     fn of(self, cases: usize) -> Vec<usize> {
         (self.k - 1..cases).step_by(self.n).collect()
@@ -118,19 +124,20 @@ impl Arguments {
 
     fn run_cases(&self, study: &Study, text: &str, base: &Value) -> Result<Ended> {
         let clock = Instant::now();
-        let interrupt = ctrl_c()?;
         let design = Design::of(study).context("there are more cases than can be counted")?;
         let cases = self.index.unwrap_or(Part::WHOLE).of(design.cases());
         let objectives = &study.objectives;
         fs::create_dir_all(&self.output)
             .with_context(|| format!("cannot create {}", self.output.display()))?;
-        let file = self.index.map_or("cases.parquet".into(), |part| format!("cases-{}.parquet", part.k));
+        let file = self.index.map_or_else(|| "cases.parquet".into(), Part::file);
         let table = Table { axes: design.axes(), objectives, text };
         let keys = cases.iter().map(|&case| (case, design.key(base, objectives, case)));
         let mut results = Results::new(table, self.output.join(file), keys.collect());
         results.take_over(table::rows_in(&self.output, objectives)?, self.retry);
         let bar = if self.quiet { progress::no_bar() } else { progress::cases(cases.len() as u64) };
         let todo = results.missing();
+        // Not before: what comes until here asks nobody whether it is to end.
+        let interrupt = ctrl_c()?;
         let work = |case| Row::of(case, &design, base, objectives, &interrupt);
         workers::run(&todo, self.jobs(), &interrupt, work, |row| {
             if let Some((case, row)) = row {

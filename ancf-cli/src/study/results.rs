@@ -53,11 +53,7 @@ impl<'a> Results<'a> {
     pub fn take_over(&mut self, earlier: HashMap<String, Row>, retry: bool) {
         let missing = self.missing();
         for case in missing {
-            let is_done = |row: &&Row| match row.ending {
-                Ending::Finished => true,
-                Ending::Stopped => false,
-                Ending::Failed | Ending::Invalid => !retry,
-            };
+            let is_done = |row: &&Row| !retry || row.ending == Ending::Finished;
             if let Some(row) = earlier.get(&self.keys[&case]).filter(is_done) {
                 self.add(case, row.clone());
             }

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use ancf::model::{join, nearest, parse_as, substitute};
+use ancf::model::{join, nearest, parse_as};
 use ancf::record::Sink;
 use ancf::{Model, ModelError, ModelErrors, simulate};
 use schemars::JsonSchema;
@@ -16,9 +16,9 @@ use serde::Deserialize;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::design::Design;
 use super::distribution::Rule;
 use super::objective::Objectives;
+use super::places::Places;
 use super::sample::Sampling;
 use super::table;
 
@@ -78,6 +78,22 @@ impl Parameter {
             Self::Rule(rule) => rule.values(),
         }
     }
+
+    /// How many values a list or a range has; `None` of a distribution.
+    pub const fn count(&self) -> Option<usize> {
+        match self {
+            Self::List(values) => Some(values.len()),
+            Self::Rule(rule) => rule.count(),
+        }
+    }
+
+    /// The first value of a list or a range, the median of a distribution; `None` of an empty list.
+    pub fn first(&self) -> Option<Value> {
+        match self {
+            Self::List(values) => values.first().cloned(),
+            Self::Rule(rule) => Some(rule.first()),
+        }
+    }
 }
 
 /// The schema of study files.
@@ -97,6 +113,22 @@ impl Study {
     /// All that is wrong, in the order of the text. What is wrong with the model itself is not looked for.
     pub fn parse(text: &str, folder: &Path) -> Result<Self, ModelErrors> {
         parse_as(text, &SCHEMA, |study: &Self| study.faults(folder))
+    }
+
+    /// How many samples every combination of lists and ranges is run with.
+    pub fn samples(&self) -> u32 {
+        let is_drawn = self.parameters.values().any(|parameter| parameter.count().is_none());
+        if is_drawn { self.samples.unwrap_or(1) } else { 1 }
+    }
+
+    /// How many cases there are; `None` if there are more than can be counted.
+    fn cases(&self) -> Option<usize> {
+        let mut counts = self.parameters.values().filter_map(Parameter::count);
+        let combinations = match self.combine {
+            Combine::Grid => counts.try_fold(1, usize::checked_mul)?,
+            Combine::Zip => counts.max().unwrap_or(1),
+        };
+        combinations.checked_mul(self.samples() as usize)
     }
 
     fn faults(&self, folder: &Path) -> Vec<ModelError> {
@@ -126,22 +158,21 @@ impl Study {
                 faults.extend(rule.errors(&at(path)));
             }
         }
-        let mut drawn = self.parameters.iter().filter(|(_, parameter)| parameter.values().is_none());
+        let mut drawn = self.parameters.iter().filter(|(_, parameter)| parameter.count().is_none());
         if let Some((path, _)) = drawn.next().filter(|_| self.samples.is_none()) {
             let wanted = "the number of samples at the top of the file, such as `samples = 100`";
             faults.push(ModelError::new(at(path), "a distribution without `samples`", wanted));
         }
         faults.extend(self.faults_of_zip());
         faults.extend(self.faults_of_names());
-        if Design::of(self).is_none_or(|design| design.cases() > MANY) {
+        if self.cases().is_none_or(|cases| cases > MANY) {
             faults.push(ModelError::new("parameters", "too many combinations", "at most 10 000 000 cases"));
         }
         faults
     }
 
     fn faults_of_zip(&self) -> Vec<ModelError> {
-        let lists =
-            self.parameters.iter().filter_map(|(path, parameter)| Some((path, parameter.values()?.len())));
+        let lists = self.parameters.iter().filter_map(|(path, parameter)| Some((path, parameter.count()?)));
         let mut lists = lists.filter(|_| self.combine == Combine::Zip);
         let Some((first, count)) = lists.next() else { return Vec::new() };
         let differs = lists.filter(|(_, other)| *other != count);
@@ -171,24 +202,11 @@ impl Study {
         faults
     }
 
-    /// Paths and columns that the model has not.
+    /// Paths and columns that the model has not, with the first value of every parameter.
     fn faults_with(&self, data: &Value) -> Vec<ModelError> {
-        let (mut faults, mut set) = (Vec::new(), BTreeMap::<String, &str>::new());
-        for (path, parameter) in &self.parameters {
-            let value = parameter.values().and_then(|values| values.into_iter().next());
-            match substitute(&mut data.clone(), path, value.unwrap_or(Value::Float(1.0))) {
-                Err(error) => faults.push(ModelError { path: at(path), ..error }),
-                Ok(places) => {
-                    for place in places {
-                        if let Some(other) = set.insert(place.clone(), path) {
-                            let found = format!("`{place}`, which `{other}` sets too");
-                            faults.push(ModelError::new(at(path), found, "every place to be set once"));
-                        }
-                    }
-                }
-            }
-        }
-        if let Ok(model) = Model::from_value(data) {
+        let (places, mut faults) = Places::of(&self.parameters, data);
+        faults.extend(places.faults());
+        if let Ok(model) = Model::from_value(&places.data) {
             let columns = Columns::of(&model);
             for (name, objective) in &self.objectives {
                 if !columns.is_empty() && !columns.contains(&objective.column) {
@@ -201,7 +219,7 @@ impl Study {
 }
 
 /// The path of a parameter in the file.
-fn at(path: &str) -> String {
+pub fn at(path: &str) -> String {
     join("parameters", path)
 }
 

@@ -156,7 +156,7 @@ fn write<D: DataType>(
     column.close()
 }
 
-/// Rows by their keys of all tables in a folder; those that finished go before others.
+/// Rows by their keys of all tables in a folder, but of cases that were stopped; those that finished go before others.
 pub fn rows_in(folder: &Path, objectives: &Objectives) -> Result<HashMap<String, Row>> {
     let mut rows = HashMap::new();
     let entries = match fs::read_dir(folder) {
@@ -180,7 +180,8 @@ fn read(path: &Path, objectives: &Objectives, rows: &mut HashMap<String, Row>) -
         let fields = row?.into_columns();
         let fields: HashMap<&str, &Field> = fields.iter().map(|(name, field)| (&**name, field)).collect();
         let Some((key, row)) = from_fields(&fields, objectives) else { continue };
-        if row.ending == Ending::Finished || !rows.contains_key(&key) {
+        let is_better = row.ending == Ending::Finished || !rows.contains_key(&key);
+        if row.ending != Ending::Stopped && is_better {
             rows.insert(key, row);
         }
     }
@@ -211,4 +212,35 @@ fn from_fields(fields: &HashMap<&str, &Field>, objectives: &Objectives) -> Optio
         seconds: number("seconds")?,
     };
     Some((text("key")?, row))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(ending: Ending) -> Row {
+        Row { ending, message: None, objectives: Vec::new(), steps: None, iterations: None, seconds: 1.0 }
+    }
+
+    /// Of the rows of a case in several files, in whatever order these are read.
+    #[test]
+    fn a_stopped_row_hides_none_and_a_finished_one_all() {
+        let objectives = Objectives::new();
+        let table = Table { axes: &[], objectives: &objectives, text: "" };
+        for (one, other, kept) in [
+            (Ending::Stopped, Ending::Failed, Some(Ending::Failed)),
+            (Ending::Stopped, Ending::Invalid, Some(Ending::Invalid)),
+            (Ending::Failed, Ending::Finished, Some(Ending::Finished)),
+            (Ending::Stopped, Ending::Stopped, None),
+        ] {
+            for endings in [[one, other], [other, one]] {
+                let folder = tempfile::TempDir::new().unwrap();
+                for (ending, name) in endings.into_iter().zip(["cases.parquet", "cases-1-of-2.parquet"]) {
+                    table.write(&folder.path().join(name), &[(0, "key", &row(ending))]).unwrap();
+                }
+                let rows = rows_in(folder.path(), &objectives).unwrap();
+                assert_eq!(rows.get("key").map(|row| row.ending), kept, "{endings:?}");
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The text of a path in the data of a model: keys with dots between them, places in brackets.
 
-use toml::Value;
+use toml::{Table, Value};
 
 use super::ModelError;
 use super::survey::join;
@@ -32,7 +32,7 @@ pub(super) fn spelt<'a>(steps: impl IntoIterator<Item = &'a Step>) -> String {
     })
 }
 
-/// The steps of a path, at least one; keys with other signs than letters, digits, `_` and `-` may be in quotes.
+/// The steps of a path, at least one; keys with other signs than letters, digits, `_` and `-` may be in quotes, as in TOML.
 pub(super) fn segments(path: &str) -> Result<Vec<Step>, ModelError> {
     let wrong = |found: &str| {
         let hint = "such as `bodies.rod.elements` or `gravity[1]`";
@@ -41,8 +41,8 @@ pub(super) fn segments(path: &str) -> Result<Vec<Step>, ModelError> {
     let mut steps = Vec::new();
     let mut rest = path;
     loop {
-        let (key, after) = key(rest).ok_or_else(|| wrong("quotes that do not end"))?;
-        if key.is_empty() {
+        let (key, after) = key(rest).map_err(wrong)?;
+        if key.is_empty() && !rest.starts_with(['"', '\'']) {
             return Err(wrong(if path.is_empty() { "an empty path" } else { "an empty key" }));
         }
         steps.push(Step::Key(key));
@@ -62,13 +62,36 @@ pub(super) fn segments(path: &str) -> Result<Vec<Step>, ModelError> {
     }
 }
 
-/// The key at the head of a text, and what follows it; `None` if its quotes do not end.
-fn key(text: &str) -> Option<(String, &str)> {
-    for quote in ['"', '\''] {
-        if let Some(quoted) = text.strip_prefix(quote) {
-            return quoted.split_once(quote).map(|(key, rest)| (key.to_owned(), rest));
-        }
+/// The key at the head of a text, and what follows it; or what is wrong with its quotes.
+fn key(text: &str) -> Result<(String, &str), &'static str> {
+    let unended = "quotes that do not end";
+    if let Some(literal) = text.strip_prefix('\'') {
+        return literal.split_once('\'').map(|(key, rest)| (key.to_owned(), rest)).ok_or(unended);
+    }
+    if let Some(quoted) = text.strip_prefix('"') {
+        let end = closing(quoted).ok_or(unended)?;
+        let key = unescaped(&quoted[..end]).ok_or("a backslash that TOML does not know")?;
+        return Ok((key, &quoted[end + 1..]));
     }
     let end = text.find(['.', '[']).unwrap_or(text.len());
-    Some((text[..end].trim().to_owned(), &text[end..]))
+    Ok((text[..end].trim().to_owned(), &text[end..]))
+}
+
+/// The place of the first quote that no backslash stands before.
+fn closing(text: &str) -> Option<usize> {
+    let mut is_escaped = false;
+    text.char_indices().find_map(|(i, c)| {
+        let ends = c == '"' && !is_escaped;
+        is_escaped = c == '\\' && !is_escaped;
+        ends.then_some(i)
+    })
+}
+
+/// A text with what its backslashes mean in TOML.
+fn unescaped(text: &str) -> Option<String> {
+    if !text.contains('\\') {
+        return Some(text.to_owned());
+    }
+    let table: Table = format!("text = \"{text}\"").parse().ok()?;
+    table["text"].as_str().map(ToOwned::to_owned)
 }

@@ -289,11 +289,20 @@ fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
     forms.iter().copied().rev().max_by_key(|form| fit(form)).unwrap_or(forms[0])
 }
 
-/// The path of a key in a table, as TOML spells it: in quotes if it has other signs than letters, digits, `_` and `-`.
+/// The path of a key in a table, as TOML spells it: in quotes if it has other signs than letters, digits, `_` and `-`,
+/// with a backslash before quotes and backslashes, and `\uXXXX` for what controls.
 pub fn join(path: &str, key: &str) -> String {
     let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
-    let key = if bare { key.to_owned() } else { format!("{key:?}") };
+    let key = if bare { key.to_owned() } else { format!("\"{}\"", escaped(key)) };
     if path.is_empty() { key } else { format!("{path}.{key}") }
+}
+
+fn escaped(key: &str) -> String {
+    key.chars().fold(String::new(), |text, c| match c {
+        '"' | '\\' => format!("{text}\\{c}"),
+        _ if c.is_control() => format!("{text}\\u{:04X}", u32::from(c)),
+        _ => format!("{text}{c}"),
+    })
 }
 
 /// Whether a path is another or lies below it.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -12,6 +13,7 @@ from ancf.errors import Fault, ModelError
 from ancf.part import plain as plain_value
 from ancf.studies.design import Design, count
 from ancf.studies.objective import TAKES, Objectives, pair
+from ancf.studies.places import clashes
 from ancf.studies.sampling import SAMPLINGS, Distribution, drawn, is_distribution
 from ancf.studies.table import COLUMNS
 from ancf.tables import Tables
@@ -33,6 +35,8 @@ class Statement:
     lists: dict[str, list[Any]] = field(default_factory=dict)
     distributions: dict[str, Distribution] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
+    first: dict[str, Any] = field(default_factory=dict)
+    """The model with the first value of every parameter, the median of distributions."""
 
     def design(self, parameters: Mapping[str, Any]) -> Design:
         """The cases; raises `ModelError` with all that is wrong, before anything is run."""
@@ -96,21 +100,17 @@ class Statement:
                 self._fault(at(path), f"{len(self.lists[path])} values", wanted)
 
     def _paths(self) -> None:
-        """Paths that the model has not, and places that are set twice."""
-        places: dict[str, str] = {}
+        """Paths that the model has not, and parameters that are in each other's way."""
+        self.first, places = dict(self.base), {}
         for path in sorted([*self.lists, *self.distributions]):
-            value = self.lists[path][0] if path in self.lists else 1.0
+            value = self.lists[path][0] if path in self.lists else float(self.distributions[path].ppf(0.5))
             try:
-                _, found = _ancf.substitute(self.base, path, value)
+                self.first, places[path] = _ancf.substitute(self.first, path, value)
             except ModelError as error:
                 for one in error.errors:
                     self._fault(at(path), one.found, one.wanted, one.hint)
-                continue
-            for place in found:
-                if place in places:
-                    told = f"`{place}`, which `{places[place]}` sets too"
-                    self._fault(at(path), told, "every place to be set once")
-                places.setdefault(place, path)
+        for path, found, wanted, hint in clashes(self.first, places):
+            self._fault(at(path), found, wanted, hint)
 
     def _names(self) -> None:
         """Columns of the table that would have the same name."""
@@ -148,8 +148,8 @@ class Statement:
             column, take = pair(reading)
             if isinstance(take, str) and take not in TAKES:
                 self._fault(path, quoted(take), listed([*TAKES, "a row from 0"]), near(take, TAKES))
-            known = columns(self.base) if known is None else known
-            if column not in known:
+            known = columns(self.first) if known is None else known
+            if known and column not in known:
                 found = f"{quoted(column)}, which is no column of the results"
                 self._fault(path, found, "a column of the results of the model", near(column, known))
 
@@ -171,8 +171,11 @@ def is_reading(reading: Any) -> bool:
 
 
 def columns(base: Mapping[str, Any]) -> list[str]:
-    """The columns of a run."""
-    return _ancf.Simulation(base).columns()
+    """The columns of a run; none of what is no valid model."""
+    try:
+        return _ancf.Simulation(base).columns()
+    except ModelError:
+        return []
 
 
 def at(path: str) -> str:
@@ -181,9 +184,9 @@ def at(path: str) -> str:
 
 
 def join(path: str, name: str) -> str:
-    """A path with a name, in quotes if it has dots."""
+    """A path with a name, in quotes if it has other signs than letters, digits, `_` and `-`."""
     bare = name.isascii() and name.replace("_", "").replace("-", "").isalnum()
-    return f"{path}.{name}" if bare else f"{path}.{quoted(name)}"
+    return f"{path}.{name}" if bare else f"{path}.{json.dumps(name, ensure_ascii=False)}"
 
 
 def quoted(word: object) -> str:

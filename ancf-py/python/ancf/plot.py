@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Curves: TypeAlias = "Mapping[str, Array]"
 """Columns by their labels."""
 
-Grid: TypeAlias = "np.ndarray[Any, np.dtype[np.object_]]"
+Grid: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 """Several axes of matplotlib."""
 
 QUANTITIES = {column: name.replace("_", " ") for name, columns in VECTORS.items() for column in columns}

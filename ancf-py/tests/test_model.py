@@ -287,18 +287,61 @@ def test_every_attribute_is_documented(part: type[Part]) -> None:
         assert re.search(rf"^    {name}\n        \S", text, re.MULTILINE), name
 
 
-def test_a_type_checker_finds_mistakes() -> None:
-    """Every line that is marked as wrong is found, and no other."""
+RIGHT = """
+from matplotlib.axes import Axes
+import numpy as np
+
+one: Axes = result.plot("tip.y", "tip.x", linestyle="--")
+for ax in result.plot("tip.y", "tip.x", subplots=True).flat:
+    ax.set_title("a title")
+many = result.plot().shape
+values = {"elements": [1, 2]}
+ancf.study(model, values, "tip.y")
+ancf.study(model, values, ("tip.y", "mean"))
+ancf.study(model, values, {"a": "tip.y", "b": ("tip.y", 3), "c": lambda r: r["tip.y"].mean()})
+ancf.study(model, values, lambda r: r["tip.y"][-1])
+ancf.study(model, values, lambda r: {"a": np.mean(r["tip.y"]), "b": float(r.time[-1])})
+
+
+def tip(result: ancf.Result) -> dict[str, float]:
+    return {"tip": float(result["tip.y"][-1])}
+
+
+def end(result: ancf.Result) -> float:
+    return float(result["tip.y"][-1])
+
+
+ancf.study(model, values, tip)
+ancf.study(model, values, {"end": end, "last": "tip.y"})
+"""
+
+
+def checked(path: Path) -> str:
+    """What a type checker says of a file."""
     pytest.importorskip("mypy")
-    path = Path(__file__).with_name("typed_wrong.py")
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--hide-error-context", str(path)]
     package = Path(ancf.__file__).parents[1]
     # What is installed is found, and may not be on this path.
     there = {"MYPYPATH": str(package)} if package.name == "python" else {}
-    found_by = subprocess.run(
+    return subprocess.run(
         command, capture_output=True, text=True, check=False, env={**os.environ, **there}
-    )
-    output = found_by.stdout
+    ).stdout
+
+
+def test_a_type_checker_finds_mistakes() -> None:
+    """Every line that is marked as wrong is found, and no other."""
+    path = Path(__file__).with_name("typed_wrong.py")
+    output = checked(path)
     found = {int(line) for line in re.findall(r"typed_wrong\.py:(\d+): error", output)}
     lines = path.read_text("utf-8").splitlines()
     assert found == {number for number, line in enumerate(lines, 1) if line.endswith("# wrong")}, output
+
+
+def test_a_type_checker_finds_none_in_what_is_right(tmp_path: Path) -> None:
+    """The first program of the README, and what pictures and objectives may be."""
+    page = Path(__file__).parents[2] / "README.md"
+    block = re.search(r"```python\n(.*?)```", page.read_text("utf-8"), re.DOTALL)
+    assert block is not None
+    path = tmp_path / "start.py"
+    path.write_text(block[1] + RIGHT, encoding="utf-8")
+    assert not re.findall(r"start\.py:\d+: error.*", checked(path))

@@ -258,3 +258,27 @@ def test_a_notebook_goes_on_to_show_pictures(monkeypatch: pytest.MonkeyPatch) ->
         # As the backend of notebooks does when the first figure is made.
         mpl.interactive(True)
     assert mpl.is_interactive()
+
+
+def test_what_cannot_be_drawn_is_told() -> None:
+    run = result("cantilever")
+    with pytest.raises(ValueError, match="time: found nan, wanted a finite number or several"):
+        run.plot_shape(time=np.nan)
+    with pytest.raises(ValueError, match=r"time: found \[\], wanted"):
+        run.plot_shape(time=[])
+    with pytest.raises(ValueError, match=r"frame: found \[\], wanted the number of a row or of several"):
+        run.plot_shape([])
+    with pytest.raises(ValueError, match=r"frame: found 1\.5, wanted"):
+        run.plot_shape(1.5)
+    for fps in [0, -1, 2.5]:
+        with pytest.raises(ValueError, match=rf"fps: found {fps}, wanted a whole number >= 1"):
+            run.animate(fps=fps)
+    modes = result("tuning_fork")
+    with pytest.raises(ValueError, match="energy: found a result of modes without energies, wanted"):
+        modes.plot("energy")
+    with pytest.raises(ValueError, match="count: found 0, wanted a whole number >= 1"):
+        modes.plot_modes(0)
+    still = ancf.run(MODELS / "cantilever.toml", callback=lambda _: True)
+    assert len(still) == 1
+    with pytest.raises(ValueError, match="film: found a result of 1 row, wanted two rows at least"):
+        still.animate()

@@ -194,3 +194,13 @@ def test_what_is_wrong_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(stage, "find_spec", lambda _: None)
     with pytest.raises(RuntimeError, match="pip install imageio imageio-ffmpeg"):
         run.show(movie=tmp_path / "x.mp4")
+
+
+def test_numbers_that_make_no_picture_are_told(tmp_path: Path) -> None:
+    run = result("cantilever")
+    for sides in [2, 0, 3.5]:
+        with pytest.raises(ValueError, match=f"sides: found {sides}, wanted a whole number >= 3"):
+            run.scene(sides=sides)
+    for seconds in [0, -1.0, np.nan]:
+        with pytest.raises(ValueError, match=f"seconds: found {seconds}, wanted a number > 0"):
+            run.show(movie=tmp_path / "film.gif", seconds=seconds)

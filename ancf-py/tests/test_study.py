@@ -289,3 +289,77 @@ def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> 
     pd.testing.assert_frame_equal(ours[same], theirs[same])
     np.testing.assert_allclose(ours["tip"], theirs["tip"], rtol=1e-12)
     assert len(study.finished) == 5
+
+
+def told(bar: dict[str, Any], parameters: Any, objective: Any = None, **settings: Any) -> list[str]:
+    """What is told of a study that is wrong, before anything runs."""
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.study(bar, parameters, objective, **settings)
+    return str(caught.value).splitlines()
+
+
+def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
+    def never(_: ancf.Result) -> float:
+        raise AssertionError("a case was run")
+
+    wanted = "wanted a whole number >= 1, or -1 for all cores"
+    for jobs in [0, -2, 1.5, True, "two"]:
+        shown = f'"{jobs}"' if isinstance(jobs, str) else jobs
+        assert told(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {wanted}"]
+    assert told(bar, {"elements": [1]}, never, states="al", client=3, seed="x", folder=5) == [
+        "folder: found 5, wanted a path",
+        'states: found "al", wanted "all", "positions" or "none" (did you mean "all"?)',
+        "client: found 3, wanted a client of dask.distributed",
+        'seed: found "x", wanted a whole number >= 0',
+    ]
+    law = {"gravity[1]": scipy.stats.norm(-9, 1)}
+    for samples in [0, 2.0, "many", True]:
+        (line,) = told(bar, law, never, samples=samples)
+        assert line.startswith("samples: found") and line.endswith("wanted a whole number >= 1")
+    assert told(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
+    assert told(bar, {3: [1]}, {4: never}) == [
+        "parameters: found the name 3, wanted texts as names",
+        "objectives: found the name 4, wanted texts as names",
+    ]
+    file = tmp_path / "file"
+    file.touch()
+    (line,) = told(bar, {"elements": [1]}, never, folder=file)
+    assert line.startswith(f'folder: found "{file}", where no file can be written (')
+    assert line.endswith("wanted a folder to write to")
+    study = ancf.study(
+        bar, law, {"tip": ("tip.y", np.int64(0))}, samples=np.int64(2), seed=np.int64(1), jobs=-1
+    )
+    assert len(study.finished) == 2
+
+
+def test_what_is_kept_of_states_decides(bar: dict[str, Any], tmp_path: Path) -> None:
+    def kept(result: ancf.Result) -> float:
+        return float(result.field("velocity")[-1, -1, 0])
+
+    def outcome(states: Any) -> str:
+        study = ancf.study(bar, {"elements": [1]}, kept, folder=tmp_path, states=states)
+        return str(study.table["outcome"][0])
+
+    assert [outcome("none"), outcome("all"), outcome("none")] == ["failed", "finished", "failed"]
+
+
+def test_what_is_no_number_is_a_failed_row(bar: dict[str, Any]) -> None:
+    def message(objective: Any) -> str:
+        (row,) = ancf.study(bar, {"elements": [1]}, objective).failed["message"]
+        return str(row)
+
+    assert message(lambda r: {}) == (
+        "objectives.objective: found {}, wanted at least one number, by names that are texts"
+    )
+    assert message({"a": lambda r: {"b": 1.0}}) == (
+        "objectives.a: found {'b': 1.0}, wanted a number, since this objective is one of several by name"
+    )
+    assert message(lambda r: {"a": {"b": 1}}) == (
+        "objectives.objective: found {'b': 1}, wanted a number as 'a'"
+    )
+    assert message(lambda r: None) == ("objectives.objective: found None, wanted a number or several by name")
+
+
+def test_a_column_alone_is_an_objective(bar: dict[str, Any]) -> None:
+    last = ancf.study(bar, {"elements": [2]}, "tip.y").table["objective"][0]
+    assert ancf.study(bar, {"elements": [2]}, ("tip.y", "last")).table["objective"][0] == last

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.stats
+from ancf.studies.indices import parts
 
 import ancf
 
@@ -124,3 +125,54 @@ def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
         assert table["first"]["tip", path] == pytest.approx(v / whole, abs=0.03)
         assert table["total"]["tip", path] == pytest.approx(v * (1 + other) / whole, abs=0.03)
     assert len(table) == 4
+
+
+def test_indices_are_those_of_scipy(pushed: dict[str, Any]) -> None:
+    laws = {
+        "bodies.beam.section.diameter": scipy.stats.uniform(0.015, 0.01),
+        "elements": scipy.stats.randint(1, 5),
+    }
+    seen: list[int] = []
+
+    def tip(result: ancf.Result) -> float:
+        seen.append(result.model["bodies"][0]["elements"])
+        return float(result["tip.y"][-1])
+
+    table = ancf.sobol(pushed, laws, {"tip": tip}, samples=16, seed=np.int64(2), jobs=1)
+    assert set(seen) == {1, 2, 3, 4} and all(isinstance(count, int) for count in seen)
+    assert len(seen) == 16 * 4
+    values = np.random.default_rng(0).random((3, 5, 8))
+    blocks = {"f_A": values[:, 0], "f_B": values[:, 1], "f_AB": values[:, 2:].swapaxes(0, 1)}
+    theirs = scipy.stats.sobol_indices(func=blocks, n=8)
+    first, total = parts(values)
+    np.testing.assert_allclose(first, np.ravel(theirs.first_order), rtol=1e-12)
+    np.testing.assert_allclose(total, np.ravel(theirs.total_order), rtol=1e-12)
+    assert len(table) == 2
+
+
+def test_one_parameter_makes_all_of_the_variance(pushed: dict[str, Any]) -> None:
+    law = {"bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9)}
+    table = ancf.sobol(pushed, law, {"tip": "tip.y"}, samples=256)
+    assert list(table.to_numpy()[0]) == pytest.approx([1, 1], abs=0.05)
+    # What does not vary has no parts.
+    assert ancf.sobol(pushed, law, lambda _: 1.0, samples=2).isna().to_numpy().all()
+
+
+def test_indices_need_numbers(pushed: dict[str, Any]) -> None:
+    law: Any = {"bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9)}
+
+    with pytest.raises(
+        ValueError, match=r"objectives\.o: found no number in 12 of 12 cases, wanted one in each"
+    ):
+        ancf.sobol(pushed, law, {"o": lambda _: np.nan}, samples=4)
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.sobol(pushed, {}, None, samples="x", seed=-1, combine="grid")  # type: ignore[arg-type]
+    assert str(caught.value).splitlines() == [
+        "parameters: found none, wanted at least one distribution",
+        "objective: found none, wanted at least one number whose variance is taken apart",
+        'samples: found "x", wanted a power of 2, as Sobol\'s sequence has (such as 256)',
+        "seed: found -1, wanted a whole number >= 0",
+        'combine: found "grid", wanted nothing, since Sobol\'s sequence decides the cases',
+    ]
+    with pytest.raises(ancf.ModelError, match="parameters: found 3, wanted a dictionary"):
+        ancf.sobol(pushed, 3, "tip.y", samples=4)  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.lines import COLOURS, Lines, shaking, told
+from ancf.lines import COLOURS, Lines, filmed, shaking, told, whole
 from ancf.plot import style
 from ancf.shape import GREY, Canvas, View, arms, arms_at, axes_of, body_colours, legend, strokes
 
@@ -33,7 +33,7 @@ def frames(result: Result, speed: float | None, fps: int) -> tuple[list[int], fl
     time = result.time
     lasted = float(time[-1] - time[0])
     speed = lasted / FILM if speed is None else speed
-    if not speed > 0:
+    if not 0 < speed < np.inf:
         msg = f"speed: found {speed}, wanted a number > 0, or None"
         raise ValueError(msg)
     count = max(2, round(lasted / speed * fps) + 1)
@@ -59,6 +59,8 @@ def animate(
     import matplotlib.pyplot as plt
     from matplotlib.animation import FuncAnimation
 
+    whole("fps", fps, 1)
+    filmed(result)
     if save is not None:
         check(Path(save))
     lines = Lines(result, parts)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from ancf.record import VECTORS, Array, unknown
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
     from ancf.result import Result
 
@@ -148,14 +148,35 @@ def rows(
 ) -> list[int]:
     """Numbers of the rows that `frame` names, from the end if negative, or those next to `time`, if given."""
     if time is not None:
-        return [int(np.abs(result.time - t).argmin()) for t in np.atleast_1d(np.asarray(time, dtype=float))]
-    wanted = [frame] if isinstance(frame, (int, np.integer)) else list(frame)
+        times = np.atleast_1d(np.asarray(time, dtype=float))
+        if not times.size or not np.isfinite(times).all():
+            msg = f"time: found {time}, wanted a finite number or several"
+            raise ValueError(msg)
+        return [int(np.abs(result.time - t).argmin()) for t in times]
+    wanted = list(frame) if isinstance(frame, Iterable) else [frame]
+    if not wanted or not all(isinstance(row, int | np.integer) for row in wanted):
+        msg = f"frame: found {frame}, wanted the number of a row or of several"
+        raise ValueError(msg)
     count = len(result)
     for row in wanted:
         if not -count <= row < count:
             msg = f"frame {row}: the result has {count} rows"
             raise IndexError(msg)
     return [int(row) % count for row in wanted]
+
+
+def whole(name: str, value: object, least: int) -> None:
+    """Refuse what is no whole number or too small."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        msg = f"{name}: found {value!r}, wanted a whole number >= {least}"
+        raise ValueError(msg)
+
+
+def filmed(result: Result) -> None:
+    """Refuse what has nothing to go through."""
+    if result.kind not in {"modes", "buckling"} and len(result) < 2:
+        msg = f"film: found a result of {len(result)} row{'s' * (len(result) != 1)}, wanted two rows at least"
+        raise ValueError(msg)
 
 
 def told(result: Result, row: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Literal, cast, overload
 
 if TYPE_CHECKING:
     import os
@@ -18,6 +18,34 @@ if TYPE_CHECKING:
 
 class Pictures:
     """Pictures of a result: curves, shapes and films by matplotlib, bodies in space by PyVista."""
+
+    @overload
+    def plot(self) -> Grid: ...
+
+    @overload
+    def plot(
+        self,
+        *names: str,
+        x: str | None = None,
+        ax: Axes | None = None,
+        subplots: Literal[False] = False,
+        **line: object,
+    ) -> Axes: ...
+
+    @overload
+    def plot(
+        self, *names: str, x: str | None = None, ax: None = None, subplots: Literal[True], **line: object
+    ) -> Grid: ...
+
+    @overload
+    def plot(
+        self,
+        *names: str,
+        x: str | None = None,
+        ax: Axes | None = None,
+        subplots: bool = False,
+        **line: object,
+    ) -> Axes | Grid: ...
 
     def plot(
         self,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Curves: TypeAlias = "Mapping[str, Array]"
 """Columns by their labels."""
 
-Grid: TypeAlias = "np.ndarray[Any, np.dtype[np.object_]]"
+Grid: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 """Several axes of matplotlib."""
 
 QUANTITIES = {column: name.replace("_", " ") for name, columns in VECTORS.items() for column in columns}
@@ -189,7 +189,10 @@ def columns(result: Result, name: str) -> dict[str, Array]:
     """The columns that a name means: its own, the vector of a probe or a joint, or all energies."""
     if name in result:
         return {name: result[name]}
-    if name in {"energy", "total"} and "strain" in result:
+    if name in {"energy", "total"} and "strain" not in result:
+        msg = f"{name}: found a result of {result.kind} without energies, wanted one that has them"
+        raise ValueError(msg)
+    if name in {"energy", "total"}:
         still = {"kinetic"} if result.kind in {"statics", "path"} else set()
         own = {column: result[column] for column in ENERGIES if column in result and column not in still}
         total = {"total": result.energy.total}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.lines import COLOURS, Lines, rows
+from ancf.lines import COLOURS, Lines, rows, whole
 from ancf.surface import Outline, Surface, inertial
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ class Scene:
         least: float = 0.0,
     ) -> None:
         """Surfaces as `Result.scene` describes them; nothing is thinner than `least` of the model's size."""
+        whole("sides", sides, 3)
         self.result, self.color = result, color
         self.lines = Lines(result, parts)
         self.scale = scale

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ancf.lines import AXES, COLOURS, Lines, rows, shaking, told
+from ancf.lines import AXES, COLOURS, Lines, rows, shaking, told, whole
 from ancf.plot import Grid, grid, style
 from ancf.record import Array
 
@@ -165,6 +165,7 @@ def plot_modes(
     if not lines.modal:
         msg = f"a result of {result.kind} has no shapes"
         raise AttributeError(msg)
+    whole("count", count, 1)
     wanted = (list(range(len(result))) if rigid else shaking(result))[:count]
     places = [lines.places(row, scale) for row in wanted]
     straight = View.along(lines.path[0], places[0] - lines.path[0]) if plane is None else None

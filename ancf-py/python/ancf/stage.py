@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from ancf.animation import frames
-from ancf.lines import told
+from ancf.lines import filmed, told
 from ancf.scene import Scene
 from ancf.shape import View, limits
 
@@ -48,6 +48,11 @@ def show(
     sides: int,
 ) -> object:
     """See `Result.show`."""
+    if not 0 < seconds < np.inf:
+        msg = f"seconds: found {seconds}, wanted a number > 0"
+        raise ValueError(msg)
+    if movie is not None:
+        filmed(result)
     mapped = None if color is None or painted(color) else color
     scene = Scene(result, color=mapped, scale=scale, parts=parts, sides=sides, least=LEAST)
     stage = Stage(

@@ -5,13 +5,31 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-import pickle
 import types
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
+
+DESCRIPTORS = (
+    types.GetSetDescriptorType
+    | types.MemberDescriptorType
+    | types.MethodDescriptorType
+    | types.WrapperDescriptorType
+)
+"""What classes have of C, which is told by its name."""
+
+NOT_BODY = {"_abc_impl", "__dict__", "__doc__", "__module__", "__weakref__", "__dataclass_params__"}
+NOT_BODY |= {"__annotate__", "__annotate_func__", "__annotations__", "__annotations_cache__"}
+NOT_BODY |= {
+    "__dataclass_fields__",
+    "__firstlineno__",
+    "__orig_bases__",
+    "__slotnames__",
+    "__static_attributes__",
+}
+"""What decides nothing in the body of a class, or is told by its functions too."""
 
 
 def key(data: Mapping[str, Any], definition: Any) -> str:
@@ -21,54 +39,133 @@ def key(data: Mapping[str, Any], definition: Any) -> str:
     return hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
 
 
-def told(value: Any, above: tuple[int, ...] = ()) -> Any:
+def told(value: Any) -> Any:
     """A value as plain data, functions too; what cannot be told is never the same twice.
 
-    A function is told by its name, its compiled code, its defaults and what it takes from around it: numbers,
-    texts, arrays and other functions of its module. `above` are the objects that it is told within.
+    A function is told by its name, its compiled code, its defaults and all that it takes from around it, but
+    modules, and functions and classes of other modules. A class of its module is told by its body, an object by
+    its class and its state.
     """
-    if value is None or isinstance(value, bool | int | float | str):
-        return value
-    if id(value) in above:
-        return "itself"
-    above = (*above, id(value))
-    if isinstance(value, np.ndarray | np.generic):
-        return told(value.tolist(), above)
-    if isinstance(value, Mapping):
-        return {str(name): told(item, above) for name, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [told(item, above) for item in value]
-    if isinstance(value, set | frozenset):
-        return sorted(json.dumps(told(item, above)) for item in value)
-    if isinstance(value, types.FunctionType):
-        return function(value, above)
-    if isinstance(value, types.MethodType):
-        return [told(value.__func__, above), told(value.__self__, above)]
-    if isinstance(value, functools.partial):
-        return ["partial", *(told(item, above) for item in (value.func, value.args, value.keywords))]
-    if isinstance(value, types.CodeType):
-        return code(value, above)
-    return object_of(value)
+    return Teller().told(value)
 
 
-def function(value: types.FunctionType, above: tuple[int, ...]) -> dict[str, Any]:
-    """A function by what it does."""
-    closure = [cell.cell_contents for cell in value.__closure__ or () if is_filled(cell)]
-    around = {name: value.__globals__[name] for name in names(value.__code__) if name in value.__globals__}
-    return {
-        "name": f"{value.__module__}.{value.__qualname__}",
-        "code": code(value.__code__, above),
-        "defaults": told([value.__defaults__, value.__kwdefaults__], above),
-        "closure": told(closure, above),
-        "around": {
-            name: told(item, above) for name, item in around.items() if is_own(item, value.__module__)
-        },
-    }
+class Teller:
+    """What was told already, and within what the next value is told."""
 
+    def __init__(self) -> None:
+        """Nothing told yet."""
+        self._above: list[Any] = []
+        self._module: str | None = None
+        self._bodies: list[Any] = []
 
-def code(value: types.CodeType, above: tuple[int, ...]) -> list[Any]:
-    """Compiled code; where it stands in a file does not matter."""
-    return [value.co_code.hex(), list(value.co_names), [told(item, above) for item in value.co_consts]]
+    def told(self, value: Any) -> Any:
+        """A value as plain data; classes of the module of the outermost function or object by their bodies."""
+        if value is None or isinstance(value, bool | int | float | str):
+            return value
+        if any(value is item for item in self._above):
+            return "itself"
+        module = self._module
+        self._above.append(value)
+        try:
+            return self._told(value)
+        except Exception:  # Any object may refuse in its own way.
+            return uuid.uuid4().hex
+        finally:
+            self._above.pop()
+            self._module = module
+
+    def _told(self, value: Any) -> Any:
+        if isinstance(value, np.ndarray | np.generic) and value.dtype.names is None:
+            return self.told(value.tolist())
+        if isinstance(value, Mapping):
+            return {str(name): self.told(value[name]) for name in sorted(value, key=str)}
+        if isinstance(value, list | tuple):
+            return self._items(value)
+        if isinstance(value, set | frozenset):
+            return ["set", *sorted(json.dumps(self.told(item), sort_keys=True) for item in value)]
+        if isinstance(value, types.FunctionType):
+            return self._once(value, self._function)
+        if isinstance(value, types.CodeType):
+            return self._code(value)
+        if isinstance(value, type):
+            is_own = value.__module__ == self._module
+            return self._once(value, self._class) if is_own else named(value)
+        return self._object(value)
+
+    def _items(self, values: Iterable[Any]) -> list[Any]:
+        return [self.told(item) for item in values]
+
+    def _once(self, value: Any, tell: Any) -> Any:
+        """What may be met on many ways, told on the first."""
+        number = next((i for i, item in enumerate(self._bodies) if item is value), None)
+        if number is not None:
+            return f"{named(value)}, body {number}"
+        self._bodies.append(value)
+        return tell(value)
+
+    def _function(self, value: types.FunctionType) -> dict[str, Any]:
+        """A function by what it does."""
+        self._module = self._module or value.__module__
+        closure = [cell.cell_contents for cell in value.__closure__ or () if is_filled(cell)]
+        around = {
+            name: value.__globals__[name] for name in names(value.__code__) if name in value.__globals__
+        }
+        return {
+            "name": named(value),
+            "code": self._code(value.__code__),
+            "defaults": self.told([value.__defaults__, value.__kwdefaults__]),
+            "closure": self.told(closure),
+            "attributes": self.told(vars(value)),
+            "around": {
+                name: self.told(item)
+                for name, item in sorted(around.items())
+                if not is_foreign(item, value.__module__)
+            },
+        }
+
+    def _code(self, value: types.CodeType) -> list[Any]:
+        """Compiled code; where it stands in a file does not matter."""
+        return [value.co_code.hex(), list(value.co_names), self._items(value.co_consts)]
+
+    def _class(self, value: type) -> dict[str, Any]:
+        """A class by its bases, functions and data."""
+        body = {name: item for name, item in sorted(vars(value).items()) if name not in NOT_BODY}
+        plain = {n: named(x) if is_foreign(x, value.__module__) else self.told(x) for n, x in body.items()}
+        return {"class": named(value), "bases": self._items(value.__bases__), "body": plain}
+
+    def _object(self, value: Any) -> Any:
+        """Any other object, by its name or its state."""
+        if isinstance(value, types.MethodType):
+            owner = value.__self__ if isinstance(value.__self__, type) else type(value.__self__)
+            self._module = self._module or owner.__module__
+            return [self.told(value.__func__), self.told(value.__self__)]
+        if isinstance(value, staticmethod | classmethod):
+            return [type(value).__name__, self.told(value.__func__)]
+        if isinstance(value, property):
+            return ["property", *self._items([value.fget, value.fset, value.fdel])]
+        if isinstance(value, functools.cached_property):
+            return ["property", self.told(value.func)]
+        if isinstance(value, functools.partial):
+            return ["partial", *self._items([value.func, value.args, value.keywords])]
+        if isinstance(value, types.ModuleType | np.ufunc):
+            return value.__name__
+        if isinstance(value, DESCRIPTORS) or is_function(value):
+            return [named(value), self.told(getattr(value, "__wrapped__", None))]
+        if isinstance(value, bytes | bytearray | complex) or value is Ellipsis:
+            return repr(value)
+        return self._state(value)
+
+    def _state(self, value: Any) -> list[Any]:
+        """An object as it would be pickled, but with its class told too."""
+        self._module = self._module or type(value).__module__
+        if type(value) is object:
+            raise TypeError("an object without a state is only told by what it is")
+        reduced = value.__reduce_ex__(4)
+        if isinstance(reduced, str):
+            return [reduced, self.told(getattr(value, "__wrapped__", None))]
+        make, *state = reduced
+        parts = [list(part) if isinstance(part, Iterator) else part for part in state]
+        return [self.told(type(value)), named(make), *self._items(parts)]
 
 
 def names(value: types.CodeType) -> Iterator[str]:
@@ -79,11 +176,22 @@ def names(value: types.CodeType) -> Iterator[str]:
             yield from names(item)
 
 
-def is_own(item: Any, module: str) -> bool:
-    """Whether what a function finds around it is data or a function of its own module."""
-    if isinstance(item, types.FunctionType):
-        return item.__module__ == module
-    return isinstance(item, bool | int | float | str | list | tuple | dict | np.ndarray | np.generic)
+def named(value: Any) -> str:
+    """The name of a function or a class."""
+    return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', value.__name__)}"
+
+
+def is_function(value: Any) -> bool:
+    """Whether this is a function, in whatever language, that is bound to no object."""
+    bound = getattr(value, "__self__", None)
+    return hasattr(value, "__qualname__") and (bound is None or isinstance(bound, types.ModuleType))
+
+
+def is_foreign(item: Any, module: str) -> bool:
+    """Whether what a function finds around it is a module, or a function or a class of another module."""
+    if isinstance(item, types.ModuleType | np.ufunc):
+        return True
+    return is_function(item) and item.__module__ != module
 
 
 def is_filled(cell: types.CellType) -> bool:
@@ -93,15 +201,3 @@ def is_filled(cell: types.CellType) -> bool:
     except ValueError:
         return False
     return True
-
-
-def object_of(value: Any) -> str:
-    """Any other object, by its name or its state."""
-    if isinstance(value, type | types.BuiltinFunctionType | types.ModuleType | np.ufunc):
-        return f"{getattr(value, '__module__', '')}.{value.__name__}"
-    if isinstance(value, bytes | complex) or value is Ellipsis:
-        return repr(value)
-    try:
-        return hashlib.blake2b(pickle.dumps(value), digest_size=16).hexdigest()
-    except Exception:  # Any object may refuse in its own way.
-        return uuid.uuid4().hex

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias
 
 import numpy as np
 
@@ -16,11 +16,14 @@ if TYPE_CHECKING:
 Take: TypeAlias = Literal["first", "last", "mean", "min", "max", "amplitude", "rms"]
 """What is taken of a column."""
 
-Reading: TypeAlias = "str | tuple[str, Take | int] | Callable[[Result], float]"
+Reading: TypeAlias = "str | tuple[str, Take | int] | Callable[[Result], SupportsFloat]"
 """The last value of a column, what is taken of it or one row of it, from 0, or what a function tells."""
 
-Objective: TypeAlias = "Mapping[str, Reading] | Callable[[Result], float | Mapping[str, float]]"
-"""Readings by name, or a function that tells a number or several by name."""
+Objective: TypeAlias = (
+    "Mapping[str, Reading] | Reading | Callable[[Result], Mapping[str, SupportsFloat]]"
+    " | Callable[[Result], SupportsFloat | Mapping[str, SupportsFloat]]"
+)
+"""Readings by name, or one reading, or a function that tells a number or several by name."""
 
 TAKES: dict[str, Callable[[Array], Any]] = {
     "first": lambda x: x[0],
@@ -43,7 +46,7 @@ class Objectives:
         self.tells_names = callable(stated)
         """Whether the names are told by a function only, as it may give several numbers."""
         if isinstance(stated, Mapping):
-            self.readings = {name: stated[name] for name in sorted(stated)}
+            self.readings = {name: stated[name] for name in sorted(stated, key=str)}
         elif stated is not None:
             name = getattr(stated, "__name__", "<lambda>")
             self.readings = {"objective" if name == "<lambda>" else name: stated}
@@ -75,7 +78,10 @@ class Objectives:
             With what a function raises, in words.
 
         """
-        told = [measured(name, reading, result) for name, reading in self.readings.items()]
+        told = [
+            measured(name, reading, result, several=self.tells_names)
+            for name, reading in self.readings.items()
+        ]
         values = {name: value for numbers, _ in told for name, value in numbers.items()}
         return values, [missing for _, missing in told if missing]
 
@@ -85,13 +91,25 @@ class ObjectiveError(RuntimeError):
 
     def __init__(self, name: str, error: Exception) -> None:
         """What it raised."""
-        super().__init__(f"objectives.{name}: {type(error).__name__}: {error}")
+        kind = "" if isinstance(error, NumberError) else f"{type(error).__name__}: "
+        super().__init__(f"objectives.{name}: {kind}{error}")
 
 
-def measured(name: str, reading: Any, result: Result) -> tuple[dict[str, float], str | None]:
+class NumberError(ValueError):
+    """What a function tells instead of a number."""
+
+    def __init__(self, found: object, wanted: str) -> None:
+        """What was found."""
+        text = repr(found)
+        super().__init__(f"found {text if len(text) <= 40 else f'a {type(found).__name__}'}, wanted {wanted}")
+
+
+def measured(
+    name: str, reading: Any, result: Result, *, several: bool
+) -> tuple[dict[str, float], str | None]:
     """The numbers of a reading, and what there is no row for."""
     try:
-        return numbers(name, reading, result), None
+        return numbers(name, reading, result, several=several), None
     except Exception as error:
         if isinstance(error, IndexError) and not callable(reading):
             return {}, f"objectives.{name}: {no_row(reading, result)}"
@@ -103,15 +121,27 @@ def pair(reading: Any) -> tuple[str, Any]:
     return (reading, "last") if isinstance(reading, str) else tuple(reading)
 
 
-def numbers(name: str, reading: Any, result: Result) -> dict[str, float]:
-    """The number of a reading under its name, or those that a function tells."""
+def numbers(name: str, reading: Any, result: Result, *, several: bool) -> dict[str, float]:
+    """The number of a reading under its name, or those that a function tells if it may tell `several`."""
     if not callable(reading):
         column, take = pair(reading)
         return {name: float(TAKES[take](result[column]) if isinstance(take, str) else result[column][take])}
     told = reading(result)
     if not isinstance(told, Mapping):
-        return {name: float(told)}
-    return {str(key): float(value) for key, value in told.items()}
+        return {name: number(told, "a number or several by name" if several else "a number")}
+    if not several:
+        raise NumberError(told, "a number, since this objective is one of several by name")
+    if not told or not all(isinstance(key, str) for key in told):
+        raise NumberError(told, "at least one number, by names that are texts")
+    return {key: number(value, f"a number as {key!r}") for key, value in told.items()}
+
+
+def number(value: Any, wanted: str) -> float:
+    """A number that a function tells."""
+    try:
+        return float(value)
+    except (TypeError, ValueError) as error:
+        raise NumberError(value, wanted) from error
 
 
 def no_row(reading: Any, result: Result) -> str:

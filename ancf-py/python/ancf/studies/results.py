@@ -30,7 +30,12 @@ class Results:
     """The cases that are done, and the file that has them."""
 
     def __init__(
-        self, design: Design, base: Mapping[str, Any], objectives: Objectives, folder: Path | None
+        self,
+        design: Design,
+        base: Mapping[str, Any],
+        objectives: Objectives,
+        states: str,
+        folder: Path | None,
     ) -> None:
         """No case done yet; without a folder nothing is written."""
         self.design = design
@@ -38,7 +43,7 @@ class Results:
         self.folder = folder
         self._base = base
         self._objectives = objectives
-        self._definition = objectives.definition
+        self._definition = [objectives.definition, states]
         self._keys: dict[int, str] = {}
         self._is_due = True
         self._written = perf_counter()

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from ancf import _ancf
 from ancf.analysis import data
 from ancf.progress import is_seen
-from ancf.studies import cluster, threads
+from ancf.studies import cluster, settings, threads
 from ancf.studies.design import plain
 from ancf.studies.objective import Objectives
 from ancf.studies.report import Study
@@ -69,7 +68,7 @@ def study(
     client
         A client of `dask.distributed`, on whose workers the cases run instead of on this machine's cores.
     jobs
-        How many cases run at a time on this machine; by default as many as there are cores.
+        How many cases run at a time on this machine; by default, and by -1, as many as there are cores.
     progress
         Whether a bar shows how far the study is; by default if there is a terminal or a notebook.
 
@@ -84,15 +83,14 @@ def study(
     base = plain(data(model))
     _ancf.Simulation(base)
     objectives = Objectives(objective)
-    design = Statement(base, objectives, samples, seed, combine, sampling).design(parameters)
-    place = None if folder is None else Path(folder)
-    if place is not None:
-        place.mkdir(parents=True, exist_ok=True)
-    results = Results(design, base, objectives, place)
-    results.take_over(retry=retry)
+    wrong = settings.faults(folder, states, client, jobs)
+    design = Statement(base, objectives, samples, seed, combine, sampling, faults=wrong).design(parameters)
+    place = None if folder is None else settings.writable(folder)
     kept = states or ("all" if objectives.need_states else "none")
+    results = Results(design, base, objectives, kept, place)
+    results.take_over(retry=retry)
     taken = frozenset([*COLUMNS, *(axis.path for axis in design.axes)])
-    carry_out(results, Work(base, objectives, kept, taken), client, jobs or threads.cores(), progress)
+    carry_out(results, Work(base, objectives, kept, taken), client, settings.threads(jobs), progress)
     file = None if place is None else place / "cases.parquet"
     return Study(results.table().to_pandas(), [axis.path for axis in design.axes], results.names, file)
 

@@ -68,11 +68,13 @@ def drawn(
 ) -> dict[str, list[Any]]:
     """Samples of each distribution; integers of those that are discrete."""
     places = parts(sorted(distributions), count, sampling, seed)
-    samples = {path: np.asarray(distributions[path].ppf(p), dtype=float) for path, p in places.items()}
-    return {
-        path: [int(x) if is_discrete(distributions[path]) and np.isfinite(x) else x for x in values.tolist()]
-        for path, values in samples.items()
-    }
+    return {path: quantiles(distributions[path], p) for path, p in places.items()}
+
+
+def quantiles(distribution: Distribution, places: Array) -> list[Any]:
+    """The values that parts of all values lie below; integers of a distribution that is discrete."""
+    values = np.asarray(distribution.ppf(places), dtype=float).tolist()
+    return [int(x) if is_discrete(distribution) and np.isfinite(x) else x for x in values]
 
 
 def is_discrete(distribution: Distribution) -> bool:

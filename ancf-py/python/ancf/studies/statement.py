@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from ancf import _ancf
 from ancf.errors import Fault, ModelError
 from ancf.part import plain as plain_value
@@ -42,7 +44,8 @@ class Statement:
         """The cases; raises `ModelError` with all that is wrong, before anything is run."""
         self._choose("combine", self.combine, ("grid", "zip"))
         self._choose("sampling", self.sampling, SAMPLINGS)
-        for path in sorted(parameters):
+        self.faults += unnamed("parameters", parameters)
+        for path in sorted(named(parameters)):
             self._parameter(path, parameters[path])
         self._count()
         self._zip()
@@ -57,9 +60,10 @@ class Statement:
     def _fault(self, path: str, found: str, wanted: str, hint: str | None = None) -> None:
         self.faults.append(fault(path, found, wanted, hint))
 
-    def _choose(self, name: str, word: str, words: Iterable[str]) -> None:
-        if word not in words:
-            self._fault(name, quoted(word), listed(words), near(word, words))
+    def _choose(self, name: str, word: object, words: Iterable[str]) -> None:
+        found = choice(name, word, words)
+        if found is not None:
+            self.faults.append(found)
 
     def _parameter(self, path: str, values: Any) -> None:
         if is_distribution(values):
@@ -77,14 +81,15 @@ class Statement:
 
     def _count(self) -> None:
         """How many samples and cases there are."""
-        if self.samples is not None and (self.samples < 1 or self.samples != int(self.samples)):
-            self._fault("samples", str(self.samples), "a whole number >= 1")
-        elif self.distributions and self.samples is None:
+        if self.samples is not None and not is_whole(self.samples, 1):
+            self._fault("samples", shown(self.samples), "a whole number >= 1")
+            return
+        if self.distributions and self.samples is None:
             first = next(iter(self.distributions))
             wanted = "the number of samples, such as `samples=100`"
             self._fault(at(first), "a distribution without `samples`", wanted)
-        if self.seed < 0 or self.seed != int(self.seed):
-            self._fault("seed", str(self.seed), "a whole number >= 0")
+        if not is_whole(self.seed, 0):
+            self._fault("seed", shown(self.seed), "a whole number >= 0")
         samples = (self.samples or 1) if self.distributions else 1
         if count([len(values) for values in self.lists.values()], samples, self.combine) > MANY:
             self._fault("parameters", "too many combinations", "at most 10 000 000 cases")
@@ -114,9 +119,10 @@ class Statement:
 
     def _names(self) -> None:
         """Columns of the table that would have the same name."""
+        self.faults += unnamed("objectives", self.objectives.readings)
         for path in sorted({*self.lists, *self.distributions} & set(COLUMNS)):
             self._fault(at(path), f"`{path}`, which is another column of the table", "another path")
-        for name in self.objectives.readings:
+        for name in named(self.objectives.readings):
             if name in COLUMNS or name in self.lists or name in self.distributions:
                 self._fault(
                     join("objectives", name),
@@ -135,7 +141,7 @@ class Statement:
     def _columns(self) -> None:
         """Readings that are none, and columns that the results have not."""
         known: list[str] | None = None
-        for name, reading in self.objectives.readings.items():
+        for name, reading in named(self.objectives.readings).items():
             path = join("objectives", name)
             if callable(reading):
                 continue
@@ -160,6 +166,36 @@ def fault(path: str, found: str, wanted: str, hint: str | None = None) -> Fault:
     return Fault(path, found, wanted, hint, None, text)
 
 
+def choice(name: str, word: object, words: Iterable[str]) -> Fault | None:
+    """What is wrong if a word is none of those there are."""
+    if isinstance(word, str) and word in words:
+        return None
+    return fault(name, shown(word), listed(words), near(word, words) if isinstance(word, str) else None)
+
+
+def is_whole(value: object, least: int) -> bool:
+    """Whether a value is an integer, of Python or NumPy, that is not too small."""
+    return isinstance(value, int | np.integer) and not isinstance(value, bool) and int(value) >= least
+
+
+def named(data: object) -> Mapping[str, Any]:
+    """What has a name that is a text."""
+    return (
+        {key: value for key, value in data.items() if isinstance(key, str)}
+        if isinstance(data, Mapping)
+        else {}
+    )
+
+
+def unnamed(path: str, data: object) -> list[Fault]:
+    """What is wrong with data that should have names."""
+    if not isinstance(data, Mapping):
+        return [fault(path, shown(data), "a dictionary")]
+    return [
+        fault(path, f"the name {shown(key)}", "texts as names") for key in data if not isinstance(key, str)
+    ]
+
+
 def is_reading(reading: Any) -> bool:
     """Whether this is a column, or a column and what is taken of it."""
     if isinstance(reading, str):
@@ -167,7 +203,7 @@ def is_reading(reading: Any) -> bool:
     is_pair = isinstance(reading, tuple | list) and len(reading) == 2 and isinstance(reading[0], str)
     if not is_pair or isinstance(reading[1], bool):
         return False
-    return isinstance(reading[1], str) or (isinstance(reading[1], int) and reading[1] >= 0)
+    return isinstance(reading[1], str) or is_whole(reading[1], 0)
 
 
 def columns(base: Mapping[str, Any]) -> list[str]:

@@ -110,7 +110,9 @@ def test_a_function_may_have_a_time_of_its_own(rod: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("answer", [None, "strong", float("nan"), [1.0, 2.0], (1.0, float("inf"), 0.0)])
 def test_answers_of_no_use_are_named(rod: dict[str, Any], answer: Any) -> None:
-    with pytest.raises(ValueError, match=r"loads\[0\]\.time at t = 0: found .*, wanted a number, or value") as caught:
+    with pytest.raises(
+        ValueError, match=r"loads\[0\]\.time at t = 0: found .*, wanted a number, or value"
+    ) as caught:
         ancf.run(rod | {"loads": push(lambda _: answer)})
     assert repr(answer) in str(caught.value)
     force = {"kind": "external", "name": lambda *_: answer, "on": {"body": "arm", "at": "end"}}
@@ -121,5 +123,7 @@ def test_answers_of_no_use_are_named(rod: dict[str, Any], answer: Any) -> None:
 def test_a_model_with_functions_is_run_from_its_result(rod: dict[str, Any]) -> None:
     result = ancf.run(rod | {"loads": push(np.sin)})
     np.testing.assert_array_equal(ancf.run(result.model).data, result.data)
-    with pytest.raises(TypeError, match=r"loads\[0\]\.time: found a function of Python, wanted what a file can say"):
+    with pytest.raises(
+        TypeError, match=r"loads\[0\]\.time: found a function of Python, wanted what a file can say"
+    ):
         ancf.Model.from_dict(result.model).to_toml()

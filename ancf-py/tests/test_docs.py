@@ -24,6 +24,9 @@ DOCS = ROOT / "docs"
 PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.rglob("*.md"))]
 NOTEBOOKS = sorted(DOCS.rglob("*.ipynb"))
 
+BUILD = ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"]
+"""With what `cargo test --workspace` builds: alone, the program has other features of its dependencies and builds them anew."""
+
 TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",
     "sh": "run here by a shell, in the same folder",
@@ -88,7 +91,7 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
     named = os.environ.get("ANCF_PROGRAM")
     if named is None:
-        subprocess.run(["cargo", "build", "--quiet", "-p", "ancf-cli"], cwd=ROOT, check=True)
+        subprocess.run(BUILD, cwd=ROOT, check=True)
     built = ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}"
     program = built if named is None else Path(named)
     folder = tmp_path_factory.mktemp("tools")
@@ -190,8 +193,7 @@ def test_rust_is_that_of_the_examples(folder: Path) -> None:
 
 def example(name: str, folder: Path) -> None:
     """Run an example where the models are."""
-    command = ["cargo", "build", "--quiet", "-p", "ancf", "--example", name]
-    subprocess.run(command, cwd=ROOT, check=True)
+    subprocess.run(BUILD, cwd=ROOT, check=True)
     subprocess.run([ROOT / "target" / "debug" / "examples" / name], cwd=folder, check=True)
 
 

@@ -246,9 +246,11 @@ def test_a_model_in_the_units_of_the_solver(models: Path) -> None:
 
 def test_what_is_no_model_is_refused() -> None:
     for what in [None, 3, ancf.Model]:
-        with pytest.raises(TypeError, match="wanted an ancf.Model, its data in a dictionary, or the path of a file"):
+        with pytest.raises(TypeError, match="its data in a dictionary, or the path of a file"):
             ancf.run(what)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match=r"density: found an object of type int, wanted a number within the range"):
+    with pytest.raises(
+        TypeError, match=r"density: found an object of type int, wanted a number within the range"
+    ):
         ancf.Material(density=10**400, young=1e9)
 
 

@@ -25,7 +25,7 @@ PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.rglob("*.md"))]
 NOTEBOOKS = sorted(DOCS.rglob("*.ipynb"))
 
 BUILD = ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"]
-"""With what `cargo test --workspace` builds: alone, the program has other features of its dependencies and builds them anew."""
+"""What `cargo test --workspace` builds too: alone, the program has other features of its dependencies."""
 
 TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use ancf::function::{Expression, External, Function, Instant, Table};
 use ancf::model::{At, Load, Place, TimeFunction, Varying, schema};
@@ -281,5 +281,25 @@ proptest! {
         if let Err(error) = Expression::parse(&text) {
             prop_assert!(error.at <= text.chars().count());
         }
+    }
+}
+
+/// Of several threads that ask for one time, one calls the program.
+#[test]
+fn one_call_for_all_threads() {
+    let calls = Arc::new(Mutex::new(0));
+    let count = Arc::clone(&calls);
+    let slow = External::new(move |t| {
+        *count.lock().unwrap() += 1;
+        std::thread::yield_now();
+        Instant { value: t, ..Instant::default() }
+    });
+    for t in 1..=20 {
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| assert_eq!(slow.at(f64::from(t)).value, f64::from(t)));
+            }
+        });
+        assert_eq!(*calls.lock().unwrap(), t);
     }
 }

@@ -283,26 +283,6 @@ time = { kind = "external", name = "wave" }
     assert!(calls.len() <= 23, "{} calls in 20 steps: {calls:?}", calls.len());
 }
 
-/// Of several threads that ask for one time, one calls the program.
-#[test]
-fn one_call_for_all_threads() {
-    let calls = Arc::new(Mutex::new(0));
-    let count = Arc::clone(&calls);
-    let slow = External::new(move |t| {
-        *count.lock().unwrap() += 1;
-        std::thread::yield_now();
-        Instant { value: t, ..Instant::default() }
-    });
-    for t in 1..=20 {
-        std::thread::scope(|scope| {
-            for _ in 0..4 {
-                scope.spawn(|| assert_eq!(slow.at(f64::from(t)).value, f64::from(t)));
-            }
-        });
-        assert_eq!(*calls.lock().unwrap(), t);
-    }
-}
-
 /// Nothing runs without its functions, and all that are missing are told at once, wherever somebody tries.
 #[test]
 fn what_is_not_supplied_is_refused() {

@@ -28,6 +28,11 @@ impl Data {
         self.value(any).map(Some)
     }
 
+    /// The data of a model, empty if it is `None`.
+    pub(crate) fn model(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
+        Ok(self.read(any)?.unwrap_or_else(|| Value::Table(Table::new())))
+    }
+
     /// Says where the next object is.
     pub(crate) fn begin_at(&mut self, path: &str) {
         self.path = path.to_owned();
@@ -130,7 +135,7 @@ fn integer(any: &Bound<'_, PyAny>) -> PyResult<Value> {
 
 /// The data of a table that may not be left out.
 pub(crate) fn table(any: &Bound<'_, PyAny>) -> PyResult<Value> {
-    Ok(Data::default().read(any)?.unwrap_or_else(|| Value::Table(Table::new())))
+    Data::default().model(any)
 }
 
 /// Python's dictionaries, lists and numbers for data.

@@ -4,7 +4,7 @@ use ancf::model::{ModelErrors, schema_text};
 use ancf::{Model, Scales};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use toml::{Table, Value};
+use toml::Value;
 
 use crate::data::{Data, object, restored, table};
 use crate::signals::Signals;
@@ -55,7 +55,7 @@ pub(crate) fn substitute<'py>(
     value: &Bound<'py, PyAny>,
 ) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
     let (py, mut reader) = (data.py(), Data::default());
-    let mut model = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    let mut model = reader.model(data)?;
     reader.begin_at(path);
     let Some(value) = reader.read(value)? else {
         return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
@@ -69,7 +69,7 @@ pub(crate) fn substitute<'py>(
 #[pyfunction]
 pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
     let mut reader = Data::default();
-    let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    let value = reader.model(data)?;
     if let Some(path) = reader.callables.first() {
         let why = "found a function of Python, wanted what a file can say";
         return Err(PyTypeError::new_err(format!("{path}: {why}")));
@@ -92,7 +92,7 @@ pub(crate) fn scaled<'py>(data: &Bound<'py, PyAny>) -> PyResult<(Bound<'py, PyAn
 #[pyfunction]
 pub(crate) fn diagnose(data: &Bound<'_, PyAny>) -> PyResult<String> {
     let (py, mut reader) = (data.py(), Data::default());
-    let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+    let value = reader.model(data)?;
     let (model, signals) = (valid(py, &value)?, Signals::default());
     let (_, diagnosis) = reader.callables.with(py, model, &signals, Model::diagnose)?;
     Ok(diagnosis.to_string())

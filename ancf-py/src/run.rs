@@ -1,15 +1,13 @@
 use std::io;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use ancf::Summary;
 use ancf::model::Analysis;
-use ancf::record::Sink;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use toml::{Table, Value};
+use toml::Value;
 
 use crate::data::{Data, object, restored};
 use crate::follower::Follower;
@@ -41,7 +39,7 @@ impl Simulation {
     pub(crate) fn new(data: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = data.py();
         let mut reader = Data::default();
-        let value = reader.read(data)?.unwrap_or_else(|| Value::Table(Table::new()));
+        let value = reader.model(data)?;
         let (model, signals) = (valid(py, &value)?, Signals::default());
         let data = restored(py, &value, &reader.callables)?.unbind();
         let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
@@ -63,10 +61,7 @@ impl Simulation {
 
     /// Names of the columns of its rows.
     fn columns(&self, py: Python<'_>) -> Vec<String> {
-        let mut columns = Columns(Vec::new());
-        // It does fail: by the observer, before anything is computed.
-        let _ = py.detach(|| self.simulation.run(&mut columns));
-        columns.0
+        py.detach(|| self.simulation.columns())
     }
 
     /// Runs it; the results, in a dictionary.
@@ -104,20 +99,6 @@ impl Simulation {
     fn summary<'py>(&self, py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyAny>> {
         let data = Value::try_from(summary);
         object(py, &data.map_err(|error| PyValueError::new_err(error.to_string()))?)
-    }
-}
-
-/// Learns the columns, and ends the run there.
-struct Columns(Vec<String>);
-
-impl Sink for Columns {
-    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        self.0 = columns.to_vec();
-        Err(io::Error::other("the columns are all that was wanted"))
-    }
-
-    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
-        Ok(ControlFlow::Break(()))
     }
 }
 

@@ -169,7 +169,11 @@ fn an_interrupt_ends_a_run_within_a_step_and_keeps_what_there_is() {
     let modes = statics.replace("statics\"\nfirst = 0.01", "modes\"\ncount = 4");
     for text in [PENDULUM, &statics, &modes] {
         let model = Model::parse(text).unwrap_or_else(|errors| panic!("{errors}"));
-        let whole = rows(&Simulation::new(&model).unwrap()).0;
+        let simulation = Simulation::new(&model).unwrap();
+        let whole = rows(&simulation).0;
+        let mut kept = Kept::default();
+        simulation.run(&mut kept).unwrap();
+        assert_eq!(simulation.columns(), kept.columns);
         let asked = Arc::new(AtomicUsize::new(0));
         let count = Arc::clone(&asked);
         let interrupt = Interrupt::new(move || count.fetch_add(1, Ordering::Relaxed) >= 7);

@@ -3,13 +3,11 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use ancf::model::{join, nearest, parse_as};
-use ancf::record::Sink;
-use ancf::{Model, ModelError, ModelErrors, simulate};
+use ancf::{Model, ModelError, ModelErrors, Simulation};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;
@@ -207,7 +205,7 @@ impl Study {
         let (places, mut faults) = Places::of(&self.parameters, data);
         faults.extend(places.faults());
         if let Ok(model) = Model::from_value(&places.data) {
-            let columns = Columns::of(&model);
+            let columns = Simulation::new(&model).map(|simulation| simulation.columns()).unwrap_or_default();
             for (name, objective) in &self.objectives {
                 if !columns.is_empty() && !columns.contains(&objective.column) {
                     faults.push(no_column(&join("objectives", name), &objective.column, &columns));
@@ -241,29 +239,5 @@ fn no_column(path: &str, column: &str, columns: &[String]) -> ModelError {
     match nearest(column, columns.iter().map(String::as_str)) {
         Some(near) => error.hint(format!("did you mean {near:?}?")),
         None => error,
-    }
-}
-
-/// The columns of a run, which ends before it begins.
-struct Columns(Vec<String>);
-
-impl Columns {
-    /// Their names; none if the model cannot be run.
-    fn of(model: &Model) -> Vec<String> {
-        let mut columns = Self(Vec::new());
-        // It does fail: by the sink, on purpose.
-        let _ = simulate(model, &mut columns);
-        columns.0
-    }
-}
-
-impl Sink for Columns {
-    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        self.0 = columns.to_vec();
-        Err(io::Error::other("the columns are all that was wanted"))
-    }
-
-    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
-        Ok(ControlFlow::Break(()))
     }
 }

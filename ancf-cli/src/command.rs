@@ -2,19 +2,15 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
-use ancf::record::Sink;
-use ancf::{Model, ModelError, Outcome, Simulation, Summary};
+use ancf::{Model, ModelError};
 use anyhow::{Context, Result};
 use clap::Subcommand;
-use serde::Serialize;
 
 use crate::check;
-use crate::conclusion::Conclusion;
-use crate::folder::Folder;
 use crate::paper;
-use crate::progress::{Progress, ctrl_c, print, say};
+use crate::progress::{print, say};
+use crate::run;
 use crate::study;
 use crate::verify;
 
@@ -27,17 +23,8 @@ pub enum Command {
         file: PathBuf,
     },
     /// Run a model file and write its results: motion, equilibrium, path of equilibria, modes or critical loads.
-    #[command(after_help = RUN_EXAMPLES)]
-    Run {
-        /// The model file (TOML).
-        file: PathBuf,
-        /// The folder for probes.csv, probes.npz and summary.json.
-        #[arg(short, long, value_name = "DIR")]
-        output: PathBuf,
-        /// Show no progress.
-        #[arg(short, long)]
-        quiet: bool,
-    },
+    #[command(after_help = run::EXAMPLES)]
+    Run(run::Arguments),
     /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
     #[command(after_help = study::EXAMPLES)]
     Study(study::Arguments),
@@ -68,14 +55,6 @@ pub enum Command {
         names: Vec<String>,
     },
 }
-
-const RUN_EXAMPLES: &str = "\
-Examples:
-  ancf run models/cantilever.toml -o out          a motion
-  ancf run models/elastica.toml -o out            an equilibrium
-  ancf run models/lees_frame.toml -o out          a path through snap-through and snap-back
-  ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
-  ancf run models/column.toml -o out              critical loads, also printed";
 
 const VERIFY_EXAMPLES: &str = "\
 Examples:
@@ -114,9 +93,7 @@ impl Command {
                 print(&scaled(model)?);
                 Ok(Ended::Done)
             }),
-            Self::Run { file, output, quiet } => {
-                with_model(&file, |model| simulate_into(model, &file, &output, quiet))
-            }
+            Self::Run(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 print(&ancf::model::schema_text());
@@ -156,48 +133,4 @@ fn scaled(model: &Model) -> Result<String> {
     let text =
         toml::to_string(&model.scaled(&chosen.scales)).context("the scaled model cannot be printed")?;
     Ok(format!("# Units: length {length}, time {time}, force {force} ({}).\n{text}", chosen.reason))
-}
-
-/// The contents of `summary.json`.
-#[derive(Serialize)]
-struct Report<'a> {
-    program: &'static str,
-    model: String,
-    wall_seconds: f64,
-    #[serde(flatten)]
-    summary: &'a Summary,
-}
-
-fn simulate_into(model: &Model, file: &Path, output: &Path, quiet: bool) -> Result<Ended> {
-    let clock = Instant::now();
-    let simulation = match Simulation::new(model) {
-        Ok(simulation) => simulation.heeding(ctrl_c()?),
-        Err(errors) => return Ok(refuse(&errors, file)),
-    };
-    let progress = match model.analysis.dynamics() {
-        Some(settings) if !quiet => Progress::until(settings.duration),
-        _ => Progress::hidden(),
-    };
-    let mut conclusion = Conclusion::of(&model.analysis);
-    let mut sinks: Vec<Box<dyn Sink + '_>> =
-        vec![Box::new(Folder::new(output, model.output)), Box::new(&mut conclusion), Box::new(progress)];
-    let summary = simulation.run(&mut sinks)?;
-    drop(sinks);
-    let report = Report {
-        program: concat!("ancf ", env!("CARGO_PKG_VERSION")),
-        model: file.display().to_string(),
-        wall_seconds: clock.elapsed().as_secs_f64(),
-        summary: &summary,
-    };
-    let path = output.join("summary.json");
-    fs::write(&path, serde_json::to_string_pretty(&report)? + "\n")
-        .with_context(|| format!("cannot write {}", path.display()))?;
-    summary.redundant.iter().for_each(|one| say(&format!("warning: redundant: {one}")));
-    print(&conclusion.table());
-    say(&conclusion.sentence(&summary, report.wall_seconds, &output.display().to_string()));
-    Ok(match summary.outcome {
-        Outcome::Finished => Ended::Done,
-        Outcome::Stopped => Ended::Stopped,
-        Outcome::Failed { .. } => Ended::Failed,
-    })
 }

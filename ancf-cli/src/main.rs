@@ -4,10 +4,10 @@ mod check;
 mod command;
 mod conclusion;
 mod figure;
-mod folder;
 mod paper;
 mod progress;
 mod report;
+mod run;
 mod study;
 mod verify;
 

@@ -61,7 +61,7 @@ impl Simulation {
 
     /// Names of the columns of its rows.
     fn columns(&self, py: Python<'_>) -> Vec<String> {
-        py.detach(|| self.simulation.columns())
+        py.detach(|| self.simulation.columns().into_iter().map(|column| column.name).collect())
     }
 
     /// Runs it; the results, in a dictionary.

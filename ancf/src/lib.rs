@@ -79,6 +79,6 @@ pub mod system;
 
 pub use fields::{Field, Fields, Station};
 pub use model::{Model, ModelError, ModelErrors};
-pub use rows::Rows;
+pub use rows::{Column, Rows};
 pub use scales::Scales;
 pub use simulate::{Error, Observer, Outcome, Simulation, Summary, simulate};

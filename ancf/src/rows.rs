@@ -30,7 +30,7 @@ use crate::system::{Energy, Power, State};
 /// | `balance` | of motions: total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
 #[derive(Debug)]
 pub struct Rows {
-    columns: Vec<String>,
+    columns: Vec<Column>,
     row: Vec<f64>,
     scales: Scales,
     parts: bool,
@@ -40,51 +40,88 @@ pub struct Rows {
     angles: Vec<f64>,
 }
 
+/// A column of a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its name.
+    pub name: String,
+    /// The dimension of its numbers; none of what has no unit of the user, such as a residual.
+    pub dimension: Option<Dimension>,
+}
+
+impl Column {
+    pub(crate) fn new(name: impl Into<String>, dimension: impl Into<Option<Dimension>>) -> Self {
+        Self { name: name.into(), dimension: dimension.into() }
+    }
+
+    /// Columns under the name of what they are about.
+    fn of<'a>(owner: &str, names: impl IntoIterator<Item = &'a str>, dimension: Dimension) -> Vec<Self> {
+        names.into_iter().map(|name| Self::new(format!("{owner}.{name}"), dimension)).collect()
+    }
+}
+
 /// Places of a symmetric matrix in columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 /// Name of the first column of a motion.
 pub(crate) const TIME: &str = "t";
+/// Name of the first column of equilibria.
+pub(crate) const LOAD: &str = "load";
+
+/// The columns of [`Rows`].
+pub(crate) fn columns(assembly: &Assembly, first: &str, own: &[&str]) -> Vec<Column> {
+    let of_first = if first == TIME { Dimension::TIME } else { Dimension::NUMBER };
+    let mut columns = vec![Column::new(first, of_first)];
+    for probe in &assembly.measures {
+        columns.extend(columns_of_probe(&probe.name, probe.quantity));
+    }
+    for name in assembly.joints() {
+        columns.extend(Column::of(name, ["fx", "fy", "fz"], Dimension::FORCE));
+        columns.extend(Column::of(name, ["mx", "my", "mz"], Dimension::ENERGY));
+    }
+    for (joint, freedom) in assembly.freedoms() {
+        let pairs = freedom.columns().into_iter().zip(freedom.dimensions());
+        columns.extend(pairs.flat_map(|(column, dimension)| Column::of(joint, [column], dimension)));
+    }
+    if assembly.energy_parts {
+        let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
+        columns.extend(assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY)));
+    }
+    columns.extend(own.iter().map(|&name| Column::new(name, None)));
+    // Equilibria have no history that could be booked.
+    let books: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
+    let energies = ["kinetic", "strain", "potential"].iter().chain(books);
+    columns.extend(energies.map(|&name| Column::new(name, Dimension::ENERGY)));
+    columns
+}
+
+fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
+    let of = |names: &[&'static str], dimension| Column::of(name, names.iter().copied(), dimension);
+    match quantity {
+        Quantity::Motion => [
+            of(&["x", "y", "z"], Dimension::LENGTH),
+            of(&["vx", "vy", "vz"], Dimension::VELOCITY),
+            of(&["ax", "ay", "az"], Dimension::ACCELERATION),
+        ]
+        .concat(),
+        Quantity::Rotation => {
+            [of(&["e0", "e1", "e2", "e3"], Dimension::NUMBER), of(&["wx", "wy", "wz"], Dimension::RATE)]
+                .concat()
+        }
+        Quantity::SectionForces => {
+            [of(&["N", "Qy", "Qz"], Dimension::FORCE), of(&["T", "My", "Mz"], Dimension::ENERGY)].concat()
+        }
+        Quantity::Strain => of(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], Dimension::NUMBER),
+        Quantity::Stress => of(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], Dimension::STRESS),
+    }
+}
 
 impl Rows {
     /// Columns of an assembly whose numbers are in the given units: the first, those of probes and joints, `own`, energies.
     pub fn new(assembly: &Assembly, scales: Scales, first: &str, own: &[&str]) -> Self {
-        let mut columns = vec![first.to_owned()];
-        let vectors = |name: &str, prefix: &str| ["x", "y", "z"].map(|axis| format!("{name}.{prefix}{axis}"));
-        for probe in &assembly.measures {
-            let name = &probe.name;
-            let of = |names: [&str; 6]| names.map(|column| format!("{name}.{column}"));
-            match probe.quantity {
-                Quantity::Motion => {
-                    columns.extend(["", "v", "a"].iter().flat_map(|prefix| vectors(name, prefix)));
-                }
-                Quantity::Rotation => {
-                    let names = ["e0", "e1", "e2", "e3", "wx", "wy", "wz"];
-                    columns.extend(names.map(|column| format!("{name}.{column}")));
-                }
-                Quantity::SectionForces => columns.extend(of(["N", "Qy", "Qz", "T", "My", "Mz"])),
-                Quantity::Strain => columns.extend(of(["exx", "eyy", "ezz", "exy", "exz", "eyz"])),
-                Quantity::Stress => columns.extend(of(["sxx", "syy", "szz", "sxy", "sxz", "syz"])),
-            }
-        }
-        for name in assembly.joints() {
-            columns.extend(["f", "m"].iter().flat_map(|prefix| vectors(name, prefix)));
-        }
-        for (joint, freedom) in assembly.freedoms() {
-            columns.extend(freedom.columns().map(|column| format!("{joint}.{column}")));
-        }
-        if assembly.energy_parts {
-            let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
-            columns
-                .extend(assembly.bodies().flat_map(|(body, _)| parts.map(|part| format!("{body}.{part}"))));
-        }
-        // Equilibria have no history that could be booked.
-        let books: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
-        let energies = own.iter().chain(&["kinetic", "strain", "potential"]).chain(books);
-        columns.extend(energies.map(|&column| column.to_owned()));
-        let row = Vec::with_capacity(columns.len());
+        let columns = columns(assembly, first, own);
         Self {
-            row,
+            row: Vec::with_capacity(columns.len()),
             columns,
             scales,
             parts: assembly.energy_parts,
@@ -94,8 +131,8 @@ impl Rows {
     }
 
     /// Names of the columns.
-    pub fn columns(&self) -> &[String] {
-        &self.columns
+    pub fn columns(&self) -> Vec<String> {
+        self.columns.iter().map(|column| column.name.clone()).collect()
     }
 
     /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `energy` is that

@@ -11,7 +11,6 @@ use std::io;
 use std::ops::ControlFlow;
 
 use blame::Blame;
-use columns::Columns;
 pub use observer::Observer;
 pub use summary::{Outcome, Summary};
 use thiserror::Error;
@@ -78,14 +77,6 @@ impl Simulation {
     /// The units in which the equations are solved.
     pub fn scales(&self) -> Scales {
         self.chosen.scales
-    }
-
-    /// Names of the columns of its rows, without carrying it out.
-    pub fn columns(&self) -> Vec<String> {
-        let mut columns = Columns::default();
-        // It does fail: by the sink, on purpose.
-        let _ = self.run(&mut columns);
-        columns.0
     }
 
     /// Carries the analysis out.

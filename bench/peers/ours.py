@@ -83,7 +83,9 @@ def run(problem: Problem, kind: str, n: int, step: float, tolerance: float = TOL
         seconds = used() - before
         if done.returncode != 0:
             raise RuntimeError(done.stderr)
-        columns = np.load(out / "probes.npz")
+        with (out / "probes.csv").open() as file:
+            names = file.readline().rstrip().split(",")
+            columns = dict(zip(names, np.loadtxt(file, delimiter=",", ndmin=2).T, strict=True))
         place = np.stack([columns[f"tip.{axis}"] for axis in "xyz"], axis=1)
         reported = json.loads((out / "summary.json").read_text())["wall_seconds"]
     return Run(seconds, reported, place[1:] - place[0])

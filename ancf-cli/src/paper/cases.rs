@@ -79,6 +79,7 @@ impl Case {
         };
         Model {
             title: None,
+            units: None,
             gravity: if self == Self::Spherical { [0.0, -GRAVITY, -GRAVITY] } else { [0.0, -GRAVITY, 0.0] },
             materials: BTreeMap::from([("steel".into(), self.material())]),
             sections: BTreeMap::from([("rod".into(), Section::Circle { diameter: DIAMETER })]),

@@ -206,6 +206,7 @@ impl Study {
         faults.extend(places.faults());
         if let Ok(model) = Model::from_value(&places.data) {
             let columns = Simulation::new(&model).map(|simulation| simulation.columns()).unwrap_or_default();
+            let columns: Vec<String> = columns.into_iter().map(|column| column.name).collect();
             for (name, objective) in &self.objectives {
                 if !columns.is_empty() && !columns.contains(&objective.column) {
                     faults.push(no_column(&join("objectives", name), &objective.column, &columns));

@@ -50,6 +50,7 @@ mod survey;
 mod syntax;
 mod ties;
 mod times;
+mod units;
 
 use std::collections::BTreeMap;
 
@@ -88,6 +89,7 @@ pub use section::Section;
 pub use shape::Shape;
 pub use substitute::substitute;
 pub use survey::join;
+pub use units::Units;
 
 /// A flexible multibody model as its user states it.
 ///
@@ -103,6 +105,9 @@ pub struct Model {
     /// A line that says what this model is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
+    /// What its units are called, for axes and result files; nothing is converted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<Units>,
     /// Acceleration of gravity, length/time²; no gravity by default.
     #[serde(default)]
     pub gravity: [f64; 3],

@@ -65,12 +65,15 @@ pub struct Output {
     pub energy_parts: bool,
     /// Write `probes.csv`.
     pub csv: bool,
-    /// Write `probes.npz`, one binary array a column, readable by NumPy.
-    pub npz: bool,
+    /// Write `results.parquet`.
+    pub parquet: bool,
+    /// Keep about so many states for pictures and reports, evenly spaced in time, the first and the last among them; of
+    /// equilibria, modes and critical loads all, unless 0.
+    pub states: u32,
 }
 
 impl Default for Output {
     fn default() -> Self {
-        Self { interval: None, every: 1, energy_parts: false, csv: true, npz: true }
+        Self { interval: None, every: 1, energy_parts: false, csv: true, parquet: true, states: 200 }
     }
 }

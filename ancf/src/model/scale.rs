@@ -12,6 +12,7 @@ impl Model {
     pub fn scaled(&self, scales: &Scales) -> Self {
         let Self {
             title,
+            units: _,
             gravity,
             materials,
             sections,
@@ -28,6 +29,7 @@ impl Model {
         } = self.clone();
         Self {
             title,
+            units: None,
             gravity: vector(gravity, Dimension::ACCELERATION, scales),
             materials: materials.into_iter().map(|(name, m)| (name, m.scaled(scales))).collect(),
             sections: sections.into_iter().map(|(name, s)| (name, s.scaled(scales))).collect(),
@@ -253,8 +255,7 @@ impl TimeFunction {
 
 impl Output {
     fn scaled(self, s: &Scales) -> Self {
-        let Self { interval, every, energy_parts, csv, npz } = self;
-        Self { interval: interval.map(|x| number(x, Dimension::TIME, s)), every, energy_parts, csv, npz }
+        Self { interval: self.interval.map(|x| number(x, Dimension::TIME, s)), ..self }
     }
 }
 

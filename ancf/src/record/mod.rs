@@ -2,7 +2,6 @@
 
 mod csv;
 mod every;
-mod npz;
 mod series;
 
 use std::io;
@@ -10,7 +9,6 @@ use std::ops::ControlFlow;
 
 pub use csv::Csv;
 pub use every::Every;
-pub use npz::Npz;
 pub use series::Series;
 
 /// Whoever receives the rows of a run: a file, memory, a progress bar.

@@ -1,19 +1,19 @@
-use std::io;
-use std::ops::ControlFlow;
+use super::{Simulation, dynamics, eigen, equilibria};
+use crate::model::Analysis;
+use crate::rows::{Column, LOAD, TIME, columns};
 
-use crate::record::Sink;
-
-/// Learns the columns of a run, and ends it there.
-#[derive(Debug, Default)]
-pub(super) struct Columns(pub(super) Vec<String>);
-
-impl Sink for Columns {
-    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        self.0 = columns.to_vec();
-        Err(io::Error::other("the columns are all that was wanted"))
-    }
-
-    fn record(&mut self, _: &[f64]) -> io::Result<ControlFlow<()>> {
-        Ok(ControlFlow::Break(()))
+impl Simulation {
+    /// The columns of its rows.
+    pub fn columns(&self) -> Vec<Column> {
+        let assembly = &self.assembly;
+        match &self.scaled.analysis {
+            Analysis::Dynamics(_) => columns(assembly, TIME, &dynamics::OWN),
+            Analysis::Statics(_) => columns(assembly, LOAD, &equilibria::OWN),
+            Analysis::Path(_) => {
+                columns(assembly, LOAD, &[equilibria::OWN.as_slice(), &equilibria::PATH].concat())
+            }
+            Analysis::Modes(_) => eigen::columns(assembly, &eigen::MODES),
+            Analysis::Buckling(_) => eigen::columns(assembly, &eigen::BUCKLING),
+        }
     }
 }

@@ -9,14 +9,14 @@ use crate::rows::{Rows, TIME};
 use crate::system::System;
 
 /// The columns of a motion.
-const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
+pub(super) const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
 impl Run<'_> {
     /// Steps through a motion, recording its instants.
     pub(super) fn dynamics(&mut self, model: &Model, settings: &Dynamics) -> Ended {
         let (assembly, scales) = (self.assembly, self.summary.scales);
         let mut rows = Rows::new(assembly, scales, TIME, &OWN);
-        self.observer.begin(rows.columns())?;
+        self.observer.begin(&rows.columns())?;
         let mut pace = match Pace::new(model, settings, assembly, self.interrupt.clone()) {
             Ok(pace) => pace,
             Err(error) => {

@@ -1,15 +1,35 @@
 use std::io;
-use std::iter::once;
 use std::ops::ControlFlow;
 
 use super::equilibria::{equilibrium, settled, unloaded};
 use super::{Ended, Reason, Run};
 use crate::analysis::{Critical, EigenError, Failure, Mode, buckling, modes};
-use crate::model::{About, Buckling, Model, Modes};
+use crate::model::{About, Assembly, Buckling, Model, Modes};
+use crate::rows::Column;
+use crate::scales::Dimension;
 use crate::system::{EquationsOfMotion, State};
 
 /// Relative residual of what is no mode.
 const WRONG: f64 = 1e-3;
+
+/// The columns of modes and of critical loads.
+pub(super) const MODES: [&str; 3] = ["frequency", "squared", "residual"];
+pub(super) const BUCKLING: [&str; 1] = ["factor"];
+
+/// The columns of shapes: their number, `own`, what probes move.
+pub(super) fn columns(assembly: &Assembly, own: &[&str]) -> Vec<Column> {
+    let dimension = |name: &str| match name {
+        "frequency" => Some(Dimension::RATE),
+        "squared" => Some(Dimension::new(0, -2, 0)),
+        _ => None,
+    };
+    let mut columns = vec![Column::new("mode", None)];
+    columns.extend(own.iter().map(|&name| Column::new(name, dimension(name))));
+    for (probe, _) in &assembly.probes {
+        columns.extend(["x", "y", "z"].map(|axis| Column::new(format!("{probe}.{axis}"), None)));
+    }
+    columns
+}
 
 impl Run<'_> {
     fn state_about(&self, model: &Model, about: About) -> Result<State, Reason> {
@@ -35,7 +55,7 @@ impl Run<'_> {
 
     /// Natural modes, one row each.
     pub(super) fn modes(&mut self, model: &Model, settings: &Modes) -> Ended {
-        self.begin(&["frequency", "squared", "residual"])?;
+        self.begin(&MODES)?;
         let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
             let found = match system.completed(&s) {
@@ -64,7 +84,7 @@ impl Run<'_> {
 
     /// Critical loads, one row each.
     pub(super) fn buckling(&mut self, settings: &Buckling) -> Ended {
-        self.begin(&["factor"])?;
+        self.begin(&BUCKLING)?;
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
         let found = self.held(&s).and_then(|()| {
             let (count, sense) = (settings.count as usize, settings.sense.into());
@@ -81,11 +101,8 @@ impl Run<'_> {
     }
 
     fn begin(&mut self, own: &[&str]) -> io::Result<()> {
-        let mut columns: Vec<String> = once(&"mode").chain(own).map(|&column| column.to_owned()).collect();
-        for (name, _) in &self.assembly.probes {
-            columns.extend(["x", "y", "z"].map(|axis| format!("{name}.{axis}")));
-        }
-        self.observer.begin(&columns)
+        let columns = columns(self.assembly, own).into_iter().map(|column| column.name);
+        self.observer.begin(&columns.collect::<Vec<_>>())
     }
 
     /// Records numbers and shapes, motions about a state.

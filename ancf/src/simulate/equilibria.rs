@@ -8,12 +8,12 @@ use crate::analysis::{
     SolveError, Stop, Until, settle,
 };
 use crate::model::{Assembly, Model, Path, ScaleChoice, Statics};
-use crate::rows::Rows;
+use crate::rows::{LOAD, Rows};
 use crate::system::State;
 
 /// The columns of an equilibrium; those of a path besides.
-const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
-const PATH: [&str; 3] = ["length", "slope", "limit"];
+pub(super) const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
+pub(super) const PATH: [&str; 3] = ["length", "slope", "limit"];
 
 /// The values of [`OWN`]. `unstable` is not a number where the factors do not tell.
 fn own(found: &Equilibrium) -> [f64; 4] {
@@ -77,8 +77,8 @@ impl Run<'_> {
     /// Loads a model step by step, recording every equilibrium.
     pub(super) fn statics(&mut self, settings: &Statics) -> Ended {
         let assembly = self.assembly;
-        let mut rows = Rows::new(assembly, self.summary.scales, "load", &OWN);
-        self.observer.begin(rows.columns())?;
+        let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &OWN);
+        self.observer.begin(&rows.columns())?;
         let start = unloaded(assembly);
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));
@@ -112,8 +112,8 @@ impl Run<'_> {
     /// Follows a path of equilibria, recording every point.
     pub(super) fn path(&mut self, settings: &Path) -> Ended {
         let assembly = self.assembly;
-        let mut rows = Rows::new(assembly, self.summary.scales, "load", &[OWN.as_slice(), &PATH].concat());
-        self.observer.begin(rows.columns())?;
+        let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &[OWN.as_slice(), &PATH].concat());
+        self.observer.begin(&rows.columns())?;
         let start = unloaded(assembly);
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));

@@ -19,6 +19,7 @@ pub(crate) fn free(elements: u32) -> Model {
     let steel = Material::elastic(8030.0, 193e9, 0.0);
     Model {
         title: None,
+        units: None,
         gravity: [0.0, -GRAVITY, 0.0],
         materials: [("steel".into(), steel)].into(),
         sections: [("circle".into(), Section::Circle { diameter: 0.02 })].into(),

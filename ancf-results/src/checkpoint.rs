@@ -1,0 +1,63 @@
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::time::Duration;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use thiserror::Error;
+
+use crate::folder::replace;
+
+/// How often a checkpoint is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Every {
+    /// After so many rows.
+    Rows(u64),
+    /// After so much time of the clock.
+    Time(Duration),
+}
+
+/// Why a checkpoint cannot be read.
+#[derive(Debug, Error)]
+pub enum CheckpointError {
+    /// The file could not be read.
+    #[error("the checkpoint cannot be read: {0}")]
+    Read(#[from] io::Error),
+    /// It is not what was written.
+    #[error("the checkpoint is damaged: {0}")]
+    Damaged(&'static str),
+}
+
+/// The first bytes of a checkpoint; the last one is the version of its format.
+const HEAD: [u8; 8] = *b"ANCFCP\0\x01";
+
+/// Writes a checkpoint: head, contents, SHA-256 of both.
+pub(crate) fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {
+    let mut bytes = postcard::to_extend(contents, HEAD.to_vec()).map_err(io::Error::other)?;
+    let sum = Sha256::digest(&bytes);
+    bytes.extend_from_slice(&sum);
+    replace(path, &bytes)
+}
+
+/// Reads a checkpoint; nothing if there is none.
+pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, CheckpointError> {
+    match fs::read(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        bytes => from_bytes(&bytes?).map(Some),
+    }
+}
+
+fn from_bytes<T: for<'a> Deserialize<'a>>(bytes: &[u8]) -> Result<T, CheckpointError> {
+    let damaged = CheckpointError::Damaged;
+    let (contents, sum) = bytes.split_last_chunk::<32>().ok_or(damaged("it is too short"))?;
+    if !contents.starts_with(&HEAD) {
+        return Err(damaged("it is none of this version of the program"));
+    }
+    if Sha256::digest(contents).as_slice() != sum {
+        return Err(damaged("its sum does not fit"));
+    }
+    postcard::from_bytes(&contents[HEAD.len()..])
+        .map_err(|_| damaged("it is none of this version of the program"))
+}

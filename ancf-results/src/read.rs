@@ -1,0 +1,130 @@
+use std::fs::File;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use parquet::basic::Type as Physical;
+use parquet::column::reader::{ColumnReader, get_typed_column_reader};
+use parquet::data_type::DoubleType;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
+use parquet::schema::types::SchemaDescriptor;
+
+use crate::folder::about;
+use crate::layout::Layout;
+use crate::table::{part, parts};
+
+/// The most numbers of a row group that are believed: 8 GB.
+const NUMBERS: usize = 1 << 30;
+
+/// The files of a table, one or in parts; none if there is no table.
+pub(crate) fn files(path: &Path) -> Vec<PathBuf> {
+    if parts(path).is_dir() {
+        return (0..).map(|number| part(path, number)).take_while(|path| path.exists()).collect();
+    }
+    if path.exists() { vec![path.to_owned()] } else { Vec::new() }
+}
+
+/// A Parquet file of doubles and lists of doubles.
+pub(crate) struct Reader {
+    file: SerializedFileReader<File>,
+    path: PathBuf,
+}
+
+impl Reader {
+    pub(crate) fn open(path: &Path) -> io::Result<Self> {
+        let file = File::open(path).and_then(|file| Ok(SerializedFileReader::new(file)?));
+        Ok(Self { file: file.map_err(|error| about(&error, path))?, path: path.to_owned() })
+    }
+
+    /// Names of the columns, lists by their own name.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let columns = self.schema().columns().iter();
+        columns.filter_map(|column| column.path().parts().first().cloned()).collect()
+    }
+
+    fn schema(&self) -> &SchemaDescriptor {
+        self.file.metadata().file_metadata().schema_descr()
+    }
+
+    /// A text of the metadata.
+    pub(crate) fn about(&self, key: &str) -> Option<String> {
+        let all = self.file.metadata().file_metadata().key_value_metadata()?;
+        all.iter().find(|one| one.key == key).and_then(|one| one.value.clone())
+    }
+
+    pub(crate) fn groups(&self) -> usize {
+        self.file.num_row_groups()
+    }
+
+    /// Rows of a row group.
+    pub(crate) fn rows(&self, group: usize) -> usize {
+        usize::try_from(self.file.metadata().row_group(group).num_rows()).unwrap_or_default()
+    }
+
+    /// All numbers of a column in a row group.
+    pub(crate) fn column(&self, group: usize, column: usize) -> io::Result<Vec<f64>> {
+        self.doubles(group, column).map_err(|error| about(&error.into(), &self.path))
+    }
+
+    fn doubles(&self, group: usize, column: usize) -> Result<Vec<f64>, ParquetError> {
+        let wrong = |text: &str| Err(ParquetError::General(text.to_owned()));
+        if self.schema().column(column).physical_type() != Physical::DOUBLE {
+            return wrong("a column that is not of doubles");
+        }
+        let reader = self.file.get_row_group(group)?;
+        let chunk = reader.metadata().column(column);
+        let count = usize::try_from(chunk.num_values()).unwrap_or(usize::MAX);
+        if count > NUMBERS || reader.metadata().num_rows() > chunk.num_values() {
+            return wrong("a count of values that cannot be");
+        }
+        read(&*reader, column, count)
+    }
+}
+
+fn read(group: &dyn RowGroupReader, column: usize, count: usize) -> Result<Vec<f64>, ParquetError> {
+    let reader = group.get_column_reader(column)?;
+    if !matches!(reader, ColumnReader::DoubleColumnReader(_)) {
+        return Err(ParquetError::General("a column that is not of doubles".to_owned()));
+    }
+    let mut reader = get_typed_column_reader::<DoubleType>(reader);
+    let (mut values, mut definition, mut repetition) = (Vec::new(), Vec::new(), Vec::new());
+    while values.len() < count {
+        let (rows, read, _) =
+            reader.read_records(count, Some(&mut definition), Some(&mut repetition), &mut values)?;
+        if rows == 0 && read == 0 {
+            break;
+        }
+    }
+    Ok(values)
+}
+
+/// All rows of a file of this layout.
+pub(crate) fn rows_of(path: &Path, layout: &Layout) -> io::Result<Vec<f64>> {
+    let reader = Reader::open(path)?;
+    let wrong = |text: &str| about(&io::Error::new(io::ErrorKind::InvalidData, text), path);
+    let names = layout.numbers.iter().chain(layout.lists.iter().map(|(name, _)| name));
+    if !names.eq(reader.names().iter()) {
+        return Err(wrong("columns of another run"));
+    }
+    let mut rows = Vec::new();
+    for group in 0..reader.groups() {
+        let (from, count) = (rows.len(), reader.rows(group));
+        let columns: Vec<_> = layout.columns().collect();
+        let read = (0..columns.len()).map(|column| reader.column(group, column));
+        let values = read.collect::<io::Result<Vec<_>>>()?;
+        let fits = |((_, length), values): (&(usize, Option<usize>), &Vec<f64>)| {
+            values.len() == count * length.unwrap_or(1)
+        };
+        if !columns.iter().zip(&values).all(fits) {
+            return Err(wrong("columns of different lengths"));
+        }
+        rows.resize(from + count * layout.width(), 0.0);
+        for (row, to) in rows[from..].chunks_exact_mut(layout.width().max(1)).enumerate() {
+            for ((first, length), values) in columns.iter().zip(&values) {
+                let length = length.unwrap_or(1);
+                to[*first..first + length].copy_from_slice(&values[row * length..(row + 1) * length]);
+            }
+        }
+    }
+    Ok(rows)
+}

@@ -1,0 +1,263 @@
+use std::fs::File;
+use std::io::{self, Seek, SeekFrom};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use ancf::model::Output;
+use ancf::record::{Csv, Sink};
+use ancf::system::State;
+use ancf::{Column, Model, Observer, Simulation, Summary};
+use serde::{Deserialize, Serialize};
+
+use crate::checkpoint::{self, Every};
+use crate::folder::{Folder, about, replace};
+use crate::frames::{self, Frames};
+use crate::layout::Layout;
+use crate::provenance::{PROGRAM, Provenance};
+use crate::table::Table;
+use crate::thinned::Thinned;
+
+/// Writes a run into its folder. The folder comes into being when the run begins, so that bad input leaves none.
+#[derive(Debug)]
+pub struct Recorder {
+    folder: Folder,
+    output: Output,
+    text: String,
+    provenance: Provenance,
+    columns: Vec<Column>,
+    states_layout: Layout,
+    thinned: Thinned,
+    frames: Frames,
+    /// The last state, if it may have to be kept.
+    last: Option<(f64, State)>,
+    every: Option<Every>,
+    /// When rows were flushed, and when a checkpoint was written.
+    flushed: Instant,
+    checked: Instant,
+    /// Rows since the last checkpoint.
+    rows: u64,
+    files: Option<Files>,
+}
+
+/// The files that grow.
+#[derive(Debug)]
+struct Files {
+    csv: Option<Csv<File>>,
+    results: Option<Table>,
+    states: Option<Table>,
+    /// Keeps others out of the folder.
+    _lock: File,
+}
+
+/// What a recorder has to remember to go on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Memory {
+    thinned: Thinned,
+    frames: Frames,
+    csv: u64,
+    results: u64,
+    states: u64,
+}
+
+/// Between two flushes.
+const FLUSH: Duration = Duration::from_secs(1);
+
+impl Recorder {
+    /// Of a run of a model, given also as its text, into a folder.
+    pub fn new(folder: Folder, text: &str, model: &Model, simulation: &Simulation) -> Self {
+        let columns = simulation.columns();
+        let now = Instant::now();
+        Self {
+            folder,
+            output: model.output,
+            text: text.to_owned(),
+            provenance: Provenance::new(text, model.units.as_ref(), &columns),
+            columns,
+            states_layout: frames::layout(simulation),
+            thinned: Thinned::new(model.output.every),
+            frames: Frames::new(simulation, &model.analysis, model.output.states),
+            last: None,
+            every: None,
+            flushed: now,
+            checked: now,
+            rows: 0,
+            files: None,
+        }
+    }
+
+    /// The same, writing checkpoints.
+    #[must_use]
+    pub fn with_checkpoints(self, every: Every) -> Self {
+        Self { every: Some(every), ..self }
+    }
+
+    /// Where it writes.
+    pub fn folder(&self) -> &Folder {
+        &self.folder
+    }
+
+    /// Writes how the run of a model, by the name of its file, ended, into `summary.json`.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn conclude(&self, summary: &Summary, model: &str, seconds: f64) -> io::Result<()> {
+        let report = Report { program: PROGRAM, model, wall_seconds: seconds, summary };
+        let text = serde_json::to_string_pretty(&report).map_err(io::Error::other)? + "\n";
+        replace(&self.folder.summary(), text.as_bytes())
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::new(self.columns.iter().map(|column| column.name.clone()).collect(), Vec::new())
+    }
+
+    /// New files in the place of those of an earlier run.
+    fn create(&self) -> io::Result<Files> {
+        let folder = &self.folder;
+        std::fs::create_dir_all(folder.path()).map_err(|error| about(&error, folder.path()))?;
+        let lock = folder.lock()?;
+        folder.clear()?;
+        replace(&folder.model(), self.text.as_bytes())?;
+        let Output { csv, parquet, states, .. } = self.output;
+        Ok(Files {
+            csv: csv.then(|| new_csv(folder)).transpose()?,
+            results: parquet
+                .then(|| Table::create(&folder.results(), self.layout(), &self.provenance))
+                .transpose()?,
+            states: (states > 0).then(|| self.create_states()).transpose()?,
+            _lock: lock,
+        })
+    }
+
+    fn create_states(&self) -> io::Result<Table> {
+        let (path, layout) = (self.folder.states(), self.states_layout.clone());
+        Table::create(&path, layout, &self.provenance.without_units())
+    }
+
+    /// The files as they were at a checkpoint.
+    fn reopen(&self, memory: &Memory) -> io::Result<Files> {
+        let folder = &self.folder;
+        let lock = folder.lock()?;
+        let Output { csv, parquet, states, .. } = self.output;
+        let results = || Table::reopen(&folder.results(), self.layout(), &self.provenance, memory.results);
+        let states_again = || {
+            let about = self.provenance.without_units();
+            Table::reopen(&folder.states(), self.states_layout.clone(), &about, memory.states)
+        };
+        Ok(Files {
+            csv: csv.then(|| old_csv(folder, memory.csv)).transpose()?,
+            results: parquet.then(results).transpose()?,
+            states: (states > 0).then(states_again).transpose()?,
+            _lock: lock,
+        })
+    }
+
+    fn write_row(&mut self, row: &[f64]) -> io::Result<()> {
+        let path = self.folder.csv();
+        let Some(files) = &mut self.files else { return Ok(()) };
+        if let Some(csv) = &mut files.csv {
+            let _ = Sink::record(csv, row).map_err(|error| about(&error, &path))?;
+        }
+        files.results.as_mut().map_or(Ok(()), |table| table.push(&[row]))
+    }
+
+    fn write_state(&mut self, first: f64, state: &State) -> io::Result<()> {
+        let head = [self.frames.row() as f64, first, state.load];
+        let Some(table) = self.files.as_mut().and_then(|files| files.states.as_mut()) else { return Ok(()) };
+        let [q, v, a, lambda] = frames::numbers(state);
+        table.push(&[&head, q, v, a, lambda])
+    }
+
+    /// Puts all there is on the disk.
+    fn flush(&mut self) -> io::Result<()> {
+        self.flushed = Instant::now();
+        let path = self.folder.csv();
+        let Some(files) = &mut self.files else { return Ok(()) };
+        if let Some(csv) = &mut files.csv {
+            Sink::finish(csv).map_err(|error| about(&error, &path))?;
+        }
+        [&mut files.results, &mut files.states].into_iter().flatten().try_for_each(Table::flush)
+    }
+
+    /// Writes what is left, and makes one file of each table; of all even if one fails.
+    fn complete(&mut self) -> io::Result<()> {
+        let row = self.thinned.left().map_or(Ok(()), |row| self.write_row(&row));
+        let last = self.last.take().filter(|_| self.frames.lack_last());
+        let state = last.map_or(Ok(()), |(first, state)| self.write_state(first, &state));
+        let flushed = self.flush();
+        let tables = self.files.take().map(|files| [files.results, files.states]).into_iter().flatten();
+        let finished: Vec<_> = tables.flatten().map(|mut table| table.finish()).collect();
+        row.and(state).and(flushed).and(finished.into_iter().collect())
+    }
+}
+
+impl Observer for Recorder {
+    fn begin(&mut self, _: &[String]) -> io::Result<()> {
+        if self.files.is_none() {
+            let mut files = self.create()?;
+            if let Some(csv) = &mut files.csv {
+                let names: Vec<String> = self.columns.iter().map(|column| column.name.clone()).collect();
+                Sink::begin(csv, &names)?;
+            }
+            self.files = Some(files);
+        }
+        self.flush()
+    }
+
+    fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
+        if self.thinned.is_due(row) {
+            self.write_row(row)?;
+        }
+        let first = row.first().copied().unwrap_or_default();
+        if self.frames.is_due(first) {
+            self.write_state(first, state)?;
+        } else {
+            match &mut self.last {
+                Some((value, last)) => {
+                    *value = first;
+                    last.copy_from(state);
+                }
+                None => self.last = Some((first, state.clone())),
+            }
+        }
+        if self.flushed.elapsed() >= FLUSH {
+            self.flush()?;
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        self.complete()
+    }
+}
+
+/// The contents of `summary.json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    program: &'static str,
+    /// What the model's file was called.
+    model: &'a str,
+    wall_seconds: f64,
+    #[serde(flatten)]
+    summary: &'a Summary,
+}
+
+/// A new `probes.csv`, without names.
+fn new_csv(folder: &Folder) -> io::Result<Csv<File>> {
+    let path = folder.csv();
+    File::create(&path).map(Csv::new).map_err(|error| about(&error, &path))
+}
+
+/// `probes.csv` cut down to so many bytes.
+fn old_csv(folder: &Folder, bytes: u64) -> io::Result<Csv<File>> {
+    let path = folder.csv();
+    let open = || {
+        let mut file = File::options().write(true).open(&path)?;
+        if file.metadata()?.len() < bytes {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "rows are missing"));
+        }
+        file.set_len(bytes)?;
+        file.seek(SeekFrom::End(0))?;
+        Ok(Csv::new(file))
+    };
+    open().map_err(|error| about(&error, &path))
+}

@@ -1,10 +1,11 @@
+use std::cell::OnceCell;
 use std::io;
 use std::ops::ControlFlow;
 
 use super::blame::blame;
 use super::checkpoint::fingerprint;
 use super::pace::Pace;
-use super::{Checkpoint, Ended, Error, Mismatch, Reason, Run, Simulation};
+use super::{Checkpoint, Ended, Error, Mismatch, Reason, Run, Simulation, Summary};
 use crate::analysis::{SolveError, StepReport};
 use crate::model::Dynamics;
 use crate::rows::{Rows, TIME};
@@ -17,13 +18,20 @@ pub(super) struct Motion<'a> {
     simulation: &'a Simulation,
     rows: Rows,
     pace: Pace<'a>,
+    /// Once it is asked for.
+    fingerprint: OnceCell<u64>,
 }
 
 impl<'a> Motion<'a> {
     fn new(simulation: &'a Simulation, settings: &Dynamics, rows: Rows) -> Result<Self, SolveError> {
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
         let pace = Pace::new(scaled, settings, assembly, interrupt.clone())?;
-        Ok(Self { simulation, rows, pace })
+        Ok(Self { simulation, rows, pace, fingerprint: OnceCell::new() })
+    }
+
+    fn checkpoint(&self, summary: &Summary) -> Checkpoint {
+        let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
+        Checkpoint::new(model, summary, &self.rows, &self.pace)
     }
 }
 
@@ -69,21 +77,20 @@ impl<'a> Run<'a> {
         let ended = self.steps(&mut motion)?;
         if !matches!(ended, Ok(ControlFlow::Continue(()))) {
             let Self { observer, summary, .. } = self;
-            let model = fingerprint(motion.simulation);
-            observer.last_checkpoint(&|| Checkpoint::new(model, summary, &motion.rows, &motion.pace))?;
+            observer.last_checkpoint(&|| motion.checkpoint(summary))?;
         }
         Ok(ended)
     }
 
     fn steps(&mut self, motion: &mut Motion<'a>) -> Ended {
-        let model = fingerprint(motion.simulation);
         loop {
             let flow = match motion.pace.due() {
                 Some(report) => self.record(motion, &report)?,
                 None => ControlFlow::Continue(()),
             };
-            let (Motion { rows, pace, .. }, summary) = (&mut *motion, &mut self.summary);
-            self.observer.checkpoint(&|| Checkpoint::new(model, summary, rows, pace))?;
+            let Self { observer, summary, .. } = self;
+            observer.checkpoint(&|| motion.checkpoint(summary))?;
+            let pace = &mut motion.pace;
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.
                 return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));

@@ -41,7 +41,7 @@ struct Usage {
     /// So many solutions begin with a new one; so many did after the last disappointment.
     pause: u32,
     last_pause: u32,
-    /// What became of its factors until the last accepted step.
+    /// What became of its factors until the last accepted step, if they are of further use.
     factor: Course,
 }
 
@@ -260,7 +260,8 @@ impl Made {
 impl Tangent {
     /// To be told after each accepted step: to this a run returns that breaks off in the next.
     pub(super) fn keep(&mut self) {
-        self.kept = Usage { factor: self.factor.course(), ..self.usage };
+        let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
+        self.kept = Usage { factor, ..self.usage };
         self.made.iter_mut().for_each(|made| made.is_new = false);
     }
 

@@ -25,6 +25,9 @@ pub enum Command {
     /// Run a model file and write its results: motion, equilibrium, path of equilibria, modes or critical loads.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Arguments),
+    /// Go on with a run that was stopped, failed or killed, from its last checkpoint.
+    #[command(after_help = run::RESUME_EXAMPLES)]
+    Resume(run::Resumption),
     /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
     #[command(after_help = study::EXAMPLES)]
     Study(study::Arguments),
@@ -94,6 +97,7 @@ impl Command {
                 Ok(Ended::Done)
             }),
             Self::Run(arguments) => arguments.run(),
+            Self::Resume(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 print(&ancf::model::schema_text());

@@ -1,4 +1,4 @@
-//! `ancf run`: a model into a folder.
+//! `ancf run` and `ancf resume`: a model into a folder.
 
 use std::fs;
 use std::io;
@@ -8,10 +8,11 @@ use std::time::Instant;
 
 use ancf::record::Sink;
 use ancf::system::State;
-use ancf::{Model, Observer, Outcome, Simulation, Summary};
-use ancf_results::{Folder, Recorder};
+use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
+use ancf_results::{Every, Folder, OpenError, Recorder, Results};
 use anyhow::{Context, Result};
 use clap::Args;
+use serde_json::Value;
 
 use crate::command::{Ended, refuse};
 use crate::conclusion::Conclusion;
@@ -25,9 +26,35 @@ pub struct Arguments {
     /// The folder for results.parquet, states.parquet, probes.csv and summary.json.
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
+    /// How often to write a checkpoint, from which `ancf resume` goes on: after so many steps (1000), or so much time (30s, 10min).
+    #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
+    checkpoint: Every,
     /// Show no progress.
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// What `ancf resume` is given.
+#[derive(Args)]
+pub struct Resumption {
+    /// The folder of a run that was stopped, failed or killed.
+    folder: PathBuf,
+    /// How often to write a checkpoint: after so many steps (1000), or so much time (30s, 10min).
+    #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
+    checkpoint: Every,
+    /// Show no progress.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// `1000` steps, or `10min`.
+fn every(text: &str) -> Result<Every, String> {
+    let wanted = || "a number of steps, such as 1000, or a time, such as 30s or 10min".to_owned();
+    match text.parse::<u64>() {
+        Ok(0) => Err(wanted()),
+        Ok(steps) => Ok(Every::Steps(steps)),
+        Err(_) => humantime::parse_duration(text).map(Every::Time).map_err(|_| wanted()),
+    }
 }
 
 /// Examples for the help.
@@ -53,8 +80,53 @@ impl Arguments {
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
         let recorder = Recorder::new(Folder::new(&self.output), &text, &model, &simulation);
+        let recorder = recorder.with_checkpoints(self.checkpoint);
         let name = self.file.display().to_string();
-        record(&model, &name, recorder, self.quiet, |followers| simulation.run(followers))
+        record(&model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+    }
+}
+
+/// Examples for the help.
+pub const RESUME_EXAMPLES: &str = "\
+Examples:
+  ancf run models/bow.toml -o out --checkpoint 1000
+  ancf resume out                                 goes on after Ctrl-C, kill -9 or a full disk
+
+Results are to the last bit those of a run that was never stopped. Analyses other than motions are run anew.";
+
+impl Resumption {
+    /// Goes on with the run in a folder.
+    pub fn run(&self) -> Result<Ended> {
+        let results = match Results::open(&self.folder) {
+            Ok(results) => results,
+            Err(OpenError::Model { path, errors }) => return Ok(refuse(&errors, &path)),
+            Err(error @ OpenError::NoRun(_)) => {
+                say(&format!("error: {error}"));
+                return Ok(Ended::BadInput);
+            }
+            Err(error) => return Err(error.into()),
+        };
+        let name = results.folder().model().display().to_string();
+        let is_finished = |summary: Value| summary["outcome"]["kind"] == "finished";
+        if results.summary()?.is_some_and(is_finished) {
+            say(&format!("{} is finished: there is nothing to do", self.folder.display()));
+            return Ok(Ended::Done);
+        }
+        let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
+        let simulation = Simulation::new(model)?.heeding(ctrl_c()?);
+        match Recorder::resume(folder.clone(), text, model, &simulation)? {
+            Some((recorder, from)) => {
+                say(&format!("going on from t = {}", from.time()));
+                let recorder = recorder.with_checkpoints(self.checkpoint);
+                record(model, &name, recorder, self.quiet, |followers| simulation.resume(&from, followers))
+            }
+            None => {
+                say("there is no checkpoint: beginning anew");
+                let recorder = Recorder::new(folder, text, model, &simulation);
+                let recorder = recorder.with_checkpoints(self.checkpoint);
+                record(model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+            }
+        }
     }
 }
 
@@ -64,7 +136,7 @@ fn record(
     name: &str,
     recorder: Recorder,
     quiet: bool,
-    run: impl FnOnce(&mut dyn Observer) -> io::Result<Summary>,
+    run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
 ) -> Result<Ended> {
     let clock = Instant::now();
     let progress = match model.analysis.dynamics() {
@@ -108,6 +180,14 @@ impl Observer for Followers<'_> {
         let _ = Sink::record(&mut self.conclusion, row)?;
         let _ = Sink::record(&mut self.progress, row)?;
         self.recorder.record(row, state)
+    }
+
+    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.recorder.checkpoint(take)
+    }
+
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.recorder.last_checkpoint(take)
     }
 
     fn finish(&mut self) -> io::Result<()> {

@@ -3,8 +3,8 @@ use std::io;
 use std::path::Path;
 use std::time::Duration;
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
@@ -13,8 +13,8 @@ use crate::folder::replace;
 /// How often a checkpoint is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Every {
-    /// After so many rows.
-    Rows(u64),
+    /// After so many steps.
+    Steps(u64),
     /// After so much time of the clock.
     Time(Duration),
 }
@@ -49,7 +49,7 @@ pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, Checkp
     }
 }
 
-fn from_bytes<T: for<'a> Deserialize<'a>>(bytes: &[u8]) -> Result<T, CheckpointError> {
+fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, CheckpointError> {
     let damaged = CheckpointError::Damaged;
     let (contents, sum) = bytes.split_last_chunk::<32>().ok_or(damaged("it is too short"))?;
     if !contents.starts_with(&HEAD) {

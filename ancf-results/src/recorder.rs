@@ -1,16 +1,17 @@
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom};
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use ancf::model::Output;
 use ancf::record::{Csv, Sink};
 use ancf::system::State;
-use ancf::{Column, Model, Observer, Simulation, Summary};
+use ancf::{Checkpoint, Column, Model, Observer, Simulation, Summary};
 use serde::{Deserialize, Serialize};
 
-use crate::checkpoint::{self, Every};
-use crate::folder::{Folder, about, replace};
+use crate::checkpoint::{self, CheckpointError, Every};
+use crate::folder::{Folder, about, remove, replace};
 use crate::frames::{self, Frames};
 use crate::layout::Layout;
 use crate::provenance::{PROGRAM, Provenance};
@@ -34,8 +35,10 @@ pub struct Recorder {
     /// When rows were flushed, and when a checkpoint was written.
     flushed: Instant,
     checked: Instant,
-    /// Rows since the last checkpoint.
-    rows: u64,
+    /// Steps since then.
+    steps: u64,
+    /// What it goes on from.
+    memory: Option<Memory>,
     files: Option<Files>,
 }
 
@@ -80,9 +83,28 @@ impl Recorder {
             every: None,
             flushed: now,
             checked: now,
-            rows: 0,
+            steps: 0,
+            memory: None,
             files: None,
         }
+    }
+
+    /// What continues the run in a folder, and from where; nothing if it left no checkpoint.
+    ///
+    /// # Errors
+    /// If the checkpoint is damaged.
+    pub fn resume(
+        folder: Folder,
+        text: &str,
+        model: &Model,
+        simulation: &Simulation,
+    ) -> Result<Option<(Self, Checkpoint)>, CheckpointError> {
+        let Some((memory, from)) = checkpoint::read::<(Memory, Checkpoint)>(&folder.checkpoint())? else {
+            return Ok(None);
+        };
+        let recorder = Self::new(folder, text, model, simulation);
+        let (thinned, frames) = (memory.thinned.clone(), memory.frames.clone());
+        Ok(Some((Self { thinned, frames, memory: Some(memory), ..recorder }, from)))
     }
 
     /// The same, writing checkpoints.
@@ -103,6 +125,10 @@ impl Recorder {
     pub fn conclude(&self, summary: &Summary, model: &str, seconds: f64) -> io::Result<()> {
         let report = Report { program: PROGRAM, model, wall_seconds: seconds, summary };
         let text = serde_json::to_string_pretty(&report).map_err(io::Error::other)? + "\n";
+        if summary.outcome.is_finished() {
+            // There is nothing left to do.
+            remove(&self.folder.checkpoint())?;
+        }
         replace(&self.folder.summary(), text.as_bytes())
     }
 
@@ -119,7 +145,7 @@ impl Recorder {
         replace(&folder.model(), self.text.as_bytes())?;
         let Output { csv, parquet, states, .. } = self.output;
         Ok(Files {
-            csv: csv.then(|| new_csv(folder)).transpose()?,
+            csv: csv.then(|| new_csv(folder, &self.layout().numbers)).transpose()?,
             results: parquet
                 .then(|| Table::create(&folder.results(), self.layout(), &self.provenance))
                 .transpose()?,
@@ -167,6 +193,24 @@ impl Recorder {
         table.push(&[&head, q, v, a, lambda])
     }
 
+    /// Writes from where the run can be continued, all rows before it first.
+    fn save(&mut self, checkpoint: &Checkpoint) -> io::Result<()> {
+        (self.checked, self.steps) = (Instant::now(), 0);
+        self.flush()?;
+        let Some(files) = &self.files else { return Ok(()) };
+        let rows = |table: &Option<Table>| table.as_ref().map_or(0, Table::rows);
+        let path = self.folder.csv();
+        let csv = if files.csv.is_some() { synced(&path).map_err(|error| about(&error, &path))? } else { 0 };
+        let memory = Memory {
+            thinned: self.thinned.clone(),
+            frames: self.frames.clone(),
+            csv,
+            results: rows(&files.results),
+            states: rows(&files.states),
+        };
+        checkpoint::write(&self.folder.checkpoint(), &(memory, checkpoint))
+    }
+
     /// Puts all there is on the disk.
     fn flush(&mut self) -> io::Result<()> {
         self.flushed = Instant::now();
@@ -192,14 +236,10 @@ impl Recorder {
 
 impl Observer for Recorder {
     fn begin(&mut self, _: &[String]) -> io::Result<()> {
-        if self.files.is_none() {
-            let mut files = self.create()?;
-            if let Some(csv) = &mut files.csv {
-                let names: Vec<String> = self.columns.iter().map(|column| column.name.clone()).collect();
-                Sink::begin(csv, &names)?;
-            }
-            self.files = Some(files);
-        }
+        self.files = Some(match self.memory.take() {
+            Some(memory) => self.reopen(&memory)?,
+            None => self.create()?,
+        });
         self.flush()
     }
 
@@ -225,6 +265,20 @@ impl Observer for Recorder {
         Ok(ControlFlow::Continue(()))
     }
 
+    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.steps += 1;
+        let due = match self.every {
+            None => false,
+            Some(Every::Steps(steps)) => self.steps >= steps,
+            Some(Every::Time(time)) => self.checked.elapsed() >= time,
+        };
+        if due { self.save(&take()) } else { Ok(()) }
+    }
+
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.save(&take())
+    }
+
     fn finish(&mut self) -> io::Result<()> {
         self.complete()
     }
@@ -241,10 +295,22 @@ struct Report<'a> {
     summary: &'a Summary,
 }
 
-/// A new `probes.csv`, without names.
-fn new_csv(folder: &Folder) -> io::Result<Csv<File>> {
+/// A new `probes.csv`.
+fn new_csv(folder: &Folder, columns: &[String]) -> io::Result<Csv<File>> {
     let path = folder.csv();
-    File::create(&path).map(Csv::new).map_err(|error| about(&error, &path))
+    let create = || {
+        let mut csv = Csv::new(File::create(&path)?);
+        Sink::begin(&mut csv, columns)?;
+        Ok(csv)
+    };
+    create().map_err(|error| about(&error, &path))
+}
+
+/// The length of a file whose contents are on the disk when this returns.
+fn synced(path: &Path) -> io::Result<u64> {
+    let file = File::open(path)?;
+    file.sync_all()?;
+    Ok(file.metadata()?.len())
 }
 
 /// `probes.csv` cut down to so many bytes.

@@ -81,4 +81,4 @@ pub use fields::{Field, Fields, Station};
 pub use model::{Model, ModelError, ModelErrors};
 pub use rows::{Column, Rows};
 pub use scales::Scales;
-pub use simulate::{Error, Observer, Outcome, Simulation, Summary, simulate};
+pub use simulate::{Checkpoint, Error, Mismatch, Observer, Outcome, Simulation, Summary, simulate};

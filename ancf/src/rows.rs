@@ -1,6 +1,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
 
 use crate::mechanics::{StrainEnergy, Wrench};
 use crate::model::{Assembly, Quantity};
@@ -34,6 +35,12 @@ pub struct Rows {
     row: Vec<f64>,
     scales: Scales,
     parts: bool,
+    past: Past,
+}
+
+/// What a row takes from those before it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Past {
     /// Total energy of the first state.
     initial: Option<f64>,
     /// Angles of the row before, by freedom.
@@ -125,8 +132,7 @@ impl Rows {
             columns,
             scales,
             parts: assembly.energy_parts,
-            initial: None,
-            angles: vec![0.0; assembly.freedoms().count()],
+            past: Past { initial: None, angles: vec![0.0; assembly.freedoms().count()] },
         }
     }
 
@@ -167,12 +173,26 @@ impl Rows {
             self.push(part, Dimension::ENERGY);
         }
         if let Some(Power { work, dissipation }) = exchanged {
-            let initial = *self.initial.get_or_insert(energy.total());
+            let initial = *self.past.initial.get_or_insert(energy.total());
             for part in [work, dissipation, initial + work - dissipation - energy.total()] {
                 self.push(part, Dimension::ENERGY);
             }
         }
         &self.row
+    }
+
+    /// What the next row takes from those so far.
+    pub(crate) fn past(&self) -> &Past {
+        &self.past
+    }
+
+    /// Goes on after other rows; returns false if they are not of these columns.
+    pub(crate) fn go_on(&mut self, past: &Past) -> bool {
+        let fits = past.angles.len() == self.past.angles.len();
+        if fits {
+            self.past.clone_from(past);
+        }
+        fits
     }
 
     fn measure(&mut self, assembly: &Assembly, s: &State) {
@@ -212,8 +232,8 @@ impl Rows {
         for (k, (_, freedom)) in assembly.freedoms().enumerate() {
             let [mut value, rate] = freedom.at(s);
             if freedom.wraps() {
-                value += TAU * ((self.angles[k] - value) / TAU).round();
-                self.angles[k] = value;
+                value += TAU * ((self.past.angles[k] - value) / TAU).round();
+                self.past.angles[k] = value;
             }
             let [of_value, of_rate] = freedom.dimensions();
             self.push(value, of_value);

@@ -1,4 +1,5 @@
 mod blame;
+mod checkpoint;
 mod columns;
 mod dynamics;
 mod eigen;
@@ -11,6 +12,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use blame::Blame;
+pub use checkpoint::{Checkpoint, Mismatch};
 pub use observer::Observer;
 pub use summary::{Outcome, Summary};
 use thiserror::Error;
@@ -27,6 +29,9 @@ pub enum Error {
     /// The model is not valid.
     #[error(transparent)]
     Model(#[from] ModelErrors),
+    /// A checkpoint is not one of the simulation.
+    #[error(transparent)]
+    Checkpoint(#[from] Mismatch),
     /// A sink could not record.
     #[error("results could not be written")]
     Sink(#[from] io::Error),
@@ -94,21 +99,43 @@ impl Simulation {
     /// # Errors
     /// If the observer fails. What cannot be solved is an [`Outcome`], with all before it recorded.
     pub fn run(&self, observer: &mut dyn Observer) -> io::Result<Summary> {
-        let Self { scaled, chosen, assembly, interrupt } = self;
-        let summary = Summary::new(assembly, chosen.clone());
-        let mut run = Run { summary, assembly, interrupt, observer };
+        let (mut run, scaled) = (self.begin(observer), &self.scaled);
         let ended = match &scaled.analysis {
-            Analysis::Dynamics(settings) => run.dynamics(scaled, settings),
+            Analysis::Dynamics(settings) => run.dynamics(self, settings),
             Analysis::Statics(settings) => run.statics(settings),
             Analysis::Path(settings) => run.path(settings),
             Analysis::Modes(settings) => run.modes(scaled, settings),
             Analysis::Buckling(settings) => run.buckling(settings),
         };
+        self.end(run, ended)
+    }
+
+    /// Goes on with a motion from a checkpoint, to the last bit as if it had never stopped: the observer is told the columns,
+    /// and receives the rows from number [`Checkpoint::rows`] on; the summary is that of the whole run.
+    ///
+    /// Analyses other than motions keep no checkpoints; they are carried out anew.
+    ///
+    /// # Errors
+    /// If the checkpoint is not one of this model, or damaged: nothing is recorded then. If the observer fails.
+    pub fn resume(&self, from: &Checkpoint, observer: &mut dyn Observer) -> Result<Summary, Error> {
+        let settings = self.scaled.analysis.dynamics().ok_or(Mismatch::Analysis)?;
+        let mut run = self.begin(observer);
+        let motion = run.restored(self, settings, from)?;
+        let ended = run.go_on(motion);
+        Ok(self.end(run, ended)?)
+    }
+
+    fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> Run<'a> {
+        let Self { chosen, assembly, interrupt, .. } = self;
+        Run { summary: Summary::new(assembly, chosen.clone()), assembly, interrupt, observer }
+    }
+
+    fn end(&self, run: Run<'_>, ended: Ended) -> io::Result<Summary> {
         // What was recorded is completed even if recording broke off.
         let finished = run.observer.finish();
         let Run { mut summary, .. } = run;
-        summary.outcome = outcome(ended?, assembly, summary.scales);
-        if scaled.analysis.dynamics().is_some() {
+        summary.outcome = outcome(ended?, &self.assembly, summary.scales);
+        if self.scaled.analysis.dynamics().is_some() {
             summary.time *= summary.scales.time;
         }
         finished?;

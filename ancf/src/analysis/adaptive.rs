@@ -1,4 +1,7 @@
-use super::estimate::Estimate;
+use serde::{Deserialize, Serialize};
+
+use super::estimate::{Estimate, Past};
+use super::motion::Unknown;
 use super::{Dynamics, Failure, SolveError, StepReport};
 use crate::system::EquationsOfMotion;
 
@@ -42,10 +45,23 @@ impl Control {
 pub struct Adaptive {
     control: Control,
     estimate: Estimate,
+    sizes: Sizes,
+}
+
+/// Sizes of steps.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Sizes {
     /// The step that is to come.
-    h: f64,
+    next: f64,
     /// x and h of the last accepted step.
     last: Option<(f64, f64)>,
+}
+
+/// All on which the further control depends; of [`Adaptive`].
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct AdaptiveMemory {
+    sizes: Sizes,
+    past: Past,
 }
 
 /// The part of its share at which a step aims.
@@ -62,8 +78,8 @@ impl Adaptive {
         let a = estimate.norm(&dynamics.state().a);
         // In this step the acceleration moves the system by a hundredth of the tolerance or so.
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
-        let h = control.initial.unwrap_or(own).max(control.smallest);
-        Self { control, estimate, h, last: None }
+        let next = control.initial.unwrap_or(own).max(control.smallest);
+        Self { control, estimate, sizes: Sizes { next, last: None } }
     }
 
     /// Does one step of a size that the tolerance permits towards the time `to`, where the last of them ends exactly.
@@ -76,37 +92,37 @@ impl Adaptive {
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        if dynamics.fresh {
-            self.last = None;
+        if dynamics.motion.fresh {
+            self.sizes.last = None;
             self.estimate.restart();
         }
         let from = dynamics.state().t;
-        let mut failed = false;
+        let (mut size, mut failed) = (self.sizes.next, false);
         loop {
             // Equal parts of what is left, so that no sliver remains.
-            let parts = ((to - from) / self.h.min(self.control.largest) * (1.0 - 1e-9)).ceil().max(1.0);
+            let parts = ((to - from) / size.min(self.control.largest) * (1.0 - 1e-9)).ceil().max(1.0);
             let h = (to - from) / parts;
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
                 Ok(x) if x >= AIM => {
-                    self.plan(x, h, failed);
+                    self.plan(x, h, (size, failed));
                     return Ok(report);
                 }
                 Ok(x) => {
-                    self.h = h * x.sqrt().max(FALL);
+                    size = h * x.sqrt().max(FALL);
                     SolveError::at(end, Failure::StepTooSmall)
                 }
                 Err(error) if error.is_final() => return Err(error),
                 Err(error) => {
                     report.iterations += error.iterations;
-                    self.h = FALL * h;
+                    size = FALL * h;
                     error
                 }
             };
             if h <= self.control.smallest {
                 return Err(failure);
             }
-            self.h = self.h.max(self.control.smallest);
+            size = size.max(self.control.smallest);
             failed = true;
         }
     }
@@ -137,15 +153,36 @@ impl Adaptive {
         Ok(x)
     }
 
-    /// The size of the next step.
-    fn plan(&mut self, x: f64, h: f64, failed: bool) {
-        let (x_before, h_before) = self.last.unwrap_or((x, h));
+    /// The size of the next step, after one that was to have a size, before which others may have failed.
+    fn plan(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
+        let (x_before, h_before) = self.sizes.last.unwrap_or((x, h));
         let factor = (x * x_before).powf(FILTER.0) * (h / h_before).powf(-FILTER.1);
         let smooth = 1.0 + (factor - 1.0).atan(); // at most 2.6
         let next = h * if failed { smooth.min(1.0) } else { smooth };
         // A step that was cut short to end somewhere says nothing against the size it might have had.
-        let cut = h < 0.9 * self.h && next >= h && !failed;
-        self.h = next.max(if cut { self.h } else { self.control.smallest });
-        self.last = Some((x, h));
+        let cut = h < 0.9 * size && next >= h && !failed;
+        let next = next.max(if cut { size } else { self.control.smallest });
+        self.sizes = Sizes { next, last: Some((x, h)) };
+    }
+
+    /// All on which the further control depends, as of the last accepted step.
+    pub fn memory(&self) -> AdaptiveMemory {
+        AdaptiveMemory { sizes: self.sizes, past: self.estimate.past.clone() }
+    }
+
+    /// Goes on from a memory.
+    ///
+    /// # Errors
+    /// If it is no memory of such a control.
+    pub fn recall(&mut self, memory: &AdaptiveMemory) -> Result<(), Unknown> {
+        let AdaptiveMemory { sizes: Sizes { next, last }, past } = memory;
+        let is_size = |h: f64| h >= self.control.smallest && h.is_finite();
+        // No error at all makes x infinite.
+        let were_sizes = last.is_none_or(|(x, h)| x > 0.0 && h > 0.0 && h.is_finite());
+        if !is_size(*next) || !were_sizes || !past.is_sound(self.estimate.past.size()) {
+            return Err(Unknown);
+        }
+        (self.sizes, self.estimate.past) = (memory.sizes, past.clone());
+        Ok(())
     }
 }

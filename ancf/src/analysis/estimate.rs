@@ -1,3 +1,5 @@
+use serde::{Deserialize, Serialize};
+
 use super::consistent::solve;
 use super::{Dynamics, Failure, Report, SolveError};
 use crate::system::{EquationsOfMotion, SparseMatrix, Weights};
@@ -18,15 +20,36 @@ pub(super) struct Estimate {
     /// The mass matrix, which is constant, and the whole mass m.
     matrix: SparseMatrix,
     mass: f64,
-    /// ε of the attempt, ε of the last accepted step and its size, the difference of both, M times a vector.
+    /// ε of the attempt, its rate, M times a vector.
     now: Vec<f64>,
-    before: Vec<f64>,
-    h: Option<f64>,
     rate: Vec<f64>,
     force: Vec<f64>,
-    /// ‖ε‖² and ‖ε̇‖² of the attempt, and their integrals.
+    /// ‖ε‖² and ‖ε̇‖² of the attempt.
     squares: [f64; 2],
+    pub(super) past: Past,
+}
+
+/// What is known of the steps before.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Past {
+    /// ε of the last accepted step, and its size.
+    error: Vec<f64>,
+    h: Option<f64>,
+    /// Integrals of ‖ε‖² and ‖ε̇‖².
     integrals: [f64; 2],
+}
+
+impl Past {
+    /// Number of unknowns.
+    pub(super) fn size(&self) -> usize {
+        self.error.len()
+    }
+
+    /// Whether it is one of so many unknowns, and finite.
+    pub(super) fn is_sound(&self, size: usize) -> bool {
+        let mut numbers = self.error.iter().chain(&self.h).chain(&self.integrals);
+        self.error.len() == size && numbers.all(|x| x.is_finite())
+    }
 }
 
 impl Estimate {
@@ -34,23 +57,14 @@ impl Estimate {
         let mut matrix = dynamics.newton.tangent.matrix.clone();
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
-        let (now, before, rate) = (zeros.clone(), zeros.clone(), zeros.clone());
-        Self {
-            matrix,
-            mass,
-            now,
-            before,
-            h: None,
-            rate,
-            force: zeros,
-            squares: [0.0; 2],
-            integrals: [0.0; 2],
-        }
+        let past = Past { error: zeros.clone(), h: None, integrals: [0.0; 2] };
+        let (now, rate) = (zeros.clone(), zeros.clone());
+        Self { matrix, mass, now, rate, force: zeros, squares: [0.0; 2], past }
     }
 
     /// Forgets the steps done.
     pub(super) fn restart(&mut self) {
-        (self.h, self.integrals) = (None, [0.0; 2]);
+        (self.past.h, self.past.integrals) = (None, [0.0; 2]);
     }
 
     /// ‖x‖ of a vector over the coordinates.
@@ -67,7 +81,7 @@ impl Estimate {
         done: &Report,
         h: f64,
     ) -> Result<f64, SolveError> {
-        let n = dynamics.state.q.len();
+        let n = dynamics.motion.state.q.len();
         let [a, b] = &dynamics.attempted;
         let factor = dynamics.scheme.phase_constant() / h;
         for i in 0..n {
@@ -76,7 +90,7 @@ impl Estimate {
         self.force[n..].fill(0.0);
         self.matrix.multiply(&self.force, &mut self.now);
         self.now[n..].fill(0.0);
-        let (newton, s) = (&mut dynamics.newton, &dynamics.state);
+        let (newton, s) = (&mut dynamics.newton, &dynamics.motion.state);
         if done.iterations == 0 {
             let w = dynamics.scheme.weights(h);
             let (matrix, factor) = newton.tangent.lend();
@@ -87,10 +101,10 @@ impl Estimate {
         }
         self.now[n..].fill(0.0);
         self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];
-        if let Some(before) = self.h {
+        if let Some(before) = self.past.h {
             let between = 0.5 * (h + before);
             for i in 0..n {
-                self.rate[i] = (self.now[i] - self.before[i]) / between;
+                self.rate[i] = (self.now[i] - self.past.error[i]) / between;
             }
             self.squares[1] = square(&self.matrix, &self.rate, &mut self.force, self.mass);
         }
@@ -101,14 +115,14 @@ impl Estimate {
 
     /// ∫‖ε‖² and ∫‖ε̇‖² with the attempt.
     fn integrals(&self, h: f64) -> [f64; 2] {
-        std::array::from_fn(|i| self.integrals[i] + h * self.squares[i])
+        std::array::from_fn(|i| self.past.integrals[i] + h * self.squares[i])
     }
 
     /// Takes note that the attempt was accepted.
     pub(super) fn accept(&mut self, h: f64) {
-        self.integrals = self.integrals(h);
-        std::mem::swap(&mut self.now, &mut self.before);
-        self.h = Some(h);
+        self.past.integrals = self.integrals(h);
+        std::mem::swap(&mut self.now, &mut self.past.error);
+        self.past.h = Some(h);
     }
 }
 

@@ -1,8 +1,10 @@
 use std::ops::ControlFlow;
 
+use serde::{Deserialize, Serialize};
+
 use super::floor::raise_to_achievable;
 use super::mover::{Linear, Mover, Whole, dot};
-use super::tangent::Tangent;
+use super::tangent::{Tangent, TangentMemory};
 use super::{Failure, Interrupt, SolveError};
 use crate::system::{EquationsOfMotion, SparseMatrix, State, Weights};
 
@@ -56,6 +58,13 @@ pub struct Newton {
     energy: f64,
 }
 
+/// What the further iterations of [`Newton`] depend on.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct NewtonMemory {
+    energy: f64,
+    tangent: TangentMemory,
+}
+
 /// A residual within this many times its rounding bound cannot be told from zero.
 const FLOOR: f64 = 8.0;
 /// What increments leave may be so much of the tolerance.
@@ -106,15 +115,36 @@ impl Newton {
     }
 
     /// Lets tangents be used again, if the rule for the end of the iteration knows what is left.
-    pub(super) fn reuse(&mut self) {
+    pub(super) fn reuse(&mut self, s: &State) {
         if matches!(self.stop, Stop::Energy(_)) && !self.full {
-            self.tangent.reuse();
+            self.tangent.reuse(s);
         }
     }
 
     /// Tells the energy rule of an energy that a converged state has; before that the rule goes by the iterate's own.
     pub fn met(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);
+    }
+
+    /// What its further iterations depend on, as of the last accepted step.
+    pub(super) fn memory(&self) -> NewtonMemory {
+        NewtonMemory { energy: self.energy, tangent: self.tangent.memory() }
+    }
+
+    /// Goes on from a memory.
+    pub(super) fn recall(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        memory: &NewtonMemory,
+    ) -> Result<(), SolveError> {
+        self.energy = memory.energy;
+        self.tangent.recall(eom, &memory.tangent).map_err(SolveError::at_start)
+    }
+
+    /// Whether a memory is one of such a solver.
+    pub(super) fn knows(&self, memory: &NewtonMemory, coordinates: usize, multipliers: usize) -> bool {
+        let NewtonMemory { energy, tangent } = memory;
+        energy.is_finite() && self.tangent.knows(tangent, coordinates, multipliers)
     }
 
     /// Bears so many iterations without progress before it calls them a stagnation.

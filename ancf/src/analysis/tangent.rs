@@ -1,5 +1,7 @@
+use serde::{Deserialize, Serialize};
+
 use super::Failure;
-use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
+use crate::system::{Course, EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 
 /// The factorised tangent of Newton's method, and how long it is of use.
 ///
@@ -14,6 +16,16 @@ use crate::system::{EquationsOfMotion, Factor, SparseMatrix, State, Weights};
 pub(super) struct Tangent {
     pub(super) matrix: SparseMatrix,
     pub(super) factor: Factor,
+    usage: Usage,
+    /// As of the last step that was accepted.
+    kept: Usage,
+    /// If it may be used again.
+    made: Option<Box<Made>>,
+}
+
+/// How a tangent was of use so far.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Usage {
     policy: Policy,
     /// What it was made for; none if it is of no further use.
     weights: Option<Weights>,
@@ -29,10 +41,29 @@ pub(super) struct Tangent {
     /// So many solutions begin with a new one; so many did after the last disappointment.
     pause: u32,
     last_pause: u32,
+    /// What became of its factors until the last accepted step, if they are of further use.
+    factor: Course,
+}
+
+/// The states at which tangents were made.
+#[derive(Debug)]
+struct Made {
+    now: State,
+    /// That of the last accepted step, if there is another now.
+    kept: State,
+    is_new: bool,
+}
+
+/// What the further use of a tangent depends on: factors are large, and made again.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct TangentMemory {
+    usage: Usage,
+    /// Where it was made, if it is of further use.
+    made: Option<State>,
 }
 
 /// When a new tangent is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Policy {
     /// In each iteration.
     Always,
@@ -43,7 +74,7 @@ enum Policy {
 }
 
 /// Since when a tangent is there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Age {
     Iteration,
     Solution,
@@ -61,58 +92,46 @@ impl Tangent {
     /// For tangents of the pattern of `matrix`, a new one in each iteration.
     pub(super) fn new(matrix: SparseMatrix) -> Result<Self, Failure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| Failure::Memory)?;
-        Ok(Self {
-            matrix,
-            factor,
-            policy: Policy::Always,
-            weights: None,
-            age: Age::Iteration,
-            reused: false,
-            rate: None,
-            fewest: u32::MAX,
-            beyond: 0,
-            pause: 0,
-            last_pause: 0,
-        })
+        let usage = Usage::new();
+        Ok(Self { matrix, factor, usage, kept: usage, made: None })
     }
 
     /// Takes a matrix of another pattern in the place of its own.
     pub(super) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
-        *self = Self {
-            policy: self.policy,
-            pause: self.pause,
-            last_pause: self.last_pause,
-            ..Self::new(matrix)?
-        };
+        let Usage { policy, pause, last_pause, .. } = self.usage;
+        let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
+        (self.matrix, self.factor) = (matrix, factor);
+        self.usage = Usage { policy, pause, last_pause, ..usage };
         Ok(())
     }
 
     /// Lets tangents be used again, unless there are redundant constraints: these agree along the exact tangent only.
-    pub(super) fn reuse(&mut self) {
+    pub(super) fn reuse(&mut self, s: &State) {
         if !self.matrix.pattern().is_sharing() {
-            self.policy = Policy::WhenDue;
+            self.usage.policy = Policy::WhenDue;
+            self.made = Some(Box::new(Made { now: s.clone(), kept: s.clone(), is_new: false }));
         }
     }
 
     /// Whether they may be.
     pub(super) fn is_reusable(&self) -> bool {
-        self.policy != Policy::Always
+        self.usage.policy != Policy::Always
     }
 
     /// The next iteration needs a new one.
     pub(super) fn renew(&mut self) {
-        self.weights = None;
+        self.usage.weights = None;
     }
 
     /// Whether a solution that failed may be found with newer tangents; the next one then has them.
     pub(super) fn improve(&mut self) -> bool {
         self.renew();
-        match (self.reused, self.age) {
+        match (self.usage.reused, self.usage.age) {
             (true, Age::Old) => self.regret(),
-            (true, _) => self.policy = Policy::AlwaysNow,
+            (true, _) => self.usage.policy = Policy::AlwaysNow,
             (false, _) => self.settle(),
         }
-        self.reused
+        self.usage.reused
     }
 
     /// Matrix and factor for another use; the next iteration needs a new tangent.
@@ -125,27 +144,27 @@ impl Tangent {
     pub(super) fn begin(&mut self, w: Weights) {
         let alike = |own: f64, other: f64| (own - other).abs() <= ALIKE * other.abs();
         let fits = |own: Weights| alike(own.q, w.q) && alike(own.v, w.v) && alike(own.a, w.a);
-        let due = self.beyond >= WORTH || self.pause > 0;
-        self.pause = self.pause.saturating_sub(1);
-        self.weights = self.weights.filter(|own| fits(*own) && !due);
-        self.age = Age::Old;
-        self.reused = false;
+        let due = self.usage.beyond >= WORTH || self.usage.pause > 0;
+        self.usage.pause = self.usage.pause.saturating_sub(1);
+        self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
+        self.usage.age = Age::Old;
+        self.usage.reused = false;
     }
 
     /// To be told at the end of a solution that was found.
     pub(super) fn end(&mut self, iterations: u32) {
-        self.fewest = self.fewest.min(iterations);
-        self.beyond += iterations - self.fewest;
-        if self.age == Age::Old {
-            self.last_pause /= 2;
+        self.usage.fewest = self.usage.fewest.min(iterations);
+        self.usage.beyond += iterations - self.usage.fewest;
+        if self.usage.age == Age::Old {
+            self.usage.last_pause /= 2;
         }
         self.settle();
     }
 
     /// What was for the present solution only is over.
     fn settle(&mut self) {
-        if self.policy == Policy::AlwaysNow {
-            self.policy = Policy::WhenDue;
+        if self.usage.policy == Policy::AlwaysNow {
+            self.usage.policy = Policy::WhenDue;
         }
     }
 
@@ -156,30 +175,31 @@ impl Tangent {
         s: &State,
         w: Weights,
     ) -> Result<(), Failure> {
-        if self.weights.is_some() {
-            self.reused = true;
-            self.age = if self.age == Age::Old { Age::Old } else { Age::Solution };
+        if self.usage.weights.is_some() {
+            self.usage.reused = true;
+            self.usage.age = if self.usage.age == Age::Old { Age::Old } else { Age::Solution };
             return Ok(());
         }
         eom.tangent(s, w, &mut self.matrix);
+        self.made.iter_mut().for_each(|made| made.note(s));
         self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
-        self.weights = Some(w).filter(|_| self.policy == Policy::WhenDue);
-        self.age = Age::Iteration;
-        (self.rate, self.fewest, self.beyond) = (None, u32::MAX, 0);
+        self.usage.weights = Some(w).filter(|_| self.usage.policy == Policy::WhenDue);
+        self.usage.age = Age::Iteration;
+        (self.usage.rate, self.usage.fewest, self.usage.beyond) = (None, u32::MAX, 0);
         Ok(())
     }
 
     /// Takes note of the rate θ by which the last increment was smaller than the one before it in its solution.
     pub(super) fn note(&mut self, rate: Option<f64>) {
-        if self.age != Age::Iteration {
-            self.rate = rate.or(self.rate);
+        if self.usage.age != Age::Iteration {
+            self.usage.rate = rate.or(self.usage.rate);
         }
     }
 
     /// What an increment of this size leaves: θ/(1 − θ) times it, nothing that counts if the tangent was new for it.
     pub(super) fn left(&self, size: f64) -> f64 {
-        match self.rate {
-            _ if self.age == Age::Iteration => 0.0,
+        match self.usage.rate {
+            _ if self.usage.age == Age::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
         }
@@ -188,13 +208,13 @@ impl Tangent {
     /// Decides on the next iteration: what is left is to fall to a part of the last increment. Returns false if the
     /// present solution is better begun anew.
     pub(super) fn foresee(&mut self, part: f64) -> bool {
-        let Some(rate) = self.rate else { return true };
+        let Some(rate) = self.usage.rate else { return true };
         let left = (part * (1.0 - rate)).ln() / rate.ln();
         if rate < 1.0 && left <= f64::from(WORTH) {
             return true;
         }
         self.renew();
-        if self.age != Age::Old {
+        if self.usage.age != Age::Old {
             return true;
         }
         if rate < 1.0 {
@@ -205,7 +225,80 @@ impl Tangent {
 
     /// An old tangent was of no use.
     fn regret(&mut self) {
-        self.last_pause = (2 * self.last_pause).clamp(1, LONGEST);
-        self.pause = self.last_pause;
+        self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, LONGEST);
+        self.usage.pause = self.usage.last_pause;
+    }
+}
+
+impl Usage {
+    const fn new() -> Self {
+        Self {
+            policy: Policy::Always,
+            weights: None,
+            age: Age::Iteration,
+            reused: false,
+            rate: None,
+            fewest: u32::MAX,
+            beyond: 0,
+            pause: 0,
+            last_pause: 0,
+            factor: Course::NEW,
+        }
+    }
+}
+
+impl Made {
+    fn note(&mut self, s: &State) {
+        if !self.is_new {
+            std::mem::swap(&mut self.now, &mut self.kept);
+        }
+        self.is_new = true;
+        self.now.copy_from(s);
+    }
+}
+
+impl Tangent {
+    /// To be told after each accepted step: to this a run returns that breaks off in the next.
+    pub(super) fn keep(&mut self) {
+        let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
+        self.kept = Usage { factor, ..self.usage };
+        self.made.iter_mut().for_each(|made| made.is_new = false);
+    }
+
+    /// As of the last accepted step.
+    pub(super) fn memory(&self) -> TangentMemory {
+        let at = |made: &Made| if made.is_new { made.kept.clone() } else { made.now.clone() };
+        let made = self.made.as_deref().filter(|_| self.kept.weights.is_some()).map(at);
+        TangentMemory { usage: self.kept, made }
+    }
+
+    /// Goes on from a memory of this size: the tangent is made again where it was made.
+    pub(super) fn recall(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        memory: &TangentMemory,
+    ) -> Result<(), Failure> {
+        self.usage = memory.usage;
+        if let (Some(w), Some(s)) = (memory.usage.weights, &memory.made) {
+            eom.tangent(s, w, &mut self.matrix);
+            let made = self.factor.factorise_again(&self.matrix, memory.usage.factor);
+            made.map_err(|_| Failure::Singular)?;
+            self.made.iter_mut().for_each(|made| made.now.copy_from(s));
+        }
+        self.keep();
+        Ok(())
+    }
+
+    /// Whether a memory is one of such a tangent.
+    pub(super) fn knows(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
+        let TangentMemory { usage, made } = memory;
+        let finite = |w: Weights| [w.q, w.v, w.a].iter().all(|x| x.is_finite());
+        let is_reusable = |usage: &Usage| usage.policy != Policy::Always;
+        is_reusable(usage) == is_reusable(&self.usage)
+            && usage.weights.is_some() == made.is_some()
+            && usage.weights.is_none_or(finite)
+            && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_sound(coordinates, multipliers))
+            && usage.beyond <= u32::MAX / 2
+            && usage.pause.max(usage.last_pause) <= LONGEST
     }
 }

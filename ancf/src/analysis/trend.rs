@@ -1,3 +1,5 @@
+use serde::{Deserialize, Serialize};
+
 use crate::system::{Factor, State, Weights};
 
 /// How accelerations and multipliers change from step to step, for the first guess of the next step.
@@ -5,7 +7,7 @@ use crate::system::{Factor, State, Weights};
 /// A motion that the steps resolve goes on as it did: z = (v̇ₙ − v̇ₙ₋₁, λₙ − λₙ₋₁) is added to the state that keeps the
 /// acceleration. One that they do not resolve, does not; hence the guess is made only if it would have been a good one
 /// in the last step, in the norm Σ Kᵢᵢ zᵢ² of the iteration matrix, which is free of units.
-#[derive(Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Trend {
     /// z of the last step, and its size.
     change: Vec<f64>,
@@ -19,6 +21,11 @@ const GOOD: f64 = 0.25;
 impl Trend {
     pub(super) fn new(size: usize) -> Self {
         Self { change: vec![0.0; size], h: None, is_smooth: false }
+    }
+
+    /// Whether it is of so many unknowns, and finite.
+    pub(super) fn is_sound(&self, size: usize) -> bool {
+        self.change.len() == size && self.change.iter().chain(&self.h).all(|x| x.is_finite())
     }
 
     /// Forgets what was before.

@@ -64,6 +64,10 @@ impl Encounters for ObstacleContacts {
         self.contacts.iter().enumerate().map(distance).filter(|(_, distance)| *distance <= 1.0).collect()
     }
 
+    fn has(&self, [contact, other]: Pair) -> bool {
+        (contact as usize) < self.contacts.len() && other == 0
+    }
+
     fn term(&self, pair: Pair) -> Arc<dyn Term> {
         Arc::clone(&self.contacts[pair[0] as usize]) as Arc<dyn Term>
     }
@@ -173,6 +177,12 @@ impl Encounters for BeamContacts {
         }
         near.sort_unstable_by_key(|(pair, _)| *pair);
         near
+    }
+
+    fn has(&self, pair: Pair) -> bool {
+        let [point, element] = pair.map(|i| i as usize);
+        let is_there = point < self.points.len() && element < self.elements.len();
+        is_there && self.joined.binary_search(&pair).is_err()
     }
 
     fn term(&self, pair: Pair) -> Arc<dyn Term> {

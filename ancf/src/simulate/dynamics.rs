@@ -1,56 +1,124 @@
+use std::cell::OnceCell;
+use std::io;
 use std::ops::ControlFlow;
 
 use super::blame::blame;
+use super::checkpoint::fingerprint;
 use super::pace::Pace;
-use super::{Ended, Observer, Reason, Run};
-use crate::analysis::{self, StepReport};
-use crate::model::{Dynamics, Model};
+use super::{Checkpoint, Ended, Error, Mismatch, Reason, Run, Simulation, Summary};
+use crate::analysis::{SolveError, StepReport};
+use crate::model::Dynamics;
 use crate::rows::{Rows, TIME};
-use crate::system::System;
 
 /// The columns of a motion.
 pub(super) const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
-impl Run<'_> {
+/// A motion under way.
+pub(super) struct Motion<'a> {
+    simulation: &'a Simulation,
+    rows: Rows,
+    pace: Pace<'a>,
+    /// Once it is asked for.
+    fingerprint: OnceCell<u64>,
+}
+
+impl<'a> Motion<'a> {
+    fn new(simulation: &'a Simulation, settings: &Dynamics, rows: Rows) -> Result<Self, SolveError> {
+        let Simulation { scaled, assembly, interrupt, .. } = simulation;
+        let pace = Pace::new(scaled, settings, assembly, interrupt.clone())?;
+        Ok(Self { simulation, rows, pace, fingerprint: OnceCell::new() })
+    }
+
+    fn checkpoint(&self, summary: &Summary) -> Checkpoint {
+        let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
+        Checkpoint::new(model, summary, &self.rows, &self.pace)
+    }
+}
+
+fn rows(simulation: &Simulation) -> Rows {
+    Rows::new(&simulation.assembly, simulation.scales(), TIME, &OWN)
+}
+
+impl<'a> Run<'a> {
     /// Steps through a motion, recording its instants.
-    pub(super) fn dynamics(&mut self, model: &Model, settings: &Dynamics) -> Ended {
-        let (assembly, scales) = (self.assembly, self.summary.scales);
-        let mut rows = Rows::new(assembly, scales, TIME, &OWN);
+    pub(super) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> Ended {
+        let rows = rows(simulation);
         self.observer.begin(&rows.columns())?;
-        let mut pace = match Pace::new(model, settings, assembly, self.interrupt.clone()) {
-            Ok(pace) => pace,
+        match Motion::new(simulation, settings, rows) {
+            Ok(motion) => self.follow(motion),
             Err(error) => {
-                let blame = blame(assembly, &assembly.initial(), 1.0, &error);
-                return Ok(Err(Reason::Motion(error, blame)));
+                let blame = blame(self.assembly, &self.assembly.initial(), 1.0, &error);
+                Ok(Err(Reason::Motion(error, blame)))
             }
-        };
-        let mut record =
-            |observer: &mut dyn Observer, dynamics: &analysis::Dynamics<'_, System>, report: &StepReport| {
-                let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
-                let own = [f64::from(iterations), residual, increment, drift, violation];
-                let s = dynamics.state();
-                let (t, energy) = (s.t * scales.time, dynamics.energy());
-                observer.record(rows.fill(assembly, s, t, &own, energy, Some(dynamics.exchanged())), s)
-            };
-        let mut report = StepReport::default();
+        }
+    }
+
+    /// The motion of a checkpoint, which begins as it did, and is then put where it was.
+    pub(super) fn restored(
+        &mut self,
+        simulation: &'a Simulation,
+        settings: &Dynamics,
+        from: &Checkpoint,
+    ) -> Result<Motion<'a>, Error> {
+        from.check(simulation)?;
+        let motion = Motion::new(simulation, settings, rows(simulation));
+        let mut motion = motion.map_err(|_| Mismatch::Damaged)?;
+        from.restore(&mut self.summary, &mut motion.rows, &mut motion.pace)?;
+        Ok(motion)
+    }
+
+    /// Goes on with a motion.
+    pub(super) fn go_on(&mut self, motion: Motion<'a>) -> Ended {
+        self.observer.begin(&motion.rows.columns())?;
+        self.follow(motion)
+    }
+
+    fn follow(&mut self, mut motion: Motion<'a>) -> Ended {
+        let ended = self.steps(&mut motion)?;
+        if !matches!(ended, Ok(ControlFlow::Continue(()))) {
+            let Self { observer, summary, .. } = self;
+            observer.last_checkpoint(&|| motion.checkpoint(summary))?;
+        }
+        Ok(ended)
+    }
+
+    fn steps(&mut self, motion: &mut Motion<'a>) -> Ended {
         loop {
-            let flow = record(self.observer, pace.dynamics(), &report)?;
+            let flow = match motion.pace.due() {
+                Some(report) => self.record(motion, &report)?,
+                None => ControlFlow::Continue(()),
+            };
+            let Self { observer, summary, .. } = self;
+            observer.checkpoint(&|| motion.checkpoint(summary))?;
+            let pace = &mut motion.pace;
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.
                 return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));
             }
-            let summary = &mut self.summary;
             let advanced = pace.advance(|step| summary.count(step));
             summary.time = pace.dynamics().state().t;
             match advanced {
-                Ok(Some(done)) => report = done,
-                Ok(None) => return Ok(Ok(ControlFlow::Continue(()))),
+                Ok(true) => {}
+                Ok(false) => return Ok(Ok(ControlFlow::Continue(()))),
                 Err(error) => {
                     let s = pace.dynamics().state();
-                    let blame = blame(assembly, s, s.load, &error);
+                    let blame = blame(self.assembly, s, s.load, &error);
                     return Ok(Err(Reason::Motion(error, blame)));
                 }
             }
         }
+    }
+
+    fn record(&mut self, motion: &mut Motion<'a>, report: &StepReport) -> io::Result<ControlFlow<()>> {
+        let Motion { rows, pace, .. } = motion;
+        let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
+        let own = [f64::from(iterations), residual, increment, drift, violation];
+        let dynamics = pace.dynamics();
+        let s = dynamics.state();
+        let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
+        let row = rows.fill(self.assembly, s, t, &own, energy, Some(dynamics.exchanged()));
+        let flow = self.observer.record(row, s)?;
+        pace.recorded();
+        Ok(flow)
     }
 }

@@ -1,6 +1,7 @@
 use std::io;
 use std::ops::ControlFlow;
 
+use super::Checkpoint;
 use crate::record::Sink;
 use crate::system::State;
 
@@ -23,6 +24,23 @@ pub trait Observer {
     /// If the row cannot be recorded; the run ends.
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>>;
 
+    /// May keep where a motion is, after each step and the row that belongs to it: `take` makes a [`Checkpoint`] of it, from which
+    /// [`Simulation::resume`](crate::Simulation::resume) goes on. Whether and when they are taken changes no bit of the results.
+    ///
+    /// # Errors
+    /// If it cannot be kept; the run ends.
+    fn checkpoint(&mut self, _take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// May keep where a motion ended that stopped or failed: as of the last accepted step, from which it may be tried again.
+    ///
+    /// # Errors
+    /// If it cannot be kept.
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.checkpoint(take)
+    }
+
     /// Completes the record, however the run ended.
     ///
     /// # Errors
@@ -41,5 +59,36 @@ impl<S: Sink + ?Sized> Observer for S {
 
     fn finish(&mut self) -> io::Result<()> {
         Sink::finish(self)
+    }
+}
+
+/// Several observers at once; any of them may end the run.
+impl Observer for Vec<Box<dyn Observer + '_>> {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        self.iter_mut().try_for_each(|observer| observer.begin(columns))
+    }
+
+    fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
+        let mut flow = ControlFlow::Continue(());
+        for observer in self.iter_mut() {
+            if observer.record(row, state)?.is_break() {
+                flow = ControlFlow::Break(());
+            }
+        }
+        Ok(flow)
+    }
+
+    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.iter_mut().try_for_each(|observer| observer.checkpoint(take))
+    }
+
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.iter_mut().try_for_each(|observer| observer.last_checkpoint(take))
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        // All of them complete their record even if one fails.
+        let ends: Vec<_> = self.iter_mut().map(|observer| observer.finish()).collect();
+        ends.into_iter().collect()
     }
 }

@@ -1,4 +1,9 @@
-use crate::analysis::{Adaptive, Control, Dynamics, Interrupt, Newton, SolveError, StepReport};
+use serde::{Deserialize, Serialize};
+
+use crate::analysis::{
+    Adaptive, AdaptiveMemory, Control, Dynamics, DynamicsMemory, Interrupt, Newton, SolveError, StepReport,
+    Unknown,
+};
 use crate::model::{self, Assembly, Model, NewtonMethod, Start, Step};
 use crate::system::System;
 
@@ -8,8 +13,12 @@ pub(super) struct Pace<'a> {
     duration: f64,
     /// Recorded instants are the multiples of this, if not all steps, and the end.
     interval: Option<f64>,
-    /// Number of instants so far.
+    /// Number of instants so far but for the start.
     count: u64,
+    /// Whether this is one that has not been recorded yet.
+    is_due: bool,
+    /// How the steps since the last one went.
+    report: StepReport,
     steps: Steps,
     /// Times at which loads jump, the next one last.
     jumps: Vec<f64>,
@@ -71,6 +80,8 @@ impl<'a> Pace<'a> {
             duration,
             interval: model.output.interval.or(every),
             count: 0,
+            is_due: true,
+            report: StepReport::default(),
             steps,
             jumps,
             sliver,
@@ -83,14 +94,22 @@ impl<'a> Pace<'a> {
 
     /// The time of the next recorded instant, if there is one; with all steps recorded, the end.
     fn next(&self) -> Option<f64> {
-        let now = self.dynamics.state().t;
+        self.after(self.count, self.dynamics.state().t)
+    }
+
+    /// The time of the instant after the `count`th, in the present.
+    fn after(&self, count: u64, now: f64) -> Option<f64> {
         let Some(interval) = self.interval else { return Some(self.duration).filter(|end| now < *end) };
-        let whole = (self.duration / interval * (1.0 + 1e-12)).floor();
-        let next = (self.count + 1) as f64;
-        if next <= whole {
+        let next = (count + 1) as f64;
+        if next <= self.whole(interval) {
             return Some(next * interval);
         }
         Some(self.duration).filter(|end| *end - now > SLIVER * interval)
+    }
+
+    /// Number of whole intervals in the duration.
+    fn whole(&self, interval: f64) -> f64 {
+        (self.duration / interval * (1.0 + 1e-12)).floor()
     }
 
     /// Whether the duration is over.
@@ -98,30 +117,38 @@ impl<'a> Pace<'a> {
         self.next().is_none()
     }
 
-    /// Moves on to the next recorded instant, telling `count` of every step; nothing if the duration is over.
-    pub(super) fn advance(
-        &mut self,
-        mut count: impl FnMut(&StepReport),
-    ) -> Result<Option<StepReport>, SolveError> {
-        let Some(to) = self.next() else { return Ok(None) };
-        let mut report = StepReport::default();
-        loop {
-            let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.sliver);
-            // Just before the jump; a jump that but for rounding is at the recorded instant is taken to be there.
-            let end = jump.map_or(to, |jump| jump.min(to).next_down());
+    /// How the steps went that lead to an instant that is to be recorded, if the present one is.
+    pub(super) fn due(&self) -> Option<StepReport> {
+        self.is_due.then_some(self.report)
+    }
+
+    /// To be told once it is recorded.
+    pub(super) fn recorded(&mut self) {
+        (self.is_due, self.report) = (false, StepReport::default());
+    }
+
+    /// Does a step towards the next recorded instant, telling `count` of it; returns false if the duration is over.
+    pub(super) fn advance(&mut self, count: impl FnOnce(&StepReport)) -> Result<bool, SolveError> {
+        let Some(to) = self.next() else { return Ok(false) };
+        let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.sliver);
+        // Just before the jump; a jump that but for rounding is at the recorded instant is taken to be there.
+        let end = jump.map_or(to, |jump| jump.min(to).next_down());
+        // Unless there was no way to go on from the jump, and this is tried again.
+        if self.dynamics.state().t < end {
             let step = self.step(end)?;
             count(&step);
-            report = report.then(&step);
-            if let Some(jump) = jump.filter(|_| self.dynamics.state().t == end) {
-                let near = (to - jump).abs() <= self.sliver;
-                self.dynamics.restart(if near { jump.max(to) } else { jump })?;
-                self.jumps.pop();
-            }
-            if self.interval.is_none() || self.dynamics.state().t >= to {
-                self.count += 1;
-                return Ok(Some(report));
-            }
+            self.report = self.report.then(&step);
         }
+        if let Some(jump) = jump.filter(|_| self.dynamics.state().t == end) {
+            let near = (to - jump).abs() <= self.sliver;
+            self.dynamics.restart(if near { jump.max(to) } else { jump })?;
+            self.jumps.pop();
+        }
+        if self.interval.is_none() || self.dynamics.state().t >= to {
+            self.count += 1;
+            self.is_due = true;
+        }
+        Ok(true)
     }
 
     /// One step towards a time.
@@ -129,10 +156,90 @@ impl<'a> Pace<'a> {
         match &mut self.steps {
             Steps::Adaptive(adaptive) => adaptive.step(&mut self.dynamics, to),
             Steps::Fixed(h) => {
+                if let Some(to) = self.dynamics.under_way() {
+                    return self.dynamics.advance(to);
+                }
                 let (now, left) = (self.dynamics.state().t, to - self.dynamics.state().t);
                 let parts = (left / *h * (1.0 - SLIVER)).ceil();
                 self.dynamics.advance(if parts > 1.0 { now + left / parts } else { to })
             }
         }
+    }
+}
+
+/// What the further pace depends on; of an instant that is recorded, if it is to be.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct PaceMemory {
+    count: u64,
+    report: StepReport,
+    /// Number of jumps still to come.
+    jumps: usize,
+    dynamics: DynamicsMemory,
+    adaptive: Option<AdaptiveMemory>,
+}
+
+impl PaceMemory {
+    /// Number of recorded instants, the start among them.
+    pub(super) fn rows(&self) -> u64 {
+        self.count.saturating_add(1)
+    }
+
+    pub(super) fn time(&self) -> f64 {
+        self.dynamics.time()
+    }
+}
+
+/// Counts above this are damaged.
+pub(super) const MOST: u64 = 1 << 53;
+
+impl Pace<'_> {
+    /// As of the last accepted step.
+    pub(super) fn memory(&self) -> PaceMemory {
+        let adaptive = match &self.steps {
+            Steps::Fixed(_) => None,
+            Steps::Adaptive(adaptive) => Some(adaptive.memory()),
+        };
+        PaceMemory {
+            count: self.count,
+            report: self.report,
+            jumps: self.jumps.len(),
+            dynamics: self.dynamics.memory(),
+            adaptive,
+        }
+    }
+
+    /// Goes on from a memory.
+    pub(super) fn recall(&mut self, memory: &PaceMemory) -> Result<(), Unknown> {
+        if !self.knows(memory) {
+            return Err(Unknown);
+        }
+        match (&mut self.steps, &memory.adaptive) {
+            (Steps::Fixed(_), None) => {}
+            (Steps::Adaptive(adaptive), Some(memory)) => adaptive.recall(memory)?,
+            _ => return Err(Unknown),
+        }
+        (self.count, self.is_due, self.report) = (memory.count, false, memory.report);
+        self.jumps.truncate(memory.jumps);
+        self.dynamics.recall(&memory.dynamics)
+    }
+
+    /// Whether the instant of a memory is among its own.
+    fn knows(&self, memory: &PaceMemory) -> bool {
+        let PaceMemory { count, report, jumps, dynamics, .. } = memory;
+        let (t, count) = (dynamics.time(), *count);
+        if !(0.0..=self.duration + self.sliver).contains(&t) || count > MOST || *jumps > self.jumps.len() {
+            return false;
+        }
+        let is_before = |end: f64| t <= end + self.sliver;
+        let is_in_turn = self.interval.is_none_or(|interval| {
+            let (now, whole) = (count as f64, self.whole(interval));
+            let reached = if now <= whole { now * interval } else { self.duration };
+            now <= whole + 1.0 && t >= reached && self.after(count, t).is_none_or(is_before)
+        });
+        let is_before_jumps = self.jumps[..*jumps].last().is_none_or(|jump| t < *jump);
+        is_in_turn
+            && is_before_jumps
+            && report.is_sound()
+            && dynamics.under_way().is_none_or(|to| to <= self.duration + self.sliver)
     }
 }

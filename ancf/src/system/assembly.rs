@@ -346,6 +346,15 @@ impl EquationsOfMotion for System {
         })
     }
 
+    fn met(&self) -> Vec<Met> {
+        self.met.clone()
+    }
+
+    fn having_met(&self, met: &[Met]) -> Option<(Self, SparseMatrix)> {
+        let is_here = |(i, pair): &Met| self.encounters.get(*i).is_some_and(|each| each.has(*pair));
+        (met.is_sorted_by(|a, b| a < b) && met.iter().all(is_here)).then(|| self.meeting(met.to_vec()))
+    }
+
     fn freedoms(&self, s: &State) -> usize {
         let terms = self.constraints.iter().map(|&i| self.terms[i].as_ref());
         // Constraints are redundant only where multipliers are shared.

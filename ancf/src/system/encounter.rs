@@ -15,12 +15,15 @@ pub trait Encounters: Debug + Send + Sync {
     /// at most 0 for all that act, at most 1 for all that are told.
     fn near(&self, s: &State) -> Vec<(Pair, f64)>;
 
-    /// The term of a pair.
+    /// Whether it can tell of a pair.
+    fn has(&self, pair: Pair) -> bool;
+
+    /// The term of a pair that it has.
     fn term(&self, pair: Pair) -> Arc<dyn Term>;
 }
 
 /// A pair of one of several encounters.
-pub(super) type Met = (usize, Pair);
+pub type Met = (usize, Pair);
 
 /// The pairs of several encounters that are near, in ascending order.
 pub(super) fn near(encounters: &[Arc<dyn Encounters>], s: &State) -> Vec<(Met, f64)> {

@@ -1,9 +1,11 @@
 use std::ops::AddAssign;
 
-use super::{Pattern, SparseMatrix, State, Weights};
+use serde::{Deserialize, Serialize};
+
+use super::{Met, Pattern, SparseMatrix, State, Weights};
 
 /// Energies of a state.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// ½ vᵀ M v.
     pub kinetic: f64,
@@ -34,7 +36,7 @@ impl AddAssign for Energy {
 }
 
 /// Rates at which the sum of the energies changes: d(T + U + V)/dt = work − dissipation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Power {
     /// Supplied by loads that have no potential and by prescribed motions.
     pub work: f64,
@@ -110,6 +112,19 @@ pub trait EquationsOfMotion {
     /// These equations with all terms that act in this state, and a matrix of their pattern, if one is not here: to be asked
     /// after a step, which is to be repeated with them.
     fn completed(&self, _s: &State) -> Option<(Self, SparseMatrix)>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
+    /// The pairs whose terms came and are here, in ascending order.
+    fn met(&self) -> Vec<Met> {
+        Vec::new()
+    }
+
+    /// These equations with the terms of just these pairs, and a matrix of their pattern; none if there are no such pairs.
+    fn having_met(&self, _met: &[Met]) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
     {

@@ -5,6 +5,7 @@ use faer::MatMut;
 use faer::prelude::Solve;
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
 use faer::sparse::{SparseColMat, Triplet};
+use serde::{Deserialize, Serialize};
 
 use super::ldlt::Ldlt;
 use super::{Pattern, SparseMatrix};
@@ -36,6 +37,20 @@ pub struct Factor {
     b: Vec<f64>,
     x: Vec<f64>,
     r: Vec<f64>,
+}
+
+/// What became of a factorisation since it was made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Course {
+    /// Whether LU has taken over.
+    lu: bool,
+    /// Whether the factors have solved equations without refinement.
+    proven: bool,
+}
+
+impl Course {
+    /// Nothing yet.
+    pub const NEW: Self = Self { lu: false, proven: false };
 }
 
 /// What shared multipliers need besides.
@@ -115,6 +130,31 @@ impl Factor {
         (self.lu, self.proven) = (None, false);
         let done = self.ldlt.factorise(self.pattern.panels(), k.values());
         if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
+    }
+
+    /// What became of the current factors.
+    pub fn course(&self) -> Course {
+        Course { lu: self.lu.is_some(), proven: self.proven }
+    }
+
+    /// Factorises a matrix as it was done before, to the factors that it had in the end.
+    ///
+    /// # Errors
+    /// If neither LDLᵀ nor LU succeeds.
+    pub fn factorise_again(&mut self, k: &SparseMatrix, course: Course) -> Result<(), SingularMatrix> {
+        self.factorise(k)?;
+        if course.lu && self.lu.is_none() {
+            match self.shared.take() {
+                None => self.factorise_by_lu(k)?,
+                Some(shared) => {
+                    let done = self.factorise_by_lu(&shared.compliant);
+                    self.shared = Some(shared);
+                    done?;
+                }
+            }
+        }
+        self.proven = course.proven;
+        Ok(())
     }
 
     /// Solves K x = b in place with the factors of K; `x` holds b on entry, in the order of the unknowns.

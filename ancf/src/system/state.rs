@@ -1,8 +1,10 @@
+use serde::{Deserialize, Serialize};
+
 /// The state of a system at one instant.
 ///
 /// q are coordinates *measured from the reference configuration*, e = e₀ + q: strains then come from displacement
 /// gradients, and neither their accuracy nor anything else depends on how far the model is from the origin.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time t.
     pub t: f64,
@@ -45,6 +47,14 @@ impl State {
         }
     }
 
+    /// Whether it has so many coordinates and multipliers, and all of it is finite.
+    pub fn is_sound(&self, coordinates: usize, multipliers: usize) -> bool {
+        let Self { t, q, v, a, lambda, load } = self;
+        let of_coordinates = [q, v, a].iter().all(|x| x.len() == coordinates);
+        let numbers = [q, v, a, lambda].into_iter().flatten().chain([t, load]);
+        of_coordinates && lambda.len() == multipliers && numbers.into_iter().all(|x| x.is_finite())
+    }
+
     /// Copies another state of the same size without allocating.
     pub fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
@@ -60,7 +70,7 @@ impl State {
 ///
 /// Every one-step scheme for second-order equations is such an affine map; (1, 0, 0) gives statics.
 /// Source: the idea is that of the integrators in Drake's `multibody/fem`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Weights {
     /// dq/dz, weight of the stiffness.
     pub q: f64,

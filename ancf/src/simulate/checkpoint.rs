@@ -10,11 +10,12 @@ use crate::rows::{Past, Rows};
 /// All on which the rest of a motion depends: a run goes on from it to the last bit as if it had never stopped
 /// ([`Simulation::resume`]).
 ///
-/// To be kept in a format that writes numbers exactly, as binary ones do. Of m multipliers and n coordinates, it takes some
-/// 8 (6n + 2m) bytes, with tangents that are used again 8 (10n + 3m), and 16 for each pair in contact.
+/// To be kept in a format that writes numbers exactly, as binary ones do. Of n coordinates and m multipliers it takes some
+/// 8 (5n + 2m) bytes, another 8 (3n + m) where tangents are used again, 8 (n + m) with error control, and a few for each pair
+/// in contact.
 ///
 /// It goes with the very model and the version of this library that it was made by. Functions that the program supplies have to
-/// be functions of time alone, as everywhere.
+/// be the same, and functions of time alone, as everywhere.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
     version: u32,

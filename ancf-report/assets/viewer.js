@@ -1,0 +1,1 @@
+"use strict"; // The viewer: made by `viewer/`.

@@ -15,6 +15,7 @@
 //! | `live` | whether a run is followed that goes on |
 //! | `summary`, `messages` | pairs of texts; texts |
 //! | `bounds`, `size` | the box about all frames; the diagonal of the reference state, for marks and arrows |
+//! | `up` | `[x, y, z]`: the axis that is most against gravity, or y |
 //! | `frames` | `{count: F, values: f64, labels: null or texts}`; values are places on the abscissa |
 //! | `stations` | P |
 //! | `bodies` | see below |
@@ -22,9 +23,9 @@
 //! | `directors` | i16 `[F][P][9]`: three unit vectors times 32767: normal or first axis, y, z of the section |
 //! | `reference` | `{centres: f32 [P][3], directors: i16 [P][9]}`: the undeformed state; of shapes, that about which they are |
 //! | `fields` | `{name, symbol, unit, diverging, range: [min, max], values: u16 [F][P]}`; (value − min)/(max − min) · 65534, and 65535 where there is none |
-//! | `markers` | `{name, kind: "joint"\|"probe"\|"load", detail, at: f32 [F][3]}` |
+//! | `markers` | `{name, kind: "joint"\|"probe"\|"load", detail, at: f32 [F][3], reference: [x, y, z]}` |
 //! | `reactions` | `{name, marker, force: f32 [F][3], moment: f32 [F][3]}`: what a joint exerts on its end `a` |
-//! | `links` | `{name, kind, ends: f32 [F][2][3]}`; spring, damper, rope, rod, bushing, or arm: from the centre of a rigid body to a joint |
+//! | `links` | `{name, kind, ends: f32 [F][2][3], reference: [[x, y, z], [x, y, z]]}`; spring, damper, rope, rod, bushing, or arm: from the centre of a rigid body to a joint |
 //! | `obstacles` | `{name, kind: "plane"\|"sphere"\|"cylinder", radius, length, inside, pose: f32 [1 or F][12]}`: point, three directors; the first is the normal or the axis |
 //! | `charts` | `{title, group, log, columns: [{name, label, unit, values: f32}]}` |
 //! | `abscissa` | `{name, unit, values: f64}`, ascending: time, load factor, length of the path, number of the mode, or of the row |

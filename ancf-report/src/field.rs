@@ -1,4 +1,4 @@
-use ancf::model::Assembly;
+use ancf::model::{Analysis, Assembly, Body};
 use ancf::scales::{Dimension, Scales};
 use ancf::system::State;
 use ancf::{Field, Model};
@@ -37,6 +37,8 @@ pub struct Quantities<'a> {
     sections: Vec<Option<Fibre>>,
     assembly: &'a Assembly,
     scales: Scales,
+    moves: bool,
+    modal: bool,
 }
 
 /// What makes stress of section forces.
@@ -81,29 +83,26 @@ impl<'a> Quantities<'a> {
             let section = model.section_at(body, (station.s / body.length()).clamp(0.0, 1.0))?;
             let moments = section.moments();
             let outline = Outline::of(&section);
-            let beam = matches!(body, ancf::model::Body::Beam(_));
+            let beam = matches!(body, Body::Beam(_));
             Some(Fibre { area: moments.area, second: [moments.zz, moments.yy], outline, beam })
         });
-        Self { all, sections: sections.collect(), assembly, scales }
+        let modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
+        let moves = model.analysis.dynamics().is_some();
+        Self { all, sections: sections.collect(), assembly, scales, moves, modal }
     }
 
     /// Adds the values of a state at its placement, with displacements from a reference. Of shapes, which have no size of their
-    /// own, displacements are all there is.
-    pub fn push(
-        &mut self,
-        geometry: &Geometry<'_>,
-        s: &State,
-        placed: &Placement,
-        reference: &Placement,
-        modal: bool,
-    ) {
-        if !modal {
+    /// own, displacements are all there is; speeds are those of motions.
+    pub fn push(&mut self, geometry: &Geometry<'_>, s: &State, placed: &Placement, reference: &Placement) {
+        if !self.modal {
             let forces = geometry.read(Field::SectionForces, s);
             for (k, forces) in forces.chunks_exact(6).enumerate() {
                 let values = self.of_section(geometry, k, s, forces);
                 let (sections, _) = self.all.split_at_mut(MOTION);
                 sections.iter_mut().zip(values).for_each(|(quantity, x)| quantity.values.push(x as f32));
             }
+        }
+        if self.moves {
             let speeds = geometry.read(Field::Velocity, s);
             let speed = |v: &[f64]| Vector3::from_column_slice(v).norm() as f32;
             self.all[MOTION].values.extend(speeds.chunks_exact(3).map(speed));

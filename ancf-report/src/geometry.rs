@@ -27,9 +27,10 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// Whether all of it is finite.
+    /// Whether all positions are numbers of which single precision has squares.
     pub fn is_finite(&self) -> bool {
-        self.centres.iter().all(|x| x.iter().all(|x| x.is_finite()))
+        const LARGEST: f64 = 1e18;
+        self.centres.iter().all(|x| x.iter().all(|x| x.abs() < LARGEST))
     }
 }
 

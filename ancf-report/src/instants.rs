@@ -15,6 +15,8 @@ pub(crate) struct Instants<'a> {
     pub labels: Option<Vec<String>>,
     pub states: Vec<Cow<'a, State>>,
     pub placed: Vec<Placement>,
+    /// The state of the reference.
+    pub about: State,
     /// The undeformed state; of shapes, that about which they are.
     pub reference: Placement,
 }
@@ -65,15 +67,15 @@ impl<'a> Instants<'a> {
         }
         if drawn.is_empty() {
             messages.push(message::EMPTY.to_owned());
-            let (state, placed) = (Cow::Owned(about), reference.clone());
+            let (state, placed) = (Cow::Owned(about.clone()), reference.clone());
             drawn.push(Drawn { value: 0.0, label: "undeformed".to_owned(), state, placed });
         }
-        Self::of(recording, drawn, reference)
+        Self::of(recording, drawn, (about, reference))
     }
 
-    fn of(recording: &Recording<'_>, drawn: Vec<Drawn<'a>>, reference: Placement) -> Self {
-        let mut instants =
-            Self { values: Vec::new(), labels: None, states: Vec::new(), placed: Vec::new(), reference };
+    fn of(recording: &Recording<'_>, drawn: Vec<Drawn<'a>>, (about, reference): (State, Placement)) -> Self {
+        let (values, states, placed) = Default::default();
+        let mut instants = Self { values, labels: None, states, placed, about, reference };
         let mut labels = Vec::new();
         for Drawn { value, label, state, placed } in drawn {
             instants.values.push(value);

@@ -8,7 +8,7 @@ const SIDES: usize = 24;
 /// The outline of a section, which is swept along the axis of a body.
 ///
 /// Points (y, z, n_y, n_z) go about the first axis of the section by the right-hand rule, from y towards z, and the last one
-/// is joined with the first; normals are of length 1 and point out of the material. A corner is two points with two normals.
+/// is joined with the first; normals are of length 1 and point away from the axis. A corner is two points with two normals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// The outer outline.
@@ -30,8 +30,7 @@ impl Outline {
         match *section {
             Section::Circle { diameter } => Self::ellipse([0.5 * diameter; 2]),
             Section::Tube { outer, inner } => {
-                let bore = ellipse([0.5 * inner; 2]).into_iter().map(|[y, z, ny, nz]| [y, z, -ny, -nz]);
-                Self { inner: Some(bore.collect()), ..Self::ellipse([0.5 * outer; 2]) }
+                Self { inner: Some(ellipse([0.5 * inner; 2])), ..Self::ellipse([0.5 * outer; 2]) }
             }
             Section::Ellipse { height, width } => Self::ellipse([0.5 * height, 0.5 * width]),
             Section::General { area, iy, iz, .. } => {

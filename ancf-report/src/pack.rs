@@ -78,7 +78,9 @@ pub(crate) fn markers(stage: &Stage<'_>, instants: &Instants<'_>, blob: &mut Blo
     let unit = stage.length();
     let of = |marker: &crate::marker::Marker| {
         let at = blob.f32(instants.states.iter().flat_map(|s| three(marker.at(s) * unit)));
-        json!({ "name": marker.name, "kind": marker.kind, "detail": marker.detail, "at": at })
+        let reference = three(marker.at(&instants.about) * unit);
+        let (name, kind, detail) = (&marker.name, marker.kind, &marker.detail);
+        json!({ "name": name, "kind": kind, "detail": detail, "at": at, "reference": reference })
     };
     stage.markers.iter().map(of).collect()
 }
@@ -106,7 +108,8 @@ pub(crate) fn links(stage: &Stage<'_>, instants: &Instants<'_>, blob: &mut Blob)
     let of = |link: &crate::link::Link| {
         let ends = instants.states.iter().flat_map(|s| link.ends(s));
         let ends = blob.f32(ends.flat_map(|end| three(end * unit)));
-        json!({ "name": link.name, "kind": link.kind, "ends": ends })
+        let reference = link.ends(&instants.about).map(|end| three(end * unit));
+        json!({ "name": link.name, "kind": link.kind, "ends": ends, "reference": reference })
     };
     stage.links.iter().map(of).collect()
 }

@@ -54,6 +54,7 @@ fn whole(title: &str, policy: &str, scene: &Markup, plain: &Markup) -> String {
                 meta name="color-scheme" content="light dark";
                 meta name="referrer" content="no-referrer";
                 title { (title) }
+                link rel="icon" href="data:,";
                 style { (PreEscaped(STYLE.replace("</", "<\\/"))) }
             }
             body {

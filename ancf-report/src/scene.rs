@@ -1,3 +1,4 @@
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
@@ -72,7 +73,7 @@ fn bodies(stage: &Stage<'_>, budget: usize, header: &mut Value, blob: &mut Blob)
     let instants = Instants::new(recording, &geometry, stage.size, most, &mut messages);
     let mut quantities = Quantities::new(recording.model, assembly, scales, &geometry);
     for (s, placed) in instants.states.iter().zip(&instants.placed) {
-        quantities.push(&geometry, s, placed, &instants.reference, recording.is_modal());
+        quantities.push(&geometry, s, placed, &instants.reference);
     }
     let fields = quantities.into_all();
     let labels = instants.labels.as_ref();
@@ -80,6 +81,7 @@ fn bodies(stage: &Stage<'_>, budget: usize, header: &mut Value, blob: &mut Blob)
     header["messages"] = json!(messages);
     header["bounds"] = pack::bounds(stage, &geometry, &instants);
     header["size"] = json!(stage.size);
+    header["up"] = json!(up(recording.model.gravity));
     header["frames"] = json!({ "count": instants.states.len(), "values": frames, "labels": labels });
     header["stations"] = json!(geometry.stations());
     header["bodies"] = geometry.bodies.iter().map(|drawn| pack::body(drawn, blob)).collect();
@@ -95,4 +97,15 @@ fn bodies(stage: &Stage<'_>, budget: usize, header: &mut Value, blob: &mut Blob)
     header["reactions"] = pack::reactions(stage, &instants, blob);
     header["links"] = pack::links(stage, &instants, blob);
     header["obstacles"] = pack::obstacles(stage, &instants, blob);
+}
+
+/// The axis that is most against gravity; y, if there is none.
+fn up(gravity: [f64; 3]) -> [f64; 3] {
+    let along = Vector3::from(gravity).iamax();
+    let mut up = [0.0; 3];
+    match gravity[along] {
+        0.0 => up[1] = 1.0,
+        down => up[along] = -down.signum(),
+    }
+    up
 }

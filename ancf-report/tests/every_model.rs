@@ -1,4 +1,5 @@
 //! Every model that there is gives a scene whose numbers can be drawn.
+#![allow(clippy::unwrap_used, reason = "a test")]
 
 mod common;
 

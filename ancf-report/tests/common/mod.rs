@@ -1,5 +1,10 @@
 //! Runs that keep their states, and a reader of scenes that knows the container from its description alone.
-#![allow(dead_code, reason = "each test uses a part of it")]
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a part of tests, each of which uses a part of it"
+)]
 
 use std::io;
 use std::ops::ControlFlow;

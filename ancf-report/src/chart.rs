@@ -172,10 +172,12 @@ fn owned(recording: &Recording<'_>) -> Vec<Chart> {
         let Some((number, kin)) = OWNED.iter().enumerate().find(|(_, kin)| kin.0.contains(&suffix)) else {
             continue;
         };
-        if !seen.insert((owner, number)) {
+        let &Kin(_, group, title, dimension) = kin;
+        // Rates are zero where nothing moves.
+        let still = dimension.time != 0 && recording.model.analysis.dynamics().is_none();
+        if still || !seen.insert((owner, number)) {
             continue;
         }
-        let &Kin(_, group, title, dimension) = kin;
         // Shapes have the unit of one over the root of a mass.
         let (title, unit) = match recording.is_modal() {
             true => ("displacement", String::new()),

@@ -1,7 +1,7 @@
 use std::borrow::Cow;
 
-use ancf::model::Analysis;
-use ancf::system::State;
+use ancf::model::{Analysis, Assembly};
+use ancf::system::{EquationsOfMotion, State};
 
 use crate::chart::places_on;
 use crate::message;
@@ -39,7 +39,12 @@ impl<'a> Instants<'a> {
         messages: &mut Vec<String>,
     ) -> Self {
         let assembly = recording.simulation.assembly();
-        let (all, modal) = (&recording.frames, recording.is_modal());
+        let modal = recording.is_modal();
+        let (all, unfit): (Vec<&Frame>, Vec<_>) =
+            recording.frames.iter().partition(|frame| fits(assembly, &frame.state));
+        if !unfit.is_empty() {
+            messages.push(message::unfit(unfit.len()));
+        }
         let about =
             all.first().filter(|_| modal).map_or_else(|| assembly.initial(), |frame| frame.state.clone());
         let reference = geometry.place(&about);
@@ -50,7 +55,7 @@ impl<'a> Instants<'a> {
             messages.push(message::thinned(picked.len(), all.len()));
         }
         let draw = |number: usize| {
-            let frame = &all[number];
+            let frame = all[number];
             let state = match modal {
                 true => Cow::Owned(displaced(geometry, &frame.state, size)),
                 false => Cow::Borrowed(&frame.state),
@@ -88,6 +93,12 @@ impl<'a> Instants<'a> {
         instants.labels = (!plain).then_some(labels);
         instants
     }
+}
+
+/// Whether a state has as many numbers as the equations.
+fn fits(assembly: &Assembly, s: &State) -> bool {
+    let (n, m) = (assembly.system.coordinates(), assembly.system.multipliers());
+    [&s.q, &s.v, &s.a].iter().all(|x| x.len() == n) && s.lambda.len() == m
 }
 
 /// What a frame is called.

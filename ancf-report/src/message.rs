@@ -21,5 +21,10 @@ pub(crate) fn not_finite(number: usize) -> String {
     format!("{} left out: not all positions are numbers", count(number, "frame", "frames"))
 }
 
+/// That frames are those of another model.
+pub(crate) fn unfit(number: usize) -> String {
+    format!("{} left out: of another model", count(number, "frame", "frames"))
+}
+
 /// That there is nothing but the model.
 pub(crate) const EMPTY: &str = "no states were recorded yet: the undeformed state is shown";

@@ -2,12 +2,17 @@ use std::io::{self, Read};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
+use crate::Stop;
+
 /// Bytes that a request may have before its body, which is not read.
 const LARGEST: usize = 8 << 10;
 /// Headers that it may have.
 const HEADERS: usize = 64;
 /// How long it may take to arrive.
 const PATIENCE: Duration = Duration::from_secs(5);
+
+/// How often it is asked whether to stop.
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,19 +37,20 @@ pub(crate) enum Refused {
 }
 
 impl Request {
-    /// Reads a request's lines and headers.
-    pub fn read(stream: &mut TcpStream) -> Result<Self, Refused> {
+    /// Reads a request's lines and headers, as long as it is not to stop.
+    pub fn read(stream: &mut TcpStream, stop: &Stop) -> Result<Self, Refused> {
         let end = Instant::now() + PATIENCE;
         let (mut bytes, mut piece) = (Vec::new(), [0; 1024]);
         loop {
             let left = end.saturating_duration_since(Instant::now());
-            if left.is_zero() || stream.set_read_timeout(Some(left)).is_err() {
+            let broken = stream.set_read_timeout(Some(left.clamp(Duration::from_millis(1), PAUSE))).is_err();
+            if left.is_zero() || broken || stop.is_set() {
                 return Err(Refused::Lost);
             }
             match stream.read(&mut piece) {
                 Ok(0) => return Err(Refused::Lost),
                 Ok(count) => bytes.extend(&piece[..count]),
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) if is_waiting(&error) => continue,
                 Err(_) => return Err(Refused::Lost),
             }
             if let Some(request) = Self::parse(&bytes)? {
@@ -93,4 +99,10 @@ impl Request {
         };
         name.eq_ignore_ascii_case("localhost") || name == "127.0.0.1" || name == "[::1]"
     }
+}
+
+/// Whether nothing has come yet.
+fn is_waiting(error: &io::Error) -> bool {
+    use io::ErrorKind::{Interrupted, TimedOut, WouldBlock};
+    matches!(error.kind(), Interrupted | TimedOut | WouldBlock)
 }

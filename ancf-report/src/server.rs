@@ -137,7 +137,7 @@ impl Server {
         if stream.set_nonblocking(false).is_err() {
             return;
         }
-        let (response, head) = match Request::read(&mut stream) {
+        let (response, head) = match Request::read(&mut stream, &self.stop) {
             Ok(request) => (self.response(&request, source, made), request.method == "HEAD"),
             Err(Refused::Malformed) => (Response::status(400), false),
             Err(Refused::Large) => (Response::status(431), false),

@@ -74,6 +74,9 @@ fn fields_of_a_cantilever_are_those_of_statics() {
         close("displacement", apart(*x, scene.reference("beam")[k]), 1e-3);
     }
     assert_eq!(scene.named("fields", "axial stress")["unit"], "N/m²");
+    let titles: Vec<_> =
+        scene.header["charts"].as_array().unwrap().iter().map(|c| c["title"].as_str().unwrap()).collect();
+    assert!(titles.contains(&"tip: position") && !titles.contains(&"tip: velocity"), "{titles:?}");
 }
 
 #[test]
@@ -451,6 +454,8 @@ fn numbers_that_are_none_are_left_out() {
     let found = run.scene();
     assert_eq!(found.frames(), count - 1);
     assert!(found.has_message("not all positions are numbers"));
+    run.frames[0].state.q.pop();
+    assert!(run.scene().has_message("1 frame left out: of another model"));
     let recording = Recording { ending: Ending::Failed("at t = 0.02".into()), ..run.recording() };
     let empty = Series::new();
     let found = Scene::read(&scene(&Recording { series: &empty, ..recording }, BUDGET));

@@ -16,6 +16,35 @@ use ancf::{Model, Observer, Simulation, Summary};
 use ancf_report::{BUDGET, Ending, Frame, Recording, UnitNames, scene};
 use serde_json::Value;
 
+/// A cantilever of length 2 along x under F = −3 N along y at its end, in statics, E = 2e9, 20 x 10 mm.
+pub const CANTILEVER: &str = r#"
+materials.steel = { density = 1000, young = 2e9 }
+sections.bar = { kind = "rectangle", height = 0.02, width = 0.01 }
+scales = { kind = "auto" }
+[[bodies]]
+kind = "beam"
+name = "beam"
+from = [0, 0, 0]
+to = [2, 0, 0]
+elements = 8
+formulation = "linked"
+section = "bar"
+material = "steel"
+[[joints]]
+kind = "clamp"
+name = "root"
+a = { body = "beam", at = "start" }
+[[loads]]
+kind = "force"
+on = { body = "beam", at = "end" }
+force = [5, -0.003, 0]
+[[probes]]
+name = "tip"
+on = { body = "beam", at = "end" }
+[analysis]
+kind = "statics"
+"#;
+
 /// A file of the repository.
 pub fn file(path: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(path)

@@ -13,6 +13,7 @@ use crate::progress::{print, say};
 use crate::run;
 use crate::study;
 use crate::verify;
+use crate::view;
 
 /// What to do.
 #[derive(Subcommand)]
@@ -28,6 +29,12 @@ pub enum Command {
     /// Go on with a run that was stopped, failed or killed, from its last checkpoint.
     #[command(after_help = run::RESUME_EXAMPLES)]
     Resume(run::Resumption),
+    /// Write the results of a run as one HTML file: animation in space, charts, summary.
+    #[command(after_help = view::REPORT_EXAMPLES)]
+    Report(view::Report),
+    /// Show the results of a run in a browser, live while it goes on.
+    #[command(after_help = view::VIEW_EXAMPLES)]
+    View(view::View),
     /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
     #[command(after_help = study::EXAMPLES)]
     Study(study::Arguments),
@@ -98,6 +105,8 @@ impl Command {
             }),
             Self::Run(arguments) => arguments.run(),
             Self::Resume(arguments) => arguments.run(),
+            Self::Report(arguments) => arguments.run(),
+            Self::View(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 print(&ancf::model::schema_text());

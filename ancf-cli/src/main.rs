@@ -10,6 +10,7 @@ mod report;
 mod run;
 mod study;
 mod verify;
+mod view;
 
 use std::process::ExitCode;
 

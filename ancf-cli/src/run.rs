@@ -9,14 +9,14 @@ use std::time::Instant;
 use ancf::record::Sink;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
-use ancf_results::{Every, Folder, OpenError, Recorder, Results};
+use ancf_results::{Every, Folder, Recorder};
 use anyhow::{Context, Result};
 use clap::Args;
-use serde_json::Value;
 
 use crate::command::{Ended, refuse};
 use crate::conclusion::Conclusion;
 use crate::progress::{Progress, ctrl_c, print, say};
+use crate::view::opened;
 
 /// What `ancf run` is given.
 #[derive(Args)]
@@ -97,18 +97,12 @@ Results are to the last bit those of a run that was never stopped. Analyses othe
 impl Resumption {
     /// Goes on with the run in a folder.
     pub fn run(&self) -> Result<Ended> {
-        let results = match Results::open(&self.folder) {
+        let results = match opened(&self.folder)? {
             Ok(results) => results,
-            Err(OpenError::Model { path, errors }) => return Ok(refuse(&errors, &path)),
-            Err(error @ OpenError::NoRun(_)) => {
-                say(&format!("error: {error}"));
-                return Ok(Ended::BadInput);
-            }
-            Err(error) => return Err(error.into()),
+            Err(ended) => return Ok(ended),
         };
         let name = results.folder().model().display().to_string();
-        let is_finished = |summary: Value| summary["outcome"]["kind"] == "finished";
-        if results.summary()?.is_some_and(is_finished) {
+        if results.conclusion()?.is_some_and(|conclusion| conclusion.summary.outcome.is_finished()) {
             say(&format!("{} is finished: there is nothing to do", self.folder.display()));
             return Ok(Ended::Done);
         }

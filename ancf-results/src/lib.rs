@@ -20,6 +20,7 @@
 //! no mechanics.
 
 mod checkpoint;
+mod conclusion;
 mod folder;
 mod frames;
 mod layout;
@@ -32,6 +33,7 @@ mod table;
 mod thinned;
 
 pub use checkpoint::{CheckpointError, Every};
+pub use conclusion::Conclusion;
 pub use folder::Folder;
 pub use recorder::Recorder;
 pub use results::{Frame, OpenError, Results, Status};

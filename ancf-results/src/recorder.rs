@@ -10,6 +10,7 @@ use ancf::system::State;
 use ancf::{Checkpoint, Column, Model, Observer, Simulation, Summary};
 use serde::{Deserialize, Serialize};
 
+use crate::Conclusion;
 use crate::checkpoint::{self, CheckpointError, Every};
 use crate::folder::{Folder, about, remove, replace};
 use crate::frames::{self, Frames};
@@ -123,8 +124,10 @@ impl Recorder {
     /// # Errors
     /// If it cannot be written.
     pub fn conclude(&self, summary: &Summary, model: &str, seconds: f64) -> io::Result<()> {
-        let report = Report { program: PROGRAM, model, wall_seconds: seconds, summary };
-        let text = serde_json::to_string_pretty(&report).map_err(io::Error::other)? + "\n";
+        let (program, model, summary) = (PROGRAM.to_owned(), model.to_owned(), summary.clone());
+        let conclusion = Conclusion { program, model, wall_seconds: seconds, summary };
+        let text = serde_json::to_string_pretty(&conclusion).map_err(io::Error::other)? + "\n";
+        let Conclusion { summary, .. } = conclusion;
         if summary.outcome.is_finished() {
             // There is nothing left to do.
             remove(&self.folder.checkpoint())?;
@@ -282,17 +285,6 @@ impl Observer for Recorder {
     fn finish(&mut self) -> io::Result<()> {
         self.complete()
     }
-}
-
-/// The contents of `summary.json`.
-#[derive(Serialize)]
-struct Report<'a> {
-    program: &'static str,
-    /// What the model's file was called.
-    model: &'a str,
-    wall_seconds: f64,
-    #[serde(flatten)]
-    summary: &'a Summary,
 }
 
 /// A new `probes.csv`.

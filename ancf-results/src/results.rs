@@ -6,9 +6,9 @@ use ancf::model::ModelErrors;
 use ancf::record::{Series, Sink};
 use ancf::system::State;
 use ancf::{Model, Simulation};
-use serde_json::Value;
 use thiserror::Error;
 
+use crate::Conclusion;
 use crate::folder::Folder;
 use crate::frames;
 use crate::read::{Reader, files, rows_of};
@@ -118,13 +118,13 @@ impl Results {
     ///
     /// # Errors
     /// If it cannot be read.
-    pub fn summary(&self) -> Result<Option<Value>, OpenError> {
+    pub fn conclusion(&self) -> Result<Option<Conclusion>, OpenError> {
         let path = self.folder.summary();
         match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             bytes => {
-                let value = serde_json::from_slice(&bytes?).map_err(io::Error::from);
-                Ok(Some(value.map_err(|error| crate::folder::about(&error, &path))?))
+                let conclusion = serde_json::from_slice(&bytes?).map_err(io::Error::from);
+                Ok(Some(conclusion.map_err(|error| crate::folder::about(&error, &path))?))
             }
         }
     }

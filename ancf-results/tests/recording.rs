@@ -52,7 +52,7 @@ fn columns_read_back_to_the_last_bit() {
     simulate(&model, &mut series).unwrap();
     assert_eq!(results.columns().unwrap(), series);
     assert_eq!(results.status(), Status::Ended);
-    assert_eq!(results.summary().unwrap().unwrap()["outcome"]["kind"], "finished");
+    assert!(results.conclusion().unwrap().unwrap().summary.outcome.is_finished());
     let mut csv = fs::read_to_string(Folder::new(folder.path()).csv()).unwrap();
     csv.truncate(csv.trim_end().len());
     let last = csv.lines().last().unwrap().split(',').nth(2).unwrap().parse::<f64>().unwrap();

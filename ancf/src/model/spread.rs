@@ -87,8 +87,8 @@ impl Model {
         wet.flat_map(around).map(|term| Box::new(term) as _).collect()
     }
 
-    /// The section of a flexible body at a part of its length.
-    pub(super) fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
+    /// The section of a flexible body of a valid model at a part of its length, from 0 to 1.
+    pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
         let start = self.sections[body.stuff()?.0];
         Some(match body {
             Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),

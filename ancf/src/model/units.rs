@@ -27,7 +27,7 @@ impl Units {
         Self { length, time, force }
     }
 
-    /// The unit of a dimension, such as `N/m²`; `1` of a number.
+    /// The unit of a dimension, such as `N/m²`; empty of a number.
     pub fn of(&self, dimension: Dimension) -> String {
         let Dimension { length, time, force } = dimension;
         let powers = [(&self.force, force), (&self.length, length), (&self.time, time)];
@@ -36,7 +36,7 @@ impl Units {
             factors.map(|(unit, power)| power_of(unit, power.unsigned_abs())).collect::<Vec<_>>()
         };
         let (above, below) = (product(1), product(-1));
-        let mut text = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
+        let mut text = if above.is_empty() && !below.is_empty() { "1".to_owned() } else { above.join(" ") };
         let (open, close) = if below.len() > 1 { ("(", ")") } else { ("", "") };
         if !below.is_empty() {
             write!(text, "/{open}{}{close}", below.join(" ")).expect("a String takes any text");
@@ -64,7 +64,7 @@ mod tests {
         let [length, time, force] = ["mm", "s", "N"].map(str::to_owned);
         let units = Units { length, time, force };
         for (dimension, text) in [
-            (Dimension::NUMBER, "1"),
+            (Dimension::NUMBER, ""),
             (Dimension::LENGTH, "mm"),
             (Dimension::ACCELERATION, "mm/s²"),
             (Dimension::RATE, "1/s"),
@@ -72,6 +72,7 @@ mod tests {
             (Dimension::STRESS, "N/mm²"),
             (Dimension::DENSITY, "N s²/mm⁴"),
             (Dimension::new(-1, -1, 1), "N/(mm s)"),
+            (Dimension::new(12, 0, 0), "mm^12"),
         ] {
             assert_eq!(units.of(dimension), text);
         }

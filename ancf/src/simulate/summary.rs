@@ -1,4 +1,4 @@
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::analysis::StepReport;
 use crate::model::{Analysis, Assembly, Chosen};
@@ -6,7 +6,7 @@ use crate::scales::Scales;
 use crate::system::EquationsOfMotion;
 
 /// How a run ended. Whatever was recorded until then stands.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Outcome {
     /// The whole duration was computed.
@@ -49,7 +49,7 @@ fn short(x: f64) -> String {
 }
 
 /// A run in a few numbers, in the user's units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// How it ended.
     pub outcome: Outcome,

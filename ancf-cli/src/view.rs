@@ -1,0 +1,197 @@
+//! `ancf report` and `ancf view`: a run to look at.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, SystemTime};
+
+use ancf::Scales;
+use ancf::model::ModelErrors;
+use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, page, scene};
+use ancf_results::{Conclusion, OpenError, Results, Status};
+use anyhow::{Context, Result};
+use clap::Args;
+
+use crate::command::{Ended, refuse};
+use crate::progress::{ctrl_c, print, say};
+
+/// What `ancf report` is given.
+#[derive(Args)]
+pub struct Report {
+    /// The folder of a run.
+    folder: PathBuf,
+    /// The file; report.html in the folder if left out.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Megabytes of states to draw at most; beyond, stations and frames are thinned.
+    #[arg(long, value_name = "MB", default_value_t = BUDGET >> 20, value_parser = clap::value_parser!(usize))]
+    budget: usize,
+}
+
+/// What `ancf view` is given.
+#[derive(Args)]
+pub struct View {
+    /// The folder of a run, which may be going on.
+    folder: PathBuf,
+    /// The port of this machine; any that is free if left out.
+    #[arg(long, default_value_t = 0)]
+    port: u16,
+}
+
+/// Examples for the help.
+pub const REPORT_EXAMPLES: &str = "\
+Examples:
+  ancf run models/bow.toml -o out && ancf report out      writes out/report.html
+  ancf report out -o bow.html --budget 100                finer, in a larger file
+
+The file needs no network and opens in any browser. It can be made of a run that goes on or was killed too.";
+
+/// Examples for the help.
+pub const VIEW_EXAMPLES: &str = "\
+Examples:
+  ancf view out                   while `ancf run ... -o out` goes on in another terminal
+  ancf view out --port 8000
+
+It listens on this machine only, serves that folder only, and ends with Ctrl-C.";
+
+impl Report {
+    /// Writes the report.
+    pub fn run(&self) -> Result<Ended> {
+        let results = match opened(&self.folder)? {
+            Ok(results) => results,
+            Err(ended) => return Ok(ended),
+        };
+        let path = self.output.clone().unwrap_or_else(|| self.folder.join("report.html"));
+        let html = page(&scene_of(&results, false, self.budget.saturating_mul(1 << 20))?);
+        fs::write(&path, html).with_context(|| format!("cannot write {}", path.display()))?;
+        print(&format!("{}\n", path.display()));
+        Ok(Ended::Done)
+    }
+}
+
+impl View {
+    /// Serves the report until Ctrl-C.
+    pub fn run(&self) -> Result<Ended> {
+        if let Err(ended) = opened(&self.folder)? {
+            return Ok(ended);
+        }
+        let interrupt = ctrl_c()?;
+        let server = Server::bind(self.port, &self.folder)
+            .with_context(|| format!("cannot listen on port {} of this machine", self.port))?;
+        print(&format!("{}\n", server.url()));
+        say("open this address in a browser; Ctrl-C ends it");
+        let stop = server.stopper();
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                while !interrupt.is_set() && !stop.is_set() {
+                    thread::sleep(PAUSE);
+                }
+                stop.stop();
+            });
+            let served = server.serve(&Followed(&self.folder));
+            stop.stop();
+            served
+        })?;
+        Ok(Ended::Done)
+    }
+}
+
+/// How often Ctrl-C is looked for.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// The results in a folder; what is wrong with the folder has been said.
+pub fn opened(folder: &Path) -> Result<Result<Results, Ended>> {
+    match Results::open(folder) {
+        Ok(results) => Ok(Ok(results)),
+        Err(OpenError::Model { path, errors: ModelErrors(errors) }) => Ok(Err(refuse(&errors, &path))),
+        Err(error @ OpenError::NoRun(_)) => {
+            say(&format!("error: {error}"));
+            Ok(Err(Ended::BadInput))
+        }
+        Err(error @ OpenError::Read(_)) => Err(error.into()),
+    }
+}
+
+/// The scene of the results so far.
+fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
+    let status = results.status();
+    let conclusion = results.conclusion()?;
+    let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
+    let redundant = summary.into_iter().flat_map(|summary| &summary.redundant);
+    let mut messages: Vec<String> = redundant.map(|one| format!("redundant: {one}")).collect();
+    let ending = match (status, summary) {
+        (Status::Running, _) => Ending::Running,
+        (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
+        (_, None) => {
+            messages.push("The run ended without a word: it was killed. `ancf resume` goes on with it.".into());
+            Ending::Stopped
+        }
+    };
+    let mut frames = Vec::new();
+    for frame in results.frames() {
+        let ancf_results::Frame { value, state, .. } = frame?;
+        frames.push(Frame { value, state });
+    }
+    let folder = results.folder().path();
+    let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+    let recording = Recording {
+        simulation: results.simulation(),
+        model: results.model(),
+        text: results.text(),
+        title: results.model().title.as_deref().unwrap_or(&name),
+        frames,
+        series: &results.columns()?,
+        summary: conclusion.as_ref().map(rows).unwrap_or_default(),
+        ending,
+        messages,
+        live: live && status == Status::Running,
+    };
+    Ok(scene(&recording, budget))
+}
+
+/// Names and values of what a run did.
+fn rows(conclusion: &Conclusion) -> Vec<(String, String)> {
+    let Conclusion { program, model, wall_seconds, summary } = conclusion;
+    let Scales { length, time, force } = summary.scales;
+    [
+        ("model", model.clone()),
+        ("program", program.clone()),
+        ("seconds", format!("{wall_seconds:.3}")),
+        ("steps", summary.steps.to_string()),
+        ("divided steps", summary.divided_steps.to_string()),
+        ("rejected steps", summary.rejected_steps.to_string()),
+        ("Newton iterations", summary.iterations.to_string()),
+        ("most in a step", summary.most_iterations.to_string()),
+        ("coordinates", summary.coordinates.to_string()),
+        ("multipliers", summary.multipliers.to_string()),
+        ("units of the solver", format!("length {length}, time {time}, force {force}")),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .to_vec()
+}
+
+/// The results in a folder that may be growing.
+struct Followed<'a>(&'a Path);
+
+impl Source for Followed<'_> {
+    /// Of what stands in the folder when: names, sizes and times.
+    fn version(&self) -> u64 {
+        let mut version = 0_u64;
+        for folder in ["", "states.parquet.parts", "results.parquet.parts"] {
+            for entry in fs::read_dir(self.0.join(folder)).into_iter().flatten().flatten() {
+                let Ok(about) = entry.metadata() else { continue };
+                let time = about.modified().ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
+                let nanoseconds = time.map_or(0, |time| time.as_nanos() as u64);
+                // Files come in any order.
+                version = version.wrapping_add((about.len() ^ nanoseconds).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            }
+        }
+        version
+    }
+
+    fn scene(&self) -> io::Result<Vec<u8>> {
+        let results = Results::open(self.0).map_err(io::Error::other)?;
+        scene_of(&results, true, BUDGET).map_err(|error| io::Error::other(format!("{error:#}")))
+    }
+}

@@ -1,0 +1,57 @@
+//! The files of one folder, and of no other.
+
+use std::fs::File;
+use std::path::{Component, Path, PathBuf};
+
+use crate::response::{Body, Response, TEXT};
+
+/// The file at a path of a request, below a folder; 404 for all that is not a regular file in it.
+pub(crate) fn file(folder: &Path, sent: &str) -> Response {
+    opened(folder, sent).unwrap_or_else(|| Response::status(404))
+}
+
+fn opened(folder: &Path, sent: &str) -> Option<Response> {
+    let path = within(folder, &decoded(sent)?)?;
+    let file = File::open(&path).ok()?;
+    let data = file.metadata().ok().filter(std::fs::Metadata::is_file)?;
+    let body = Body::File(file, data.len());
+    Some(Response { status: 200, kind: kind(&path), tag: None, body })
+}
+
+/// The path with its `%` signs resolved, once.
+fn decoded(sent: &str) -> Option<String> {
+    let (mut bytes, mut rest) = (Vec::new(), sent.as_bytes().iter());
+    while let Some(&byte) = rest.next() {
+        if byte != b'%' {
+            bytes.push(byte);
+            continue;
+        }
+        let mut digit = || rest.next().and_then(|digit| char::from(*digit).to_digit(16));
+        let (high, low) = (digit()?, digit()?);
+        bytes.push((16 * high + low) as u8);
+    }
+    String::from_utf8(bytes).ok().filter(|path| !path.contains(['\0', '\\', ':']))
+}
+
+/// Where a path below a folder is, links followed, if it is a regular file in the folder.
+fn within(folder: &Path, path: &str) -> Option<PathBuf> {
+    let path = Path::new(path);
+    let plain = path.components().all(|part| matches!(part, Component::Normal(_)));
+    if !plain || path.as_os_str().is_empty() {
+        return None;
+    }
+    let folder = folder.canonicalize().ok()?;
+    let path = folder.join(path).canonicalize().ok()?;
+    (path.starts_with(&folder) && path.is_file()).then_some(path)
+}
+
+/// What a browser is to take it for: nothing that it would run.
+fn kind(path: &Path) -> &'static str {
+    match path.extension().and_then(|end| end.to_str()) {
+        Some("toml" | "txt" | "log" | "md") => TEXT,
+        Some("json") => "application/json",
+        Some("csv") => "text/csv; charset=utf-8",
+        Some("png") => "image/png",
+        _ => "application/octet-stream",
+    }
+}

@@ -1,0 +1,48 @@
+// Pictures of the viewer in several states, to be looked at: `node test/shots.mjs DIR`.
+
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { browse, close, open, settle } from "./browser.mjs";
+import { cantilever, machine, many, modes } from "./scenes.mjs";
+
+const to = process.argv[2] ?? "shots";
+mkdirSync(to, { recursive: true });
+const PHONE = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 };
+const press = (keys) => async (tab) => {
+  for (const key of keys) await tab.keyboard.press(key);
+};
+const at = (time, keys = []) => async (tab) => {
+  await tab.evaluate((t) => window.ancf.setTime(t), time);
+  await press(keys)(tab);
+};
+const solver = async (tab) => {
+  await at(0.5, ["g"])(tab);
+  await tab.click('[data-group="solver"]');
+};
+const run = (tab) => tab.click("#tab-Run");
+
+const SHOTS = [
+  ["light", cantilever(), {}, at(0.5, ["g"])],
+  ["dark", cantilever(), { theme: "dark" }, at(1.4, ["g", "4", "d", "n"])],
+  ["solver", cantilever(), {}, solver],
+  ["phone", cantilever(), { viewport: PHONE }, at(0.5, ["g"])],
+  ["phone-dark", modes(), { viewport: PHONE, theme: "dark" }, at(2, ["g"])],
+  ["modes", modes(), {}, at(2, ["g"])],
+  ["machine", machine(), {}, at(0.3)],
+  ["machine-run", machine(), { theme: "dark" }, run],
+  ["help", machine(), {}, press(["?"])],
+  ["many", many(100, 1000), {}, at(2)],
+  ["empty", cantilever({ frames: 1 }), {}, press([])],
+];
+
+const browser = await browse();
+for (const [name, scene, options, act] of SHOTS) {
+  if (process.argv[3] && !process.argv[3].split(",").includes(name)) continue;
+  const { tab, complaints } = await open(browser, scene, options);
+  await act(tab);
+  await settle(tab);
+  await tab.screenshot({ path: join(to, `${name}.png`) });
+  console.log(name, await tab.evaluate(() => window.ancf.pixels()), complaints.join("\n").slice(0, 1500));
+  await tab.close();
+}
+await close(browser);

@@ -3,7 +3,8 @@
 import { Abscissa } from "./abscissa";
 import { Charts } from "./charts";
 import { Display } from "./display";
-import { h } from "./dom";
+import { h, quantity } from "./dom";
+import { mesh } from "./ground";
 import { describe, pick, Tip } from "./hover";
 import type { Instant } from "./instant";
 import { Labels } from "./labels";
@@ -16,6 +17,8 @@ import { Choice } from "./settings";
 import { Stage } from "./stage";
 import { Transport } from "./transport";
 import { Triad } from "./triad";
+
+const MOST_HOVERED = 20_000;
 
 export class App {
   readonly choice = new Choice();
@@ -30,6 +33,8 @@ export class App {
   private readonly legend = new Legend();
   private readonly triad = new Triad();
   private readonly tip = new Tip();
+  /** How wide the squares of the grid are. */
+  private readonly scale = h("div", { class: "mesh" });
   private labels: Labels | null = null;
   private abscissa: Abscissa | null = null;
   private reference: Float32Array = new Float32Array(0);
@@ -38,10 +43,11 @@ export class App {
 
   constructor() {
     this.layout = new Layout(this.panel.element, this.transport.element, this.display.element);
-    this.layout.overlay.append(this.triad.element, this.legend.element, this.tip.element);
+    this.layout.overlay.append(this.triad.element, this.scale, this.legend.element, this.tip.element);
     this.choice.listen((name) => {
       if (name === "field" && this.scene_) this.legend.show(this.scene_, this.choice.values.field);
       this.stage?.apply(this.choice.values);
+      this.scale.hidden = !this.choice.values.grid;
     });
     this.hover();
   }
@@ -85,6 +91,7 @@ export class App {
     }
     if (!this.stage && !this.open(scene)) return;
     this.layout.say("");
+    this.scale.textContent = `grid ${quantity(mesh(scene), scene.units?.length ?? "")}`;
     this.reference = this.stage?.load(scene) ?? this.reference;
     this.stage?.apply(this.choice.values);
     if (!again) this.stage?.camera.view(flat(scene) ? "front" : "oblique");
@@ -165,7 +172,9 @@ export class App {
     const { stage, pointer, instant } = this;
     const { values } = this.choice;
     const [x, y] = pointer ?? [0, 0];
-    const hit = stage && pointer ? pick(stage, this.scene, values, instant, x, y) : null;
+    // While a large model plays, its frames must not wait for what is under the pointer.
+    const busy = this.player.playing && this.scene.stations > MOST_HOVERED;
+    const hit = stage && pointer && !busy ? pick(stage, this.scene, values, instant, x, y) : null;
     this.tip.show(hit && describe(this.scene, values, instant, hit), x, y, stage?.width ?? 0);
   }
 

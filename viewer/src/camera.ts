@@ -14,6 +14,8 @@ export class Camera {
   private box = new THREE.Box3();
   private middle = new THREE.Vector3();
   private radius = 1;
+  /** Share of the picture's height that the buttons at its top take. */
+  private covered = 0;
   private axes: { right: THREE.Vector3; up: THREE.Vector3; toward: THREE.Vector3 };
 
   constructor(element: HTMLElement, scene: Scene, changed: () => void) {
@@ -64,7 +66,8 @@ export class Camera {
 
   /** From how far, looking along -way, every corner of the box is in the picture. */
   private distance(way: THREE.Vector3): number {
-    const high = Math.tan((this.camera.fov * Math.PI) / 360);
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const high = half * (1 - this.covered);
     const right = new THREE.Vector3().crossVectors(this.axes.up, way).normalize();
     const up = new THREE.Vector3().crossVectors(way, right);
     const corner = new THREE.Vector3();
@@ -72,15 +75,17 @@ export class Camera {
     for (let i = 0; i < 8; i++) {
       const { min, max } = this.box;
       corner.set(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z).sub(this.middle);
-      const across = Math.abs(corner.dot(right)) / (high * this.camera.aspect);
+      const across = Math.abs(corner.dot(right)) / (half * this.camera.aspect);
       far = Math.max(far, 1.2 * Math.max(across, Math.abs(corner.dot(up)) / high) + corner.dot(way));
     }
     return far;
   }
 
-  resize(width: number, height: number): void {
+  /** Size of the picture in pixels, and how many of its height are covered at the top. */
+  resize(width: number, height: number, inset: number): void {
     this.camera.aspect = width / Math.max(1, height);
-    this.camera.updateProjectionMatrix();
+    this.covered = Math.min(0.3, inset / Math.max(1, height));
+    this.camera.setViewOffset(width, height, 0, -inset / 2, width, height);
   }
 
   /** Near and far planes around what there is. */

@@ -131,6 +131,7 @@ function options(chart: Chart, abscissa: Abscissa, width: number): uPlot.Options
         label: c.label,
         stroke: css(nth(i)),
         width: 1.6,
+        pxAlign: 0,
         points: { show: abscissa.xs.length < 2 },
         value: (_: uPlot, v: number | null) =>
           v == null ? "–" : quantity(v, c.unit === common ? "" : c.unit),

@@ -31,22 +31,33 @@ const SHOWN: Record<string, string> = { " ": "space", ArrowLeft: "←", ArrowRig
 /** The list of keys as a dialog. */
 export function help(keys: Key[]): HTMLDialogElement {
   const rows = keys.map(([names, words]) => {
-    const caps = names.map((n) => h("kbd", {}, SHOWN[n] ?? n));
-    return h("tr", {}, h("th", { scope: "row" }, ...caps), h("td", {}, words));
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, h("kbd", {}, SHOWN[names[0]] ?? names[0])),
+      h("td", {}, words),
+    );
   });
   const mouse: [string, string][] = [
     ["drag", "turn (one finger)"],
     ["right drag", "move (two fingers)"],
     ["wheel", "zoom (pinch)"],
-    ["drag in a chart", "set the time; Ctrl and wheel zoom, double click shows all"],
+    ["drag in a chart", "set the time"],
+    ["Ctrl, wheel there", "zoom; double click: all"],
   ];
   rows.push(...mouse.map(([how, words]) => h("tr", {}, h("th", { scope: "row" }, how), h("td", {}, words))));
+  const half = Math.ceil(rows.length / 2);
   const close = h("button", { type: "button", class: "plain", onclick: () => dialog.close() }, "Close");
   const dialog = h(
     "dialog",
     { class: "help", "aria-label": "keys" },
     h("h2", {}, "Keys and mouse"),
-    h("table", {}, h("tbody", {}, ...rows)),
+    h(
+      "div",
+      { class: "columns" },
+      h("table", {}, h("tbody", {}, ...rows.slice(0, half))),
+      h("table", {}, h("tbody", {}, ...rows.slice(half))),
+    ),
     close,
   );
   dialog.addEventListener("click", (event) => {

@@ -10,6 +10,8 @@ import type { Stage } from "./stage";
 const MOST = 120;
 /** More nodes than this are not even looked at. */
 const MOST_NODES = 3000;
+/** Of more bodies than this the names are seen under the pointer only. */
+const MOST_BODIES = 40;
 const CELL = 8;
 
 interface Label {
@@ -59,7 +61,8 @@ function wanted(scene: Scene, reference: Float32Array, settings: Settings, now: 
     }
   }
   if (settings.labels) {
-    for (const b of scene.bodies.slice(0, 4 * MOST)) {
+    const few = scene.bodies.length <= MOST_BODIES;
+    for (const b of few ? scene.bodies : []) {
       if (b.count > 0)
         list.push({ text: b.name, kind: "body", at: station(scene, b.first + (b.count >> 1), now) });
     }

@@ -1,7 +1,11 @@
 // Entry: builds the viewer into the page that holds the scene.
 
 import "uplot/dist/uPlot.min.css";
-import "./viewer.css";
+import "./styles/page.css";
+import "./styles/stage.css";
+import "./styles/overlay.css";
+import "./styles/panel.css";
+import "./styles/phone.css";
 import { api } from "./api";
 import { App } from "./app";
 import { VIEWS } from "./camera";

@@ -168,8 +168,8 @@ export function links(scene: Scene, points: Points, shared: Shared): THREE.Mesh 
   return mesh(made, LINK_VERTEX, SOLID_FRAGMENT, {
     uniforms: {
       ...shared.uniforms,
-      coil: { value: 0.018 * scene.size },
-      wire: { value: 0.0025 * scene.size },
+      coil: { value: 0.024 * scene.size },
+      wire: { value: 0.0035 * scene.size },
       least: { value: 1 },
       solids: { value: colourList(SOLIDS) },
     },

@@ -28,6 +28,7 @@ export class Stage {
   private readonly renderer: THREE.WebGLRenderer;
   private readonly world = new THREE.Scene();
   private contents: Contents | null = null;
+  private readonly spot = new THREE.Vector3();
   width = 1;
   height = 1;
 
@@ -108,7 +109,8 @@ export class Stage {
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
-    this.camera.resize(width, height);
+    // On a phone the buttons go all across the upper edge.
+    this.camera.resize(width, height, width < 560 ? 60 : 0);
     this.contents?.shared.look(width, height, this.camera.camera.fov);
     this.wanted();
   }
@@ -123,7 +125,7 @@ export class Stage {
 
   /** Where a point stands on the canvas (pixels, depth from -1 to 1); null: behind the camera. */
   project(point: ArrayLike<number>): [number, number] | null {
-    const v = new THREE.Vector3(point[0], point[1], point[2]).project(this.camera.camera);
+    const v = this.spot.set(point[0], point[1], point[2]).project(this.camera.camera);
     if (!(v.z > -1 && v.z < 1)) return null;
     return [0.5 * (1 + v.x) * this.width, 0.5 * (1 - v.y) * this.height];
   }
@@ -131,7 +133,7 @@ export class Stage {
   /** Pixels of length one at a point. */
   magnification(point: ArrayLike<number>): number {
     const { camera } = this.camera;
-    const depth = -new THREE.Vector3(point[0], point[1], point[2]).applyMatrix4(camera.matrixWorldInverse).z;
+    const depth = -this.spot.set(point[0], point[1], point[2]).applyMatrix4(camera.matrixWorldInverse).z;
     return this.height / (2 * Math.tan((camera.fov * Math.PI) / 360) * Math.max(1e-20, depth));
   }
 

@@ -63,7 +63,8 @@ export async function open(browser, scene, options = {}) {
 /** Waits until what was asked for is drawn. */
 export async function settle(tab) {
   await tab.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+    () =>
+      new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
   );
 }
 

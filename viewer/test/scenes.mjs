@@ -75,7 +75,11 @@ export function cantilever({ frames = 41, live = false, until = 2, nan = false }
   const rows = Array.from({ length: 401 }, (_, i) => (until * i) / 400);
   return {
     ...empty(),
-    ...{ title: "cantilever", live, text: 'title = "cantilever"\n\n[[bodies]]\nkind = "beam"\nname = "rod"\n' },
+    ...{
+      title: "cantilever",
+      live,
+      text: 'title = "cantilever"\n\n[[bodies]]\nkind = "beam"\nname = "rod"\n',
+    },
     outcome: live ? { kind: "running", message: "" } : { kind: "finished", message: "" },
     bounds: [
       [0, -0.27, -0.03],
@@ -85,19 +89,37 @@ export function cantilever({ frames = 41, live = false, until = 2, nan = false }
     frames: { count: frames, values: f64(times), labels: null },
     bodies: [
       {
-        ...{ name: "rod", kind: "beam", first: 0, count, outline: rectangle(0.05, 0.03), inner: null, scale: null },
+        ...{
+          name: "rod",
+          kind: "beam",
+          first: 0,
+          count,
+          outline: rectangle(0.05, 0.03),
+          inner: null,
+          scale: null,
+        },
         ...{ nodes: along.map((_, i) => i).filter((i) => i % 4 === 0), box: null },
       },
     ],
     centres: f32(stations.flatMap(([s, d]) => [s, bend(s, d), 0])),
     directors: i16(stations.flatMap(([s, d]) => turned(Math.atan(slope(s, d))))),
-    reference: { centres: f32(along.flatMap((s) => [s, 0, 0])), directors: i16(along.flatMap(() => turned(0))) },
+    reference: {
+      centres: f32(along.flatMap((s) => [s, 0, 0])),
+      directors: i16(along.flatMap(() => turned(0))),
+    },
     fields: [
       {
         ...{ name: "bending moment", symbol: "M", unit: "N m", diverging: true, range: [-75, 75] },
         values: scaled(moment, [-75, 75]),
       },
-      { name: "speed", symbol: "v", unit: "m/s", diverging: false, range: [0, 0.8], values: scaled(speed, [0, 0.8]) },
+      {
+        name: "speed",
+        symbol: "v",
+        unit: "m/s",
+        diverging: false,
+        range: [0, 0.8],
+        values: scaled(speed, [0, 0.8]),
+      },
     ],
     markers: [
       { name: "root", kind: "joint", detail: "clamp", at: f32(times.flatMap(() => [0, 0, 0])) },
@@ -120,30 +142,76 @@ function charts(t) {
     {
       ...{ title: "tip", group: "probes", log: false },
       columns: [
-        column("tip.x", "x", "m", t.map(() => 1)),
+        column(
+          "tip.x",
+          "x",
+          "m",
+          t.map(() => 1),
+        ),
         column("tip.y", "y", "m", t.map(tip)),
-        column("tip.z", "z", "m", t.map((x) => (x > 1.5 ? Number.NaN : 0.1 * x))),
+        column(
+          "tip.z",
+          "z",
+          "m",
+          t.map((x) => (x > 1.5 ? Number.NaN : 0.1 * x)),
+        ),
       ],
     },
     {
       ...{ title: "root, force", group: "reactions", log: false },
-      columns: [column("root.fy", "y", "N", t.map((x) => -40 * tip(x)))],
+      columns: [
+        column(
+          "root.fy",
+          "y",
+          "N",
+          t.map((x) => -40 * tip(x)),
+        ),
+      ],
     },
     {
       ...{ title: "energies", group: "energy", log: false },
       columns: [
-        column("kinetic", "kinetic", "J", t.map((x) => 9 * Math.cos(Math.PI * x) ** 2)),
-        column("strain", "strain", "J", t.map((x) => 9 * Math.sin(Math.PI * x) ** 2)),
-        column("total", "total", "J", t.map(() => 9)),
+        column(
+          "kinetic",
+          "kinetic",
+          "J",
+          t.map((x) => 9 * Math.cos(Math.PI * x) ** 2),
+        ),
+        column(
+          "strain",
+          "strain",
+          "J",
+          t.map((x) => 9 * Math.sin(Math.PI * x) ** 2),
+        ),
+        column(
+          "total",
+          "total",
+          "J",
+          t.map(() => 9),
+        ),
       ],
     },
     {
       ...{ title: "step size", group: "solver", log: true },
-      columns: [column("step", "h", "s", t.map((x) => 10 ** (-4 + Math.sin(5 * x))))],
+      columns: [
+        column(
+          "step",
+          "h",
+          "s",
+          t.map((x) => 10 ** (-4 + Math.sin(5 * x))),
+        ),
+      ],
     },
     {
       ...{ title: "iterations", group: "solver", log: false },
-      columns: [column("iterations", "iterations", "", t.map((_, i) => 2 + (i % 3)))],
+      columns: [
+        column(
+          "iterations",
+          "iterations",
+          "",
+          t.map((_, i) => 2 + (i % 3)),
+        ),
+      ],
     },
   ];
 }
@@ -160,7 +228,11 @@ export function modes() {
       [-0.1, -0.03, 0],
       [0.1, 0.03, 1],
     ],
-    frames: { count: 3, values: f64([1, 2, 3]), labels: ["mode 1: 12.3 Hz", "mode 2: 77.1 Hz", "mode 3: 216 Hz"] },
+    frames: {
+      count: 3,
+      values: f64([1, 2, 3]),
+      labels: ["mode 1: 12.3 Hz", "mode 2: 77.1 Hz", "mode 3: 216 Hz"],
+    },
     bodies: [
       {
         ...{ name: "mast", kind: "beam", first: 0, count, outline: circle(0.03), inner: circle(0.024) },
@@ -168,7 +240,9 @@ export function modes() {
       },
     ],
     centres: f32(shapes.flatMap((w) => along.flatMap((s, i) => [w[i], 0, s]))),
-    directors: i16(shapes.flatMap(() => along.flatMap(() => [0, 0, 1, 1, 0, 0, 0, 1, 0].map((x) => 32767 * x)))),
+    directors: i16(
+      shapes.flatMap(() => along.flatMap(() => [0, 0, 1, 1, 0, 0, 0, 1, 0].map((x) => 32767 * x))),
+    ),
     reference: {
       centres: f32(along.flatMap((s) => [0, 0, s])),
       directors: i16(along.flatMap(() => [0, 0, 1, 1, 0, 0, 0, 1, 0].map((x) => 32767 * x))),
@@ -188,17 +262,17 @@ export function machine() {
   return {
     ...empty(),
     ...{ title: "box on springs over a floor", size: 1.5, stations: 2, up: [0, 0, 1] },
-    outcome: { kind: "failed", message: "Newton's method found no equilibrium at t = 1 s: try a smaller step." },
+    outcome: {
+      kind: "failed",
+      message: "Newton's method found no equilibrium at t = 1 s: try a smaller step.",
+    },
     messages: ["warning: the box touches the floor at t = 0.5 s", "error: no convergence at t = 1 s"],
     bounds: [
       [-0.6, -0.5, 0],
       [0.9, 0.5, 1.2],
     ],
     frames: { count: frames, values: f64(times), labels: null },
-    bodies: [
-      body("box", "rigid", 0, [0.15, 0.1, 0.08]),
-      body("ball", "point", 1, [0.06, 0.06, 0.06]),
-    ],
+    bodies: [body("box", "rigid", 0, [0.15, 0.1, 0.08]), body("ball", "point", 1, [0.06, 0.06, 0.06])],
     centres: f32(times.flatMap((t) => [0, 0, high(t), ...far(t)])),
     directors: i16(times.flatMap((t) => [...turned(0.5 * t), ...still])),
     reference: { centres: f32([0, 0, 0.5, 0.7, 0, 0.35]), directors: i16([...still, ...still]) },
@@ -207,20 +281,51 @@ export function machine() {
       { name: "push", kind: "load", detail: "force", at: f32(times.flatMap((t) => far(t))) },
     ],
     links: [
-      link("spring", "spring", times.flatMap((t) => [0, 0, 1.2, 0, 0, high(t) + 0.08])),
-      link("damper", "damper", times.flatMap((t) => [0.1, 0, 1.2, 0.1, 0, high(t) + 0.08])),
-      link("rope", "rope", times.flatMap((t) => [0, 0, high(t), ...far(t)])),
+      link(
+        "spring",
+        "spring",
+        times.flatMap((t) => [0, 0, 1.2, 0, 0, high(t) + 0.08]),
+      ),
+      link(
+        "damper",
+        "damper",
+        times.flatMap((t) => [0.1, 0, 1.2, 0.1, 0, high(t) + 0.08]),
+      ),
+      link(
+        "rope",
+        "rope",
+        times.flatMap((t) => [0, 0, high(t), ...far(t)]),
+      ),
     ],
     obstacles: [
-      { name: "floor", kind: "plane", radius: 0, length: null, pose: f32([0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0]) },
-      { name: "stone", kind: "sphere", radius: 0.15, length: null, pose: f32([-0.5, 0, 0.15, 1, 0, 0, 0, 1, 0, 0, 0, 1]) },
+      {
+        name: "floor",
+        kind: "plane",
+        radius: 0,
+        length: null,
+        pose: f32([0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0]),
+      },
+      {
+        name: "stone",
+        kind: "sphere",
+        radius: 0.15,
+        length: null,
+        pose: f32([-0.5, 0, 0.15, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
+      },
       {
         ...{ name: "drum", kind: "cylinder", radius: 0.12, length: 0.6 },
         pose: f32([0.3, 0.6, 0.12, 0, 1, 0, 0, 0, 1, 1, 0, 0]),
       },
     ],
     abscissa: { name: "t", unit: "s", values: f64(times) },
-    charts: [{ title: "box", group: "probes", log: false, columns: [{ name: "box.z", label: "z", unit: "m", values: f32(times.map(high)) }] }],
+    charts: [
+      {
+        title: "box",
+        group: "probes",
+        log: false,
+        columns: [{ name: "box.z", label: "z", unit: "m", values: f32(times.map(high)) }],
+      },
+    ],
   };
 }
 
@@ -247,7 +352,14 @@ export function many(bodies = 100, count = 1000, frames = 3) {
       values[k] = Math.round(65534 * s);
     }
   }
-  const field = { name: "axial force", symbol: "N", unit: "N", diverging: false, range: [0, 1], values: u16(values) };
+  const field = {
+    name: "axial force",
+    symbol: "N",
+    unit: "N",
+    diverging: false,
+    range: [0, 1],
+    values: u16(values),
+  };
   return {
     ...empty(),
     ...{ title: "many beams", stations, size: 1.4, fields: [field] },
@@ -257,7 +369,14 @@ export function many(bodies = 100, count = 1000, frames = 3) {
     ],
     frames: { count: frames, values: f64(Array.from({ length: frames }, (_, f) => f)), labels: null },
     bodies: Array.from({ length: bodies }, (_, b) => ({
-      ...{ name: `beam ${b}`, kind: "beam", first: b * count, count, outline: circle(0.003, 16), inner: null },
+      ...{
+        name: `beam ${b}`,
+        kind: "beam",
+        first: b * count,
+        count,
+        outline: circle(0.003, 16),
+        inner: null,
+      },
       ...{ scale: null, nodes: [b * count, (b + 1) * count - 1], box: null },
     })),
     centres: f32(at),

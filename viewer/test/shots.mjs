@@ -11,10 +11,12 @@ const PHONE = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceS
 const press = (keys) => async (tab) => {
   for (const key of keys) await tab.keyboard.press(key);
 };
-const at = (time, keys = []) => async (tab) => {
-  await tab.evaluate((t) => window.ancf.setTime(t), time);
-  await press(keys)(tab);
-};
+const at =
+  (time, keys = []) =>
+  async (tab) => {
+    await tab.evaluate((t) => window.ancf.setTime(t), time);
+    await press(keys)(tab);
+  };
 const solver = async (tab) => {
   await at(0.5, ["g"])(tab);
   await tab.click('[data-group="solver"]');

@@ -68,28 +68,29 @@ export class App {
   /** Shows a scene: the first one from the beginning, later ones where the user is. */
   show(scene: Scene): void {
     const again = this.scene_ !== null;
+    if (!this.scene_?.fields.length) this.choice.values.field = scene.fields[0]?.name ?? "";
     this.scene_ = scene;
     this.player.load(scene, again);
     this.abscissa = new Abscissa(scene);
-    if (!again) this.choice.values.field = scene.fields[0]?.name ?? "";
     this.layout.load(scene);
     this.panel.load(scene);
     this.charts.load(scene, this.abscissa);
     this.transport.load(scene);
     this.display.load(scene);
     this.legend.show(scene, this.choice.values.field);
-    this.setStage(scene, again);
+    this.setStage(scene);
     this.wake();
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (!again && !calm && !scene.live && this.stage) this.player.toggle();
   }
 
-  private setStage(scene: Scene, again: boolean): void {
+  private setStage(scene: Scene): void {
     if (scene.frames.count === 0 || (scene.stations === 0 && scene.obstacles.length === 0)) {
       this.layout.say("There is nothing to draw.");
       return;
     }
-    if (!this.stage && !this.open(scene)) return;
+    const again = this.stage !== null;
+    if (!again && !this.open(scene)) return;
     this.layout.say("");
     this.scale.textContent = `grid ${quantity(mesh(scene), scene.units?.length ?? "")}`;
     this.reference = this.stage?.load(scene) ?? this.reference;

@@ -74,7 +74,7 @@ export function describe(scene: Scene, settings: Settings, now: Instant, { body,
 
 /** The note beside the pointer. */
 export class Tip {
-  readonly element = h("div", { class: "tip", role: "status", hidden: true });
+  readonly element = h("div", { class: "tip", hidden: true });
 
   show(lines: string[] | null, x: number, y: number, width: number): void {
     this.element.hidden = lines === null;

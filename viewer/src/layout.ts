@@ -15,7 +15,7 @@ export class Layout {
   readonly overlay = h("div", { class: "overlay" });
   readonly banner = h("div", { class: "banners" });
   /** Buttons at the upper edge of the picture, and of the page. */
-  readonly tools = h("div", { class: "tools", role: "toolbar", "aria-label": "views" });
+  readonly tools = h("div", { class: "tools", role: "group", "aria-label": "views" });
   readonly actions = h("div", { class: "actions" });
   private readonly title = h("h1", {}, "ancf");
   private readonly chip = h("span", { class: "outcome", role: "status" });

@@ -164,12 +164,12 @@ in vec2 corner;
 in float at;
 in float kind;
 out vec2 spot;
-flat out int sign;
+flat out int token;
 void main() {
   vec4 clip = projectionMatrix * viewMatrix * vec4(point(int(at + 0.5)), 1.0);
   clip.xy += corner * width / viewport * clip.w;
   spot = corner;
-  sign = int(kind + 0.5);
+  token = int(kind + 0.5);
   gl_Position = clip;
 }
 `;
@@ -179,11 +179,11 @@ precision highp float;
 uniform vec3 signs[3];
 uniform vec3 paper;
 in vec2 spot;
-flat in int sign;
+flat in int token;
 out vec4 colour;
 float away(vec2 p) {
-  if (sign == 1) return (abs(p.x) + abs(p.y)) * 0.92;
-  if (sign == 2) return max(abs(p.x) * 0.9 + p.y * 0.52, -p.y) * 1.35;
+  if (token == 1) return (abs(p.x) + abs(p.y)) * 0.92;
+  if (token == 2) return max(abs(p.x) * 0.9 + p.y * 0.52, -p.y) * 1.35;
   return length(p);
 }
 void main() {
@@ -192,8 +192,8 @@ void main() {
   float inside = 1.0 - smoothstep(0.92 - soft, 0.92, d);
   float edge = smoothstep(0.62 - soft, 0.62, d);
   float core = 1.0 - smoothstep(0.30 - soft, 0.30, d);
-  vec3 c = mix(signs[sign], paper, edge);
-  if (sign == 0) c = mix(c, paper, core);
+  vec3 c = mix(signs[token], paper, edge);
+  if (token == 0) c = mix(c, paper, core);
   colour = vec4(c * inside, inside);
 }
 `;

@@ -23,6 +23,7 @@ export async function browse() {
   return await puppeteer.launch({
     executablePath: chromium(),
     userDataDir: mkdtempSync(join(folder, "profile-")),
+    protocolTimeout: 90_000,
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars"],
   });
 }

@@ -137,7 +137,10 @@ describe("a report from disk", () => {
     await tab.keyboard.up("Shift");
     await press("End", 40);
     await press("Home", 0);
-    const speed = () => tab.$eval(".transport select", (e) => Number(e.value));
+    const speed = async () => {
+      await settle(tab);
+      return await tab.$eval(".transport select", (e) => Number(e.value));
+    };
     const before = await speed();
     await tab.keyboard.press("+");
     assert.ok((await speed()) > before);
@@ -202,16 +205,15 @@ describe("a report from disk", () => {
   });
 
   test("a field that is not a number in places still colours the rest", async () => {
-    const [whole, holes] = [
-      await open(browser, cantilever()),
-      await open(browser, cantilever({ nan: true })),
-    ];
-    await goTo(whole.tab, 0.5);
-    await goTo(holes.tab, 0.5);
-    assert.notEqual(await picture(whole.tab), await picture(holes.tab));
-    assert.deepEqual(holes.complaints, []);
-    await whole.tab.close();
-    await holes.tab.close();
+    const seen = [];
+    for (const nan of [false, true]) {
+      const { tab, complaints } = await open(browser, cantilever({ nan }));
+      await goTo(tab, 0.5);
+      seen.push(await picture(tab));
+      assert.deepEqual(complaints, []);
+      await tab.close();
+    }
+    assert.notEqual(seen[0], seen[1]);
   });
 
   test("names what is under the pointer, with its place and value", async () => {
@@ -229,6 +231,52 @@ describe("a report from disk", () => {
     await tab.mouse.move(box.x + 5, box.y + box.height - 5);
     await settle(tab);
     assert.equal(await tab.$eval(".tip", (e) => e.hidden), true);
+    await tab.close();
+  });
+});
+
+describe("what is saved", () => {
+  /** Blobs that the page would hand to the browser to save. */
+  const before = () => {
+    window.saved = [];
+    URL.createObjectURL = (blob) => {
+      window.saved.push([blob.type, blob.size]);
+      return "data:,";
+    };
+    HTMLAnchorElement.prototype.click = () => {};
+  };
+  const saved = async (tab, click) => {
+    await click();
+    await tab.waitForFunction(() => window.saved.length > 0, { timeout: 20_000 });
+    return await tab.evaluate(() => window.saved[0]);
+  };
+
+  test("a picture, and the model's text", async () => {
+    const { tab, complaints } = await open(browser, cantilever(), { before });
+    const [type, size] = await saved(tab, () => tab.click('[aria-label="Save picture"]'));
+    assert.equal(type, "image/png");
+    assert.ok(size > 10_000, `${size} bytes`);
+    await tab.evaluate(() => {
+      window.saved = [];
+    });
+    await tab.click("#tab-Run");
+    await tab.click(".run summary");
+    const { text } = cantilever();
+    assert.equal(await tab.$eval("pre", (e) => e.textContent), text);
+    const save = await tab.waitForSelector(".buttons button:nth-child(2)");
+    assert.deepEqual(await saved(tab, () => save.click()), ["application/toml", text.length]);
+    assert.deepEqual(complaints, []);
+    await tab.close();
+  });
+
+  test("a film of the whole run", async () => {
+    const { tab, complaints } = await open(browser, cantilever({ frames: 6, until: 0.5 }), { before });
+    for (let i = 0; i < 3; i++) await tab.keyboard.press("+");
+    const [type, size] = await saved(tab, () => tab.click('[aria-label="Save film"]'));
+    assert.match(type, /^video\//);
+    assert.ok(size > 1000, `${size} bytes`);
+    assert.equal(await time(tab), 0.5);
+    assert.deepEqual(complaints, []);
     await tab.close();
   });
 });
@@ -300,6 +348,7 @@ describe("other scenes", () => {
     const buttons = await tab.$$(".shape");
     await buttons[2].click();
     assert.equal(await frame(tab), 2);
+    await settle(tab);
     assert.equal(await buttons[2].evaluate((b) => b.getAttribute("aria-pressed")), "true");
     assert.deepEqual(complaints, []);
     await tab.close();

@@ -42,7 +42,9 @@ class Plot {
     this.element = h("figure", { class: "chart" }, h("figcaption", {}, title, log), this.place);
     this.element.setAttribute("aria-label", `chart ${chart.title}`);
     const data = [abscissa.xs, ...chart.columns.map((c) => column(c.values, chart.log))] as uPlot.AlignedData;
-    this.plot = new uPlot(options(chart, abscissa, width), data, this.place);
+    // uPlot knows its scales only once it has drawn: then the line finds its place.
+    const hooks = { draw: [() => this.show(this.x)] };
+    this.plot = new uPlot({ ...options(chart, abscissa, width), hooks }, data, this.place);
     this.plot.over.append(this.line);
     this.listen(pick);
   }

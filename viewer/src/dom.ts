@@ -36,10 +36,10 @@ export function text(x: number, digits = 4): string {
   if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
   if (x === 0) return "0";
   const size = Math.abs(x);
+  const rounded = Number(x.toPrecision(digits));
   const plain = size >= 1e-3 && size < 1e5;
-  const [mantissa, power] = (plain ? x.toPrecision(digits) : x.toExponential(digits - 1)).split("e");
-  const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
-  return (power ? `${short}e${Number(power)}` : short).replace(/-/g, "−");
+  const short = plain ? String(rounded) : rounded.toExponential().replace("e+", "e");
+  return short.replace(/-/g, "−");
 }
 
 /** Number and unit. */

@@ -149,7 +149,7 @@ void main() {
   }
   vec3 base = bodies[owner % 8];
   if (coloured) {
-    base = missing > 0.0 ? vec3(0.5) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
+    base = missing > 0.0 ? vec3(0.6) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
   }
   colour = vec4(lit(base, facing, eye), 1.0);
 }

@@ -322,6 +322,11 @@ describe("charts", () => {
     const titles = await tab.$$eval(".chart h3", (all) => all.map((e) => e.firstChild.textContent));
     assert.deepEqual(titles, ["step size", "iterations"]);
     assert.match(await tab.$eval(".chart", (e) => e.textContent), /logarithmic/);
+    await goTo(tab, 0.5);
+    await tab.click('[data-group="energy"]');
+    await settle(tab);
+    near(await legend(tab, "strain"), 9, 1e-3, "the values of the time are there at once");
+    assert.equal(await tab.$eval(".now", (e) => e.hidden), false);
     assert.deepEqual(complaints, []);
     await tab.close();
   });

@@ -37,6 +37,7 @@ function keys(app: App, theme: Theme, ask: () => void): Key[] {
     [["n"], "node numbers", () => choice.toggle("nodes")],
     [["r"], "reactions", () => choice.toggle("reactions")],
     [["m"], "joints and probes", () => choice.toggle("markers")],
+    [["o"], "repeat the film", () => choice.toggle("repeat")],
     [["d"], "what to see", () => app.layout.unfold()],
     [["t"], "dark or light", () => theme.toggle()],
     [["?"], "this list", ask],
@@ -58,6 +59,8 @@ function savePicture(app: App): void {
 function saveFilm(app: App, button: HTMLButtonElement): void {
   const { player } = app;
   const film = new Film(app.layout.canvas);
+  const { repeat } = player;
+  player.repeat = false;
   button.setAttribute("aria-pressed", "true");
   button.disabled = true;
   player.playing = false;
@@ -70,6 +73,7 @@ function saveFilm(app: App, button: HTMLButtonElement): void {
     if (player.playing && !swung && long < 120_000) return;
     clearInterval(timer);
     if (player.playing) player.toggle();
+    player.repeat = repeat;
     const blob = await film.stop();
     save(`${name(app)}.${blob.type.includes("mp4") ? "mp4" : "webm"}`, blob);
     button.disabled = false;

@@ -166,6 +166,16 @@ describe("a report from disk", () => {
     await tab.close();
   });
 
+  test("repeats the film where wanted", async () => {
+    const { tab } = await open(browser, cantilever({ frames: 11, until: 0.5 }));
+    await goTo(tab, 0.45);
+    await tab.keyboard.press("o");
+    await tab.keyboard.press("Space");
+    await tab.waitForFunction(() => window.ancf.time < 0.3, { timeout: 20_000 });
+    assert.equal(await tab.evaluate(() => window.ancf.playing), true);
+    await tab.close();
+  });
+
   test("scrubs with the slider", async () => {
     const { tab } = await open(browser, cantilever());
     const { x, y, width, height } = await (await tab.$(".scrub")).boundingBox();

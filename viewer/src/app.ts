@@ -47,6 +47,7 @@ export class App {
     this.choice.listen((name) => {
       if (name === "field" && this.scene_) this.legend.show(this.scene_, this.choice.values.field);
       this.stage?.apply(this.choice.values);
+      this.player.repeat = this.choice.values.repeat;
       this.scale.hidden = !this.choice.values.grid;
     });
     this.hover();

@@ -53,6 +53,15 @@ export class Camera {
     this.from(way.normalize());
   }
 
+  /** Turns about the middle by an angle, moves away from it by a factor. */
+  move(angle: number, factor: number): void {
+    const { target } = this.controls;
+    const away = this.camera.position.clone().sub(target);
+    away.applyAxisAngle(this.axes.up, angle).multiplyScalar(factor);
+    this.camera.position.copy(target).add(away);
+    this.controls.update();
+  }
+
   fit(): void {
     this.from(this.camera.position.clone().sub(this.controls.target).normalize());
   }

@@ -5,7 +5,7 @@ import type { Scene } from "./scene";
 import type { Choice, Settings } from "./settings";
 
 const SWITCHES: [
-  name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid",
+  name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat",
   text: string,
   key: string,
 ][] = [
@@ -15,6 +15,7 @@ const SWITCHES: [
   ["reactions", "reactions", "r"],
   ["markers", "joints and probes", "m"],
   ["grid", "grid", ""],
+  ["repeat", "repeat the film", "o"],
 ];
 
 /** A slider over powers of ten. */

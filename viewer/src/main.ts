@@ -30,6 +30,10 @@ function keys(app: App, theme: Theme, ask: () => void): Key[] {
     [["+", "="], "faster", () => player.faster(1)],
     [["-", "−"], "slower", () => player.faster(-1)],
     ...VIEWS.map((view, i): Key => [[String(i + 1)], `${view} view`, () => camera()?.view(view)]),
+    [[","], "turn left", () => camera()?.move(Math.PI / 18, 1)],
+    [["."], "turn right", () => camera()?.move(-Math.PI / 18, 1)],
+    [["z"], "closer", () => camera()?.move(0, 0.85)],
+    [["x"], "farther", () => camera()?.move(0, 1 / 0.85)],
     [["f"], "everything into the picture", () => camera()?.fit()],
     [["c"], "colour by the next field", () => app.nextField()],
     [["g"], "ghost of the reference shape", () => choice.toggle("ghost")],
@@ -37,6 +41,7 @@ function keys(app: App, theme: Theme, ask: () => void): Key[] {
     [["n"], "node numbers", () => choice.toggle("nodes")],
     [["r"], "reactions", () => choice.toggle("reactions")],
     [["m"], "joints and probes", () => choice.toggle("markers")],
+    [["o"], "repeat the film", () => choice.toggle("repeat")],
     [["d"], "what to see", () => app.layout.unfold()],
     [["t"], "dark or light", () => theme.toggle()],
     [["?"], "this list", ask],
@@ -58,6 +63,8 @@ function savePicture(app: App): void {
 function saveFilm(app: App, button: HTMLButtonElement): void {
   const { player } = app;
   const film = new Film(app.layout.canvas);
+  const { repeat } = player;
+  player.repeat = false;
   button.setAttribute("aria-pressed", "true");
   button.disabled = true;
   player.playing = false;
@@ -70,6 +77,7 @@ function saveFilm(app: App, button: HTMLButtonElement): void {
     if (player.playing && !swung && long < 120_000) return;
     clearInterval(timer);
     if (player.playing) player.toggle();
+    player.repeat = repeat;
     const blob = await film.stop();
     save(`${name(app)}.${blob.type.includes("mp4") ? "mp4" : "webm"}`, blob);
     button.disabled = false;

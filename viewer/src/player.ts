@@ -15,6 +15,8 @@ export class Player {
   phase = Math.PI / 2;
   playing = false;
   speed = 1;
+  /** Whether the film begins again at its end. */
+  repeat = false;
   private modal = false;
   private values: ArrayLike<number> = [];
   private last: number | null = null;
@@ -100,8 +102,8 @@ export class Player {
     else if (this.timed) this.position = positionOf(this.values, this.time + dt);
     else this.position += (dt * this.end) / FILM;
     if (!this.modal && this.position >= this.end) {
-      this.position = this.end;
-      this.playing = false;
+      this.position = this.repeat ? 0 : this.end;
+      this.playing = this.repeat;
     }
     this.changed();
   }

@@ -11,6 +11,8 @@ export interface Settings {
   reactions: boolean;
   markers: boolean;
   grid: boolean;
+  /** Whether the film begins again at its end. */
+  repeat: boolean;
 }
 
 export type Changed = (name: keyof Settings) => void;
@@ -18,7 +20,7 @@ export type Changed = (name: keyof Settings) => void;
 export class Choice {
   readonly values: Settings = {
     ...{ field: "", deformation: 1, thickness: 1, ghost: false, labels: true, nodes: false },
-    ...{ reactions: true, markers: true, grid: true },
+    ...{ reactions: true, markers: true, grid: true, repeat: false },
   };
   private readonly listeners: Changed[] = [];
 
@@ -32,7 +34,7 @@ export class Choice {
     for (const listener of this.listeners) listener(name);
   }
 
-  toggle(name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid"): void {
+  toggle(name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat"): void {
     this.set(name, !this.values[name]);
   }
 }

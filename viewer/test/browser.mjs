@@ -1,5 +1,6 @@
 // A browser with a page of a scene, and everything it complained about.
 
+import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -75,3 +76,24 @@ export async function picture(tab) {
   const stage = await tab.$("canvas[tabindex]");
   return Buffer.from(await stage.screenshot({ type: "png" })).toString("base64");
 }
+
+export const near = (found, wanted, by, what) =>
+  assert.ok(Math.abs(found - wanted) <= by, `${what}: ${found}, not ${wanted}`);
+export const frame = (tab) => tab.evaluate(() => window.ancf.frame);
+export const time = (tab) => tab.evaluate(() => window.ancf.time);
+export const goTo = (tab, t) => tab.evaluate((x) => window.ancf.setTime(x), t);
+export const place = (tab, body, index) => tab.evaluate((b, i) => window.ancf.station(b, i), body, index);
+
+/** Value that the legend of the first chart shows for a column. */
+export const legend = (tab, label) =>
+  tab.evaluate((name) => {
+    const rows = [...document.querySelectorAll(".chart:first-child .u-series")];
+    const row = rows.find((r) => r.querySelector(".u-label").textContent.startsWith(name));
+    return Number(row.querySelector(".u-value").textContent.replace("−", "-").split(" ")[0]);
+  }, label);
+
+export const plotBox = (tab) =>
+  tab.evaluate(() => {
+    const { left, top, width, height } = document.querySelector(".u-over").getBoundingClientRect();
+    return { left, top, width, height };
+  });

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { browse, close, open, picture, settle } from "./browser.mjs";
+import { browse, close, frame, goTo, legend, near, open, picture, place, settle, time } from "./browser.mjs";
 import { page, report } from "./container.mjs";
 import { bend, cantilever, machine, modes, tip } from "./scenes.mjs";
 
@@ -11,27 +11,6 @@ before(async () => {
   browser = await browse();
 });
 after(() => close(browser));
-
-const near = (found, wanted, by, what) =>
-  assert.ok(Math.abs(found - wanted) <= by, `${what}: ${found}, not ${wanted}`);
-const frame = (tab) => tab.evaluate(() => window.ancf.frame);
-const time = (tab) => tab.evaluate(() => window.ancf.time);
-const goTo = (tab, t) => tab.evaluate((x) => window.ancf.setTime(x), t);
-const place = (tab, body, index) => tab.evaluate((b, i) => window.ancf.station(b, i), body, index);
-
-/** Value that the legend of the first chart shows for a column. */
-const legend = (tab, label) =>
-  tab.evaluate((name) => {
-    const rows = [...document.querySelectorAll(".chart:first-child .u-series")];
-    const row = rows.find((r) => r.querySelector(".u-label").textContent.startsWith(name));
-    return Number(row.querySelector(".u-value").textContent.replace("−", "-").split(" ")[0]);
-  }, label);
-
-const plotBox = (tab) =>
-  tab.evaluate(() => {
-    const { left, top, width, height } = document.querySelector(".u-over").getBoundingClientRect();
-    return { left, top, width, height };
-  });
 
 describe("a report from disk", () => {
   test("opens without a complaint and shows the body", async () => {
@@ -157,12 +136,22 @@ describe("a report from disk", () => {
     const { tab } = await open(browser, cantilever());
     await goTo(tab, 0.5);
     const seen = new Set([await picture(tab)]);
-    for (const key of ["1", "2", "3", "4", "g", "r", "l", "n"]) {
+    for (const key of ["1", "2", "3", "4", ",", "z", "g", "r", "l", "n"]) {
       await tab.keyboard.press(key);
       seen.add(await picture(tab));
     }
     // The oblique view is the one of the beginning.
-    assert.ok(seen.size >= 8, `${seen.size} different pictures`);
+    assert.ok(seen.size >= 10, `${seen.size} different pictures`);
+    await tab.close();
+  });
+
+  test("repeats the film where wanted", async () => {
+    const { tab } = await open(browser, cantilever({ frames: 11, until: 0.5 }));
+    await goTo(tab, 0.45);
+    await tab.keyboard.press("o");
+    await tab.keyboard.press("Space");
+    await tab.waitForFunction(() => window.ancf.time < 0.3, { timeout: 20_000 });
+    assert.equal(await tab.evaluate(() => window.ancf.playing), true);
     await tab.close();
   });
 
@@ -231,103 +220,6 @@ describe("a report from disk", () => {
     await tab.mouse.move(box.x + 5, box.y + box.height - 5);
     await settle(tab);
     assert.equal(await tab.$eval(".tip", (e) => e.hidden), true);
-    await tab.close();
-  });
-});
-
-describe("what is saved", () => {
-  /** Blobs that the page would hand to the browser to save. */
-  const before = () => {
-    window.saved = [];
-    URL.createObjectURL = (blob) => {
-      window.saved.push([blob.type, blob.size]);
-      return "data:,";
-    };
-    HTMLAnchorElement.prototype.click = () => {};
-  };
-  const saved = async (tab, click) => {
-    await click();
-    await tab.waitForFunction(() => window.saved.length > 0, { timeout: 20_000 });
-    return await tab.evaluate(() => window.saved[0]);
-  };
-
-  test("a picture, and the model's text", async () => {
-    const { tab, complaints } = await open(browser, cantilever(), { before });
-    const [type, size] = await saved(tab, () => tab.click('[aria-label="Save picture"]'));
-    assert.equal(type, "image/png");
-    assert.ok(size > 10_000, `${size} bytes`);
-    await tab.evaluate(() => {
-      window.saved = [];
-    });
-    await tab.click("#tab-Run");
-    await tab.click(".run summary");
-    const { text } = cantilever();
-    assert.equal(await tab.$eval("pre", (e) => e.textContent), text);
-    const save = await tab.waitForSelector(".buttons button:nth-child(2)");
-    assert.deepEqual(await saved(tab, () => save.click()), ["application/toml", text.length]);
-    assert.deepEqual(complaints, []);
-    await tab.close();
-  });
-
-  test("a film of the whole run", async () => {
-    const { tab, complaints } = await open(browser, cantilever({ frames: 6, until: 0.5 }), { before });
-    for (let i = 0; i < 3; i++) await tab.keyboard.press("+");
-    const [type, size] = await saved(tab, () => tab.click('[aria-label="Save film"]'));
-    assert.match(type, /^video\//);
-    assert.ok(size > 1000, `${size} bytes`);
-    assert.equal(await time(tab), 0.5);
-    assert.deepEqual(complaints, []);
-    await tab.close();
-  });
-});
-
-describe("charts", () => {
-  test("answer to the pointer with the values there", async () => {
-    const { tab } = await open(browser, cantilever());
-    const { left, top, width, height } = await plotBox(tab);
-    await tab.mouse.move(left + 0.375 * width, top + height / 2);
-    await settle(tab);
-    near(await legend(tab, "y"), tip(0.75), 5e-3, "y");
-    near(await legend(tab, "z"), 0.075, 2e-3, "z");
-    await tab.close();
-  });
-
-  test("a click sets the time, a drag goes on setting it", async () => {
-    const { tab } = await open(browser, cantilever());
-    const { left, top, width, height } = await plotBox(tab);
-    await tab.mouse.click(left + 0.25 * width, top + height / 2);
-    near(await time(tab), 0.5, 0.01, "time");
-    near((await place(tab, 0, 40))[1], tip(0.5), 1e-3, "tip");
-    await tab.mouse.down();
-    await tab.mouse.move(left + 0.75 * width, top + height / 2, { steps: 4 });
-    await tab.mouse.up();
-    near(await time(tab), 1.5, 0.01, "time");
-    await tab.close();
-  });
-
-  test("show the values of the time that the picture shows", async () => {
-    const { tab } = await open(browser, cantilever());
-    await goTo(tab, 1.25);
-    await settle(tab);
-    near(await legend(tab, "y"), tip(1.25), 1e-3, "y");
-    await goTo(tab, 1.75);
-    await settle(tab);
-    assert.ok(Number.isNaN(await legend(tab, "z")), "no number, no value");
-    await tab.close();
-  });
-
-  test("come in groups, with a logarithmic axis where asked", async () => {
-    const { tab, complaints } = await open(browser, cantilever());
-    await tab.click('[data-group="solver"]');
-    const titles = await tab.$$eval(".chart h3", (all) => all.map((e) => e.firstChild.textContent));
-    assert.deepEqual(titles, ["step size", "iterations"]);
-    assert.match(await tab.$eval(".chart", (e) => e.textContent), /logarithmic/);
-    await goTo(tab, 0.5);
-    await tab.click('[data-group="energy"]');
-    await settle(tab);
-    near(await legend(tab, "strain"), 9, 1e-3, "the values of the time are there at once");
-    assert.equal(await tab.$eval(".now", (e) => e.hidden), false);
-    assert.deepEqual(complaints, []);
     await tab.close();
   });
 });

@@ -5,6 +5,7 @@ mod environment;
 mod package;
 mod python;
 mod speed;
+mod viewer;
 
 use std::env;
 use std::fs;
@@ -16,10 +17,12 @@ use std::process::{Command, ExitCode};
 type Done = Result<(), String>;
 
 const HELP: &str = "\
-cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions, Python
+cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions,
+                            the viewer in a browser, Python
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
 cargo xtask docs            the site, into target/site
 cargo xtask schema          refresh docs/model.schema.json and the classes of Python after a change of the model types
+cargo xtask viewer          the viewer of results, built into the crate that embeds it
 cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
@@ -36,6 +39,7 @@ fn main() -> ExitCode {
         "schema" => schema(),
         "bench" => speed::bench(options),
         "instructions" => speed::instructions(options),
+        "viewer" => viewer::build(),
         "peers" => speed::peers(),
         _ => Err(format!("what shall be done?\n\n{HELP}")),
     };
@@ -58,6 +62,7 @@ fn test() -> Done {
     let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
     speed::instructions(&[])?;
+    viewer::test()?;
     package::test()?;
     say("all tests passed");
     Ok(())

@@ -8,6 +8,7 @@ mod observer;
 mod pace;
 mod stability;
 mod summary;
+mod watch;
 
 use std::io;
 use std::ops::ControlFlow;
@@ -17,6 +18,7 @@ use columns::Columns;
 pub use observer::Observer;
 pub use summary::{Outcome, Summary};
 use thiserror::Error;
+use watch::Watch;
 
 use crate::analysis::{EigenError, EquilibriumError, Failure, Interrupt, SolveError};
 use crate::model::{Analysis, Assembly, Chosen, Model, ModelErrors};
@@ -107,7 +109,7 @@ impl Simulation {
     pub fn run(&self, observer: &mut dyn Observer) -> io::Result<Summary> {
         let Self { scaled, chosen, assembly, interrupt } = self;
         let summary = Summary::new(assembly, chosen.clone());
-        let mut run = Run { summary, assembly, interrupt, observer };
+        let mut run = Run { summary, assembly, interrupt, observer, watch: Watch::over(scaled) };
         let ended = match &scaled.analysis {
             Analysis::Dynamics(settings) => run.dynamics(scaled, settings),
             Analysis::Statics(settings) => run.statics(settings),
@@ -117,6 +119,7 @@ impl Simulation {
         };
         // What was recorded is completed even if recording broke off.
         let finished = run.observer.finish();
+        run.summary.warnings.extend(run.seen());
         let Run { mut summary, .. } = run;
         summary.outcome = outcome(ended?, scaled, assembly, summary.scales);
         if scaled.analysis.dynamics().is_some() {
@@ -133,6 +136,7 @@ struct Run<'a> {
     interrupt: &'a Interrupt,
     observer: &'a mut dyn Observer,
     summary: Summary,
+    watch: Watch,
 }
 
 /// How an analysis ended, in the units of the solver: finished or stopped by a sink, or why not.

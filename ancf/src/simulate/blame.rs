@@ -1,12 +1,12 @@
 //! What has to do with a failure besides the iteration that failed: functions of the user, joints, stability.
 
-use super::stability::instability;
+use super::stability::{instability, is_held};
 use crate::analysis::{Failure, SolveError};
 use crate::model::{Assembly, Redundant};
 use crate::system::State;
 
 /// Nearly dependent equations are looked for with these tolerances, one after the other.
-const NEARLY: [f64; 4] = [1e-8, 1e-6, 1e-4, 1e-3];
+const NEARLY: [f64; 5] = [1e-8, 1e-6, 1e-4, 1e-3, 3e-2];
 
 /// Why an iteration failed.
 #[derive(Debug)]
@@ -59,14 +59,17 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
         Some(Blame { reason: reason.into(), at: Place::Words(words(equations)), advice })
     };
     let wrong = assembly.contradicting(there);
+    let wrong = if wrong.is_empty() { assembly.parting(there) } else { wrong };
     if !wrong.is_empty() {
         return blame("joints contradict each other", &wrong, OF_CONTRADICTIONS);
     }
     // Without pivoting, what is singular but for rounding may be seen in the iteration only.
-    let nearly = if error.failure == Failure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
+    let singular = matches!(error.failure, Failure::Singular | Failure::Stagnated);
+    let nearly = if singular { &NEARLY[..] } else { &NEARLY[..2] };
     let new = |tolerance| {
         let found = assembly.redundant_in(from, tolerance);
-        found.into_iter().filter(|one| !assembly.redundant().contains(one)).collect::<Vec<_>>()
+        let before = assembly.redundant_in(&assembly.rest(), tolerance);
+        found.into_iter().filter(|one| !before.contains(one)).collect::<Vec<_>>()
     };
     let found = nearly.iter().copied().map(new).find(|found| !found.is_empty())?;
     blame("in this configuration joints tie the same", &found, OF_DEPENDENCES)
@@ -74,7 +77,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
 
 /// A last state that is unstable.
 fn buckling(assembly: &Assembly, from: &State, error: &SolveError) -> Option<Blame> {
-    if error.failure == Failure::Inverted {
+    if error.failure == Failure::Inverted || !is_held(assembly) {
         return None;
     }
     let found = instability(assembly, from)?;

@@ -35,6 +35,7 @@ impl Run<'_> {
         let mut report = StepReport::default();
         loop {
             let flow = record(self.observer, pace.dynamics(), &report)?;
+            self.look(pace.dynamics().state());
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.
                 return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));

@@ -16,16 +16,19 @@ pub(super) struct Instability {
     pub(super) at: usize,
 }
 
-/// The instability of a state under its loads and forces of inertia, if it has one.
-///
-/// Of what nothing holds in the reference state this is not asked: mechanisms have such directions by nature.
+/// Bodies beyond which it takes too long to find out what is free.
+const MANY: usize = 300;
+
+/// Whether joints and stiffness hold all bodies in the reference state: mechanisms are unstable by nature in some positions.
+pub(super) fn is_held(assembly: &Assembly) -> bool {
+    assembly.bodies().count() <= MANY && assembly.free_motions(&unloaded(assembly)).is_empty()
+}
+
+/// The instability of a state under its loads and forces of inertia, if it has one; to be asked of what is held.
 ///
 /// Source: Sylvester (1852), the law of inertia, by the factors of [K, Φ_qᵀ; Φ_q, 0].
 pub(super) fn instability(assembly: &Assembly, s: &State) -> Option<Instability> {
     if !s.q.iter().chain(&s.lambda).all(|x| x.is_finite()) {
-        return None;
-    }
-    if !assembly.free_motions(&unloaded(assembly)).is_empty() {
         return None;
     }
     match assembly.system.completed(s) {

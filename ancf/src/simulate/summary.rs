@@ -79,6 +79,8 @@ pub struct Summary {
     pub scales_reason: String,
     /// Joint equations that follow from others, in words.
     pub redundant: Vec<String>,
+    /// What its user should know besides: shapes that lost their stability on the way.
+    pub warnings: Vec<String>,
 }
 
 impl Summary {
@@ -97,6 +99,7 @@ impl Summary {
             scales: chosen.scales,
             scales_reason: chosen.reason,
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
+            warnings: Vec::new(),
         }
     }
 

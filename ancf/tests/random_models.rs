@@ -46,7 +46,7 @@ fn apart(a: &[Vector3<f64>], b: impl Iterator<Item = Vector3<f64>>) -> f64 {
 /// What leads to the books not balancing is the step: a fourth of it remains in half the step, for a scheme of second order.
 #[test]
 fn energy_balances() {
-    on_chains(16, |chain| {
+    on_chains(48, |chain| {
         let lost = |step: f64| {
             let (_, series) = run(&chain, &Setting::plain(step, DURATION))?;
             let largest =
@@ -94,7 +94,7 @@ impl Observer for Momenta<'_> {
 /// Free chains keep their linear momentum to rounding, and the angular one to the order of the scheme.
 #[test]
 fn free_chains_keep_their_momenta() {
-    on_chains(16, |chain| {
+    on_chains(48, |chain| {
         let chain = chain.free();
         let drift = |step: f64| {
             let model = Model::parse(&chain.text(&Setting::plain(step, DURATION)));
@@ -124,7 +124,7 @@ fn free_chains_keep_their_momenta() {
 fn motions_do_not_depend_on_how_they_are_written() {
     let turn = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let shift = Vector3::new(3.0, -20.0, 7.0);
-    on_chains(16, |chain| {
+    on_chains(48, |chain| {
         let plain = Setting::plain(STEP, DURATION);
         let (path, _) = run(&chain, &plain)?;
         let moved = run(&chain, &Setting { turn, shift, ..plain.clone() })?.0;

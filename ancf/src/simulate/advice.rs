@@ -38,8 +38,8 @@ fn of_motion(settings: &Dynamics) -> String {
         Step::Adaptive { .. } => "a smaller `step.largest`, or steps of one size",
     };
     format!(
-        "{steps}; ramps in the place of jumps of loads and drives; damping of the material; a look at units and sizes: \
-         loads beyond what the section bears do this"
+        "{steps}; ramps in the place of jumps of loads and drives; damping of the material; a look whether a linkage \
+         comes to a dead point, and at units: loads beyond what a section bears do this"
     )
 }
 

@@ -6,7 +6,7 @@ use crate::model::{Assembly, Redundant};
 use crate::system::State;
 
 /// Nearly dependent equations are looked for with these tolerances, one after the other.
-const NEARLY: [f64; 5] = [1e-8, 1e-6, 1e-4, 1e-3, 3e-2];
+const NEARLY: [f64; 4] = [1e-8, 1e-6, 1e-4, 1e-3];
 
 /// Why an iteration failed.
 #[derive(Debug)]
@@ -64,8 +64,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
         return blame("joints contradict each other", &wrong, OF_CONTRADICTIONS);
     }
     // Without pivoting, what is singular but for rounding may be seen in the iteration only.
-    let singular = matches!(error.failure, Failure::Singular | Failure::Stagnated);
-    let nearly = if singular { &NEARLY[..] } else { &NEARLY[..2] };
+    let nearly = if error.failure == Failure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
     let new = |tolerance| {
         let found = assembly.redundant_in(from, tolerance);
         let before = assembly.redundant_in(&assembly.rest(), tolerance);

@@ -265,12 +265,6 @@ impl BeamMesh {
         (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
     }
 
-    /// The arc length of a node in the reference state.
-    pub fn arc_length(&self, node: usize) -> f64 {
-        let nodes = self.reference.len() / self.node_kinds().len();
-        self.length() * node as f64 / (nodes - 1).max(1) as f64
-    }
-
     /// The directors r_x, r_y and r_z at an arc length in the reference state.
     pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
         self.axes(s).map(|axis| axis.reference())

@@ -114,7 +114,7 @@ impl Assembly {
                 let axis = ["x", "y", "z"][(equation - first) % 3];
                 return match node {
                     Some(node) => {
-                        let s = short(length * body.mesh().map_or(0.0, |mesh| mesh.arc_length(node)));
+                        let s = short(length * body.arc_length(node));
                         format!("body `{name}`, node {node} (s = {s}), {} along {axis}", word(kind))
                     }
                     None => format!("body `{name}`, {} along {axis}", director(kind)),

@@ -1,3 +1,4 @@
+mod advice;
 mod blame;
 mod checkpoint;
 mod columns;
@@ -6,16 +7,19 @@ mod eigen;
 mod equilibria;
 mod observer;
 mod pace;
+mod stability;
 mod summary;
+mod watch;
 
 use std::io;
 use std::ops::ControlFlow;
 
-use blame::Blame;
+use blame::{Blame, Place};
 pub use checkpoint::{Checkpoint, Mismatch};
 pub use observer::Observer;
 pub use summary::{Outcome, Summary};
 use thiserror::Error;
+use watch::Watch;
 
 use crate::analysis::{EigenError, EquilibriumError, Failure, Interrupt, SolveError};
 use crate::model::{Analysis, Assembly, Chosen, Model, ModelErrors};
@@ -127,14 +131,16 @@ impl Simulation {
 
     fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> Run<'a> {
         let Self { chosen, assembly, interrupt, .. } = self;
-        Run { summary: Summary::new(assembly, chosen.clone()), assembly, interrupt, observer }
+        let summary = Summary::new(assembly, chosen.clone());
+        Run { summary, assembly, interrupt, observer, watch: Watch::over(&self.scaled) }
     }
 
-    fn end(&self, run: Run<'_>, ended: Ended) -> io::Result<Summary> {
+    fn end(&self, mut run: Run<'_>, ended: Ended) -> io::Result<Summary> {
         // What was recorded is completed even if recording broke off.
         let finished = run.observer.finish();
+        run.summary.warnings.extend(run.seen());
         let Run { mut summary, .. } = run;
-        summary.outcome = outcome(ended?, &self.assembly, summary.scales);
+        summary.outcome = outcome(ended?, &self.scaled, &self.assembly, summary.scales);
         if self.scaled.analysis.dynamics().is_some() {
             summary.time *= summary.scales.time;
         }
@@ -149,6 +155,7 @@ struct Run<'a> {
     interrupt: &'a Interrupt,
     observer: &'a mut dyn Observer,
     summary: Summary,
+    watch: Watch,
 }
 
 /// How an analysis ended, in the units of the solver: finished or stopped by a sink, or why not.
@@ -192,34 +199,71 @@ impl From<EigenError> for Reason {
     }
 }
 
-fn outcome(ended: Result<ControlFlow<()>, Reason>, assembly: &Assembly, scales: Scales) -> Outcome {
-    let failed = |time, reason, at| Outcome::Failed { time, reason, at };
+fn outcome(
+    ended: Result<ControlFlow<()>, Reason>,
+    model: &Model,
+    assembly: &Assembly,
+    scales: Scales,
+) -> Outcome {
+    let failed = |time, reason, at, advice| Outcome::Failed { time, reason, at, advice };
     match ended {
         Ok(ControlFlow::Continue(())) => Outcome::Finished,
         Ok(ControlFlow::Break(())) => Outcome::Stopped,
         Err(reason) if reason.is_interruption() => Outcome::Stopped,
         Err(Reason::Motion(error, blame)) => {
-            let (reason, at) = blamed(error.to_string(), blame, assembly.name_of(error.worst));
-            failed(error.t * scales.time, reason, at)
+            let told = format!("{error}{}", halved(model, &error));
+            let Told { reason, at, advice } = Told::of(&error, told, blame, model, assembly, scales);
+            failed(error.t * scales.time, reason, at, advice)
         }
         Err(Reason::Equilibrium(error, blame)) => {
-            let (reason, at) = blamed(error.to_string(), blame, assembly.name_of(error.cause.worst));
-            failed(error.load, reason, at)
+            let Told { reason, at, advice } =
+                Told::of(&error.cause, error.to_string(), blame, model, assembly, scales);
+            failed(error.load, reason, at, advice)
         }
-        Err(Reason::Eigen(error)) => failed(0.0, error.to_string(), "the whole system".into()),
+        Err(Reason::Eigen(error)) => {
+            failed(0.0, error.to_string(), "the whole system".into(), advice::after_search(error).into())
+        }
         Err(Reason::Mechanism(motions)) => {
             let reason = "there is no equilibrium to find: a motion is held by nothing".to_owned();
-            failed(0.0, reason, motions)
+            failed(0.0, reason, motions, advice::OF_MECHANISMS.into())
         }
     }
 }
 
-/// Reason and place of a failure, which joints may be to blame for.
-fn blamed(reason: String, blame: Option<Blame>, at: String) -> (String, String) {
-    match blame {
-        Some(Blame { reason: why, at }) => (format!("{why}: {reason}"), at),
-        None => (reason, at),
+/// A failed iteration in words.
+struct Told {
+    reason: String,
+    at: String,
+    advice: String,
+}
+
+impl Told {
+    /// By what the iteration says and what else is to blame.
+    fn of(
+        error: &SolveError,
+        said: String,
+        blame: Option<Blame>,
+        model: &Model,
+        assembly: &Assembly,
+        scales: Scales,
+    ) -> Self {
+        let Some(Blame { reason, at, advice }) = blame else {
+            let at = assembly.place_of(error, scales.length);
+            return Self { reason: said, at, advice: advice::after(error.failure, &model.analysis) };
+        };
+        let at = match at {
+            Place::Words(words) => words,
+            Place::Equation(equation) => assembly.name_in(equation, scales.length),
+        };
+        Self { reason: format!("{reason}: {said}"), at, advice: advice.into() }
     }
+}
+
+/// How far a step of fixed size was halved before it was given up.
+fn halved(model: &Model, error: &SolveError) -> String {
+    let Some(settings) = model.analysis.dynamics() else { return String::new() };
+    let halves = settings.step.fixed().is_some() && error.iterations > 0 && settings.max_halvings > 0;
+    if halves { format!(", with the step halved {} times", settings.max_halvings) } else { String::new() }
 }
 
 /// The motions that nothing holds in a state, if there are any.

@@ -35,7 +35,10 @@ fn floors(name: &str, assembly: &Assembly, start: State, tolerance: f64, step: f
     let floors = (1..=100).map(|i| match dynamics.advance(from + step * f64::from(i)) {
         Ok(report) => u32::from(report.floor),
         Err(error) => {
-            panic!("{name}, {tolerance:e}, step {step:e}: {error} ({})", assembly.name_of(error.worst))
+            panic!(
+                "{name}, {tolerance:e}, step {step:e}: {error} ({})",
+                assembly.name_of(error.worst.unwrap_or(0))
+            )
         }
     });
     floors.sum()

@@ -222,7 +222,7 @@ fn contradictions_of_an_instant_are_told() {
     let mut model = short(with(rod::clamped(2, Clamped::Section), [drive("motor", jerk)]));
     rod::settings(&mut model).max_halvings = 2;
     let summary = simulate(&model, &mut Series::new()).unwrap();
-    let Outcome::Failed { time, reason, at } = summary.outcome else { panic!("{:?}", summary.outcome) };
+    let Outcome::Failed { time, reason, at, .. } = summary.outcome else { panic!("{:?}", summary.outcome) };
     assert!(reason.starts_with("joints contradict each other: "), "{reason}");
     assert!(at.starts_with("joint `motor`: driven direction y along x, follows from joint `root`"), "{at}");
     assert!((time - 0.1005).abs() < 6e-4, "{time}");

@@ -2,9 +2,12 @@
 
 mod debian;
 mod environment;
+mod fuzz;
 mod package;
 mod python;
 mod speed;
+mod supply;
+mod tools;
 mod viewer;
 
 use std::env;
@@ -18,11 +21,13 @@ type Done = Result<(), String>;
 
 const HELP: &str = "\
 cargo xtask test            everything that can be tested: format, lints, tests, documentation, counts of instructions,
-                            the viewer in a browser, Python
+                            dependencies, the viewer in a browser, Python
 cargo xtask python          the Python package alone: installed, checked, tested, its site built
 cargo xtask docs            the site, into target/site
 cargo xtask schema          refresh docs/model.schema.json and the classes of Python after a change of the model types
 cargo xtask viewer          the viewer of results, built into the crate that embeds it
+cargo xtask deny            licences, sources, doubles and known weaknesses of dependencies, by deny.toml
+cargo xtask fuzz [SECONDS]  bytes of any kind for the readers of models and formulas, 600 s each by default
 cargo xtask bench           times per element beside their goals; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    counts of instructions of fixed work beside those on record; --update puts them on record
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; wants Python and the network
@@ -37,6 +42,8 @@ fn main() -> ExitCode {
         "python" => package::test(),
         "docs" => package::docs(),
         "schema" => schema(),
+        "deny" => supply::deny(),
+        "fuzz" => fuzz::fuzz(options),
         "bench" => speed::bench(options),
         "instructions" => speed::instructions(options),
         "viewer" => viewer::build(),
@@ -56,12 +63,14 @@ fn main() -> ExitCode {
 fn test() -> Done {
     component("fmt", "rustfmt")?;
     component("clippy", "clippy")?;
+    supply::locked()?;
     cargo("format", &["fmt", "--all", "--check"], &[])?;
     cargo("lints", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
     cargo("tests", &["test", "--workspace"], &[])?;
     let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
     speed::instructions(&[])?;
+    supply::deny()?;
     viewer::test()?;
     package::test()?;
     say("all tests passed");

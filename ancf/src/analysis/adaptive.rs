@@ -110,7 +110,7 @@ impl Adaptive {
                 }
                 Ok(x) => {
                     size = h * x.sqrt().max(FALL);
-                    SolveError::at(end, Failure::StepTooSmall)
+                    SolveError { worst: self.estimate.worst(), ..SolveError::at(end, Failure::StepTooSmall) }
                 }
                 Err(error) if error.is_final() => return Err(error),
                 Err(error) => {

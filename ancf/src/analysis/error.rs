@@ -12,24 +12,24 @@ pub enum Failure {
     #[error("the factors of the iteration matrix do not fit into memory")]
     Memory,
     /// Numbers became infinite or not a number.
-    #[error("the iteration diverged: a smaller step may help")]
+    #[error("the iteration diverged: numbers became infinite or not a number")]
     Diverged,
     /// Increments stopped to decrease above the rounding error.
-    #[error("the iteration stagnated above the rounding error: a smaller step may help")]
+    #[error("the iteration stagnated above the rounding error")]
     Stagnated,
     /// The solution that was found is one that a term does not admit.
     #[error(
-        "the solution turns an element inside out, or a slider leaves its beam, or ends of a spring meet: a smaller step may help"
+        "the solution turns an element inside out, or a slider leaves its beam, or ends of a spring meet"
     )]
     Inverted,
     /// The equilibrium that was found is not as stable as the one before it, and nothing between them tells why.
-    #[error("the stability changed within the step: a smaller step may help")]
+    #[error("the stability changed within the step")]
     Unstable,
     /// The path of equilibria turned too far within a step.
-    #[error("the path of equilibria turns too far within the step: a smaller step may help")]
+    #[error("the path of equilibria turns too far within the step")]
     Turned,
     /// The permitted number of iterations was not enough.
-    #[error("the iteration did not converge: a smaller step or more iterations may help")]
+    #[error("the iteration did not converge in the iterations permitted")]
     NotConverged,
     /// The error of a step exceeds its share of the tolerance even in the smallest permitted step.
     #[error("the step fell below the smallest permitted: the motion jumps, or the tolerance is too tight")]
@@ -41,7 +41,7 @@ pub enum Failure {
 
 /// A failed solution of the equations of motion, in the units of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("{failure} (after {iterations} iterations, |r| = {residual:.3e}, |dq| = {increment:.3e})")]
+#[error("{failure}{}", told(*iterations, *residual, *increment))]
 pub struct SolveError {
     /// Why.
     pub failure: Failure,
@@ -53,8 +53,17 @@ pub struct SolveError {
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
-    /// The equation whose residual exceeds its rounding error most: a coordinate, or a multiplier after all coordinates.
-    pub worst: usize,
+    /// The equation whose residual exceeds its rounding error most: a coordinate, or a multiplier after all coordinates; none
+    /// if no iteration tells.
+    pub worst: Option<usize>,
+}
+
+/// How an iteration went, if there was one.
+fn told(iterations: u32, residual: f64, increment: f64) -> String {
+    if iterations == 0 && residual == 0.0 {
+        return String::new();
+    }
+    format!(" (after {iterations} iterations, |r| = {residual:.3e}, |dq| = {increment:.3e})")
 }
 
 impl SolveError {
@@ -71,12 +80,12 @@ impl SolveError {
     /// The failure of an iteration that went as reported, whose worst equation is `worst`.
     pub(super) const fn after(report: Report, t: f64, failure: Failure, worst: usize) -> Self {
         let Report { iterations, residual, increment, .. } = report;
-        Self { failure, t, iterations, residual, increment, worst }
+        Self { failure, t, iterations, residual, increment, worst: Some(worst) }
     }
 
     /// A failure at a time, outside any iteration.
     pub(super) const fn at(t: f64, failure: Failure) -> Self {
-        Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: 0 }
+        Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: None }
     }
 }
 

@@ -113,6 +113,12 @@ impl Estimate {
         Ok(h.powi(3) * (self.squares[0] + second).sqrt())
     }
 
+    /// The coordinate in which the error of the attempt is largest, by the energy that it has there.
+    pub(super) fn worst(&self) -> Option<usize> {
+        let parts = self.now.iter().zip(&self.force).map(|(x, f)| (x * f).abs()).enumerate();
+        parts.max_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(i, _)| i)
+    }
+
     /// ∫‖ε‖² and ∫‖ε̇‖² with the attempt.
     fn integrals(&self, h: f64) -> [f64; 2] {
         std::array::from_fn(|i| self.past.integrals[i] + h * self.squares[i])

@@ -41,7 +41,8 @@ impl Integral {
             Function::Constant(value) => value * t,
             Function::Table(_) => self.area(t),
             Function::Ramp { start, end } => {
-                let on = (t.clamp(*start, *end) - start).powi(2) / (2.0 * (end - start));
+                // Not `clamp`, which wants them in order: ramps are made before they are found to be wrong.
+                let on = (t.max(*start).min(*end) - start).powi(2) / (2.0 * (end - start));
                 on + (t - end).max(0.0)
             }
             Function::Step { at, until } => (until.map_or(t, |until| t.min(until)) - at).max(0.0),

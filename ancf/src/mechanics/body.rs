@@ -83,6 +83,14 @@ impl Body {
         }
     }
 
+    /// The arc length of a node in the reference state; 0 of a body without nodes.
+    pub fn arc_length(&self, node: usize) -> f64 {
+        self.mesh().map_or(0.0, |mesh| {
+            let nodes = mesh.coordinates() / (3 * mesh.node_kinds().len());
+            mesh.length() * node as f64 / (nodes - 1).max(1) as f64
+        })
+    }
+
     /// Strain energy by part.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
         self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))

@@ -5,10 +5,12 @@ use nalgebra::Vector3;
 use super::closing::Closed;
 use super::freedom::Freedom;
 use super::function::Clock;
+use super::inputs::Inputs;
 use super::ties::{Holds, JointEquations};
 use super::{
     Beam, Body, Coupled, Coupling, Formulation, Joint, Model, ModelErrors, Place, Probe, Quantity, Redundant,
 };
+use crate::analysis::SolveError;
 use crate::mechanics::Measure as Measured;
 use crate::mechanics::{self, Attachment, BeamMesh, ElementAxis, Kind, Marker, Tie, Wrench};
 use crate::system::{EquationsOfMotion, State, System, Term};
@@ -31,6 +33,7 @@ pub struct Assembly {
     pub(super) undetermined: BTreeSet<usize>,
     pub(super) closed: Option<Closed>,
     breaks: Vec<f64>,
+    pub(super) inputs: Inputs,
 }
 
 /// One quantity that a probe records.
@@ -95,12 +98,25 @@ impl Assembly {
 
     /// What an equation belongs to, in words: a node of a body, or a joint.
     pub fn name_of(&self, equation: usize) -> String {
+        self.name_in(equation, 1.0)
+    }
+
+    /// Where an iteration failed, in words, with arc lengths as in [`name_in`](Self::name_in).
+    pub(crate) fn place_of(&self, error: &SolveError, length: f64) -> String {
+        error.worst.map_or_else(|| "the whole system".into(), |worst| self.name_in(worst, length))
+    }
+
+    /// The same, with arc lengths of nodes in units of which a length of the assembly has so many.
+    pub(crate) fn name_in(&self, equation: usize, length: f64) -> String {
         let mut first = 0;
         for (name, body) in &self.bodies {
             if let Some((node, kind)) = body.place_of(equation) {
                 let axis = ["x", "y", "z"][(equation - first) % 3];
                 return match node {
-                    Some(node) => format!("body `{name}`, node {node}, {} along {axis}", word(kind)),
+                    Some(node) => {
+                        let s = short(length * body.arc_length(node));
+                        format!("body `{name}`, node {node} (s = {s}), {} along {axis}", word(kind))
+                    }
                     None => format!("body `{name}`, {} along {axis}", director(kind)),
                 };
             }
@@ -129,6 +145,11 @@ impl Assembly {
             None => format!("equation {equation}"),
         }
     }
+}
+
+/// At most four digits, without trailing zeros.
+fn short(x: f64) -> String {
+    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
 /// A vector of a node.
@@ -204,7 +225,7 @@ impl Model {
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let system = System::new(coordinates, multipliers, terms).batched(batches);
-        let breaks = self.breaks(clock);
+        let (breaks, inputs) = (self.breaks(clock), self.inputs(&bodies, clock));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
         let assembly = Assembly {
@@ -219,6 +240,7 @@ impl Model {
             undetermined,
             closed,
             breaks,
+            inputs,
         };
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };

@@ -1,5 +1,8 @@
 //! The rules of a model that its schema cannot say.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use nalgebra::Vector3;
 
 use super::check_abilities::abilities;
@@ -91,8 +94,15 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
             "a name without dot, comma, quotes or outer spaces, for use in columns",
         )
     });
-    let twice = names.iter().enumerate().filter_map(|(i, (path, name))| {
-        let (first, _) = names[..i].iter().find(|(_, other)| other == name)?;
+    let mut first: HashMap<&str, &String> = HashMap::new();
+    let twice = names.iter().filter_map(|(path, name)| {
+        let first = match first.entry(name) {
+            Entry::Vacant(place) => {
+                place.insert(path);
+                return None;
+            }
+            Entry::Occupied(first) => *first.get(),
+        };
         let found = format!("{} a second time", quoted(name));
         let wanted = format!("a name of its own; `{first}` has this one");
         Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
@@ -138,13 +148,28 @@ fn size(model: &Model) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
     let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
     let error = largest.map(|(path, _)| {
-        let memory = total as f64 * BYTES_PER_ELEMENT / 1e9;
         let wanted = format!("at most {MAX_ELEMENTS} over all bodies");
         finding(format!("{path}.elements"), format!("{total} elements in all"), wanted)
-            .hint(format!("they would need about {memory:.0} GB of memory"))
+            .hint(memory(total as f64))
             .rests_on(bodies_of(model).map(|(path, _)| format!("{path}.elements")))
     });
     error.into_iter().collect()
+}
+
+/// What so many elements need.
+pub(super) fn memory(elements: f64) -> String {
+    format!("they would need about {} GB of memory", number((elements * BYTES_PER_ELEMENT / 1e9).round()))
+}
+
+/// Says of numbers of elements that are no integers of the model what memory they would need.
+pub(super) fn with_memory(finding: Finding) -> Finding {
+    let elements = finding.error.path.ends_with(".elements").then(|| finding.error.found.parse::<f64>());
+    match elements {
+        Some(Ok(elements)) if elements > MAX_ELEMENTS as f64 && finding.error.hint.is_none() => {
+            finding.hint(memory(elements))
+        }
+        _ => finding,
+    }
 }
 
 /// Places are on bodies that are there.

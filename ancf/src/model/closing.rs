@@ -88,7 +88,7 @@ impl Model {
         }
         let state = closed(&system, self.length()).map_err(|error| {
             let (place, open) =
-                (assembly.name_of(error.worst), gaps.iter().map(|(name, _)| format!("`{name}`")));
+                (assembly.place_of(&error, 1.0), gaps.iter().map(|(name, _)| format!("`{name}`")));
             let found = format!("gaps that do not close: {error}; at: {place}");
             let wanted = "joints whose places can be brought together";
             let hint = format!("open are {}", open.collect::<Vec<_>>().join(", "));
@@ -146,7 +146,14 @@ fn settle(system: &System, newton: &mut Newton, s: &mut State, rate: f64) -> Res
         None => Ok(()),
         Some(worst) => {
             let failure = Failure::Inverted;
-            Err(SolveError { failure, t: s.t, iterations: 0, residual: 0.0, increment: 0.0, worst })
+            Err(SolveError {
+                failure,
+                t: s.t,
+                iterations: 0,
+                residual: 0.0,
+                increment: 0.0,
+                worst: Some(worst),
+            })
         }
     }
 }

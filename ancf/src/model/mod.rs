@@ -21,6 +21,7 @@ mod error;
 mod fluid;
 mod freedom;
 mod function;
+mod inputs;
 mod joint;
 mod joint_kinds;
 mod joint_rows;

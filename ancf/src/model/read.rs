@@ -1,5 +1,5 @@
 use std::fs;
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use serde::Deserialize;
@@ -7,12 +7,15 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::Value;
 
-use super::check::broken_rules;
+use super::check::{broken_rules, with_memory};
 use super::redundant::contradictions;
 use super::schema::SCHEMA;
 use super::survey::{Finding, Survey};
 use super::syntax::{Document, position};
 use super::{Model, ModelError, ModelErrors};
+
+/// Bytes beyond which a file is taken for something else than a model.
+const LARGEST: u64 = 100_000_000;
 
 impl Model {
     /// Reads a model file and checks the model.
@@ -20,7 +23,10 @@ impl Model {
     /// # Errors
     /// All that is wrong, in the order of the text; or why the file cannot be read.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelErrors> {
-        let bytes = fs::read(path).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        let bytes = bytes_of(path.as_ref()).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        if bytes.len() as u64 > LARGEST {
+            return Err(ModelErrors(vec![too_large()]));
+        }
         Self::parse(&String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))?)
     }
 
@@ -116,6 +122,7 @@ fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
     let mut findings = std::mem::take(&mut survey.findings);
     let model = Model::deserialize(mended);
     let broken = model.as_ref().map(broken_rules).unwrap_or_default();
+    findings = findings.into_iter().map(with_memory).collect();
     findings.extend(broken.into_iter().map(|finding| spelt(finding, &survey)).filter(|finding| {
         !survey.has_mended(&finding.error.path)
             && !finding.rests_on.iter().any(|path| survey.has_mended(path))
@@ -140,6 +147,19 @@ fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
 fn placed(finding: Finding, document: &Document, text: &str) -> ModelError {
     let bytes = document.find(&finding.error.path, finding.at_key);
     ModelError { at: Some(position(text, bytes)), ..finding.error }
+}
+
+/// The bytes of a file, no more than one beyond the largest number, be it a pipe that never ends.
+fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn too_large() -> ModelError {
+    let (found, wanted) = ("more than 100 MB", "a model file of at most 100 MB");
+    ModelError::new("", found, wanted)
+        .hint("long bodies are one entry with many `elements`; series are `table`s of time")
 }
 
 fn unreadable(error: &io::Error) -> ModelError {

@@ -13,6 +13,8 @@ use crate::system::{
 
 /// Redundant equations agree if no more than this part of what they say is left over.
 const AGREE: f64 = 1e-9;
+/// They part if more than this is left over, which is also beyond as many rounding bounds as this is of 1.
+const APART: f64 = 1e-3;
 /// Rounding bounds within which they agree as well.
 const ROUNDING: f64 = 8.0;
 /// Instants of a motion at which they are compared.
@@ -284,6 +286,24 @@ impl Assembly {
         let found = constraints.dependences(s, INDEPENDENT);
         let wrong = constraints.contradictions(&found, None, std::iter::once(s.clone()));
         wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
+    }
+
+    /// The joint equations that part from those they depend on when time goes on from a state, by name: of equations that are
+    /// not linear, where [`contradicting`](Self::contradicting) does not judge. The state is that of a solution but for its time.
+    pub(crate) fn parting(&self, s: &State) -> Vec<Redundant> {
+        let constraints = self.constraints();
+        let found = constraints.dependences(s, INDEPENDENT);
+        let [phi, floor] = constraints.values(s);
+        let parts = |dependence: &&Dependence| {
+            let sum = |of: &dyn Fn(usize) -> f64| {
+                dependence.coefficients.iter().map(|(&i, &c)| of(i) * c).sum::<f64>()
+            };
+            let size = dependence.coefficients.iter().map(|(&i, &c)| (c * phi[i]).abs()).sum::<f64>();
+            let left = sum(&|i| phi[i]).abs();
+            let rounding: f64 = dependence.coefficients.iter().map(|(&i, &c)| (c * floor[i]).abs()).sum();
+            left > APART * size && left > 1.0 / APART * rounding
+        };
+        found.iter().filter(parts).filter_map(|dependence| constraints.describe(dependence)).collect()
     }
 
     /// By how much the constraint equations exceed their rank in the reference state.

@@ -1,5 +1,6 @@
-//! What joints have to do with a failure.
+//! What has to do with a failure besides the iteration that failed: functions of the user, joints, stability.
 
+use super::stability::{instability, is_held};
 use crate::analysis::{Failure, SolveError};
 use crate::model::{Assembly, Redundant};
 use crate::system::State;
@@ -7,31 +8,81 @@ use crate::system::State;
 /// Nearly dependent equations are looked for with these tolerances, one after the other.
 const NEARLY: [f64; 4] = [1e-8, 1e-6, 1e-4, 1e-3];
 
-/// Why joints made an iteration fail, and which equations did.
+/// Why an iteration failed.
 #[derive(Debug)]
 pub(super) struct Blame {
-    pub(super) reason: &'static str,
-    pub(super) at: String,
+    pub(super) reason: String,
+    pub(super) at: Place,
+    pub(super) advice: &'static str,
 }
 
-/// The joint equations to blame for an iteration that failed on its way from a state, at a load factor.
+/// Where.
+#[derive(Debug)]
+pub(super) enum Place {
+    /// In words.
+    Words(String),
+    /// By an equation.
+    Equation(usize),
+}
+
+const OF_FUNCTIONS: &str = "a function that is a number at all times of the analysis: `if(...)` or `max(...)` keep \
+                            formulas from poles, from roots and logarithms of negative numbers; or a shorter duration";
+const OF_CONTRADICTIONS: &str = "joints and drives that can hold together all the time: look at the motions that they \
+                                 prescribe at this time, or leave one of them out";
+const OF_DEPENDENCES: &str = "a mechanism that does not come to this configuration (a singular position or a dead \
+                              point), or one joint less there; `ancf check` tells what joints tie";
+const OF_BUCKLING: &str = "an analysis of kind \"buckling\" for the critical load, one of kind \"path\" for what is beyond \
+                           it, or in dynamics shorter or adaptive steps and damping of the material; a small imperfection \
+                           or side load decides which way it goes";
+
+/// What is to blame for an iteration that failed on its way from a state, at a load factor.
 pub(super) fn blame(assembly: &Assembly, from: &State, load: f64, error: &SolveError) -> Option<Blame> {
-    if error.failure == Failure::Interrupted {
+    if matches!(error.failure, Failure::Interrupted | Failure::Memory) {
         return None;
     }
     let there = State { t: error.t, load, ..from.clone() };
-    let wrong = assembly.contradicting(&there);
+    function(assembly, &there)
+        .or_else(|| joints(assembly, from, &there, error))
+        .or_else(|| buckling(assembly, from, error))
+}
+
+/// A function of the user that is no number.
+fn function(assembly: &Assembly, there: &State) -> Option<Blame> {
+    let found = assembly.no_number(there)?;
+    let reason = format!("the {} of `{}` became {}", found.what, found.path, found.value);
+    Some(Blame { reason, at: Place::Words(format!("`{}`", found.path)), advice: OF_FUNCTIONS })
+}
+
+/// Joints that contradict each other or tie the same.
+fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) -> Option<Blame> {
+    let blame = |reason: &str, equations: &[Redundant], advice| {
+        Some(Blame { reason: reason.into(), at: Place::Words(words(equations)), advice })
+    };
+    let wrong = assembly.contradicting(there);
+    let wrong = if wrong.is_empty() { assembly.parting(there) } else { wrong };
     if !wrong.is_empty() {
-        return Some(Blame { reason: "joints contradict each other", at: words(&wrong) });
+        return blame("joints contradict each other", &wrong, OF_CONTRADICTIONS);
     }
     // Without pivoting, what is singular but for rounding may be seen in the iteration only.
     let nearly = if error.failure == Failure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
     let new = |tolerance| {
         let found = assembly.redundant_in(from, tolerance);
-        found.into_iter().filter(|one| !assembly.redundant().contains(one)).collect::<Vec<_>>()
+        let before = assembly.redundant_in(&assembly.rest(), tolerance);
+        found.into_iter().filter(|one| !before.contains(one)).collect::<Vec<_>>()
     };
     let found = nearly.iter().copied().map(new).find(|found| !found.is_empty())?;
-    Some(Blame { reason: "in this configuration joints tie the same", at: words(&found) })
+    blame("in this configuration joints tie the same", &found, OF_DEPENDENCES)
+}
+
+/// A last state that is unstable.
+fn buckling(assembly: &Assembly, from: &State, error: &SolveError) -> Option<Blame> {
+    if error.failure == Failure::Inverted || !is_held(assembly) {
+        return None;
+    }
+    let found = instability(assembly, from)?;
+    let directions = if found.count == 1 { "1 direction" } else { &format!("{} directions", found.count) };
+    let reason = format!("the last shape is unstable in {directions}, it buckles or snaps through");
+    Some(Blame { reason, at: Place::Equation(found.at), advice: OF_BUCKLING })
 }
 
 fn words(equations: &[Redundant]) -> String {

@@ -4,8 +4,10 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::pace::{MOST, Pace, PaceMemory};
+use super::watch::Watch;
 use super::{Simulation, Summary};
 use crate::rows::{Past, Rows};
+use crate::system::EquationsOfMotion;
 
 /// All on which the rest of a motion depends: a run goes on from it to the last bit as if it had never stopped
 /// ([`Simulation::resume`]).
@@ -24,6 +26,7 @@ pub struct Checkpoint {
     time: f64,
     counts: Counts,
     rows: Past,
+    watch: Watch,
     pace: PaceMemory,
 }
 
@@ -74,10 +77,11 @@ impl Checkpoint {
         self.time
     }
 
-    pub(super) fn new(model: u64, summary: &Summary, rows: &Rows, pace: &Pace<'_>) -> Self {
+    pub(super) fn new(model: u64, summary: &Summary, watch: &Watch, rows: &Rows, pace: &Pace<'_>) -> Self {
         let pace = pace.memory();
         let time = pace.time() * summary.scales.time;
-        Self { version: VERSION, model, time, counts: Counts::of(summary), rows: rows.past().clone(), pace }
+        let (rows, watch) = (rows.past().clone(), watch.clone());
+        Self { version: VERSION, model, time, counts: Counts::of(summary), rows, watch, pace }
     }
 
     /// Refuses what is not of a simulation, but for its numbers.
@@ -90,14 +94,16 @@ impl Checkpoint {
         }
         let Counts { steps, divided_steps, rejected_steps, floor_steps, iterations, .. } = self.counts;
         let counts = [steps, divided_steps, rejected_steps, floor_steps, iterations];
+        let coordinates = simulation.assembly.system.coordinates();
         let is_time = self.time == self.pace.time() * simulation.scales().time;
-        if is_time && counts.iter().all(|count| *count <= MOST) { Ok(()) } else { Err(Mismatch::Damaged) }
+        if is_time && self.watch.fits(coordinates) && counts.iter().all(|count| *count <= MOST) { Ok(()) } else { Err(Mismatch::Damaged) }
     }
 
     /// Puts a run that has begun where this one was.
     pub(super) fn restore(
         &self,
         summary: &mut Summary,
+        watch: &mut Watch,
         rows: &mut Rows,
         pace: &mut Pace<'_>,
     ) -> Result<(), Mismatch> {
@@ -105,6 +111,7 @@ impl Checkpoint {
             return Err(Mismatch::Damaged);
         }
         self.counts.put(summary);
+        watch.clone_from(&self.watch);
         summary.time = self.pace.time();
         Ok(())
     }

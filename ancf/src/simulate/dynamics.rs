@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::blame::blame;
 use super::checkpoint::fingerprint;
 use super::pace::Pace;
+use super::watch::Watch;
 use super::{Checkpoint, Ended, Error, Mismatch, Reason, Run, Simulation, Summary};
 use crate::analysis::{SolveError, StepReport};
 use crate::model::Dynamics;
@@ -29,9 +30,9 @@ impl<'a> Motion<'a> {
         Ok(Self { simulation, rows, pace, fingerprint: OnceCell::new() })
     }
 
-    fn checkpoint(&self, summary: &Summary) -> Checkpoint {
+    fn checkpoint(&self, summary: &Summary, watch: &Watch) -> Checkpoint {
         let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
-        Checkpoint::new(model, summary, &self.rows, &self.pace)
+        Checkpoint::new(model, summary, watch, &self.rows, &self.pace)
     }
 }
 
@@ -63,7 +64,7 @@ impl<'a> Run<'a> {
         from.check(simulation)?;
         let motion = Motion::new(simulation, settings, rows(simulation));
         let mut motion = motion.map_err(|_| Mismatch::Damaged)?;
-        from.restore(&mut self.summary, &mut motion.rows, &mut motion.pace)?;
+        from.restore(&mut self.summary, &mut self.watch, &mut motion.rows, &mut motion.pace)?;
         Ok(motion)
     }
 
@@ -76,8 +77,8 @@ impl<'a> Run<'a> {
     fn follow(&mut self, mut motion: Motion<'a>) -> Ended {
         let ended = self.steps(&mut motion)?;
         if !matches!(ended, Ok(ControlFlow::Continue(()))) {
-            let Self { observer, summary, .. } = self;
-            observer.last_checkpoint(&|| motion.checkpoint(summary))?;
+            let Self { observer, summary, watch, .. } = self;
+            observer.last_checkpoint(&|| motion.checkpoint(summary, watch))?;
         }
         Ok(ended)
     }
@@ -85,11 +86,15 @@ impl<'a> Run<'a> {
     fn steps(&mut self, motion: &mut Motion<'a>) -> Ended {
         loop {
             let flow = match motion.pace.due() {
-                Some(report) => self.record(motion, &report)?,
+                Some(report) => {
+                    let flow = self.record(motion, &report)?;
+                    self.look(motion.pace.dynamics().state());
+                    flow
+                }
                 None => ControlFlow::Continue(()),
             };
-            let Self { observer, summary, .. } = self;
-            observer.checkpoint(&|| motion.checkpoint(summary))?;
+            let Self { observer, summary, watch, .. } = self;
+            observer.checkpoint(&|| motion.checkpoint(summary, watch))?;
             let pace = &mut motion.pace;
             if flow.is_break() {
                 // A sink that breaks on the last instant has stopped nothing.

@@ -17,10 +17,12 @@ pub enum Outcome {
     Failed {
         /// Time that was to be reached; in statics, the load factor.
         time: f64,
-        /// Why, and what may help.
+        /// Why.
         reason: String,
-        /// What the worst equation belongs to.
+        /// Where: the node and the arc length on a body, the joint, or the key of the model to which it belongs.
         at: String,
+        /// What to try.
+        advice: String,
     },
 }
 
@@ -30,16 +32,16 @@ impl Outcome {
         matches!(self, Self::Finished)
     }
 
-    /// Where, why and at what an analysis failed, in a sentence, if it did.
+    /// When, why and where an analysis failed, and what to try, in a sentence, if it did.
     pub fn failure(&self, analysis: &Analysis) -> Option<String> {
-        let Self::Failed { time, reason, at } = self else { return None };
+        let Self::Failed { time, reason, at, advice } = self else { return None };
         let place = match analysis {
-            Analysis::Dynamics(_) => format!(" at t = {time}"),
+            Analysis::Dynamics(_) => format!(" at t = {}", short(*time)),
             // Modes and critical loads are about one state, which may not be reached.
             Analysis::Modes(_) | Analysis::Buckling(_) if *time == 0.0 => String::new(),
             _ => format!(" at load factor {}", short(*time)),
         };
-        Some(format!("failed{place}: {reason}; at: {at}"))
+        Some(format!("failed{place}: {reason}; at: {at}; try: {advice}"))
     }
 }
 
@@ -77,6 +79,8 @@ pub struct Summary {
     pub scales_reason: String,
     /// Joint equations that follow from others, in words.
     pub redundant: Vec<String>,
+    /// What its user should know besides: shapes that lost their stability on the way.
+    pub warnings: Vec<String>,
 }
 
 impl Summary {
@@ -95,6 +99,7 @@ impl Summary {
             scales: chosen.scales,
             scales_reason: chosen.reason,
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
+            warnings: Vec::new(),
         }
     }
 

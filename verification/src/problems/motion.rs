@@ -103,5 +103,8 @@ pub(super) fn advance(
 }
 
 fn failed(assembly: &Assembly, error: &SolveError) -> Error {
-    Error::Failed { reason: error.to_string(), at: assembly.name_of(error.worst) }
+    Error::Failed {
+        reason: error.to_string(),
+        at: error.worst.map_or_else(|| "the whole system".to_owned(), |worst| assembly.name_of(worst)),
+    }
 }

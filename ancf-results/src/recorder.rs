@@ -200,7 +200,8 @@ impl Recorder {
     fn save(&mut self, checkpoint: &Checkpoint) -> io::Result<()> {
         (self.checked, self.steps) = (Instant::now(), 0);
         self.flush()?;
-        let Some(files) = &self.files else { return Ok(()) };
+        let Some(files) = &mut self.files else { return Ok(()) };
+        [&mut files.results, &mut files.states].into_iter().flatten().try_for_each(Table::sync)?;
         let rows = |table: &Option<Table>| table.as_ref().map_or(0, Table::rows);
         let path = self.folder.csv();
         let csv = if files.csv.is_some() { synced(&path).map_err(|error| about(&error, &path))? } else { 0 };

@@ -99,7 +99,7 @@ impl Table {
     pub(crate) fn push(&mut self, row: &[&[f64]]) -> io::Result<()> {
         row.iter().for_each(|piece| self.open.extend_from_slice(piece));
         if self.open_rows() == self.most {
-            self.flush()?;
+            self.sync()?;
             self.full += 1;
             self.open.clear();
             self.flushed = 0;
@@ -107,7 +107,17 @@ impl Table {
         Ok(())
     }
 
-    /// Puts all rows on the disk.
+    /// Puts all rows on the disk, where they outlast a failure of power.
+    pub(crate) fn sync(&mut self) -> io::Result<()> {
+        self.flush()?;
+        let path = part(&self.path, self.full);
+        if self.flushed == 0 {
+            return Ok(());
+        }
+        File::open(&path).and_then(|file| file.sync_all()).map_err(|error| about(&error, &path))
+    }
+
+    /// Puts all rows into files, which outlast the process.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         if self.open_rows() == self.flushed {
             return Ok(());
@@ -142,7 +152,7 @@ impl Table {
         }
         group.close()?;
         writer.close()?;
-        file.sync_all()
+        Ok(())
     }
 
     /// Makes one file of the parts.

@@ -96,7 +96,11 @@ impl Checkpoint {
         let counts = [steps, divided_steps, rejected_steps, floor_steps, iterations];
         let coordinates = simulation.assembly.system.coordinates();
         let is_time = self.time == self.pace.time() * simulation.scales().time;
-        if is_time && self.watch.fits(coordinates) && counts.iter().all(|count| *count <= MOST) { Ok(()) } else { Err(Mismatch::Damaged) }
+        if is_time && self.watch.fits(coordinates) && counts.iter().all(|count| *count <= MOST) {
+            Ok(())
+        } else {
+            Err(Mismatch::Damaged)
+        }
     }
 
     /// Puts a run that has begun where this one was.

@@ -1,0 +1,24 @@
+//! Any bytes as a file of the folder of a run: read, and resumed from.
+#![no_main]
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+#[path = "../../ancf-results/tests/common/anything.rs"]
+mod anything;
+
+/// The folder of a run and one for each input, in memory where there is one: each input writes to the disk several times.
+static FOLDERS: LazyLock<(PathBuf, PathBuf)> = LazyLock::new(|| {
+    let memory = Path::new("/dev/shm");
+    let own = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };
+    let own = own.join(format!("ancf-fuzz-{}", std::process::id()));
+    let folders = ["run", "input"].map(|name| own.join(name));
+    folders.iter().for_each(|folder| std::fs::create_dir_all(folder).expect("a folder"));
+    anything::stopped(&folders[0]);
+    folders.into()
+});
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
+    let (run, folder) = &*FOLDERS;
+    anything::results(run, folder, bytes);
+});

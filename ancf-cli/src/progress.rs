@@ -1,6 +1,6 @@
-//! What the user sees while a run goes on, and Ctrl-C.
+//! What the user sees while a run goes on, and what stops it.
 
-use std::io::{self, Write};
+use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,17 +10,6 @@ use ancf::analysis::Interrupt;
 use ancf::record::Sink;
 use anyhow::{Context, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-/// Writes a line to standard error.
-pub fn say(line: &str) {
-    // Nothing is left to be done if standard error is closed.
-    let _ = writeln!(io::stderr(), "{line}");
-}
-
-/// Prints what was asked for to standard output; a closed pipe is no error.
-pub fn print(text: &str) {
-    let _ = io::stdout().write_all(text.as_bytes());
-}
 
 /// A bar with the time reached and the Newton iterations of the last step.
 pub struct Progress {
@@ -89,7 +78,7 @@ impl Sink for Progress {
     }
 }
 
-/// Listens to Ctrl-C from now on.
+/// Listens from now on to Ctrl-C, and to SIGTERM and SIGHUP where there are such.
 pub fn ctrl_c() -> Result<Interrupt> {
     let stop = Arc::new(AtomicBool::new(false));
     let heard = Arc::clone(&stop);

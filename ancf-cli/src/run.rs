@@ -1,5 +1,6 @@
 //! `ancf run` and `ancf resume`: a model into a folder.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::ops::ControlFlow;
@@ -12,14 +13,16 @@ use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
 use ancf_results::{Every, Folder, OpenError, Recorder, Results};
 use anyhow::{Context, Result};
 use clap::Args;
+use serde::Serialize;
 use serde_json::Value;
 
-use crate::command::{Ended, refuse};
+use crate::command::{Ended, refuse, reject};
 use crate::conclusion::Conclusion;
-use crate::progress::{Progress, ctrl_c, print, say};
+use crate::progress::{Progress, ctrl_c};
+use crate::speech::{self, answer, complain, print, say};
 
 /// What `ancf run` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Arguments {
     /// The model file (TOML).
     file: PathBuf,
@@ -29,22 +32,22 @@ pub struct Arguments {
     /// How often to write a checkpoint, from which `ancf resume` goes on: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
     checkpoint: Every,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What `ancf resume` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Resumption {
     /// The folder of a run that was stopped, failed or killed.
     folder: PathBuf,
     /// How often to write a checkpoint: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
     checkpoint: Every,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `1000` steps, or `10min`.
@@ -64,7 +67,10 @@ Examples:
   ancf run models/elastica.toml -o out            an equilibrium
   ancf run models/lees_frame.toml -o out          a path through snap-through and snap-back
   ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
-  ancf run models/column.toml -o out              critical loads, also printed";
+  ancf run models/column.toml -o out              critical loads, also printed
+  ancf run models/bow.toml -o out --json          how it ended, for scripts
+
+Ctrl-C or SIGTERM ends it cleanly, with exit code 130; `ancf resume` goes on.";
 
 impl Arguments {
     /// Runs the model.
@@ -82,7 +88,7 @@ impl Arguments {
         let recorder = Recorder::new(Folder::new(&self.output), &text, &model, &simulation);
         let recorder = recorder.with_checkpoints(self.checkpoint);
         let name = self.file.display().to_string();
-        record(&model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+        record(&model, &name, recorder, |followers| Ok(simulation.run(followers)?))
     }
 }
 
@@ -100,15 +106,14 @@ impl Resumption {
         let results = match Results::open(&self.folder) {
             Ok(results) => results,
             Err(OpenError::Model { path, errors }) => return Ok(refuse(&errors, &path)),
-            Err(error @ OpenError::NoRun(_)) => {
-                say(&format!("error: {error}"));
-                return Ok(Ended::BadInput);
-            }
+            Err(error @ OpenError::NoRun(_)) => return Ok(reject(&error.to_string())),
             Err(error) => return Err(error.into()),
         };
         let name = results.folder().model().display().to_string();
-        let is_finished = |summary: Value| summary["outcome"]["kind"] == "finished";
-        if results.summary()?.is_some_and(is_finished) {
+        let is_finished = |summary: &Value| summary["outcome"]["kind"] == "finished";
+        if let Some(mut summary) = results.summary()?.filter(is_finished) {
+            summary["folder"] = self.folder.display().to_string().into();
+            answer(&summary);
             say(&format!("{} is finished: there is nothing to do", self.folder.display()));
             return Ok(Ended::Done);
         }
@@ -118,13 +123,13 @@ impl Resumption {
             Some((recorder, from)) => {
                 say(&format!("going on from t = {}", from.time()));
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, self.quiet, |followers| simulation.resume(&from, followers))
+                record(model, &name, recorder, |followers| simulation.resume(&from, followers))
             }
             None => {
                 say("there is no checkpoint: beginning anew");
                 let recorder = Recorder::new(folder, text, model, &simulation);
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+                record(model, &name, recorder, |followers| Ok(simulation.run(followers)?))
             }
         }
     }
@@ -135,30 +140,61 @@ fn record(
     model: &Model,
     name: &str,
     recorder: Recorder,
-    quiet: bool,
     run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
 ) -> Result<Ended> {
     let clock = Instant::now();
     let progress = match model.analysis.dynamics() {
-        Some(settings) if !quiet => Progress::until(settings.duration),
+        Some(settings) if !speech::is_quiet() => Progress::until(settings.duration),
         _ => Progress::hidden(),
     };
-    let mut followers = Followers { recorder, conclusion: Conclusion::of(&model.analysis), progress };
+    let conclusion = Conclusion::of(&model.analysis);
+    let mut followers = Followers { recorder, conclusion, progress, is_begun: false };
     let summary = run(&mut followers);
-    let Followers { recorder, conclusion, .. } = followers;
+    let Followers { recorder, conclusion, is_begun, .. } = followers;
     let folder = recorder.folder().path().display().to_string();
-    let summary =
-        summary.with_context(|| format!("results could not be written; those so far are in {folder}"))?;
+    let summary = summary.map_err(|error| unwritten(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
     recorder.conclude(&summary, name, seconds)?;
     summary.redundant.iter().for_each(|one| say(&format!("warning: redundant: {one}")));
     print(&conclusion.table());
-    say(&conclusion.sentence(&summary, seconds, &folder));
+    let (sentence, columns) = (conclusion.sentence(&summary, seconds, &folder), conclusion.columns());
+    answer(&Answer { folder, model: name, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
-        Outcome::Finished => Ended::Done,
-        Outcome::Stopped => Ended::Stopped,
-        Outcome::Failed { .. } => Ended::Failed,
+        Outcome::Finished => {
+            say(&sentence);
+            Ended::Done
+        }
+        Outcome::Stopped => {
+            say(&sentence);
+            Ended::Stopped
+        }
+        Outcome::Failed { .. } => {
+            complain(&sentence);
+            Ended::Failed
+        }
     })
+}
+
+/// Why there are no results, or not all: those so far are in the folder, if there are any.
+fn unwritten(error: ancf::Error, folder: Option<&String>) -> anyhow::Error {
+    let error = anyhow::Error::from(error);
+    match folder {
+        Some(folder) => error.context(format!("the run broke off, with its results so far in {folder}")),
+        None => error,
+    }
+}
+
+/// The answer to those who want JSON: `summary.json`, with what was printed.
+#[derive(Serialize)]
+struct Answer<'a> {
+    folder: String,
+    model: &'a str,
+    wall_seconds: f64,
+    #[serde(flatten)]
+    summary: &'a Summary,
+    /// Of modes and critical loads.
+    #[serde(flatten)]
+    columns: BTreeMap<&'static str, Vec<f64>>,
 }
 
 /// All who follow a run.
@@ -166,13 +202,17 @@ struct Followers<'a> {
     recorder: Recorder,
     conclusion: Conclusion<'a>,
     progress: Progress,
+    /// Whether there are files.
+    is_begun: bool,
 }
 
 impl Observer for Followers<'_> {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         Sink::begin(&mut self.conclusion, columns)?;
         Sink::begin(&mut self.progress, columns)?;
-        self.recorder.begin(columns)
+        self.recorder.begin(columns)?;
+        self.is_begun = true;
+        Ok(())
     }
 
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {

@@ -23,7 +23,8 @@ use clap::Args;
 use toml::Value;
 
 use crate::command::{Ended, refuse};
-use crate::progress::{self, ctrl_c, print, say};
+use crate::progress::{self, ctrl_c};
+use crate::speech::{self, answer, complain, print, say};
 use design::Design;
 use results::Results;
 use row::Row;
@@ -31,7 +32,7 @@ use statement::Study;
 use table::Table;
 
 /// What `ancf study` is asked.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Arguments {
     /// The study file (TOML).
     file: PathBuf,
@@ -47,9 +48,9 @@ pub struct Arguments {
     /// Run part K of N only, K from 1, and write cases-K-of-N.parquet.
     #[arg(long, value_name = "K/N")]
     index: Option<Part>,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 pub const EXAMPLES: &str = "\
@@ -134,7 +135,7 @@ impl Arguments {
         let keys = cases.iter().map(|&case| (case, design.key(base, objectives, case)));
         let mut results = Results::new(table, self.output.join(file), keys.collect());
         results.take_over(table::rows_in(&self.output, objectives)?, self.retry);
-        let bar = if self.quiet { progress::no_bar() } else { progress::cases(cases.len() as u64) };
+        let bar = if speech::is_quiet() { progress::no_bar() } else { progress::cases(cases.len() as u64) };
         let todo = results.missing();
         // Not before: what comes until here asks nobody whether it is to end.
         let interrupt = ctrl_c()?;
@@ -150,8 +151,10 @@ impl Arguments {
         results.write()?;
         bar.finish_and_clear();
         print(&summary::ranges(&results));
-        summary::failures(&results).iter().for_each(|line| say(line));
-        say(&summary::sentence(&results, clock.elapsed().as_secs_f64()));
+        summary::failures(&results).iter().for_each(|line| complain(line));
+        let seconds = clock.elapsed().as_secs_f64();
+        say(&summary::sentence(&results, seconds));
+        answer(&summary::answer(&results, seconds));
         Ok(results.ended())
     }
 

@@ -10,12 +10,10 @@ use clap::ValueEnum;
 /// Where there are colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Colour {
-    /// On terminals.
+    // Words alone: their help would take half of each page.
     #[default]
     Auto,
-    /// Everywhere.
     Always,
-    /// Nowhere.
     Never,
 }
 

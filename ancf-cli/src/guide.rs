@@ -51,7 +51,6 @@ impl Completions {
 impl Man {
     /// Writes or prints the pages.
     pub fn run(&self) -> Result<Ended> {
-        // Help shows where examples go; in a page they keep their lines.
         let program = crate::Arguments::command();
         let Some(folder) = &self.folder else {
             let mut page = Vec::new();

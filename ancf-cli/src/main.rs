@@ -37,7 +37,7 @@ struct Arguments {
     /// Say nothing on standard error but what went wrong.
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Where there are colours.
+    /// Colours: on terminals, everywhere or nowhere.
     #[arg(long, global = true, value_name = "WHERE", default_value = "auto")]
     color: Colour,
 }
@@ -50,8 +50,8 @@ A first tour:
   ancf plot out tip.y             a column of it, in the terminal
   ancf COMMAND --help             more of each, with examples
 
-Exit codes: 0 done, 1 the analysis or a verification failed, or results could not be written, 2 bad input, 130 stopped by
-Ctrl-C or SIGTERM.";
+Exit codes: 0 done, 1 the analysis or a verification failed or results could not be written,
+2 bad input, 130 stopped by Ctrl-C or SIGTERM.";
 
 fn main() -> ExitCode {
     let colours = Colour::asked(env::args_os()).establish();
@@ -88,8 +88,8 @@ fn misunderstood(error: &clap::Error) -> Ended {
                 json: env::args_os().any(|argument| argument == "--json"),
             });
             let text = error.render().to_string();
-            let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
-            speech::answer(&Faults::other(line));
+            let first = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect::<Vec<_>>();
+            speech::answer(&Faults::other(first.join(" ").trim_start_matches("error: ")));
             Ended::BadInput
         }
     }

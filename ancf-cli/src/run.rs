@@ -75,6 +75,12 @@ Ctrl-C or SIGTERM ends it cleanly, with exit code 130; `ancf resume` goes on.";
 impl Arguments {
     /// Runs the model.
     pub fn run(&self) -> Result<Ended> {
+        if self.output.exists() && !self.output.is_dir() {
+            return Ok(reject(&format!(
+                "{} is a file, wanted a folder for the results",
+                self.output.display()
+            )));
+        }
         let model = match Model::read(&self.file) {
             Ok(model) => model,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
@@ -98,7 +104,8 @@ Examples:
   ancf run models/bow.toml -o out --checkpoint 1000
   ancf resume out                                 goes on after Ctrl-C, kill -9 or a full disk
 
-Results are to the last bit those of a run that was never stopped. Analyses other than motions are run anew.";
+Results are to the last bit those of a run that was never stopped. Analyses other than motions are
+run anew.";
 
 impl Resumption {
     /// Goes on with the run in a folder.

@@ -70,7 +70,8 @@ Examples:
   ancf plot out kinetic strain --from 0.5 --to 1
   ancf plot out tip.y -o tip.png                a figure; also .svg
 
-Curves break where a value is not a number. Exit code 2 for a folder without a run, or a column that it has not.";
+Curves break where a value is not a number. Without colours several curves are drawn in signs.
+Exit code 2 for a folder without a run, or a column that it has not.";
 
 impl Arguments {
     /// Plots, or lists the columns.

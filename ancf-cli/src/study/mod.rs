@@ -58,13 +58,14 @@ Examples:
   ancf study models/studies/convergence.toml -o out     on all cores
   ancf study models/studies/young.toml -o out -j 1      one case at a time
 
-Cases that are in DIR/cases*.parquet already are not run again. A job array shares a study out; the last line puts it together:
+Cases that are in DIR/cases*.parquet already are not run again. A job array shares a study out;
+the last line puts it together:
   #SBATCH --array=1-10
   ancf study study.toml -o out --index $SLURM_ARRAY_TASK_ID/10
   ancf study study.toml -o out
 
-Exit code 0 if all cases finished, 1 if some failed or were invalid (they are rows with a message), 2 bad input, 130 stopped by
-Ctrl-C, with all cases kept that had finished.";
+Exit code 0 if all cases finished, 1 if some failed or were invalid (they are rows with a message),
+2 bad input, 130 stopped by Ctrl-C or SIGTERM, with all cases kept that had finished.";
 
 /// Part k of n, k from 1: every n-th case.
 #[derive(Clone, Copy, Debug)]

@@ -51,7 +51,7 @@ impl Completions {
 impl Man {
     /// Writes or prints the pages.
     pub fn run(&self) -> Result<Ended> {
-        let program = crate::Arguments::command();
+        let program = crate::Arguments::command().disable_help_subcommand(true);
         let Some(folder) = &self.folder else {
             let mut page = Vec::new();
             Page::new(program).render(&mut page)?;

@@ -9,10 +9,12 @@ mod figure;
 mod guide;
 mod new;
 mod paper;
+mod past;
 mod plot;
 mod progress;
 mod report;
 mod run;
+mod signal;
 mod speech;
 mod study;
 mod verify;
@@ -51,7 +53,7 @@ A first tour:
   ancf COMMAND --help             more of each, with examples
 
 Exit codes: 0 done, 1 the analysis or a verification failed or results could not be written,
-2 bad input, 130 stopped by Ctrl-C or SIGTERM.";
+2 bad input, 130 stopped by Ctrl-C, 143 stopped by SIGTERM.";
 
 fn main() -> ExitCode {
     let colours = Colour::asked(env::args_os()).establish();
@@ -68,7 +70,8 @@ fn main() -> ExitCode {
         Ok(Ended::Done) => ExitCode::SUCCESS,
         Ok(Ended::Failed) => ExitCode::from(1),
         Ok(Ended::BadInput) => ExitCode::from(2),
-        Ok(Ended::Stopped) => ExitCode::from(130),
+        // By the number of the signal, as shells have it.
+        Ok(Ended::Stopped) => ExitCode::from(if signal::is_terminated() { 143 } else { 130 }),
         Err(error) => {
             speech::complain(&format!("error: {error:#}"));
             speech::answer(&Faults::other(format!("{error:#}")));

@@ -1,14 +1,10 @@
-//! What the user sees while a run goes on, and what stops it.
+//! What the user sees while a run goes on.
 
 use std::io;
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use ancf::analysis::Interrupt;
 use ancf::record::Sink;
-use anyhow::{Context, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar with the time reached and the Newton iterations of the last step.
@@ -76,12 +72,4 @@ impl Sink for Progress {
         self.bar.finish_and_clear();
         Ok(())
     }
-}
-
-/// Listens from now on to Ctrl-C, and to SIGTERM and SIGHUP where there are such.
-pub fn ctrl_c() -> Result<Interrupt> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let heard = Arc::clone(&stop);
-    ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed)).context("cannot listen to Ctrl-C")?;
-    Ok(Interrupt::new(move || stop.load(Ordering::Relaxed)))
 }

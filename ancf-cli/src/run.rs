@@ -10,7 +10,7 @@ use std::time::Instant;
 use ancf::record::Sink;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
-use ancf_results::{Every, Folder, OpenError, Recorder, Results};
+use ancf_results::{Every, Folder, Recorder};
 use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;
@@ -18,7 +18,9 @@ use serde_json::Value;
 
 use crate::command::{Ended, refuse, reject};
 use crate::conclusion::Conclusion;
-use crate::progress::{Progress, ctrl_c};
+use crate::past;
+use crate::progress::Progress;
+use crate::signal::interrupt;
 use crate::speech::{self, answer, complain, print, say};
 
 /// What `ancf run` is given.
@@ -70,7 +72,7 @@ Examples:
   ancf run models/column.toml -o out              critical loads, also printed
   ancf run models/bow.toml -o out --json          how it ended, for scripts
 
-Ctrl-C or SIGTERM ends it cleanly, with exit code 130; `ancf resume` goes on.";
+Ctrl-C or SIGTERM ends it cleanly, with exit code 130 or 143; `ancf resume` goes on.";
 
 impl Arguments {
     /// Runs the model.
@@ -88,7 +90,7 @@ impl Arguments {
         let text = fs::read_to_string(&self.file)
             .with_context(|| format!("{} cannot be read", self.file.display()))?;
         let simulation = match Simulation::new(&model) {
-            Ok(simulation) => simulation.heeding(ctrl_c()?),
+            Ok(simulation) => simulation.heeding(interrupt()?),
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
         let recorder = Recorder::new(Folder::new(&self.output), &text, &model, &simulation);
@@ -110,11 +112,9 @@ run anew.";
 impl Resumption {
     /// Goes on with the run in a folder.
     pub fn run(&self) -> Result<Ended> {
-        let results = match Results::open(&self.folder) {
+        let results = match past::open(&self.folder)? {
             Ok(results) => results,
-            Err(OpenError::Model { path, errors }) => return Ok(refuse(&errors, &path)),
-            Err(error @ OpenError::NoRun(_)) => return Ok(reject(&error.to_string())),
-            Err(error) => return Err(error.into()),
+            Err(ended) => return Ok(ended),
         };
         let name = results.folder().model().display().to_string();
         let is_finished = |summary: &Value| summary["outcome"]["kind"] == "finished";
@@ -125,7 +125,7 @@ impl Resumption {
             return Ok(Ended::Done);
         }
         let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
-        let simulation = Simulation::new(model)?.heeding(ctrl_c()?);
+        let simulation = Simulation::new(model)?.heeding(interrupt()?);
         match Recorder::resume(folder.clone(), text, model, &simulation)? {
             Some((recorder, from)) => {
                 say(&format!("going on from t = {}", from.time()));

@@ -123,12 +123,29 @@ fn killed_runs_go_on_to_the_last_bit() {
 
 #[test]
 fn stopped_runs_go_on_to_the_last_bit() {
-    for signal in ["INT", "TERM"] {
+    for (signal, code) in [("INT", 130), ("TERM", 143)] {
         let bench = Bench::new(60.0);
         let codes = in_pieces(&bench, signal);
-        assert!(codes.len() > 1 && codes[0] == Some(130), "SIG{signal} stopped it at least once: {codes:?}");
+        assert!(codes.len() > 1 && codes[0] == Some(code), "SIG{signal} stopped it at least once: {codes:?}");
         bench.assert_equal_files();
     }
+}
+
+/// `nohup` is heeded: what outlives its terminal goes on.
+#[test]
+fn a_hang_up_that_is_ignored_stops_nothing() {
+    let bench = Bench::new(1000.0);
+    let script = "trap '' HUP; exec \"$@\"";
+    let run = bench.run("out");
+    let arguments: Vec<_> = run.get_args().collect();
+    let mut program =
+        Command::new("sh").args(["-c", script, "sh"]).arg(run.get_program()).args(arguments).spawn().unwrap();
+    bench.until_checkpoint("out", &mut program);
+    Bench::signal(&program, "HUP");
+    bench.until_checkpoint("out", &mut program);
+    assert!(program.try_wait().unwrap().is_none(), "it goes on");
+    program.kill().unwrap();
+    program.wait().unwrap();
 }
 
 /// A stopped run says so everywhere; a finished one has nothing to resume.
@@ -139,7 +156,7 @@ fn the_end_is_told() {
     bench.until_checkpoint("out", &mut program);
     Bench::signal(&program, "TERM");
     let ended = program.wait_with_output().unwrap();
-    assert_eq!(ended.status.code(), Some(130));
+    assert_eq!(ended.status.code(), Some(143));
     assert!(stderr(&ended).starts_with("stopped: "), "{}", stderr(&ended));
     assert_eq!(bench.outcome("out"), "stopped");
     let short = Bench::new(0.1);

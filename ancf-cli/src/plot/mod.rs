@@ -21,13 +21,13 @@ use std::env;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
-use ancf_results::{OpenError, Results};
 use anyhow::Result;
 use clap::Args;
 use terminal_size::{Width, terminal_size};
 
 use crate::colour;
-use crate::command::{Ended, refuse, reject};
+use crate::command::{Ended, reject};
+use crate::past;
 use crate::speech::{answer, deliver, print, say};
 use chart::Look;
 use listing::Listing;
@@ -76,11 +76,9 @@ Exit code 2 for a folder without a run, or a column that it has not.";
 impl Arguments {
     /// Plots, or lists the columns.
     pub fn run(&self) -> Result<Ended> {
-        let results = match Results::open(&self.folder) {
+        let results = match past::open(&self.folder)? {
             Ok(results) => results,
-            Err(OpenError::Model { path, errors }) => return Ok(refuse(&errors, &path)),
-            Err(error @ OpenError::NoRun(_)) => return Ok(reject(&error.to_string())),
-            Err(error) => return Err(error.into()),
+            Err(ended) => return Ok(ended),
         };
         let series = results.columns()?;
         if self.columns.is_empty() && self.output.is_none() && self.against.is_none() {

@@ -23,7 +23,8 @@ use clap::Args;
 use toml::Value;
 
 use crate::command::{Ended, refuse};
-use crate::progress::{self, ctrl_c};
+use crate::progress;
+use crate::signal::interrupt;
 use crate::speech::{self, answer, complain, print, say};
 use design::Design;
 use results::Results;
@@ -65,7 +66,7 @@ the last line puts it together:
   ancf study study.toml -o out
 
 Exit code 0 if all cases finished, 1 if some failed or were invalid (they are rows with a message),
-2 bad input, 130 stopped by Ctrl-C or SIGTERM, with all cases kept that had finished.";
+2 bad input, 130 or 143 stopped by Ctrl-C or SIGTERM, with all cases kept that had finished.";
 
 /// Part k of n, k from 1: every n-th case.
 #[derive(Clone, Copy, Debug)]
@@ -139,7 +140,7 @@ impl Arguments {
         let bar = if speech::is_quiet() { progress::no_bar() } else { progress::cases(cases.len() as u64) };
         let todo = results.missing();
         // Not before: what comes until here asks nobody whether it is to end.
-        let interrupt = ctrl_c()?;
+        let interrupt = interrupt()?;
         let work = |case| Row::of(case, &design, base, objectives, &interrupt);
         workers::run(&todo, self.jobs(), &interrupt, work, |row| {
             if let Some((case, row)) = row {

@@ -6,12 +6,15 @@ fn has_colours(text: &str) -> bool {
     text.contains("\u{1b}[")
 }
 
+/// Options, a variable, and whether there are colours.
+type Wish<'a> = (&'a [&'a str], Option<(&'a str, &'a str)>, bool);
+
 /// Into files and pipes there are none unless they are forced; `NO_COLOR` and `--color` have their say.
 #[test]
 fn colours_are_where_they_are_wanted() {
     let bench = Bench::with_run("statics");
     bench.write("bad.toml", "gravity = 3\n");
-    let cases: [(&[&str], Option<(&str, &str)>, bool); 8] = [
+    let cases: [Wish<'_>; 8] = [
         (&[], None, false),
         (&["--color", "always"], None, true),
         (&["--color=never"], Some(("FORCE_COLOR", "1")), false),
@@ -45,13 +48,13 @@ fn what_cannot_be_done_is_one_clear_line() {
         (&["run", "no.toml", "-o", "x"], 2, "no.toml: found no such file, wanted a model file\n"),
         (&["run", "out", "-o", "x"], 2, "out: found a directory, wanted a model file\n"),
         (
-            &["run", "wire.toml", "-o", "wire.toml"],
+            &["run", "model.toml", "-o", "model.toml"],
             2,
-            "error: wire.toml is a file, wanted a folder for the results\n",
+            "error: model.toml is a file, wanted a folder for the results\n",
         ),
         (&["check", "no.toml"], 2, "no.toml: found no such file, wanted a model file\n"),
         (&["resume", "nowhere"], 2, "error: nowhere holds no run: there is no model.toml\n"),
-        (&["resume", "."], 2, "error: . holds no run: there is no model.toml\n"),
+        (&["resume", "."], 2, "error: . holds no run: there is a model.toml and no results\n"),
         (&["resume", "out"], 0, "out is finished: there is nothing to do\n"),
         (
             &["plot", "out", "-o", "tip.svg"],
@@ -59,14 +62,13 @@ fn what_cannot_be_done_is_one_clear_line() {
             "error: which column is to be plotted? `ancf plot DIR` lists them\n",
         ),
     ];
-    // A folder with a file of that name would pass for a run.
-    std::fs::rename(bench.path("model.toml"), bench.path("wire.toml")).unwrap();
     for (arguments, code, line) in cases {
         let ended = bench.ancf(arguments);
         assert_eq!((ended.code, ended.said.as_str()), (Some(code), line), "{arguments:?}");
         assert_eq!(ended.printed, "", "{arguments:?}");
     }
     assert!(!bench.path("x").exists(), "bad input leaves no folder");
+    assert!(bench.read("model.toml").starts_with("# "), "a model alone is no run to go on with");
 }
 
 /// A folder that cannot be made, for everybody, root too.

@@ -70,7 +70,7 @@ fn figures_are_written() {
     let texts: Vec<String> = tree
         .descendants()
         .filter(|node| node.has_tag_name("text"))
-        .map(|node| node.descendants().filter_map(|node| node.text()).collect())
+        .map(|node| node.text().unwrap_or_default().to_owned())
         .collect();
     for wanted in ["t (s)", "tip.x", "tip.y", "tip.z", "m", "kinetic (N m)"] {
         assert!(texts.iter().any(|text| text == wanted), "{wanted} is not in {texts:?}");
@@ -91,10 +91,10 @@ fn what_is_not_there_is_told() {
     assert_eq!(unknown.said, "error: there is no column `tpi.y`; did you mean `tip.y`?\n");
     let against = bench.ancf(&["plot", "out", "tip.y", "--against", "laod"]);
     assert_eq!(against.said, "error: there is no column `laod`; did you mean `load`?\n");
-    for folder in ["nowhere", "."] {
+    let cases = [("nowhere", "there is no model.toml"), (".", "there is a model.toml and no results")];
+    for (folder, why) in cases {
         let none = bench.ancf(&["plot", folder, "tip.y"]);
-        assert_eq!(none.code, Some(2));
-        assert_eq!(none.said, format!("error: {folder} holds no run: there is no model.toml\n"));
+        assert_eq!((none.code, none.said), (Some(2), format!("error: {folder} holds no run: {why}\n")));
     }
 }
 

@@ -9,11 +9,14 @@ use miette::{
     ReportHandler,
 };
 
-/// The errors of the model file `file`: in its text, if stderr is a terminal, else one a line as compilers do.
-///
-/// Colours follow the terminal and the variables `NO_COLOR` and `FORCE_COLOR`.
+use crate::colour;
+
+/// The errors of the model file `file`: in its text, if stderr is a terminal or colours are wanted all the same, else one a
+/// line as compilers do.
 pub fn render(errors: &[ModelError], file: &str, text: &str) -> String {
-    if io::stderr().is_terminal() { snippets(errors, file, text) } else { lines(errors, file) }
+    let is_colourful = colour::on_stderr();
+    let is_shown = is_colourful || io::stderr().is_terminal();
+    if is_shown { snippets(errors, file, text, is_colourful) } else { lines(errors, file) }
 }
 
 /// `file:line:column: path: found this, wanted that (hint)`, one error a line.
@@ -22,8 +25,8 @@ fn lines(errors: &[ModelError], file: &str) -> String {
     errors.iter().map(|error| format!("{file}{}{error}\n", separator(error))).collect()
 }
 
-fn snippets(errors: &[ModelError], file: &str, text: &str) -> String {
-    let handler = MietteHandlerOpts::new().build();
+fn snippets(errors: &[ModelError], file: &str, text: &str, is_colourful: bool) -> String {
+    let handler = MietteHandlerOpts::new().color(is_colourful).build();
     let mut shown = String::new();
     for error in errors {
         let report = report(error, file, text);
@@ -84,7 +87,7 @@ mod tests {
     fn snippets_show_all_there_is_to_say() {
         let text = "gravity = [0, 1]\noutputs = 3";
         let errors = Model::parse(text).expect_err("no model");
-        let shown = snippets(&errors, "a.toml", text);
+        let shown = snippets(&errors, "a.toml", text, false);
         let words: Vec<_> = shown.split_whitespace().collect();
         let shown = words.join(" ");
         for part in [

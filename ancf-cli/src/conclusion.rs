@@ -1,5 +1,6 @@
 //! What a run did, in a sentence and a small table.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
 
@@ -49,6 +50,16 @@ impl<'a> Conclusion<'a> {
         }
         let line = |(k, line): (usize, &String)| format!("{:4}  {line:>14}\n", k + 1);
         heading.to_owned() + &lines.iter().enumerate().map(line).collect::<String>()
+    }
+
+    /// Modes and critical loads, column by column; nothing of another analysis.
+    pub fn columns(&self) -> BTreeMap<&'static str, Vec<f64>> {
+        match self.analysis {
+            Analysis::Modes(_) | Analysis::Buckling(_) => {
+                self.names().iter().enumerate().map(|(k, &name)| (name, self.column(k).collect())).collect()
+            }
+            _ => BTreeMap::new(),
+        }
     }
 
     /// How the run ended and what was done, for the terminal.

@@ -1,26 +1,11 @@
-//! What the user sees while a run goes on, and Ctrl-C.
+//! What the user sees while a run goes on.
 
-use std::io::{self, Write};
+use std::io;
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use ancf::analysis::Interrupt;
 use ancf::record::Sink;
-use anyhow::{Context, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-/// Writes a line to standard error.
-pub fn say(line: &str) {
-    // Nothing is left to be done if standard error is closed.
-    let _ = writeln!(io::stderr(), "{line}");
-}
-
-/// Prints what was asked for to standard output; a closed pipe is no error.
-pub fn print(text: &str) {
-    let _ = io::stdout().write_all(text.as_bytes());
-}
 
 /// A bar with the time reached and the Newton iterations of the last step.
 pub struct Progress {
@@ -87,12 +72,4 @@ impl Sink for Progress {
         self.bar.finish_and_clear();
         Ok(())
     }
-}
-
-/// Listens to Ctrl-C from now on.
-pub fn ctrl_c() -> Result<Interrupt> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let heard = Arc::clone(&stop);
-    ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed)).context("cannot listen to Ctrl-C")?;
-    Ok(Interrupt::new(move || stop.load(Ordering::Relaxed)))
 }

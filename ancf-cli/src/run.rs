@@ -1,5 +1,6 @@
 //! `ancf run` and `ancf resume`: a model into a folder.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::ops::ControlFlow;
@@ -12,14 +13,17 @@ use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
 use ancf_results::{Every, Folder, Recorder};
 use anyhow::{Context, Result};
 use clap::Args;
+use serde::Serialize;
 
-use crate::command::{Ended, refuse};
+use crate::command::{Ended, refuse, reject};
 use crate::conclusion::Conclusion;
-use crate::progress::{Progress, ctrl_c, print, say};
-use crate::view::opened;
+use crate::past;
+use crate::progress::Progress;
+use crate::signal::interrupt;
+use crate::speech::{self, answer, complain, print, say};
 
 /// What `ancf run` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Arguments {
     /// The model file (TOML).
     file: PathBuf,
@@ -29,22 +33,22 @@ pub struct Arguments {
     /// How often to write a checkpoint, from which `ancf resume` goes on: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
     checkpoint: Every,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What `ancf resume` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Resumption {
     /// The folder of a run that was stopped, failed or killed.
     folder: PathBuf,
     /// How often to write a checkpoint: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
     checkpoint: Every,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `1000` steps, or `10min`.
@@ -64,11 +68,20 @@ Examples:
   ancf run models/elastica.toml -o out            an equilibrium
   ancf run models/lees_frame.toml -o out          a path through snap-through and snap-back
   ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
-  ancf run models/column.toml -o out              critical loads, also printed";
+  ancf run models/column.toml -o out              critical loads, also printed
+  ancf run models/bow.toml -o out --json          how it ended, for scripts
+
+Ctrl-C or SIGTERM ends it cleanly, with exit code 130 or 143; `ancf resume` goes on.";
 
 impl Arguments {
     /// Runs the model.
     pub fn run(&self) -> Result<Ended> {
+        if self.output.exists() && !self.output.is_dir() {
+            return Ok(reject(&format!(
+                "{} is a file, wanted a folder for the results",
+                self.output.display()
+            )));
+        }
         let model = match Model::read(&self.file) {
             Ok(model) => model,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
@@ -76,13 +89,13 @@ impl Arguments {
         let text = fs::read_to_string(&self.file)
             .with_context(|| format!("{} cannot be read", self.file.display()))?;
         let simulation = match Simulation::new(&model) {
-            Ok(simulation) => simulation.heeding(ctrl_c()?),
+            Ok(simulation) => simulation.heeding(interrupt()?),
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
         let recorder = Recorder::new(Folder::new(&self.output), &text, &model, &simulation);
         let recorder = recorder.with_checkpoints(self.checkpoint);
         let name = self.file.display().to_string();
-        record(&model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+        record(&model, &name, recorder, |followers| Ok(simulation.run(followers)?))
     }
 }
 
@@ -92,33 +105,38 @@ Examples:
   ancf run models/bow.toml -o out --checkpoint 1000
   ancf resume out                                 goes on after Ctrl-C, kill -9 or a full disk
 
-Results are to the last bit those of a run that was never stopped. Analyses other than motions are run anew.";
+Results are to the last bit those of a run that was never stopped. Analyses other than motions are
+run anew.";
 
 impl Resumption {
     /// Goes on with the run in a folder.
     pub fn run(&self) -> Result<Ended> {
-        let results = match opened(&self.folder)? {
+        let results = match past::open(&self.folder)? {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
         let name = results.folder().model().display().to_string();
-        if results.conclusion()?.is_some_and(|conclusion| conclusion.summary.outcome.is_finished()) {
+        let is_finished = |done: &ancf_results::Conclusion| done.summary.outcome.is_finished();
+        if let Some(done) = results.conclusion()?.filter(is_finished) {
+            let (folder, columns) = (self.folder.display().to_string(), BTreeMap::new());
+            let ancf_results::Conclusion { model, wall_seconds, summary, .. } = &done;
+            answer(&Answer { folder, model, wall_seconds: *wall_seconds, summary, columns });
             say(&format!("{} is finished: there is nothing to do", self.folder.display()));
             return Ok(Ended::Done);
         }
         let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
-        let simulation = Simulation::new(model)?.heeding(ctrl_c()?);
+        let simulation = Simulation::new(model)?.heeding(interrupt()?);
         match Recorder::resume(folder.clone(), text, model, &simulation)? {
             Some((recorder, from)) => {
                 say(&format!("going on from t = {}", from.time()));
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, self.quiet, |followers| simulation.resume(&from, followers))
+                record(model, &name, recorder, |followers| simulation.resume(&from, followers))
             }
             None => {
                 say("there is no checkpoint: beginning anew");
                 let recorder = Recorder::new(folder, text, model, &simulation);
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, self.quiet, |followers| Ok(simulation.run(followers)?))
+                record(model, &name, recorder, |followers| Ok(simulation.run(followers)?))
             }
         }
     }
@@ -129,30 +147,61 @@ fn record(
     model: &Model,
     name: &str,
     recorder: Recorder,
-    quiet: bool,
     run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
 ) -> Result<Ended> {
     let clock = Instant::now();
     let progress = match model.analysis.dynamics() {
-        Some(settings) if !quiet => Progress::until(settings.duration),
+        Some(settings) if !speech::is_quiet() => Progress::until(settings.duration),
         _ => Progress::hidden(),
     };
-    let mut followers = Followers { recorder, conclusion: Conclusion::of(&model.analysis), progress };
+    let conclusion = Conclusion::of(&model.analysis);
+    let mut followers = Followers { recorder, conclusion, progress, is_begun: false };
     let summary = run(&mut followers);
-    let Followers { recorder, conclusion, .. } = followers;
+    let Followers { recorder, conclusion, is_begun, .. } = followers;
     let folder = recorder.folder().path().display().to_string();
-    let summary =
-        summary.with_context(|| format!("results could not be written; those so far are in {folder}"))?;
+    let summary = summary.map_err(|error| unwritten(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
     recorder.conclude(&summary, name, seconds)?;
     summary.redundant.iter().for_each(|one| say(&format!("warning: redundant: {one}")));
     print(&conclusion.table());
-    say(&conclusion.sentence(&summary, seconds, &folder));
+    let (sentence, columns) = (conclusion.sentence(&summary, seconds, &folder), conclusion.columns());
+    answer(&Answer { folder, model: name, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
-        Outcome::Finished => Ended::Done,
-        Outcome::Stopped => Ended::Stopped,
-        Outcome::Failed { .. } => Ended::Failed,
+        Outcome::Finished => {
+            say(&sentence);
+            Ended::Done
+        }
+        Outcome::Stopped => {
+            say(&sentence);
+            Ended::Stopped
+        }
+        Outcome::Failed { .. } => {
+            complain(&sentence);
+            Ended::Failed
+        }
     })
+}
+
+/// Why there are no results, or not all: those so far are in the folder, if there are any.
+fn unwritten(error: ancf::Error, folder: Option<&String>) -> anyhow::Error {
+    let error = anyhow::Error::from(error);
+    match folder {
+        Some(folder) => error.context(format!("the run broke off, with its results so far in {folder}")),
+        None => error,
+    }
+}
+
+/// The answer to those who want JSON: `summary.json`, with what was printed.
+#[derive(Serialize)]
+struct Answer<'a> {
+    folder: String,
+    model: &'a str,
+    wall_seconds: f64,
+    #[serde(flatten)]
+    summary: &'a Summary,
+    /// Of modes and critical loads.
+    #[serde(flatten)]
+    columns: BTreeMap<&'static str, Vec<f64>>,
 }
 
 /// All who follow a run.
@@ -160,13 +209,17 @@ struct Followers<'a> {
     recorder: Recorder,
     conclusion: Conclusion<'a>,
     progress: Progress,
+    /// Whether there are files.
+    is_begun: bool,
 }
 
 impl Observer for Followers<'_> {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         Sink::begin(&mut self.conclusion, columns)?;
         Sink::begin(&mut self.progress, columns)?;
-        self.recorder.begin(columns)
+        self.recorder.begin(columns)?;
+        self.is_begun = true;
+        Ok(())
     }
 
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {

@@ -7,17 +7,18 @@ use std::thread;
 use std::time::{Duration, SystemTime};
 
 use ancf::Scales;
-use ancf::model::ModelErrors;
 use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, page, scene};
-use ancf_results::{Conclusion, OpenError, Results, Status};
+use ancf_results::{Conclusion, Results, Status};
 use anyhow::{Context, Result};
 use clap::Args;
 
-use crate::command::{Ended, refuse};
-use crate::progress::{ctrl_c, print, say};
+use crate::command::Ended;
+use crate::past;
+use crate::signal::interrupt;
+use crate::speech::{print, say};
 
 /// What `ancf report` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Report {
     /// The folder of a run.
     folder: PathBuf,
@@ -30,7 +31,7 @@ pub struct Report {
 }
 
 /// What `ancf view` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct View {
     /// The folder of a run, which may be going on.
     folder: PathBuf,
@@ -58,7 +59,7 @@ It listens on this machine only, serves that folder only, and ends with Ctrl-C."
 impl Report {
     /// Writes the report.
     pub fn run(&self) -> Result<Ended> {
-        let results = match opened(&self.folder)? {
+        let results = match past::open(&self.folder)? {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
@@ -73,10 +74,10 @@ impl Report {
 impl View {
     /// Serves the report until Ctrl-C.
     pub fn run(&self) -> Result<Ended> {
-        if let Err(ended) = opened(&self.folder)? {
+        if let Err(ended) = past::open(&self.folder)? {
             return Ok(ended);
         }
-        let interrupt = ctrl_c()?;
+        let interrupt = interrupt()?;
         let server = Server::bind(self.port, &self.folder)
             .with_context(|| format!("cannot listen on port {} of this machine", self.port))?;
         print(&format!("{}\n", server.url()));
@@ -99,19 +100,6 @@ impl View {
 
 /// How often Ctrl-C is looked for.
 const PAUSE: Duration = Duration::from_millis(50);
-
-/// The results in a folder; what is wrong with the folder has been said.
-pub fn opened(folder: &Path) -> Result<Result<Results, Ended>> {
-    match Results::open(folder) {
-        Ok(results) => Ok(Ok(results)),
-        Err(OpenError::Model { path, errors: ModelErrors(errors) }) => Ok(Err(refuse(&errors, &path))),
-        Err(error @ OpenError::NoRun(_)) => {
-            say(&format!("error: {error}"));
-            Ok(Err(Ended::BadInput))
-        }
-        Err(error @ OpenError::Read(_)) => Err(error.into()),
-    }
-}
 
 /// The scene of the results so far.
 fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {

@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Folder(PathBuf);
 
+/// What a run holds while it goes on, and leaves as a sign that the folder is one of a run.
+const LOCK: &str = ".lock";
+
 /// Files and folders that a run may leave.
 const OURS: [&str; 10] = [
     "model.toml",
@@ -61,6 +64,20 @@ impl Folder {
         self.0.join("checkpoint")
     }
 
+    /// Refuses a folder that has a model of the user in the place of that of a run.
+    pub(crate) fn spare(&self, text: &str) -> io::Result<()> {
+        let path = self.model();
+        let is_run = self.0.join(LOCK).exists();
+        match fs::read_to_string(&path) {
+            Ok(own) if !is_run && own != text => {
+                let text =
+                    format!("{} is not of a run and would be lost: take another folder", path.display());
+                Err(io::Error::new(io::ErrorKind::AlreadyExists, text))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Removes what an earlier run left: it must not be taken for results of this one.
     pub(crate) fn clear(&self) -> io::Result<()> {
         fs::create_dir_all(&self.0).map_err(|error| about(&error, &self.0))?;
@@ -69,7 +86,7 @@ impl Folder {
 
     /// Takes the folder for this process; it is free again when the lock is dropped, however the process ends.
     pub(crate) fn lock(&self) -> io::Result<File> {
-        let path = self.0.join(".lock");
+        let path = self.0.join(LOCK);
         let file =
             File::options().create(true).append(true).open(&path).map_err(|error| about(&error, &path))?;
         match file.try_lock() {
@@ -85,7 +102,7 @@ impl Folder {
 
     /// Whether a run writes into it right now.
     pub fn is_busy(&self) -> bool {
-        let file = File::open(self.0.join(".lock"));
+        let file = File::open(self.0.join(LOCK));
         file.is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
     }
 }

@@ -143,6 +143,7 @@ impl Recorder {
     fn create(&self) -> io::Result<Files> {
         let folder = &self.folder;
         std::fs::create_dir_all(folder.path()).map_err(|error| about(&error, folder.path()))?;
+        folder.spare(&self.text)?;
         let lock = folder.lock()?;
         folder.clear()?;
         replace(&folder.model(), self.text.as_bytes())?;

@@ -203,3 +203,20 @@ fn what_is_no_run_or_damaged_is_told() {
     let results = Results::open(folder.path()).unwrap();
     assert!(results.frames().any(|frame| frame.is_err()), "states of another model");
 }
+
+#[test]
+fn a_model_of_the_user_is_not_taken_for_that_of_a_run() {
+    let folder = TempDir::new().unwrap();
+    let (text, model) = model(MOTION);
+    let own = Folder::new(folder.path()).model();
+    fs::write(&own, "# another one\n").unwrap();
+    let simulation = Simulation::new(&model).unwrap();
+    let mut recorder = Recorder::new(Folder::new(folder.path()), &text, &model, &simulation);
+    let refused = simulation.run(&mut recorder).unwrap_err().to_string();
+    assert!(refused.contains("would be lost"), "{refused}");
+    assert_eq!(fs::read_to_string(&own).unwrap(), "# another one\n");
+    // The very model that is run, and models of runs, are replaced.
+    fs::write(&own, &text).unwrap();
+    run(folder.path(), &text, &model);
+    run(folder.path(), &text.replace("0.02", "0.03"), &model);
+}

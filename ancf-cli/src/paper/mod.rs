@@ -26,8 +26,8 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::progress::say;
 use crate::report::Output;
+use crate::speech::say;
 use figures::Drawing;
 
 use results::Results;

@@ -23,7 +23,9 @@ use clap::Args;
 use toml::Value;
 
 use crate::command::{Ended, refuse};
-use crate::progress::{self, ctrl_c, print, say};
+use crate::progress;
+use crate::signal::interrupt;
+use crate::speech::{self, answer, complain, print, say};
 use design::Design;
 use results::Results;
 use row::Row;
@@ -31,7 +33,7 @@ use statement::Study;
 use table::Table;
 
 /// What `ancf study` is asked.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Arguments {
     /// The study file (TOML).
     file: PathBuf,
@@ -47,9 +49,9 @@ pub struct Arguments {
     /// Run part K of N only, K from 1, and write cases-K-of-N.parquet.
     #[arg(long, value_name = "K/N")]
     index: Option<Part>,
-    /// Show no progress.
-    #[arg(short, long)]
-    quiet: bool,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
 }
 
 pub const EXAMPLES: &str = "\
@@ -57,13 +59,14 @@ Examples:
   ancf study models/studies/convergence.toml -o out     on all cores
   ancf study models/studies/young.toml -o out -j 1      one case at a time
 
-Cases that are in DIR/cases*.parquet already are not run again. A job array shares a study out; the last line puts it together:
+Cases that are in DIR/cases*.parquet already are not run again. A job array shares a study out;
+the last line puts it together:
   #SBATCH --array=1-10
   ancf study study.toml -o out --index $SLURM_ARRAY_TASK_ID/10
   ancf study study.toml -o out
 
-Exit code 0 if all cases finished, 1 if some failed or were invalid (they are rows with a message), 2 bad input, 130 stopped by
-Ctrl-C, with all cases kept that had finished.";
+Exit code 0 if all cases finished, 1 if some failed or were invalid (they are rows with a message),
+2 bad input, 130 or 143 stopped by Ctrl-C or SIGTERM, with all cases kept that had finished.";
 
 /// Part k of n, k from 1: every n-th case.
 #[derive(Clone, Copy, Debug)]
@@ -134,10 +137,10 @@ impl Arguments {
         let keys = cases.iter().map(|&case| (case, design.key(base, objectives, case)));
         let mut results = Results::new(table, self.output.join(file), keys.collect());
         results.take_over(table::rows_in(&self.output, objectives)?, self.retry);
-        let bar = if self.quiet { progress::no_bar() } else { progress::cases(cases.len() as u64) };
+        let bar = if speech::is_quiet() { progress::no_bar() } else { progress::cases(cases.len() as u64) };
         let todo = results.missing();
         // Not before: what comes until here asks nobody whether it is to end.
-        let interrupt = ctrl_c()?;
+        let interrupt = interrupt()?;
         let work = |case| Row::of(case, &design, base, objectives, &interrupt);
         workers::run(&todo, self.jobs(), &interrupt, work, |row| {
             if let Some((case, row)) = row {
@@ -150,8 +153,10 @@ impl Arguments {
         results.write()?;
         bar.finish_and_clear();
         print(&summary::ranges(&results));
-        summary::failures(&results).iter().for_each(|line| say(line));
-        say(&summary::sentence(&results, clock.elapsed().as_secs_f64()));
+        summary::failures(&results).iter().for_each(|line| complain(line));
+        let seconds = clock.elapsed().as_secs_f64();
+        say(&summary::sentence(&results, seconds));
+        answer(&summary::answer(&results, seconds));
         Ok(results.ended())
     }
 

@@ -19,9 +19,10 @@ use std::time::Instant;
 use ancf_verification::{Findings, Problem, problems};
 use anyhow::Result;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use serde::Serialize;
 
-use crate::progress::{print, say};
 use crate::report::Output;
+use crate::speech::{answer, print, say};
 use record::Record;
 use verdict::Verdict;
 
@@ -49,8 +50,18 @@ pub fn verify(names: &[String], out: &Path) -> Result<bool> {
     output.write("index.html", page::page(&verdicts, &record))?;
     let holding = verdicts.iter().filter(|verdict| verdict.holds()).count();
     say(&format!("{holding} of {} problems hold", verdicts.len()));
-    say(&format!("report in {}", out.join("index.html").display()));
+    let report = out.join("index.html").display().to_string();
+    say(&format!("report in {report}"));
+    answer(&Answer { report, record: &record });
     Ok(holding == verdicts.len())
+}
+
+/// The answer to those who want JSON.
+#[derive(Serialize)]
+struct Answer<'a> {
+    report: String,
+    #[serde(flatten)]
+    record: &'a Record,
 }
 
 /// Solves problems, a few at a time, with a line for each as soon as it is done; in their order.

@@ -1,0 +1,238 @@
+use anstyle::{AnsiColor, Style};
+
+use super::canvas::{Canvas, SIGNS};
+use super::panel::{Curve, Panel};
+use super::tick::Ticks;
+
+/// What a terminal shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    pub width: usize,
+    pub is_unicode: bool,
+    pub is_colourful: bool,
+}
+
+/// Lines of a chart that stands alone, and of one among others.
+const HEIGHTS: [usize; 2] = [16, 10];
+
+/// Columns between numbers at the horizontal axis.
+const APART: usize = 14;
+
+const COLOURS: [AnsiColor; 6] = [
+    AnsiColor::Cyan,
+    AnsiColor::Yellow,
+    AnsiColor::Magenta,
+    AnsiColor::Green,
+    AnsiColor::Blue,
+    AnsiColor::Red,
+];
+
+/// The panels as charts of characters, one below the other.
+pub fn text(panels: &[Panel], look: Look) -> String {
+    let height = HEIGHTS[usize::from(panels.len() > 1)];
+    let charts: Vec<String> = panels.iter().map(|panel| Chart::new(panel, look, height).text()).collect();
+    charts.join("\n")
+}
+
+struct Chart<'a> {
+    panel: &'a Panel,
+    look: Look,
+    x: Ticks,
+    y: Ticks,
+    /// Columns of the numbers on the left.
+    margin: usize,
+    height: usize,
+    canvas: Canvas,
+}
+
+impl<'a> Chart<'a> {
+    fn new(panel: &'a Panel, look: Look, height: usize) -> Self {
+        let [x, y] = panel.ranges();
+        let y = Ticks::around(y, height / 4);
+        let margin = y.labels().iter().map(|(_, text)| text.len()).max().unwrap_or(0) + 1;
+        let width = look.width.saturating_sub(margin + 1).max(10);
+        let x = Ticks::around(x, width / APART);
+        let mut chart = Self { panel, look, x, y, margin, height, canvas: Canvas::new(width, height, false) };
+        chart.canvas = Canvas::new(width, height, chart.is_braille());
+        panel.curves.iter().enumerate().for_each(|(number, curve)| chart.draw(number, curve));
+        chart
+    }
+
+    /// Whether curves are drawn in braille: where they can be told apart.
+    fn is_braille(&self) -> bool {
+        self.look.is_unicode && (self.look.is_colourful || self.panel.curves.len() == 1)
+    }
+
+    fn draw(&mut self, number: usize, curve: &Curve) {
+        let part = |x: f64, [lo, hi]: [f64; 2]| (x / 2.0 - lo / 2.0) / (hi / 2.0 - lo / 2.0);
+        let (across, up) = (self.x.range(), self.y.range());
+        for piece in curve.pieces() {
+            let places: Vec<[f64; 2]> = piece.iter().map(|&[x, y]| [part(x, across), part(y, up)]).collect();
+            self.canvas.line(places[0], places[0], number);
+            places.windows(2).for_each(|ends| self.canvas.line(ends[0], ends[1], number));
+        }
+    }
+
+    fn text(&self) -> String {
+        let mut text = self.legend() + "\n";
+        let rows = self.y.labels().into_iter().map(|(place, label)| (self.row(place), label));
+        let labels: Vec<(usize, String)> = rows.collect();
+        for row in 0..self.height {
+            let label = labels.iter().find(|(at, _)| *at == row).map_or("", |(_, label)| label);
+            let axis = self.line(if label.is_empty() { '│' } else { '┤' });
+            text += &format!("{label:>margin$}{axis}{}\n", self.cells(row), margin = self.margin);
+        }
+        text + &self.foot()
+    }
+
+    /// The line of a number at the vertical axis.
+    fn row(&self, place: f64) -> usize {
+        let [lo, hi] = self.y.range();
+        ((1.0 - (place - lo) / (hi - lo)) * (self.height - 1) as f64).round() as usize
+    }
+
+    fn cells(&self, row: usize) -> String {
+        let mut text = String::new();
+        for &cell in self.canvas.row(row) {
+            match self.canvas.sign(cell) {
+                ' ' => text.push(' '),
+                sign => text += &self.painted(&sign.to_string(), cell.curve),
+            }
+        }
+        text.trim_end().to_owned()
+    }
+
+    /// A text in the colour of a curve.
+    fn painted(&self, text: &str, curve: usize) -> String {
+        let colour = COLOURS[curve % COLOURS.len()].on_default();
+        let style = if self.look.is_colourful { colour } else { Style::new() };
+        format!("{style}{text}{style:#}")
+    }
+
+    /// Names of the curves and their unit.
+    fn legend(&self) -> String {
+        let name = |(number, curve): (usize, &Curve)| {
+            let sign = SIGNS[number % SIGNS.len()];
+            let text = if self.is_braille() { curve.name.clone() } else { format!("{sign} {}", curve.name) };
+            self.painted(&text, number)
+        };
+        let names: Vec<String> = self.panel.curves.iter().enumerate().map(name).collect();
+        self.panel.with_unit(&names.join("  "))
+    }
+
+    /// The horizontal axis, its numbers, and what it shows.
+    fn foot(&self) -> String {
+        let width = self.canvas.row(0).len();
+        let mut axis: Vec<char> = vec![self.line('─'); width];
+        let mut numbers = vec![' '; self.margin + 1 + width];
+        let [lo, hi] = self.x.range();
+        let mut free = 0;
+        for (place, label) in self.x.labels() {
+            let column = ((place - lo) / (hi - lo) * (width - 1) as f64).round() as usize;
+            axis[column] = self.line('┬');
+            let start = self.margin + 1 + column;
+            let start = start.saturating_sub(label.len() / 2).min(numbers.len() - label.len());
+            if start >= free {
+                label.chars().enumerate().for_each(|(k, character)| numbers[start + k] = character);
+                free = start + label.len() + 1;
+            }
+        }
+        let axis: String = axis.into_iter().collect();
+        let numbers: String = numbers.into_iter().collect();
+        let (corner, margin, whole) = (self.line('└'), self.margin, self.margin + 1 + width);
+        format!("{:margin$}{corner}{axis}\n{}\n{:>whole$}\n", "", numbers.trim_end(), self.panel.x)
+    }
+
+    /// A character of lines, or what stands for it where there are no others.
+    fn line(&self, character: char) -> char {
+        match character {
+            _ if self.look.is_unicode => character,
+            '│' => '|',
+            '─' => '-',
+            _ => '+',
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: Look = Look { width: 60, is_unicode: false, is_colourful: false };
+
+    fn panel(curves: Vec<Curve>) -> Panel {
+        Panel { x: "t (s)".into(), unit: "m".into(), curves }
+    }
+
+    fn curve(name: &str, f: impl Fn(f64) -> f64) -> Curve {
+        let x: Vec<f64> = (0..=200).map(|k| 0.01 * f64::from(k)).collect();
+        Curve { name: name.into(), y: x.iter().map(|&t| f(t)).collect(), x }
+    }
+
+    /// The column of the sign in a line, after the axis.
+    fn columns(line: &str, sign: char) -> Vec<usize> {
+        line.char_indices()
+            .skip_while(|(_, c)| !"|+".contains(*c))
+            .skip(1)
+            .filter(|(_, c)| *c == sign)
+            .map(|(k, _)| k)
+            .collect()
+    }
+
+    #[test]
+    fn a_straight_line_goes_from_corner_to_corner_in_ascii() {
+        let text = text(&[panel(vec![curve("tip.y", |t| 2.0 * t)])], PLAIN);
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(text.is_ascii() && lines.iter().all(|line| line.len() <= 60), "{text}");
+        assert_eq!((lines[0], lines.len()), ("* tip.y (m)", 1 + 16 + 3));
+        assert!(
+            columns(lines[1], '*').last() == Some(&59) && columns(lines[16], '*').first() == Some(&3),
+            "{text}"
+        );
+        assert!(lines[1].starts_with(" 4+") && lines[16].starts_with(" 0+"), "{text}");
+        assert!(
+            lines[18].starts_with("   0") && lines[18].ends_with("2.0") && lines[19].ends_with("t (s)"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn curves_are_told_apart_without_colours() {
+        let text = text(
+            &[panel(vec![curve("a", |t| t), curve("b", |t| 2.0 - t)])],
+            Look { is_unicode: true, ..PLAIN },
+        );
+        assert!(
+            text.starts_with("* a  + b (m)\n") && text.contains('┤') && !text.contains('\u{1b}'),
+            "{text}"
+        );
+        assert!(
+            text.lines().nth(2).unwrap().contains('*') && text.lines().nth(2).unwrap().contains('+'),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn one_curve_is_braille_and_colours_tell_several() {
+        let is_braille = |c: char| ('\u{2801}'..='\u{28ff}').contains(&c);
+        let unicode = Look { is_unicode: true, ..PLAIN };
+        let one = text(&[panel(vec![curve("a", |t| t)])], unicode);
+        assert!(one.contains(is_braille) && one.starts_with("a (m)\n") && !one.contains('*'), "{one}");
+        let two = vec![curve("a", |t| t), curve("b", |t| 2.0 - t)];
+        let two = text(&[panel(two)], Look { is_colourful: true, ..unicode });
+        assert!(
+            two.contains(is_braille) && two.contains("\u{1b}[36ma") && two.contains("\u{1b}[33mb"),
+            "{two}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_number_is_a_gap() {
+        let gap = curve("a", |t| if (0.5..1.5).contains(&t) { f64::NAN } else { 1.0 });
+        let text = text(&[panel(vec![gap])], PLAIN);
+        let line = text.lines().find(|line| line.contains("***")).unwrap();
+        let signs = columns(line, '*');
+        let gap = signs.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap();
+        assert!((25..=32).contains(&gap), "half of the width is empty: {text}");
+    }
+}

@@ -1,0 +1,220 @@
+use ancf::Column;
+use ancf::model::{Units, nearest};
+use ancf::record::Series;
+use ancf_results::Results;
+
+use super::panel::{Curve, Panel};
+
+/// Columns that are plotted.
+#[derive(Debug)]
+pub struct Selection {
+    /// What instants are told by.
+    first: String,
+    against: Quantity,
+    columns: Vec<Quantity>,
+}
+
+/// A column and its unit, empty of what has none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    pub name: String,
+    pub unit: String,
+}
+
+impl Quantity {
+    /// All of a run.
+    pub fn all(results: &Results) -> Vec<Self> {
+        let units = results.model().units.clone().unwrap_or_else(Units::in_words);
+        let unit = |column: &Column| column.dimension.map(|dimension| units.of(dimension));
+        let unit = |column: &Column| unit(column).filter(|unit| unit != "1").unwrap_or_default();
+        let columns = results.simulation().columns();
+        columns.into_iter().map(|column| Self { unit: unit(&column), name: column.name }).collect()
+    }
+
+    /// Name and unit.
+    pub fn label(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} ({})", self.name, self.unit) }
+    }
+}
+
+impl Selection {
+    /// The columns of these names, against another one or the first.
+    ///
+    /// # Errors
+    /// If there is none of a name, in words.
+    pub fn of(results: &Results, names: &[String], against: Option<&str>) -> Result<Self, String> {
+        Self::among(Quantity::all(results), names, against)
+    }
+
+    fn among(all: Vec<Quantity>, names: &[String], against: Option<&str>) -> Result<Self, String> {
+        let first = all.first().ok_or("there are no columns")?.clone();
+        let against = match against {
+            Some(name) => all.iter().find(|one| one.name == name).ok_or_else(|| unknown(name, &all))?.clone(),
+            None => first.clone(),
+        };
+        if names.is_empty() {
+            return Err("which column is to be plotted? `ancf plot DIR` lists them".to_owned());
+        }
+        let mut columns: Vec<Quantity> = Vec::new();
+        for name in names {
+            let meant = meant(name, &all);
+            if meant.is_empty() {
+                return Err(unknown(name, &all));
+            }
+            for column in meant {
+                if !columns.contains(column) {
+                    columns.push(column.clone());
+                }
+            }
+        }
+        Ok(Self { first: first.name, against, columns })
+    }
+
+    /// A panel for each unit, with the rows whose first number is in a range.
+    pub fn panels(&self, series: &Series, [from, to]: [f64; 2]) -> Vec<Panel> {
+        let values = |name: &str| series.column(name).unwrap_or_default();
+        let kept: Vec<bool> = values(&self.first).iter().map(|t| (from..=to).contains(t)).collect();
+        let keep = |name: &str| -> Vec<f64> {
+            values(name).iter().zip(&kept).filter(|(_, kept)| **kept).map(|(x, _)| *x).collect()
+        };
+        let mut panels: Vec<Panel> = Vec::new();
+        for column in &self.columns {
+            let curve =
+                Curve { name: column.name.clone(), x: keep(&self.against.name), y: keep(&column.name) };
+            match panels.iter_mut().find(|panel| panel.unit == column.unit) {
+                Some(panel) => panel.curves.push(curve),
+                None => panels.push(Panel {
+                    x: self.against.label(),
+                    unit: column.unit.clone(),
+                    curves: vec![curve],
+                }),
+            }
+        }
+        panels
+    }
+}
+
+/// The columns that a word means: the one of its name, those of a point, all of an owner, or those of a pattern.
+fn meant<'a>(word: &str, all: &'a [Quantity]) -> Vec<&'a Quantity> {
+    let fitting = |fits: &dyn Fn(&str) -> bool| all.iter().filter(|one| fits(&one.name)).collect::<Vec<_>>();
+    let exact = fitting(&|name| name == word);
+    if !exact.is_empty() {
+        return exact;
+    }
+    let axes = ["x", "y", "z"].map(|axis| format!("{word}.{axis}"));
+    let point = fitting(&|name| axes.iter().any(|axis| axis == name));
+    if !point.is_empty() {
+        return point;
+    }
+    let own = fitting(&|name| name.strip_prefix(word).is_some_and(|rest| rest.starts_with('.')));
+    if !own.is_empty() {
+        return own;
+    }
+    let pattern: Vec<char> = word.chars().collect();
+    fitting(&|name| matches(&pattern, &name.chars().collect::<Vec<_>>()))
+}
+
+/// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one.
+fn matches(pattern: &[char], name: &[char]) -> bool {
+    // Places where the pattern may be after each character of the name.
+    let mut places = closure(pattern, vec![0]);
+    for character in name {
+        let step = |&place: &usize| match pattern.get(place) {
+            Some('*') => Some(place),
+            Some('?') => Some(place + 1),
+            Some(own) if own == character => Some(place + 1),
+            _ => None,
+        };
+        places = closure(pattern, places.iter().filter_map(step).collect());
+    }
+    places.contains(&pattern.len())
+}
+
+/// These places and those behind stars that stand for nothing.
+fn closure(pattern: &[char], mut places: Vec<usize>) -> Vec<usize> {
+    let mut next = 0;
+    while let Some(&place) = places.get(next) {
+        if pattern.get(place) == Some(&'*') && !places.contains(&(place + 1)) {
+            places.push(place + 1);
+        }
+        next += 1;
+    }
+    places.dedup();
+    places
+}
+
+fn unknown(name: &str, all: &[Quantity]) -> String {
+    let owners = all.iter().filter_map(|one| one.name.split_once('.')).map(|(owner, _)| owner);
+    let near = nearest(name, all.iter().map(|one| one.name.as_str()).chain(owners));
+    let hint = near.map_or_else(
+        || "`ancf plot DIR` lists the columns".to_owned(),
+        |near| format!("did you mean `{near}`?"),
+    );
+    format!("there is no column `{name}`; {hint}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all() -> Vec<Quantity> {
+        let of = |(name, unit): (&str, &str)| Quantity { name: name.into(), unit: unit.into() };
+        let columns = [
+            ("t", "s"),
+            ("tip.x", "m"),
+            ("tip.y", "m"),
+            ("tip.z", "m"),
+            ("tip.vy", "m/s"),
+            ("root.fx", "N"),
+            ("root.fy", "N"),
+            ("kinetic", "N m"),
+        ];
+        columns.map(of).to_vec()
+    }
+
+    fn names(words: &[&str]) -> Result<Vec<String>, String> {
+        let words: Vec<String> = words.iter().map(|&word| word.to_owned()).collect();
+        Selection::among(all(), &words, None)
+            .map(|chosen| chosen.columns.into_iter().map(|column| column.name).collect())
+    }
+
+    #[test]
+    fn words_mean_columns() {
+        assert_eq!(names(&["tip.y"]).unwrap(), ["tip.y"]);
+        assert_eq!(names(&["tip"]).unwrap(), ["tip.x", "tip.y", "tip.z"], "the place, not the velocity");
+        assert_eq!(names(&["root"]).unwrap(), ["root.fx", "root.fy"]);
+        assert_eq!(names(&["*.?y", "tip.*y"]).unwrap(), ["tip.vy", "root.fy", "tip.y"], "each once");
+        assert_eq!(names(&["*"]).unwrap().len(), 8);
+    }
+
+    #[test]
+    fn unknown_columns_are_refused_with_the_nearest() {
+        assert_eq!(names(&["tpi.y"]).unwrap_err(), "there is no column `tpi.y`; did you mean `tip.y`?");
+        assert_eq!(names(&["rot"]).unwrap_err(), "there is no column `rot`; did you mean `root`?");
+        assert!(names(&["*.q"]).unwrap_err().starts_with("there is no column `*.q`; "));
+        assert!(Selection::among(all(), &["t".into()], Some("tip")).is_err(), "one column only");
+    }
+
+    #[test]
+    fn patterns_of_many_stars_are_quick() {
+        let pattern: Vec<char> = "*a".repeat(50).chars().collect();
+        assert!(!matches(&pattern, &['a'; 49]) && matches(&pattern, &['a'; 200]));
+    }
+
+    #[test]
+    fn columns_of_one_unit_share_a_panel_and_rows_are_chosen_by_the_first_column() {
+        use ancf::record::Sink;
+        let mut series = Series::new();
+        series.begin(&all().into_iter().map(|one| one.name).collect::<Vec<_>>()).unwrap();
+        for t in 0..5 {
+            let _ = series.record(&[f64::from(t), 1.0, 2.0, 3.0, 4.0, 5.0, f64::from(t * t), 7.0]).unwrap();
+        }
+        let words = ["tip.y", "root", "tip.x"].map(str::to_owned);
+        let panels = Selection::among(all(), &words, Some("root.fy")).unwrap().panels(&series, [1.0, 3.0]);
+        let names: Vec<Vec<_>> =
+            panels.iter().map(|panel| panel.curves.iter().map(|curve| &*curve.name).collect()).collect();
+        assert_eq!(names, [vec!["tip.y", "tip.x"], vec!["root.fx", "root.fy"]]);
+        assert_eq!((panels[0].unit.as_str(), panels[0].x.as_str()), ("m", "root.fy (N)"));
+        assert_eq!(panels[0].curves[0].x, [1.0, 4.0, 9.0]);
+    }
+}

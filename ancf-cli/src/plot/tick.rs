@@ -1,0 +1,80 @@
+/// Numbers along an axis, the first and the last at its ends.
+#[derive(Debug)]
+pub struct Ticks {
+    /// The multiple of ten that all are multiplied with.
+    places: Vec<f64>,
+    digits: usize,
+    is_scientific: bool,
+}
+
+impl Ticks {
+    /// About so many steps of 1, 2 or 5 times a power of ten that enclose a range.
+    pub fn around([lo, hi]: [f64; 2], steps: usize) -> Self {
+        let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 1.0) };
+        // Of a constant, or one but for rounding, something around it.
+        let least = (1e-9 * lo.abs().max(hi.abs())).max(f64::MIN_POSITIVE * 1e30);
+        let (lo, hi) = if hi - lo > least { (lo, hi) } else { wider(lo, hi) };
+        let step = nice((hi - lo) / steps.max(1) as f64);
+        let (first, last) = ((lo / step + 1e-6).floor(), (hi / step - 1e-6).ceil());
+        let count = (last - first).clamp(1.0, 1000.0) as usize;
+        let places: Vec<f64> = (0..=count).map(|k| (first + k as f64) * step).collect();
+        let most = places.iter().fold(0.0, |most: f64, place| most.max(place.abs()));
+        let is_scientific = most >= 1e5 || most < 1e-3;
+        let scale = if is_scientific { most.log10().floor() } else { 0.0 };
+        let digits = (scale - (step * 1.000_001).log10().floor()).clamp(0.0, 15.0) as usize;
+        Self { places, digits, is_scientific }
+    }
+
+    /// Both ends.
+    pub fn range(&self) -> [f64; 2] {
+        [self.places[0], self.places[self.places.len() - 1]]
+    }
+
+    /// Places and texts.
+    pub fn labels(&self) -> Vec<(f64, String)> {
+        let text = |&place: &f64| {
+            let digits = self.digits;
+            let text = match place {
+                0.0 => "0".to_owned(),
+                _ if self.is_scientific => format!("{place:.digits$e}"),
+                _ => format!("{place:.digits$}"),
+            };
+            (place, text)
+        };
+        self.places.iter().map(text).collect()
+    }
+}
+
+fn wider(lo: f64, hi: f64) -> (f64, f64) {
+    let more = if lo == 0.0 && hi == 0.0 { 1.0 } else { 0.1 * lo.abs().max(hi.abs()) };
+    (lo - more, hi + more)
+}
+
+/// 1, 2 or 5 times a power of ten, not less than a number.
+fn nice(step: f64) -> f64 {
+    let decade = 10f64.powf(step.log10().floor());
+    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * decade >= 0.999_999 * step);
+    factor.unwrap_or(10.0) * decade
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_and_enclose() {
+        let texts = |lo, hi, steps| {
+            let ticks = Ticks::around([lo, hi], steps);
+            assert!(ticks.range()[0] <= lo + 1e-5 * (hi - lo) && hi - 1e-5 * (hi - lo) <= ticks.range()[1]);
+            ticks.labels().into_iter().map(|(_, text)| text).collect::<Vec<_>>()
+        };
+        assert_eq!(texts(0.0, 2.0, 4), ["0", "0.5", "1.0", "1.5", "2.0"]);
+        assert_eq!(texts(-0.0041, 0.0, 3), ["-0.006", "-0.004", "-0.002", "0"]);
+        assert_eq!(texts(0.0, 1.9e-4, 2), ["0", "1e-4", "2e-4"]);
+        assert_eq!(texts(5.0, 5.0, 2).len(), 3, "a constant is in the middle");
+        for constant in [0.0, -3e-320, 1e308, 7.3] {
+            let [lo, hi] = Ticks::around([constant, constant], 4).range();
+            assert!(lo < hi && lo <= constant && constant <= hi, "{constant}: {lo} {hi}");
+        }
+    }
+}

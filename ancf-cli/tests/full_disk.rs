@@ -1,5 +1,6 @@
 //! A disk that is full: here files that may not grow beyond a size, which needs no rights.
-#![cfg(all(test, target_os = "linux"))]
+#![cfg(test)]
+#![cfg(target_os = "linux")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,6 @@
 //! Runs that are killed or stopped, again and again, and go on: their files are to the last bit those of a run that was not.
-#![cfg(all(test, unix))]
+#![cfg(test)]
+#![cfg(unix)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -114,7 +115,7 @@ fn in_pieces(bench: &Bench, signal: &str) -> Vec<Option<i32>> {
 
 #[test]
 fn killed_runs_go_on_to_the_last_bit() {
-    let bench = Bench::new(60.0);
+    let bench = Bench::new(20.0);
     let codes = in_pieces(&bench, "KILL");
     assert!(codes.len() > 1 && codes[0].is_none(), "it was killed at least once: {codes:?}");
     bench.assert_equal_files();
@@ -124,7 +125,7 @@ fn killed_runs_go_on_to_the_last_bit() {
 #[test]
 fn stopped_runs_go_on_to_the_last_bit() {
     for (signal, code) in [("INT", 130), ("TERM", 143)] {
-        let bench = Bench::new(60.0);
+        let bench = Bench::new(20.0);
         let codes = in_pieces(&bench, signal);
         assert!(codes.len() > 1 && codes[0] == Some(code), "SIG{signal} stopped it at least once: {codes:?}");
         bench.assert_equal_files();

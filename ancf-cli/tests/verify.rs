@@ -97,11 +97,10 @@ fn an_unknown_problem_is_refused() {
 
 #[test]
 fn every_problem_is_named() {
-    let help = text(&verify(&["--help"]).stdout);
+    // Long titles go on in the next line.
+    let help = text(&verify(&["--help"]).stdout).split_whitespace().collect::<Vec<_>>().join(" ");
     for problem in ancf_verification::problems::ALL.iter().copied() {
-        let named =
-            |line: &str| line.contains(&format!("- {}:", problem.name)) && line.contains(problem.title);
-        assert!(help.lines().any(named), "{}: {help}", problem.name);
+        assert!(help.contains(&format!("- {}: {}", problem.name, problem.title)), "{}: {help}", problem.name);
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
         assert!(problem.name.chars().all(plain), "{} is the place of a link", problem.name);
     }

@@ -2,9 +2,8 @@
 
 mod common;
 
-use ancf::Simulation;
 use ancf::record::Series;
-use ancf::scales::Dimension;
+use ancf::{Model, Simulation};
 use ancf_report::{BUDGET, Ending, Recording, scene};
 use common::{CANTILEVER, Run, Scene, apart, dot};
 

@@ -1,6 +1,6 @@
 use anstyle::{AnsiColor, Style};
 
-use super::canvas::{Canvas, SIGNS};
+use super::canvas::{Canvas, Cell, SIGNS};
 use super::panel::{Curve, Panel};
 use super::tick::Ticks;
 
@@ -60,7 +60,8 @@ impl<'a> Chart<'a> {
 
     /// Whether curves are drawn in braille: where they can be told apart.
     fn is_braille(&self) -> bool {
-        self.look.is_unicode && (self.look.is_colourful || self.panel.curves.len() == 1)
+        let are_told_apart = self.look.is_colourful || self.panel.curves.len() == 1;
+        self.look.is_unicode && are_told_apart && !self.panel.is_discrete
     }
 
     fn draw(&mut self, number: usize, curve: &Curve) {
@@ -68,8 +69,9 @@ impl<'a> Chart<'a> {
         let (across, up) = (self.x.range(), self.y.range());
         for piece in curve.pieces() {
             let places: Vec<[f64; 2]> = piece.iter().map(|&[x, y]| [part(x, across), part(y, up)]).collect();
-            self.canvas.line(places[0], places[0], number);
-            places.windows(2).for_each(|ends| self.canvas.line(ends[0], ends[1], number));
+            places.iter().for_each(|&place| self.canvas.line(place, place, number));
+            let between = places.windows(2).filter(|_| !self.panel.is_discrete);
+            between.for_each(|ends| self.canvas.line(ends[0], ends[1], number));
         }
     }
 
@@ -93,11 +95,10 @@ impl<'a> Chart<'a> {
 
     fn cells(&self, row: usize) -> String {
         let mut text = String::new();
-        for &cell in self.canvas.row(row) {
-            match self.canvas.sign(cell) {
-                ' ' => text.push(' '),
-                sign => text += &self.painted(&sign.to_string(), cell.curve),
-            }
+        let is_empty = |cell: &Cell| self.canvas.sign(*cell) == ' ';
+        for cells in self.canvas.row(row).chunk_by(|a, b| a.curve == b.curve && is_empty(a) == is_empty(b)) {
+            let signs: String = cells.iter().map(|&cell| self.canvas.sign(cell)).collect();
+            text += &if is_empty(&cells[0]) { signs } else { self.painted(&signs, cells[0].curve) };
         }
         text.trim_end().to_owned()
     }
@@ -161,7 +162,7 @@ mod tests {
     const PLAIN: Look = Look { width: 60, is_unicode: false, is_colourful: false };
 
     fn panel(curves: Vec<Curve>) -> Panel {
-        Panel { x: "t (s)".into(), unit: "m".into(), curves }
+        Panel { x: "t (s)".into(), is_discrete: false, unit: "m".into(), curves }
     }
 
     fn curve(name: &str, f: impl Fn(f64) -> f64) -> Curve {
@@ -224,6 +225,14 @@ mod tests {
             two.contains(is_braille) && two.contains("\u{1b}[36ma") && two.contains("\u{1b}[33mb"),
             "{two}"
         );
+    }
+
+    #[test]
+    fn there_is_nothing_between_modes() {
+        let modes = Curve { name: "frequency".into(), x: vec![1.0, 2.0, 3.0], y: vec![1.0, 2.0, 10.0] };
+        let modes = Panel { is_discrete: true, ..panel(vec![modes]) };
+        let text = text(&[modes], Look { is_unicode: true, ..PLAIN });
+        assert_eq!(text.matches('*').count(), 1 + 3, "the name and the points: {text}");
     }
 
     #[test]

@@ -3,6 +3,8 @@
 pub struct Panel {
     /// What stands at the horizontal axis.
     pub x: String,
+    /// Whether there is nothing between points, as between modes.
+    pub is_discrete: bool,
     /// The unit of the vertical axis; empty if there is none.
     pub unit: String,
     pub curves: Vec<Curve>,

@@ -5,7 +5,7 @@ use anyhow::{Context, Result};
 
 use super::panel::{Curve, Panel};
 use super::thin::thinned;
-use crate::figure::{Figure, Panels, Series, Style};
+use crate::figure::{Dash, Figure, Marker, Panels, Series, Style};
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +57,12 @@ fn figure(panel: &Panel) -> Figure {
         let name = if panel.curves.len() > 1 { curve.name.as_str() } else { "" };
         let (x, y) = points(curve, range).into_iter().map(|[x, y]| (x, y)).unzip();
         // Blue first.
-        let style = Style { dash: Style::nth(number).dash, ..Style::nth(number + 1) };
+        let style = Style::nth(number + 1);
+        let style = if panel.is_discrete {
+            style.dashed(Dash::None).marked(Marker::Circle, 1)
+        } else {
+            style.dashed(Style::nth(number).dash)
+        };
         figure.series.push(Series::new(name, x, y).style(style));
     }
     figure.alt = Some(format!("{} against {}", panel.label(), panel.x));

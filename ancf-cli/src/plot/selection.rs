@@ -85,6 +85,7 @@ impl Selection {
                 Some(panel) => panel.curves.push(curve),
                 None => panels.push(Panel {
                     x: self.against.label(),
+                    is_discrete: self.first == "mode",
                     unit: column.unit.clone(),
                     curves: vec![curve],
                 }),

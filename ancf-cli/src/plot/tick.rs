@@ -19,7 +19,7 @@ impl Ticks {
         let count = (last - first).clamp(1.0, 1000.0) as usize;
         let places: Vec<f64> = (0..=count).map(|k| (first + k as f64) * step).collect();
         let most = places.iter().fold(0.0, |most: f64, place| most.max(place.abs()));
-        let is_scientific = most >= 1e5 || most < 1e-3;
+        let is_scientific = !(1e-3..1e5).contains(&most);
         let scale = if is_scientific { most.log10().floor() } else { 0.0 };
         let digits = (scale - (step * 1.000_001).log10().floor()).clamp(0.0, 15.0) as usize;
         Self { places, digits, is_scientific }

@@ -7,6 +7,7 @@ import pickle
 import signal
 import subprocess
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,7 @@ def start(program: Path, model: dict[str, Any], folder: Path) -> subprocess.Pope
     """Start the program on a model; its results go into `folder / "out"`."""
     file = folder / "model.toml"
     ancf.Model.from_dict(model).write(file)
-    command = [program, "run", file, "-o", folder / "out", "--quiet"]
+    command = [str(part) for part in (program, "run", file, "-o", folder / "out", "--quiet")]
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
 
@@ -176,7 +177,8 @@ def test_a_run_that_kept_no_states_says_so(program: Path, rod: dict[str, Any], t
     loaded = ancf.load(folder_of(program, rod | {"output": {"states": 0}}, tmp_path))
     assert len(loaded) == 301
     assert len(loaded.frames) == 0
-    for what in [lambda: loaded.field("position"), loaded.plot_shape, loaded.animate, loaded.report]:
+    wants: list[Callable[[], object]] = [loaded.plot_shape, loaded.animate, loaded.report]
+    for what in [lambda: loaded.field("position"), *wants]:
         with pytest.raises(ValueError, match=r"kept no such states; .*`output\.states` > 0"):
             what()
 

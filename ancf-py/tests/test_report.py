@@ -116,7 +116,7 @@ def test_a_model_with_functions_has_a_report(rod: dict[str, Any]) -> None:
 
 def test_a_report_needs_all_of_the_states(rod: dict[str, Any]) -> None:
     for states in ("positions", "none"):
-        result = ancf.run(rod, states=states)  # type: ignore[arg-type]
+        result = ancf.run(rod, states=states)
         with pytest.raises(ValueError, match='report: the run kept no such states; run it with states="all"'):
             result.report()
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -110,12 +111,16 @@ def test_pictures_are_of_the_times_of_the_states(program: Path, rod: dict[str, A
     assert ax.get_title() == f"t = {loaded.frames[frame]:.4g}"
     tip = np.array(ax.get_lines()[-1].get_xydata())[-1]
     np.testing.assert_allclose(tip, loaded.probe("tip").position[loaded.frame_rows[frame], :2], rtol=1e-9)
-    # A film of 0.3 at a tenth of the speed has 3 s, and its frames are states.
-    film = loaded.animate(speed=0.1, fps=10, parts=1)
-    assert film._save_count is None or film._save_count <= 31  # type: ignore[attr-defined]
-    film._draw_frame(len(loaded.frames) - 1)  # type: ignore[attr-defined]
+    # 0.3 at a hundredth of the speed take 30 s, of which the last frame is the last state.
+    film: Any = loaded.animate(speed=0.01, fps=1, parts=1, save=tmp_path / "rod.gif")
+    frames = list(film.new_frame_seq())
+    assert (len(frames), frames[0], frames[-1]) == (31, 0, len(loaded.frames) - 1)
+    np.testing.assert_allclose(loaded.frames[frames], np.linspace(0, 0.3, 31), atol=0.0151)
+    film._draw_frame(frames[-1])
+    assert film._fig.axes[0].get_title(loc="left").startswith("t = 0.300")
     with pytest.raises(IndexError, match=rf"frame {len(loaded.frames)}: the result has \d+ states"):
         loaded.plot_shape(len(loaded.frames))
+    plt.close("all")
 
 
 def test_results_that_were_read_go_to_other_processes(
@@ -189,7 +194,7 @@ def test_errors_of_folders(program: Path, rod: dict[str, Any], tmp_path: Path) -
     out = folder_of(program, rod, tmp_path)
     model = (out / "model.toml").read_text()
     (out / "model.toml").write_text("ends = 3\n" + model)
-    with pytest.raises(ancf.ModelError, match=r"model\.toml:1:1: ends: unknown key") as caught:
+    with pytest.raises(ancf.ModelError, match=r"model\.toml:1:1: ends: found unknown key") as caught:
         ancf.load(out)
     assert caught.value.file == str(out / "model.toml")
     (out / "model.toml").write_text(model)

@@ -3,8 +3,10 @@
 mod callables;
 mod data;
 mod follower;
+mod load;
 mod model;
 mod part;
+mod report;
 mod run;
 mod signals;
 mod states;
@@ -15,9 +17,13 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
+    use super::load::load;
+    #[pymodule_export]
     use super::model::{diagnose, read, scaled, schema, substitute, to_toml};
     #[pymodule_export]
     use super::part::check_part;
+    #[pymodule_export]
+    use super::report::report;
     #[pymodule_export]
     use super::run::Simulation;
     #[pymodule_export]

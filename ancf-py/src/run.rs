@@ -1,8 +1,9 @@
+use std::collections::BTreeMap;
 use std::io;
 use std::sync::Arc;
 
-use ancf::Summary;
-use ancf::model::Analysis;
+use ancf::model::{Analysis, Units};
+use ancf::{Column, Summary};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -28,6 +29,8 @@ pub(crate) struct Simulation {
     #[pyo3(get)]
     pub(crate) model: Py<PyAny>,
     analysis: Analysis,
+    /// Units of the columns.
+    pub(crate) units: BTreeMap<String, String>,
     pub(crate) every: u32,
     pub(crate) signals: Signals,
 }
@@ -44,12 +47,14 @@ impl Simulation {
         let data = restored(py, &value, &reader.callables)?.unbind();
         let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
         let simulation = Arc::new(simulation.heeding(signals.interrupt()));
-        Ok(Self { simulation, model: data, analysis: model.analysis, every: model.output.every, signals })
+        let units = model.units.as_ref().map(|units| named(units, &simulation)).unwrap_or_default();
+        let every = model.output.every;
+        Ok(Self { simulation, model: data, analysis: model.analysis, units, every, signals })
     }
 
     /// Kind of the analysis and, of a motion, its duration.
     #[getter]
-    fn analysis(&self) -> (&'static str, Option<f64>) {
+    pub(crate) fn analysis(&self) -> (&'static str, Option<f64>) {
         match &self.analysis {
             Analysis::Dynamics(settings) => ("dynamics", Some(settings.duration)),
             Analysis::Statics(_) => ("statics", None),
@@ -89,6 +94,7 @@ impl Simulation {
         let Follower { columns, rows, frames, .. } = follower;
         results.set_item("rows", table(py, rows, columns.len())?)?;
         results.set_item("columns", columns)?;
+        results.set_item("units", &self.units)?;
         results.set_item("states", States::new(&self.simulation, self.model.clone_ref(py), frames))?;
         Ok(results)
     }
@@ -102,8 +108,17 @@ impl Simulation {
     }
 }
 
+/// Units of all columns that have one, `1` of pure numbers.
+fn named(units: &Units, simulation: &ancf::Simulation) -> BTreeMap<String, String> {
+    let of = |column: Column| {
+        let unit = units.of(column.dimension?);
+        Some((column.name, if unit.is_empty() { "1".to_owned() } else { unit }))
+    };
+    simulation.columns().into_iter().filter_map(of).collect()
+}
+
 /// Rows, one after the other, as an array of two dimensions; the numbers stay where they are.
-fn table(py: Python<'_>, rows: Vec<f64>, columns: usize) -> PyResult<Bound<'_, PyArray2<f64>>> {
+pub(crate) fn table(py: Python<'_>, rows: Vec<f64>, columns: usize) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let count = rows.len().checked_div(columns).unwrap_or(0);
     PyArray1::from_vec(py, rows).reshape([count, columns])
 }

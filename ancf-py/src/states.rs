@@ -14,9 +14,11 @@ use crate::signals::Signals;
 #[pyclass(frozen, module = "ancf._ancf")]
 #[derive(Debug)]
 pub(crate) struct States {
-    simulation: Arc<Simulation>,
+    pub(crate) simulation: Arc<Simulation>,
     /// The model as plain data, by which another process makes the same simulation.
-    model: Py<PyAny>,
+    pub(crate) model: Py<PyAny>,
+    /// The text of the model's file, if it is known.
+    pub(crate) text: Option<String>,
     frames: Frames,
 }
 
@@ -60,7 +62,8 @@ impl Keep {
     }
 }
 
-/// Frames one after the other: of each, time and load factor, and so many coordinates, velocities and accelerations.
+/// Frames one after the other: of each, time and load factor, and so many coordinates, or these with velocities, accelerations
+/// and multipliers.
 #[derive(Clone, Debug)]
 pub(crate) struct Frames {
     keep: Keep,
@@ -79,7 +82,7 @@ impl Frames {
     /// If it does not fit into memory.
     pub(crate) fn push(&mut self, s: &State) -> Result<(), TryReserveError> {
         let kept: &[&[f64]] = match self.keep {
-            Keep::All => &[&s.q, &s.v, &s.a],
+            Keep::All => &[&s.q, &s.v, &s.a, &s.lambda],
             Keep::Positions => &[&s.q],
             Keep::Nothing => return Ok(()),
         };
@@ -98,17 +101,25 @@ impl Frames {
         }
     }
 
+    /// Numbers of a frame.
+    fn width(keep: Keep, s: &State) -> usize {
+        match keep {
+            Keep::All => 3 * s.q.len() + s.lambda.len(),
+            Keep::Positions => s.q.len(),
+            Keep::Nothing => 0,
+        }
+    }
+
     /// Frames of these numbers as states, one after the other in the same place.
     fn each(&self, frames: &[usize], mut s: State, mut see: impl FnMut(&State) -> bool) {
-        let n = s.q.len();
-        let width = if self.keep == Keep::All { 3 * n } else { n };
+        let width = Self::width(self.keep, &s);
         for &frame in frames {
-            let numbers = &self.numbers[frame * width..][..width];
+            let mut numbers = &self.numbers[frame * width..][..width];
             [s.t, s.load] = self.at[frame];
-            s.q.copy_from_slice(&numbers[..n]);
-            if self.keep == Keep::All {
-                s.v.copy_from_slice(&numbers[n..2 * n]);
-                s.a.copy_from_slice(&numbers[2 * n..]);
+            for part in [&mut s.q, &mut s.v, &mut s.a, &mut s.lambda] {
+                let Some((own, rest)) = numbers.split_at_checked(part.len()) else { break };
+                part.copy_from_slice(own);
+                numbers = rest;
             }
             if !see(&s) {
                 return;
@@ -119,17 +130,49 @@ impl Frames {
 
 impl States {
     pub(crate) fn new(simulation: &Arc<Simulation>, model: Py<PyAny>, frames: Frames) -> Self {
-        Self { simulation: Arc::clone(simulation), model, frames }
+        Self { simulation: Arc::clone(simulation), model, text: None, frames }
+    }
+
+    /// The same, of a model whose file reads so.
+    pub(crate) fn with_text(self, text: Option<String>) -> Self {
+        Self { text, ..self }
+    }
+
+    /// All states, of which everything must have been kept.
+    ///
+    /// # Errors
+    /// If it was not, or if they do not fit into memory.
+    pub(crate) fn all(&self) -> PyResult<Vec<State>> {
+        if self.frames.keep != Keep::All {
+            return Err(PyValueError::new_err(lacking("report", "states=\"all\"")));
+        }
+        let mut states = Vec::new();
+        let count = self.frames.at.len();
+        states.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err("no memory for the states"))?;
+        let numbers: Vec<usize> = (0..count).collect();
+        self.frames.each(&numbers, self.simulation.assembly().rest(), |s| {
+            states.push(s.clone());
+            true
+        });
+        Ok(states)
     }
 }
 
-/// The model, what was kept, times and load factors, all numbers.
-type Packed<'py> = (Py<PyAny>, &'static str, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+/// Said when states are wanted that were not kept.
+fn lacking(what: &str, wanted: &str) -> String {
+    let file = "of a run by the command line, by a model with `output.states` > 0";
+    format!("{what}: the run kept no such states; run it with {wanted}; {file}")
+}
+
+/// The model, its text, what was kept, times and load factors, all numbers.
+type Packed<'py> =
+    (Py<PyAny>, Option<&'py str>, &'static str, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// States that were pickled.
 #[pyfunction]
 pub(crate) fn states(
     model: Bound<'_, PyAny>,
+    text: Option<String>,
     keep: &str,
     at: PyReadonlyArray1<'_, f64>,
     numbers: PyReadonlyArray1<'_, f64>,
@@ -137,16 +180,12 @@ pub(crate) fn states(
     let simulation = run::Simulation::new(&model)?;
     let at = at.as_slice()?.as_chunks().0.to_vec();
     let frames = Frames { keep: Keep::named(keep)?, at, numbers: numbers.as_slice()?.to_vec() };
-    let size = simulation.simulation.assembly().rest().q.len() * frames.at.len();
-    let wanted = match frames.keep {
-        Keep::All => 3 * size,
-        Keep::Positions => size,
-        Keep::Nothing => 0,
-    };
+    let rest = simulation.simulation.assembly().rest();
+    let wanted = Frames::width(frames.keep, &rest).saturating_mul(frames.at.len());
     if frames.numbers.len() != wanted {
         return Err(PyValueError::new_err("these states are not of this model"));
     }
-    Ok(States::new(&simulation.simulation, model.unbind(), frames))
+    Ok(States::new(&simulation.simulation, model.unbind(), frames).with_text(text))
 }
 
 #[pymethods]
@@ -163,7 +202,7 @@ impl States {
         let count = self.frames.at.len();
         let frames = frames.unwrap_or_else(|| (0..count).collect());
         if let Some(frame) = frames.iter().find(|frame| **frame >= count) {
-            return Err(PyIndexError::new_err(format!("row {frame} of {count}")));
+            return Err(PyIndexError::new_err(format!("state {frame} of {count}")));
         }
         let Some((_, field)) = Field::ALL.into_iter().find(|(own, _)| *own == name) else {
             let names: Vec<_> = Field::ALL.iter().map(|(name, _)| format!("{name:?}")).collect();
@@ -178,9 +217,7 @@ impl States {
             Keep::Nothing => Some("states=\"all\" or \"positions\""),
         };
         if let Some(wanted) = wanted {
-            return Err(PyValueError::new_err(format!(
-                "field {name:?}: the run kept no such states; run it with {wanted}"
-            )));
+            return Err(PyValueError::new_err(lacking(&format!("field {name:?}"), wanted)));
         }
         let parts = checked(parts)?;
         let signals = Signals::default();
@@ -213,11 +250,11 @@ impl States {
     }
 
     /// How pickle makes them again: by `states` from the model and all numbers.
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Packed<'py>)> {
+    fn __reduce__<'py>(&'py self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Packed<'py>)> {
         let make = py.import("ancf._ancf")?.getattr("states")?;
         let Frames { keep, at, numbers } = &self.frames;
         let (at, numbers) = (PyArray1::from_slice(py, at.as_flattened()), PyArray1::from_slice(py, numbers));
-        Ok((make, (self.model.clone_ref(py), keep.name(), at, numbers)))
+        Ok((make, (self.model.clone_ref(py), self.text.as_deref(), keep.name(), at, numbers)))
     }
 
     /// Number of frames.

@@ -5,7 +5,7 @@ its analysis, and a `Result` has what was computed as NumPy arrays.
 """
 
 from ancf import _ancf, model
-from ancf.analysis import buckling, check, modes, path, run, scaled, schema, statics
+from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
 from ancf.errors import AnalysisError, Fault, ModelError
 from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
@@ -24,6 +24,7 @@ __all__ = [
     "__version__",
     "buckling",
     "check",
+    "load",
     "modes",
     "path",
     "run",

@@ -68,7 +68,8 @@ def run(
         Whether a bar shows how far a motion is; by default if there is a terminal or a notebook.
     states
         What is kept of each state for `Result.field`: all of it, positions only, or nothing. All takes
-        24 bytes a coordinate and row: 12 coordinates a node and 1000 rows of 1000 elements take 290 MB.
+        24 bytes a coordinate and 8 a multiplier and row: 12 coordinates a node and 1000 rows of 1000 elements
+        take 290 MB. `Result.report` needs all.
 
     Raises
     ------
@@ -99,7 +100,15 @@ def carried_out(
     """
     done = simulation.run(states, watch, tick, stop)
     kind, _ = simulation.analysis
-    result = Result(done["columns"], done["rows"], done["states"], kind, done["summary"], simulation.model)
+    result = Result(
+        done["columns"],
+        done["rows"],
+        done["states"],
+        kind,
+        done["summary"],
+        simulation.model,
+        units=done["units"],
+    )
     error = done["error"]
     if error is not None:
         error.result = result  # type: ignore[attr-defined]
@@ -107,6 +116,36 @@ def carried_out(
     if done["failure"] is not None:
         raise AnalysisError(done["failure"], result)
     return result
+
+
+def load(folder: str | os.PathLike[str]) -> Result:
+    """Read what `ancf run` wrote into a folder, also of a run that was killed or still goes on.
+
+    The columns are those that `ancf.run` gives. Fields are of the states that the run kept, `Result.frames`: of
+    motions about as many as `output.states` says, of all else every one. Of a run that goes on it is what was on the
+    disk a moment ago; `summary["outcome"]["kind"]` is `running` then, and `broken` of one that was killed, with a
+    `reason` in words.
+
+    Raises
+    ------
+    ModelError
+        If the model in the folder is none of this version.
+    OSError
+        If there is no run (`FileNotFoundError`), or a file is damaged or cannot be read.
+
+    """
+    done = _ancf.load(Path(folder))
+    return Result(
+        done["columns"],
+        done["rows"],
+        done["states"],
+        done["kind"],
+        done["summary"],
+        done["model"],
+        units=done["units"],
+        frames=done["frames"],
+        frame_rows=done["frame_rows"],
+    )
 
 
 def statics(model: ModelLike, **settings: Any) -> Result:

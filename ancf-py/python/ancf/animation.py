@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.lines import COLOURS, Lines, filmed, shaking, told, whole
+from ancf.lines import COLOURS, Lines, filmed, shaking, told, whole, with_unit
 from ancf.plot import style
 from ancf.shape import GREY, Canvas, View, arms, arms_at, axes_of, body_colours, legend, strokes
 
@@ -27,10 +27,10 @@ FILM = 5.0
 
 
 def frames(result: Result, speed: float | None, fps: int) -> tuple[list[int], float]:
-    """Rows that a film shows one after the other, and by how much it is faster than the motion."""
+    """Frames that a film shows one after the other, and by how much it is faster than the motion."""
     if result.kind != "dynamics":
-        return [round(row) for row in np.linspace(0, len(result) - 1, round(FILM * fps))], 1.0
-    time = result.time
+        return [round(row) for row in np.linspace(0, len(result.frames) - 1, round(FILM * fps))], 1.0
+    time = result.frames
     lasted = float(time[-1] - time[0])
     speed = lasted / FILM if speed is None else speed
     if not 0 < speed < np.inf:
@@ -74,7 +74,7 @@ def animate(
     extent = np.concatenate([*every, lines.rest])
     view = View.of(plane, extent)
     with style():
-        ax: Canvas = axes_of(view)
+        ax: Canvas = axes_of(view, unit=result.field_units.get("position"))
         if reference:
             strokes(ax, view, lines, lines.rest, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
         drawn = strokes(ax, view, lines, film.places(film.frames[0]), body_colours(lines, None), {})
@@ -131,9 +131,10 @@ class Motion:
         """What stands above it."""
         if self._result.kind != "dynamics":
             return told(self._result, frame)
-        time = self._result.time
+        time = self._result.frames
         decimals = max(0, 2 - int(np.floor(np.log10(time[-1])))) if time[-1] > 0 else 0
-        return f"t = {time[frame]:.{decimals}f}" + (f"   speed {self._speed:.3g}" if self._speed != 1 else "")
+        words = with_unit(f"t = {time[frame]:.{decimals}f}", self._result.field_units.get("time"), " ")
+        return words + (f"   speed {self._speed:.3g}" if self._speed != 1 else "")
 
 
 class Vibration:
@@ -142,10 +143,11 @@ class Vibration:
     def __init__(self, result: Result, lines: Lines, mode: int | None, scale: float | None, fps: int) -> None:
         """The shape of a row, by default of the lowest mode that is no rigid motion."""
         row = shaking(result)[0] if mode is None else mode
-        if not -len(result) <= row < len(result):
-            msg = f"mode: found {row}, wanted less than {len(result)}"
+        count = len(result.frames)
+        if not -count <= row < count:
+            msg = f"mode: found {row}, wanted less than {count}"
             raise IndexError(msg)
-        self._lines, self._row, self._words = lines, row % len(result), told(result, row % len(result))
+        self._lines, self._row, self._words = lines, row % count, told(result, row % count)
         self._scale = lines.scale(self._row) if scale is None else scale
         self.frames = list(range(2 * fps))
         self._angles = 2 * np.pi * np.arange(len(self.frames)) / fps

@@ -24,7 +24,7 @@ AXES = {"x": 0, "y": 1, "z": 2}
 
 
 class Lines:
-    """Where the lines of all bodies are in each row of a result."""
+    """Where the lines of all bodies are in each frame of a result."""
 
     def __init__(self, result: Result, parts: int = 8) -> None:
         """Lines of the bodies of a `result`, with as many `parts` to an element; a rigid body is a point."""
@@ -38,7 +38,7 @@ class Lines:
         self.pieces = np.array([i for i in range(len(names) - 1) if names[i] == names[i + 1]], dtype=int)
         """Stations after which the line of their body goes on."""
         self.path = result.field("position", parts=parts)
-        """Positions, `[row, station, 3]`; of modes, those about which it moves."""
+        """Positions, `[frame, station, 3]`; of modes, those about which it moves."""
         self.rest: Array = (self.path[:1] - result.field("displacement", parts=parts)[:1])[0]
         """The reference configuration, `[station, 3]`."""
         self.modal = result.kind in {"modes", "buckling"}
@@ -126,7 +126,7 @@ class Arms:
                 stations.append(lines.bodies[body["name"]].start)
                 offsets.append(np.subtract(place, body["center"]))
         if not stations:
-            return cls([], np.empty((0, 3)), np.empty((len(result), 0, 3, 3)))
+            return cls([], np.empty((0, 3)), np.empty((len(result.frames), 0, 3, 3)))
         return cls(stations, np.array(offsets), result.field("directors", parts=parts)[:, stations])
 
     def tips(self, row: int, places: Array) -> Array:
@@ -146,21 +146,24 @@ def tied(model: Mapping[str, Any], body: str) -> Iterator[tuple[float, ...]]:
 def rows(
     result: Result, frame: int | Iterable[int] = -1, time: float | Iterable[float] | None = None
 ) -> list[int]:
-    """Numbers of the rows that `frame` names, from the end if negative, or those next to `time`, if given."""
+    """Numbers of the frames that `frame` names, from the end if negative, or those next to `time`, if given."""
     if time is not None:
         times = np.atleast_1d(np.asarray(time, dtype=float))
         if not times.size or not np.isfinite(times).all():
             msg = f"time: found {time}, wanted a finite number or several"
             raise ValueError(msg)
-        return [int(np.abs(result.time - t).argmin()) for t in times]
+        if result.kind != "dynamics":
+            msg = f"a result of {result.kind} has no time"
+            raise AttributeError(msg)
+        return [int(np.abs(result.frames - t).argmin()) for t in times]
     wanted = list(frame) if isinstance(frame, Iterable) else [frame]
     if not wanted or not all(isinstance(row, int | np.integer) for row in wanted):
         msg = f"frame: found {frame}, wanted the number of a row or of several"
         raise ValueError(msg)
-    count = len(result)
+    count = len(result.frames)
     for row in wanted:
         if not -count <= row < count:
-            msg = f"frame {row}: the result has {count} rows"
+            msg = f"frame {row}: the result has {count} {'rows' if count == len(result) else 'states'}"
             raise IndexError(msg)
     return [int(row) % count for row in wanted]
 
@@ -174,26 +177,43 @@ def whole(name: str, value: object, least: int) -> None:
 
 def filmed(result: Result) -> None:
     """Refuse what has nothing to go through."""
-    if result.kind not in {"modes", "buckling"} and len(result) < 2:
-        msg = f"film: found a result of {len(result)} row{'s' * (len(result) != 1)}, wanted two rows at least"
+    count = len(result.frames)
+    # Where no states were kept, that is to be said, by what asks for them.
+    if result.kind not in {"modes", "buckling"} and count < 2 and (count or not len(result)):
+        msg = f"film: found a result of {count} row{'s' * (count != 1)}, wanted two rows at least"
         raise ValueError(msg)
 
 
-def told(result: Result, row: int) -> str:
-    """The row in words: time, load factor, frequency or critical load factor."""
+def told(result: Result, frame: int) -> str:
+    """The frame in words: time, load factor, frequency or critical load factor."""
+    value, row = result.frames[frame], result.frame_rows[frame]
     if result.kind == "dynamics":
-        return f"t = {brief(result.time[row])}"
+        return f"t = {with_unit(brief(value), result.field_units.get('time'), ' ')}"
+    if result.kind in {"modes", "buckling"} and row < 0:
+        return f"{'mode' if result.kind == 'modes' else 'shape'} {brief(value)}"
     if result.kind == "modes":
         squared, frequency = result["squared"][row], result.frequencies[row]
-        return f"mode {row + 1}: " + ("unstable" if squared < 0 else f"f = {brief(frequency)}")
+        if squared < 0:
+            return f"mode {row + 1}: unstable"
+        unit = result.units.get("frequency")
+        return f"mode {row + 1}: f = {with_unit(brief(frequency), unit, ' ')}"
     if result.kind == "buckling":
         return f"shape {row + 1}: factor {brief(result.factors[row])}"
-    return f"load factor {brief(result.load[row])}"
+    return f"load factor {brief(value)}"
+
+
+def with_unit(words: str, unit: str | None, between: str = ", ") -> str:
+    """Words with a unit, if there is one that has a name."""
+    if unit in {None, "", "1"}:
+        return words
+    return f"{words}{between}{unit}" if words else str(unit)
 
 
 def shaking(result: Result) -> list[int]:
-    """Rows of the modes that are no rigid motions, or all if there are no others."""
+    """Frames of the modes that are no rigid motions, or all if there are no others."""
+    every = list(range(len(result.frames)))
     if result.kind == "buckling":
-        return list(range(len(result)))
-    elastic = [row for row, frequency in enumerate(result.frequencies) if frequency != 0]
-    return elastic or list(range(len(result)))
+        return every
+    rows = result.frame_rows
+    elastic = [frame for frame in every if rows[frame] < 0 or result.frequencies[rows[frame]] != 0]
+    return elastic or every

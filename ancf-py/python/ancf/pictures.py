@@ -96,9 +96,10 @@ class Pictures:
         Parameters
         ----------
         frame
-            Number of a row or of several, from the end if negative; modes are rows too.
+            Number of a row or of several, from the end if negative; modes are rows too. Of a result of
+            `ancf.load`, of the states that were kept, `Result.frames`.
         time
-            A time or several, instead of `frame`; the rows next to them are drawn.
+            A time or several, instead of `frame`; the states next to them are drawn.
         plane
             Two letters, the first to the right, such as `xz`, or `3d`; by default as the model extends.
         color
@@ -233,7 +234,7 @@ class Pictures:
         frame
             Number of the row, from the end if negative.
         time
-            A time, instead of `frame`; the row next to it is taken.
+            A time, instead of `frame`; the state next to it is taken.
         color
             What points have data of, as in `plot_shape`.
         scale
@@ -277,7 +278,7 @@ class Pictures:
         frame
             Number of the row, from the end if negative.
         time
-            A time, instead of `frame`; the row next to it is shown.
+            A time, instead of `frame`; the state next to it is shown.
         color
             A colour, or what to colour by, as in `plot_shape`.
         animate

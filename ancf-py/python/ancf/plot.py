@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ancf.lines import COLOURS
+from ancf.lines import COLOURS, with_unit
 from ancf.record import FREEDOMS, VECTORS, Array, Probe, unknown
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ def draw(
         for label, column in curves.items():
             pair = (column, numbers) if up else (numbers, column)
             ax.plot(*pair, **{"label": label} | line)
-        what = what or measured(list(curves))
+        what = with_unit(what or measured(list(curves)), common(result, curves))
         ax.set_xlabel(what if up else over)
         ax.set_ylabel(over if up else what)
         if len(curves) > CROWD:
@@ -161,12 +161,14 @@ def abscissa(result: Result, x: str | None) -> tuple[str, Array]:
     """Words and numbers of the axis that columns are drawn over."""
     if x is None:
         words = {"t": "time", "load": "load factor"}
-        return words.get(result.columns[0], result.columns[0]), result.data[:, 0]
+        first = result.columns[0]
+        return with_unit(words.get(first, first), result.units.get(first)), result.data[:, 0]
     found = columns(result, x)
     if len(found) != 1:
         msg = f"x: found {x!r}, which has {', '.join(map(repr, found))}; wanted one column"
         raise ValueError(msg)
-    return next(iter(found.items()))
+    (label, numbers), *_ = found.items()
+    return with_unit(label, common(result, found)), numbers
 
 
 def measured(labels: list[str]) -> str:
@@ -175,6 +177,13 @@ def measured(labels: list[str]) -> str:
         return labels[0]
     found = {quantity(label) for label in labels}
     return found.pop() if len(found) == 1 else ""
+
+
+def common(result: Result, labels: Iterable[str]) -> str | None:
+    """The unit that all columns of a plot have, if they have one."""
+    # The sum of energies is no column.
+    found = {result.units.get("strain" if label == "total" else label) for label in labels}
+    return found.pop() if len(found) == 1 else None
 
 
 def quantity(column: str) -> str:

@@ -119,6 +119,8 @@ class Record:
         Stations are the ends of elements and, with `parts` > 1, as many places within each; of rigid bodies
         their centres. They follow one another in the order of the bodies (see `stations`) or are those of
         one `body`. Of long runs some `rows` may be enough: a number, a slice or several numbers.
+
+        Of a result of `ancf.load` rows of a field are the states that were kept, at `Result.frames`.
         """
         chosen = np.arange(len(self.states))[slice(None) if rows is None else rows]
         numbers = self.states.field(name, parts, None if rows is None else np.atleast_1d(chosen).tolist())

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ancf.lines import AXES, COLOURS, Lines, rows, shaking, told, whole
+from ancf.lines import AXES, COLOURS, Lines, rows, shaking, told, whole, with_unit
 from ancf.plot import Grid, grid, style
 from ancf.record import Array
 
@@ -82,10 +82,10 @@ class View:
         coordinates: Array = points @ self.basis.T
         return coordinates
 
-    def label(self, ax: Canvas) -> None:
-        """Name the axes."""
+    def label(self, ax: Canvas, unit: str | None = None) -> None:
+        """Name the axes, with the unit of length."""
         for name, own in zip("xyz", self.names, strict=False):
-            getattr(ax, f"set_{name}label")(own)
+            getattr(ax, f"set_{name}label")(with_unit(own, unit) if own.strip() else own)
 
     def fit(self, ax: Canvas, points: Array, zoom: float = 0.82) -> None:
         """Show all points with the same scale along all axes; in space with room for their labels."""
@@ -128,7 +128,7 @@ def plot_shape(
     values = mapped(result, lines, color, parts)
     with style():
         own = ax is None
-        ax = axes_of(view, ax)
+        ax = axes_of(view, ax, result.field_units.get("position"))
         if reference:
             strokes(ax, view, lines, lines.rest, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
         for row, place, strength in zip(
@@ -142,7 +142,9 @@ def plot_shape(
                 bands = coloured(ax, view, lines, place, values[row], limits(values[wanted]), look)
         view.fit(ax, extent)
         if values is not None:
-            ax.figure.colorbar(bands, ax=ax, label=color, shrink=0.8, pad=0.1 if view.spatial else 0.03)
+            ax.figure.colorbar(
+                bands, ax=ax, label=named(result, color), shrink=0.8, pad=0.1 if view.spatial else 0.03
+            )
         elif 1 < len(lines.bodies) <= len(COLOURS) and color is None:
             legend(ax, lines, beside=own)
         ax.set_title(" ... ".join(dict.fromkeys(told(result, row) for row in (wanted[0], wanted[-1]))))
@@ -166,7 +168,7 @@ def plot_modes(
         msg = f"a result of {result.kind} has no shapes"
         raise AttributeError(msg)
     whole("count", count, 1)
-    wanted = (list(range(len(result))) if rigid else shaking(result))[:count]
+    wanted = (list(range(len(lines.path))) if rigid else shaking(result))[:count]
     places = [lines.places(row, scale) for row in wanted]
     straight = View.along(lines.path[0], places[0] - lines.path[0]) if plane is None else None
     view = straight or View.of(plane, np.stack([*places, lines.path[0]]))
@@ -188,8 +190,8 @@ def plot_modes(
     return axes.ravel()[: len(wanted)]
 
 
-def axes_of(view: View, ax: Canvas = None) -> Canvas:
-    """Axes for a view, new ones if there are none."""
+def axes_of(view: View, ax: Canvas = None, unit: str | None = None) -> Canvas:
+    """Axes for a view in a unit of length, new ones if there are none."""
     import matplotlib.pyplot as plt
 
     if ax is not None:
@@ -199,7 +201,7 @@ def axes_of(view: View, ax: Canvas = None) -> Canvas:
     else:
         _, ax = plt.subplots()
         grid(ax)
-    view.label(ax)
+    view.label(ax, unit)
     return ax
 
 
@@ -302,6 +304,12 @@ def mapped(result: Result, lines: Lines, color: str | None, parts: int) -> Array
         msg = f"color: found {color!r}, wanted a colour, since there is no beam or cable"
         raise ValueError(msg)
     return lines.values(result, color, parts)
+
+
+def named(result: Result, color: str | None) -> str:
+    """What is coloured by, with its unit; shapes of modes have none."""
+    unit = None if result.kind in {"modes", "buckling"} else str(color).partition(".")[0]
+    return with_unit(str(color), result.field_units.get(unit or ""))
 
 
 def limits(values: Array) -> tuple[float, float]:

@@ -11,7 +11,7 @@ import numpy as np
 from ancf.animation import frames
 from ancf.lines import filmed, told
 from ancf.scene import Scene
-from ancf.shape import View, limits
+from ancf.shape import View, limits, named
 
 if TYPE_CHECKING:
     import os
@@ -160,7 +160,7 @@ class Stage:
             "clim": [least, greatest],
             "cmap": "coolwarm" if least == -greatest else "viridis",
             "nan_color": "#b0b0b0",
-            "scalar_bar_args": {"title": f"{self.scene.color}\n", **BAR},
+            "scalar_bar_args": {"title": f"{named(self.scene.result, self.scene.color)}\n", **BAR},
         }
 
     def picture(self, path: str | os.PathLike[str]) -> None:
@@ -200,7 +200,7 @@ class Stage:
         notebook = bool(self.plotter.notebook)
         turned = can_turn() and pv.global_theme.jupyter_backend not in {"static", "none"}
         if slider and (turned or not notebook):
-            last = len(self.scene.result) - 1
+            last = len(self.scene.result.frames) - 1
             self.plotter.add_slider_widget(
                 lambda value: self.to(round(value)), [0, last], value=self.row, fmt="%.0f", color="black"
             )
@@ -221,14 +221,14 @@ class Stage:
             return [(self.row, x) for x in swing.tolist()] * max(1, round(seconds))
         result = scene.result
         if result.kind != "dynamics":
-            at = np.linspace(0, len(result) - 1, max(2, round(seconds * FPS)))
+            at = np.linspace(0, len(result.frames) - 1, max(2, round(seconds * FPS)))
             return [(round(row), None) for row in at]
-        speed = float(result.time[-1] - result.time[0]) / seconds
+        speed = float(result.frames[-1] - result.frames[0]) / seconds
         return [(row, None) for row in frames(result, speed, FPS)[0]]
 
     def _seen(self, moving: bool) -> Array:
         """Points that the camera is to have in view."""
-        scene, count = self.scene, len(self.scene.result)
+        scene, count = self.scene, len(self.scene.result.frames)
         if scene.lines.modal or not moving:
             return np.asarray(self.mesh.points)
         every = range(0, count, max(1, count // 60))

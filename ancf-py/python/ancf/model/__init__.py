@@ -82,7 +82,7 @@ from ancf.model.materials import Damping, Material, MaterialLaw
 from ancf.model.output import Output, Probe, Quantity
 from ancf.model.places import At, End, Ground, Named, Place
 from ancf.model.sections import Circle, Ellipse, GeneralSection, Rectangle, Section, Tube
-from ancf.model.whole import AutoScales, GivenScales, Model, NoScales, PaperScales, ScaleChoice
+from ancf.model.whole import AutoScales, GivenScales, Model, NoScales, PaperScales, ScaleChoice, Units
 
 __all__ = [
     "HHT",
@@ -186,6 +186,7 @@ __all__ = [
     "Table",
     "TimeFunction",
     "Tube",
+    "Units",
     "Universal",
     "Varying",
 ]

@@ -66,8 +66,11 @@ class Output(Part):
     interval
         Time between recorded instants, on each of which a step ends; every step is recorded if left out (>
         0).
-    npz
-        Write ``probes.npz``, one binary array a column, readable by NumPy. Default: ``True``.
+    parquet
+        Write ``results.parquet``. Default: ``True``.
+    states
+        Keep about so many states for pictures and reports, evenly spaced in time, the first and the last
+        among them; of equilibria, modes and critical loads all, unless 0 (>= 0). Default: ``200``.
 
     """
 
@@ -77,4 +80,5 @@ class Output(Part):
     energy_parts: bool | None = None
     every: int | None = None
     interval: float | None = None
-    npz: bool | None = None
+    parquet: bool | None = None
+    states: int | None = None

@@ -18,7 +18,7 @@ from ancf.model.output import Output, Probe
 from ancf.model.sections import Section
 from ancf.part import Part, Vector
 
-__all__ = ["AutoScales", "GivenScales", "Model", "NoScales", "PaperScales", "ScaleChoice"]
+__all__ = ["AutoScales", "GivenScales", "Model", "NoScales", "PaperScales", "ScaleChoice", "Units"]
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
@@ -84,6 +84,30 @@ ScaleChoice: TypeAlias = NoScales | PaperScales | AutoScales | GivenScales
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class Units(Part):
+    """What the units of the model's numbers are called.
+
+    Nothing is converted: these are names for axes, legends and result files.
+
+    Attributes
+    ----------
+    length
+        The unit of length, such as ``"m"``.
+    time
+        The unit of time, such as ``"s"``.
+    force
+        The unit of force, such as ``"N"``.
+
+    """
+
+    _form = "Units"
+
+    length: str
+    time: str
+    force: str
+
+
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Model(Document):
     """A flexible multibody model.
 
@@ -111,7 +135,8 @@ class Model(Document):
     materials
         Materials by name.
     output
-        What is written, and how often. Default: ``Output(csv=True, energy_parts=False, every=1, npz=True)``.
+        What is written, and how often. Default: ``Output(csv=True, energy_parts=False, every=1, parquet=True,
+        states=200)``.
     probes
         Points whose motion is recorded.
     scales
@@ -120,6 +145,8 @@ class Model(Document):
         Cross-sections by name.
     title
         A line that says what this model is.
+    units
+        What its units are called, for axes and result files; nothing is converted.
 
     """
 
@@ -139,3 +166,4 @@ class Model(Document):
     scales: ScaleChoice | None = None
     sections: Mapping[str, Section] | None = None
     title: str | None = None
+    units: Units | None = None

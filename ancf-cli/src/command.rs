@@ -9,6 +9,7 @@ use clap::Subcommand;
 
 use crate::check;
 use crate::paper;
+use crate::paraview;
 use crate::progress::{print, say};
 use crate::run;
 use crate::study;
@@ -35,6 +36,9 @@ pub enum Command {
     /// Show the results of a run in a browser, live while it goes on.
     #[command(after_help = view::VIEW_EXAMPLES)]
     View(view::View),
+    /// Write the results of a run as files for ParaView and PyVista.
+    #[command(after_help = paraview::EXAMPLES)]
+    Paraview(paraview::Arguments),
     /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
     #[command(after_help = study::EXAMPLES)]
     Study(study::Arguments),
@@ -107,6 +111,7 @@ impl Command {
             Self::Resume(arguments) => arguments.run(),
             Self::Report(arguments) => arguments.run(),
             Self::View(arguments) => arguments.run(),
+            Self::Paraview(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 print(&ancf::model::schema_text());

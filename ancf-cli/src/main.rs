@@ -5,6 +5,7 @@ mod command;
 mod conclusion;
 mod figure;
 mod paper;
+mod paraview;
 mod progress;
 mod report;
 mod run;

@@ -124,7 +124,8 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
         (Status::Running, _) => Ending::Running,
         (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
         (_, None) => {
-            messages.push("The run ended without a word: it was killed. `ancf resume` goes on with it.".into());
+            messages
+                .push("The run ended without a word: it was killed. `ancf resume` goes on with it.".into());
             Ending::Stopped
         }
     };
@@ -181,10 +182,12 @@ impl Source for Followed<'_> {
         for folder in ["", "states.parquet.parts", "results.parquet.parts"] {
             for entry in fs::read_dir(self.0.join(folder)).into_iter().flatten().flatten() {
                 let Ok(about) = entry.metadata() else { continue };
-                let time = about.modified().ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
+                let time =
+                    about.modified().ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
                 let nanoseconds = time.map_or(0, |time| time.as_nanos() as u64);
                 // Files come in any order.
-                version = version.wrapping_add((about.len() ^ nanoseconds).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+                version =
+                    version.wrapping_add((about.len() ^ nanoseconds).wrapping_mul(0x9e37_79b9_7f4a_7c15));
             }
         }
         version

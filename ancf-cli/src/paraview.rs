@@ -15,7 +15,7 @@ use crate::progress::{print, say};
 use crate::view::opened;
 
 /// What `ancf paraview` is given.
-#[derive(Args)]
+#[derive(Debug, Args)]
 pub struct Arguments {
     /// The folder of a run, which may be going on.
     folder: PathBuf,

@@ -99,8 +99,10 @@ impl<'a> Writer<'a> {
             self.left_out += 1;
             return Ok(());
         }
-        let label = label(self.recording, frame);
-        self.draw(time, &label, &frame.state)
+        // Times speak for themselves.
+        let moves = self.recording.model.analysis.dynamics().is_some();
+        let label = (!moves).then(|| label(self.recording, frame));
+        self.draw(time, label, &frame.state)
     }
 
     /// Writes the collections; without any frame, of the undeformed state.
@@ -110,7 +112,7 @@ impl<'a> Writer<'a> {
     pub fn finish(mut self) -> io::Result<Written> {
         if self.sections.1.count() == 0 {
             let initial = self.recording.simulation.assembly().initial();
-            self.draw(0.0, "undeformed", &initial)?;
+            self.draw(0.0, Some("undeformed".to_owned()), &initial)?;
         }
         let frames = self.sections.1.count();
         let obstacles = self.obstacles.iter().map(|(_, collection)| collection);
@@ -119,7 +121,7 @@ impl<'a> Writer<'a> {
         Ok(Written { files, frames, left_out: self.left_out })
     }
 
-    fn draw(&mut self, time: f64, label: &str, s: &State) -> io::Result<()> {
+    fn draw(&mut self, time: f64, label: Option<String>, s: &State) -> io::Result<()> {
         let reference = self.reference.take().unwrap_or_else(|| self.geometry.place(s));
         let shown = match self.recording.is_modal() {
             true => Cow::Owned(displaced(&self.geometry, s, self.stage.size)),
@@ -136,9 +138,9 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    fn tagged(&self, time: f64, label: &str, s: &State) -> Vec<Array> {
+    fn tagged(&self, time: f64, label: Option<String>, s: &State) -> Vec<Array> {
         let mut tags = self.tags.clone();
-        tags.push(Array::new("label", 1, Values::Text(vec![label.to_owned()])));
+        tags.extend(label.map(|label| Array::new("label", 1, Values::Text(vec![label]))));
         tags.push(Array::new("load_factor", 1, Values::F64(vec![s.load])));
         tags.push(Array::new("TimeValue", 1, Values::F64(vec![time])));
         tags

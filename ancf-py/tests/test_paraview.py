@@ -54,7 +54,9 @@ def program() -> Path:
     """The program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
     named = os.environ.get("ANCF_PROGRAM")
     if named is None:
-        subprocess.run(["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"], cwd=ROOT, check=True)
+        subprocess.run(
+            ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"], cwd=ROOT, check=True
+        )
     return Path(named or ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}").resolve()
 
 
@@ -90,7 +92,7 @@ def exported(program: Path, model: Path, out: Path, *options: str) -> Path:
 
 def frames(out: Path, name: str) -> list[tuple[float, Any]]:
     """Times and grids of a collection."""
-    reader = pv.get_reader(str(out / "paraview" / f"{name}.pvd"))
+    reader = pv.PVDReader(str(out / "paraview" / f"{name}.pvd"))
     found = []
     for value in reader.time_values:
         reader.set_active_time_value(value)
@@ -193,11 +195,13 @@ def test_frames_are_thinned_and_chosen(program: Path, swing: Path, tmp_path: Pat
     subprocess.run(
         [program, "paraview", swing, "-o", out, "--frames", "4", "--from", "0.1", "--to", "0.2"], check=True
     )
-    times = pv.get_reader(str(out / "lines.pvd")).time_values
+    times = pv.PVDReader(str(out / "lines.pvd")).time_values
     assert len(times) == 4
     assert min(times) >= 0.1
     assert max(times) <= 0.2
-    none = subprocess.run([program, "paraview", swing, "--from", "100"], capture_output=True, check=False, text=True)
+    none = subprocess.run(
+        [program, "paraview", swing, "--from", "100"], capture_output=True, check=False, text=True
+    )
     assert none.returncode == 2
     assert "no frame" in none.stderr
 

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::fault::Faults;
 use crate::speech::{answer, complain, deliver, print, say};
-use crate::{check, guide, new, paper, plot, run, study, verify, view};
+use crate::{check, guide, new, paper, paraview, plot, run, study, verify, view};
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -43,6 +43,9 @@ pub enum Command {
     /// Plot columns of a run in the terminal, or into an SVG or PNG file; also while the run goes on.
     #[command(after_help = plot::EXAMPLES)]
     Plot(plot::Arguments),
+    /// Write the results of a run as files for ParaView and PyVista.
+    #[command(after_help = paraview::EXAMPLES)]
+    Paraview(paraview::Arguments),
     /// Run a model in many cases, with values of its keys from lists and distributions, into a table.
     #[command(after_help = study::EXAMPLES)]
     Study(study::Arguments),
@@ -163,6 +166,7 @@ impl Command {
             Self::Report(arguments) => arguments.run(),
             Self::View(arguments) => arguments.run(),
             Self::Plot(arguments) => arguments.run(),
+            Self::Paraview(arguments) => arguments.run(),
             Self::Study(arguments) => arguments.run(),
             Self::Schema => {
                 deliver(&ancf::model::schema_text());

@@ -9,6 +9,7 @@ mod figure;
 mod guide;
 mod new;
 mod paper;
+mod paraview;
 mod past;
 mod plot;
 mod progress;

@@ -1,10 +1,11 @@
-use ancf::model::{Analysis, Assembly, Body};
+use ancf::model::{Analysis, Assembly};
 use ancf::scales::{Dimension, Scales};
 use ancf::system::State;
 use ancf::{Field, Model};
 use nalgebra::Vector3;
 
-use crate::{Geometry, Outline, Placement};
+use crate::fibre::Fibre;
+use crate::{Geometry, Placement};
 
 /// A scalar along the bodies, by which they are coloured.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,17 +42,6 @@ pub struct Quantities<'a> {
     modal: bool,
 }
 
-/// What makes stress of section forces.
-#[derive(Clone, Debug)]
-struct Fibre {
-    area: f64,
-    /// I_y = ∫z² dA, I_z = ∫y² dA.
-    second: [f64; 2],
-    outline: Outline,
-    /// Whether its axes across are its own.
-    beam: bool,
-}
-
 /// Place of the first quantity that comes from the motion alone.
 const MOTION: usize = 8;
 
@@ -77,18 +67,9 @@ impl<'a> Quantities<'a> {
             of("speed", "v", Dimension::VELOCITY, false),
             of("displacement", "u", Dimension::LENGTH, false),
         ];
-        let stations = geometry.fields.stations().iter();
-        let sections = stations.map(|station| {
-            let body = &model.bodies[station.body];
-            let section = model.section_at(body, (station.s / body.length()).clamp(0.0, 1.0))?;
-            let moments = section.moments();
-            let outline = Outline::of(&section);
-            let beam = matches!(body, Body::Beam(_));
-            Some(Fibre { area: moments.area, second: [moments.zz, moments.yy], outline, beam })
-        });
         let modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
         let moves = model.analysis.dynamics().is_some();
-        Self { all, sections: sections.collect(), assembly, scales, moves, modal }
+        Self { all, sections: Fibre::all(model, geometry), assembly, scales, moves, modal }
     }
 
     /// Adds the values of a state at its placement, with displacements from a reference. Of shapes, which have no size of their
@@ -118,8 +99,7 @@ impl<'a> Quantities<'a> {
             return [f64::NAN; MOTION];
         };
         let &[n, qy, qz, t, my, mz] = forces else { return [f64::NAN; MOTION] };
-        let bend = fibre.outline.reach([mz / fibre.second[1], my / fibre.second[0]], [1.0; 2]);
-        let stress = (n / fibre.area).abs() + bend;
+        let stress = fibre.largest_stress([n, qy, qz, t, my, mz]);
         let [strain, _] = mesh.strain_and_stress(s, station.s / self.scales.length, [0.0; 2]);
         let axes = if fibre.beam { [my, mz] } else { [f64::NAN; 2] };
         [n, qy.hypot(qz), t, my.hypot(mz), axes[0], axes[1], stress, strain[(0, 0)]]

@@ -96,13 +96,13 @@ impl<'a> Instants<'a> {
 }
 
 /// Whether a state has as many numbers as the equations.
-fn fits(assembly: &Assembly, s: &State) -> bool {
+pub(crate) fn fits(assembly: &Assembly, s: &State) -> bool {
     let (n, m) = (assembly.system.coordinates(), assembly.system.multipliers());
     [&s.q, &s.v, &s.a].iter().all(|x| x.len() == n) && s.lambda.len() == m
 }
 
 /// What a frame is called.
-fn label(recording: &Recording<'_>, frame: &Frame) -> String {
+pub(crate) fn label(recording: &Recording<'_>, frame: &Frame) -> String {
     let number = frame.value;
     let of = |column: &str| {
         let (_, first) = recording.series.columns().next()?;
@@ -133,7 +133,7 @@ fn short(x: f64) -> String {
 }
 
 /// At most so many numbers below `count`, evenly spaced, the first and the last among them.
-fn evenly(count: usize, most: usize) -> Vec<usize> {
+pub(crate) fn evenly(count: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }

@@ -44,6 +44,7 @@
 mod body;
 mod chart;
 pub mod container;
+mod fibre;
 mod field;
 mod file;
 mod frame;
@@ -56,6 +57,7 @@ mod obstacle;
 mod outline;
 mod pack;
 mod page;
+pub mod paraview;
 mod place;
 mod recording;
 mod request;

@@ -117,7 +117,7 @@ pub(crate) fn links(stage: &Stage<'_>, instants: &Instants<'_>, blob: &mut Blob)
 pub(crate) fn obstacles(stage: &Stage<'_>, instants: &Instants<'_>, blob: &mut Blob) -> Value {
     let unit = stage.length();
     let of = |obstacle: &Obstacle| {
-        let reach = reach(stage, obstacle, instants);
+        let reach = reach(stage, obstacle, &instants.reference);
         let count = if obstacle.moves { instants.states.len() } else { 1 };
         let pose = instants.states.iter().take(count).flat_map(|s| {
             let (point, axes) = obstacle.pose(s);
@@ -138,11 +138,11 @@ pub(crate) fn obstacles(stage: &Stage<'_>, instants: &Instants<'_>, blob: &mut B
 
 /// Where the middle of a cylinder is along its axis, from its point, and its length: it has no ends, and is shown where the
 /// bodies are.
-fn reach(stage: &Stage<'_>, obstacle: &Obstacle, instants: &Instants<'_>) -> Option<[f64; 2]> {
+pub(crate) fn reach(stage: &Stage<'_>, obstacle: &Obstacle, reference: &Placement) -> Option<[f64; 2]> {
     let initial = stage.recording.simulation.assembly().initial();
     let (point, [axis, ..]) = obstacle.pose(&initial);
     let point = point * stage.length();
-    let along = instants.reference.centres.iter().map(|x| (x - point).dot(&axis)).filter(|x| x.is_finite());
+    let along = reference.centres.iter().map(|x| (x - point).dot(&axis)).filter(|x| x.is_finite());
     let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
     let bounded = obstacle.kind == "cylinder" && low <= high;
     bounded.then_some([0.5 * (low + high), high - low + 2.0 * BEYOND * stage.size])

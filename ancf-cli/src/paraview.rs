@@ -1,0 +1,102 @@
+//! `ancf paraview`: the results of a run as files for ParaView.
+
+use std::collections::BTreeSet;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use ancf_report::paraview::{Selection, Writer};
+use ancf_report::{Ending, Frame, Recording};
+use ancf_results::Results;
+use anyhow::Result;
+use clap::Args;
+
+use crate::command::{Ended, reject};
+use crate::past;
+use crate::speech::{print, say};
+
+/// What `ancf paraview` is given.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The folder of a run, which may be going on.
+    folder: PathBuf,
+    /// The folder for the files; paraview in the folder of the run if left out.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Frames at most, evenly spaced; all if left out.
+    #[arg(long, value_name = "N")]
+    frames: Option<NonZeroUsize>,
+    /// The first time, load factor or number of a mode.
+    #[arg(long, value_name = "VALUE", default_value_t = f64::NEG_INFINITY, hide_default_value = true, allow_negative_numbers = true)]
+    from: f64,
+    /// The last one.
+    #[arg(long, value_name = "VALUE", default_value_t = f64::INFINITY, hide_default_value = true, allow_negative_numbers = true)]
+    to: f64,
+}
+
+/// Examples for the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  ancf run models/bow.toml -o out && ancf paraview out    writes out/paraview/sections.pvd, lines.pvd
+  ancf paraview out -o vtk --frames 50 --from 0.5         50 frames from time 0.5 on
+
+Open sections.pvd (surfaces) or lines.pvd (axes) in ParaView. It works for a run that goes on or was killed too.";
+
+impl Arguments {
+    /// Writes the files, one frame in memory at a time.
+    pub fn run(&self) -> Result<Ended> {
+        let results = match past::open(&self.folder)? {
+            Ok(results) => results,
+            Err(ended) => return Ok(ended),
+        };
+        let values: Vec<f64> =
+            results.frames().map(|frame| frame.map(|frame| frame.value)).collect::<Result<_, _>>()?;
+        let most = self.frames.map_or(usize::MAX, NonZeroUsize::get);
+        let picked = Selection { from: self.from, to: self.to, most }.pick(&values);
+        if picked.is_empty() && !values.is_empty() {
+            let span =
+                values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
+            return Ok(reject(&format!(
+                "found no frame from {} to {}: there are {} from {} to {}",
+                self.from,
+                self.to,
+                values.len(),
+                span[0],
+                span[1]
+            )));
+        }
+        self.write(&results, &picked.into_iter().collect())
+    }
+
+    fn write(&self, results: &Results, picked: &BTreeSet<usize>) -> Result<Ended> {
+        let folder = results.folder().path();
+        let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+        let recording = Recording {
+            simulation: results.simulation(),
+            model: results.model(),
+            text: results.text(),
+            title: results.model().title.as_deref().unwrap_or(&name),
+            frames: Vec::new(),
+            series: &results.columns()?,
+            summary: Vec::new(),
+            ending: Ending::Running,
+            messages: Vec::new(),
+            live: false,
+        };
+        let output = self.output.clone().unwrap_or_else(|| folder.join("paraview"));
+        let mut writer = Writer::new(&recording, &output)?;
+        // A run that goes on may have added frames since they were counted.
+        let wanted = results.frames().enumerate().filter(|(number, _)| picked.contains(number));
+        for (_, frame) in wanted {
+            let ancf_results::Frame { value, state, .. } = frame?;
+            writer.push(&Frame { value, state })?;
+        }
+        let written = writer.finish()?;
+        for file in &written.files {
+            print(&format!("{}\n", file.display()));
+        }
+        if written.left_out > 0 {
+            say(&format!("{} frames left out: not all positions are numbers", written.left_out));
+        }
+        Ok(Ended::Done)
+    }
+}

@@ -1,0 +1,89 @@
+use std::io::{self, Write};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+
+/// Numbers or texts with a name, as VTK has them.
+#[derive(Clone, Debug)]
+pub(super) struct Array {
+    pub name: String,
+    /// Numbers to a point or a cell.
+    pub width: usize,
+    pub values: Values,
+}
+
+/// What an array holds.
+#[derive(Clone, Debug)]
+pub(super) enum Values {
+    /// In double precision.
+    F64(Vec<f64>),
+    /// In single precision.
+    F32(Vec<f32>),
+    /// Numbers of points.
+    I64(Vec<i64>),
+    /// Kinds of cells.
+    U8(Vec<u8>),
+    /// Texts.
+    Text(Vec<String>),
+}
+
+impl Array {
+    pub fn new(name: impl Into<String>, width: usize, values: Values) -> Self {
+        Self { name: name.into(), width, values }
+    }
+}
+
+impl Values {
+    /// The word for the type.
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::F64(_) => "Float64",
+            Self::F32(_) => "Float32",
+            Self::I64(_) => "Int64",
+            Self::U8(_) => "UInt8",
+            Self::Text(_) => "String",
+        }
+    }
+
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::F64(x) => x.len(),
+            Self::F32(x) => x.len(),
+            Self::I64(x) => x.len(),
+            Self::U8(x) => x.len(),
+            Self::Text(x) => x.len(),
+        }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        match self {
+            Self::F64(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::F32(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::I64(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::U8(x) => x.clone(),
+            // Each ends with a zero, which none may hold.
+            Self::Text(x) => x.iter().flat_map(|x| x.bytes().filter(|byte| *byte != 0).chain([0])).collect(),
+        }
+    }
+
+    /// As it stands in an XML file: base64 of a head (number of blocks, bytes of a block, of the last one if it is shorter, bytes
+    /// when compressed; 64 bits each), then base64 of the one block, compressed by zlib.
+    pub fn encoded(&self) -> io::Result<String> {
+        let bytes = self.bytes();
+        let head = |numbers: &[usize]| -> String {
+            STANDARD.encode(numbers.iter().flat_map(|x| (*x as u64).to_le_bytes()).collect::<Vec<_>>())
+        };
+        if bytes.is_empty() {
+            return Ok(head(&[0, 0, 0]));
+        }
+        let mut packed = ZlibEncoder::new(Vec::new(), Compression::fast());
+        packed.write_all(&bytes)?;
+        let packed = packed.finish()?;
+        let mut text = head(&[1, bytes.len(), 0, packed.len()]);
+        STANDARD.encode_string(&packed, &mut text);
+        Ok(text)
+    }
+}

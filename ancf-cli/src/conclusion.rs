@@ -65,12 +65,11 @@ impl<'a> Conclusion<'a> {
     /// How the run ended and what was done, for the terminal.
     pub fn sentence(&self, summary: &Summary, seconds: f64, folder: &str) -> String {
         let did = format!("{}, {seconds:.3} s", self.did(summary));
-        let ended = match summary.outcome.failure(self.analysis) {
+        match summary.outcome.failure(self.analysis) {
             Some(failure) => format!("{failure}\n{did}; results so far in {folder}"),
             None if summary.outcome.is_finished() => format!("done: {did}; results in {folder}"),
             None => format!("stopped: {did}; results so far in {folder}"),
-        };
-        summary.warnings.iter().fold(ended, |text, warning| format!("{text}\nwarning: {warning}"))
+        }
     }
 
     fn did(&self, summary: &Summary) -> String {

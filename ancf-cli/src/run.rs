@@ -162,7 +162,9 @@ fn record(
     let summary = summary.map_err(|error| unwritten(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
     recorder.conclude(&summary, name, seconds)?;
-    summary.redundant.iter().for_each(|one| say(&format!("warning: redundant: {one}")));
+    let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
+    // What goes on but may be wrong is told to the quiet too.
+    redundant.chain(summary.warnings.iter().cloned()).for_each(|one| complain(&format!("warning: {one}")));
     print(&conclusion.table());
     let (sentence, columns) = (conclusion.sentence(&summary, seconds, &folder), conclusion.columns());
     answer(&Answer { folder, model: name, wall_seconds: seconds, summary: &summary, columns });

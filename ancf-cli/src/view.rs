@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use ancf::Scales;
-use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, page, scene};
+use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, numbers, page, scene, warnings};
 use ancf_results::{Conclusion, Results, Status};
 use anyhow::{Context, Result};
 use clap::Args;
@@ -106,8 +105,7 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let status = results.status();
     let conclusion = results.conclusion()?;
     let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
-    let redundant = summary.into_iter().flat_map(|summary| &summary.redundant);
-    let mut messages: Vec<String> = redundant.map(|one| format!("redundant: {one}")).collect();
+    let mut messages = summary.map(warnings).unwrap_or_default();
     let ending = match (status, summary) {
         (Status::Running, _) => Ending::Running,
         (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
@@ -139,25 +137,12 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     Ok(scene(&recording, budget))
 }
 
-/// Names and values of what a run did.
+/// Names and values of what a run did, and where.
 fn rows(conclusion: &Conclusion) -> Vec<(String, String)> {
     let Conclusion { program, model, wall_seconds, summary } = conclusion;
-    let Scales { length, time, force } = summary.scales;
-    [
-        ("model", model.clone()),
-        ("program", program.clone()),
-        ("seconds", format!("{wall_seconds:.3}")),
-        ("steps", summary.steps.to_string()),
-        ("divided steps", summary.divided_steps.to_string()),
-        ("rejected steps", summary.rejected_steps.to_string()),
-        ("Newton iterations", summary.iterations.to_string()),
-        ("most in a step", summary.most_iterations.to_string()),
-        ("coordinates", summary.coordinates.to_string()),
-        ("multipliers", summary.multipliers.to_string()),
-        ("units of the solver", format!("length {length}, time {time}, force {force}")),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .to_vec()
+    let own =
+        [("model", model.clone()), ("program", program.clone()), ("seconds", format!("{wall_seconds:.3}"))];
+    own.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(numbers(summary)).collect()
 }
 
 /// The results in a folder that may be growing.

@@ -116,5 +116,5 @@ fn warnings_of_runs_that_go_on() {
     );
     let ran = run("buckling");
     assert_eq!(ran.code, Some(0), "{}", ran.said);
-    assert!(ran.said.contains("\nwarning: from about t = 10."), "{}", ran.said);
+    assert!(ran.said.contains("warning: from about t = 10."), "{}", ran.said);
 }

@@ -1,6 +1,6 @@
+use ancf::Summary;
 use ancf::record::{Series, Sink};
-use ancf::{Scales, Summary};
-use ancf_report::{BUDGET, Ending, Frame, Recording, page, scene};
+use ancf_report::{BUDGET, Ending, Frame, Recording, numbers, page, scene, warnings};
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -81,27 +81,10 @@ impl Told {
                     PyValueError::new_err(format!("the summary of the result: {error}"))
                 })?;
                 named.extend(numbers(&summary));
-                let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
-                let messages = summary.warnings.iter().cloned().chain(redundant).collect();
+                let messages = warnings(&summary);
                 let ending = Ending::new(&summary.outcome, &model.analysis);
                 Ok(Self { summary: named, ending, messages })
             }
         }
     }
-}
-
-/// Names and values of what a run did.
-fn numbers(summary: &Summary) -> impl Iterator<Item = (String, String)> {
-    let Scales { length, time, force } = summary.scales;
-    let numbers = [
-        ("steps", summary.steps.to_string()),
-        ("divided steps", summary.divided_steps.to_string()),
-        ("rejected steps", summary.rejected_steps.to_string()),
-        ("Newton iterations", summary.iterations.to_string()),
-        ("most in a step", summary.most_iterations.to_string()),
-        ("coordinates", summary.coordinates.to_string()),
-        ("multipliers", summary.multipliers.to_string()),
-        ("units of the solver", format!("length {length}, time {time}, force {force}")),
-    ];
-    numbers.into_iter().map(|(name, value)| (name.to_owned(), value))
 }

@@ -67,6 +67,7 @@ mod server;
 mod shape;
 mod stage;
 mod thin;
+mod told;
 
 pub use body::{Drawn, Kind};
 pub use chart::{Abscissa, Chart, ChartGroup, Charts, Column};
@@ -77,3 +78,4 @@ pub use page::{live_page, page};
 pub use recording::{Ending, Frame, Recording};
 pub use scene::{BUDGET, scene};
 pub use server::{Server, Source, Stop};
+pub use told::{numbers, warnings};

@@ -14,7 +14,8 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        if path.is_dir() && !["target", "out", ".git"].iter().any(|skip| path.ends_with(skip)) {
+        if path.is_dir() && !["target", "out", ".git", "node_modules"].iter().any(|skip| path.ends_with(skip))
+        {
             found.extend(files(&path, extension));
         } else if path.extension().is_some_and(|end| end == extension) {
             found.push(path);

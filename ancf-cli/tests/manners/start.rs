@@ -103,7 +103,7 @@ fn shells_complete() {
     }
     bench.write("ancf.bash", &bench.printed(&["completions", "bash"]));
     let script =
-        "source ./ancf.bash; COMP_WORDS=(ancf re); COMP_CWORD=1; _ancf ancf re ancf; echo ${COMPREPLY[@]}";
+        "source ./ancf.bash; COMP_WORDS=(ancf res); COMP_CWORD=1; _ancf ancf res ancf; echo ${COMPREPLY[@]}";
     let Ok(done) = Command::new("bash").args(["-c", script]).current_dir(bench.path("")).output() else {
         return;
     };

@@ -141,9 +141,11 @@ pub fn count(number: u64, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
-/// At most six digits, without trailing zeros.
+/// At most six digits, without trailing zeros; of numbers that are small or large with an exponent.
 pub fn short(x: f64) -> String {
-    format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
+    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
+    let rounded = format!("{x:.5e}").parse::<f64>();
+    rounded.map_or_else(|_| x.to_string(), |x| if plain { x.to_string() } else { format!("{x:e}") })
 }
 
 /// Seven digits.

@@ -10,7 +10,7 @@ use std::time::Instant;
 use ancf::record::Sink;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
-use ancf_results::{Every, Folder, Recorder};
+use ancf_results::{CheckpointError, Every, Folder, Recorder};
 use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;
@@ -92,10 +92,10 @@ impl Arguments {
             Ok(simulation) => simulation.heeding(interrupt()?),
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
-        let recorder = Recorder::new(Folder::new(&self.output), &text, &model, &simulation);
-        let recorder = recorder.with_checkpoints(self.checkpoint);
         let name = self.file.display().to_string();
-        record(&model, &name, recorder, |followers| Ok(simulation.run(followers)?))
+        let recorder = Recorder::new(Folder::new(&self.output), &name, &text, &model, &simulation);
+        let recorder = recorder.with_checkpoints(self.checkpoint);
+        record(&model, recorder, |followers| Ok(simulation.run(followers)?))
     }
 }
 
@@ -115,7 +115,6 @@ impl Resumption {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
-        let name = results.folder().model().display().to_string();
         let is_finished = |done: &ancf_results::Conclusion| done.summary.outcome.is_finished();
         if let Some(done) = results.conclusion()?.filter(is_finished) {
             let (folder, columns) = (self.folder.display().to_string(), BTreeMap::new());
@@ -126,17 +125,22 @@ impl Resumption {
         }
         let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
         let simulation = Simulation::new(model)?.heeding(interrupt()?);
-        match Recorder::resume(folder.clone(), text, model, &simulation)? {
+        let resumed = match Recorder::resume(folder.clone(), text, model, &simulation) {
+            Err(error @ CheckpointError::Damaged { .. }) => return Ok(reject(&error.to_string())),
+            resumed => resumed?,
+        };
+        match resumed {
             Some((recorder, from)) => {
                 say(&format!("going on from t = {}", from.time()));
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, |followers| simulation.resume(&from, followers))
+                record(model, recorder, |followers| simulation.resume(&from, followers))
             }
             None => {
                 say("there is no checkpoint: beginning anew");
-                let recorder = Recorder::new(folder, text, model, &simulation);
+                let name = folder.model().display().to_string();
+                let recorder = Recorder::new(folder, &name, text, model, &simulation);
                 let recorder = recorder.with_checkpoints(self.checkpoint);
-                record(model, &name, recorder, |followers| Ok(simulation.run(followers)?))
+                record(model, recorder, |followers| Ok(simulation.run(followers)?))
             }
         }
     }
@@ -145,7 +149,6 @@ impl Resumption {
 /// Carries a run out that is recorded, and says how it ended.
 fn record(
     model: &Model,
-    name: &str,
     recorder: Recorder,
     run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
 ) -> Result<Ended> {
@@ -157,17 +160,22 @@ fn record(
     let conclusion = Conclusion::of(&model.analysis);
     let mut followers = Followers { recorder, conclusion, progress, is_begun: false };
     let summary = run(&mut followers);
-    let Followers { recorder, conclusion, is_begun, .. } = followers;
+    let Followers { mut recorder, conclusion, is_begun, .. } = followers;
     let folder = recorder.folder().path().display().to_string();
+    if let Err(ancf::Error::Checkpoint(mismatch)) = &summary {
+        let path = recorder.folder().checkpoint();
+        return Ok(reject(&format!("{}: {mismatch}; if it is removed, the run begins anew", path.display())));
+    }
     let summary = summary.map_err(|error| unwritten(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
-    recorder.conclude(&summary, name, seconds)?;
+    recorder.conclude(&summary, seconds)?;
     let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
     // What goes on but may be wrong is told to the quiet too.
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| complain(&format!("warning: {one}")));
     print(&conclusion.table());
     let (sentence, columns) = (conclusion.sentence(&summary, seconds, &folder), conclusion.columns());
-    answer(&Answer { folder, model: name, wall_seconds: seconds, summary: &summary, columns });
+    let model = recorder.name();
+    answer(&Answer { folder, model, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
         Outcome::Finished => {
             say(&sentence);

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, SystemTime};
 
 use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, numbers, page, scene, warnings};
-use ancf_results::{Conclusion, Results, Status};
+use ancf_results::{Conclusion, Folder, Results, Status};
 use anyhow::{Context, Result};
 use clap::Args;
 
@@ -100,8 +100,12 @@ impl View {
 /// How often Ctrl-C is looked for.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The scene of the results so far.
+/// The scene of the results so far; of a run that ends meanwhile, whose parts become one file, at the second look.
 fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
+    look(results, live, budget).or_else(|_| look(results, live, budget))
+}
+
+fn look(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let status = results.status();
     let conclusion = results.conclusion()?;
     let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
@@ -120,6 +124,14 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
         let ancf_results::Frame { value, state, .. } = frame?;
         frames.push(Frame { value, state });
     }
+    let series = results.columns()?;
+    let output = results.model().output;
+    if output.parquet && series.columns().all(|(_, values)| values.is_empty()) {
+        messages.push("There are no rows of it on the disk.".to_owned());
+    }
+    if output.states > 0 && frames.is_empty() {
+        messages.push("There are no states of it on the disk.".to_owned());
+    }
     let folder = results.folder().path();
     let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
     let recording = Recording {
@@ -128,7 +140,7 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
         text: results.text(),
         title: results.model().title.as_deref().unwrap_or(&name),
         frames,
-        series: &results.columns()?,
+        series: &series,
         summary: conclusion.as_ref().map(rows).unwrap_or_default(),
         ending,
         messages,
@@ -151,7 +163,8 @@ struct Followed<'a>(&'a Path);
 impl Source for Followed<'_> {
     /// Of what stands in the folder when: names, sizes and times.
     fn version(&self) -> u64 {
-        let mut version = 0_u64;
+        // A run that is killed changes no file.
+        let mut version = u64::from(Folder::new(self.0).is_busy());
         for folder in ["", "states.parquet.parts", "results.parquet.parts"] {
             for entry in fs::read_dir(self.0.join(folder)).into_iter().flatten().flatten() {
                 let Ok(about) = entry.metadata() else { continue };

@@ -187,13 +187,13 @@ fn a_failed_equilibrium_is_told() {
 fn bad_input_is_refused() {
     let density = "density = 8030.0";
     let cases = [
-        (density, "denstiy = 8030.0", ":10:1: materials.steel.denstiy: found unknown key `denstiy`"),
-        (density, "density = -8030.0", ":10:11: materials.steel.density: found -8030.0, wanted a number > 0"),
-        (density, "density = nan", ":10:11: materials.steel.density: found nan, wanted a finite number > 0"),
-        ("elements = 20", "elements = 0", ":23:12: bodies[0].elements: found 0, wanted an integer >= 1"),
-        ("to = [1.0, 0.0, 0.0]", "to = [0, 0, 0]", ":22:6: bodies[0].to: found a beam of length 0"),
+        (density, "denstiy = 8030.0", ":11:1: materials.steel.denstiy: found unknown key `denstiy`"),
+        (density, "density = -8030.0", ":11:11: materials.steel.density: found -8030.0, wanted a number > 0"),
+        (density, "density = nan", ":11:11: materials.steel.density: found nan, wanted a finite number > 0"),
+        ("elements = 20", "elements = 0", ":24:12: bodies[0].elements: found 0, wanted an integer >= 1"),
+        ("to = [1.0, 0.0, 0.0]", "to = [0, 0, 0]", ":23:6: bodies[0].to: found a beam of length 0"),
         ("section = \"rod\"", "", "bodies[0].section: found no key `section`"),
-        ("{ body = \"beam\"", "{ body = \"bean\"", ":30:14: joints[0].a.body: found \"bean\""),
+        ("{ body = \"beam\"", "{ body = \"bean\"", ":31:14: joints[0].a.body: found \"bean\""),
     ];
     for (line, by, message) in cases {
         let bench = Bench::new();

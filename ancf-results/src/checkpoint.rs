@@ -1,6 +1,6 @@
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use serde::Serialize;
@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
-use crate::folder::replace;
+use crate::folder::{about, replace};
 
 /// How often a checkpoint is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,11 +23,16 @@ pub enum Every {
 #[derive(Debug, Error)]
 pub enum CheckpointError {
     /// The file could not be read.
-    #[error("the checkpoint cannot be read: {0}")]
+    #[error(transparent)]
     Read(#[from] io::Error),
     /// It is not what was written.
-    #[error("the checkpoint is damaged: {0}")]
-    Damaged(&'static str),
+    #[error("{path}: the checkpoint is damaged, {why}: remove it, and the run begins anew")]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: &'static str,
+    },
 }
 
 /// The first bytes of a checkpoint; the last one is the version of its format.
@@ -45,19 +50,21 @@ pub(crate) fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {
 pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, CheckpointError> {
     match fs::read(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        bytes => from_bytes(&bytes?).map(Some),
+        bytes => {
+            let bytes = bytes.map_err(|error| about(&error, path))?;
+            let damaged = |why| CheckpointError::Damaged { path: path.to_owned(), why };
+            from_bytes(&bytes).map(Some).map_err(damaged)
+        }
     }
 }
 
-fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, CheckpointError> {
-    let damaged = CheckpointError::Damaged;
-    let (contents, sum) = bytes.split_last_chunk::<32>().ok_or(damaged("it is too short"))?;
+fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, &'static str> {
+    let (contents, sum) = bytes.split_last_chunk::<32>().ok_or("it is too short")?;
     if !contents.starts_with(&HEAD) {
-        return Err(damaged("it is none of this version of the program"));
+        return Err("it is none of this version of the program");
     }
     if Sha256::digest(contents).as_slice() != sum {
-        return Err(damaged("its sum does not fit"));
+        return Err("its sum does not fit");
     }
-    postcard::from_bytes(&contents[HEAD.len()..])
-        .map_err(|_| damaged("it is none of this version of the program"))
+    postcard::from_bytes(&contents[HEAD.len()..]).map_err(|_| "it is none of this version of the program")
 }

@@ -1,6 +1,10 @@
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
+
+use crate::provenance::sha256;
 
 /// The files of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,19 +12,39 @@ pub struct Folder(PathBuf);
 
 /// What a run holds while it goes on, and leaves as a sign that the folder is one of a run.
 const LOCK: &str = ".lock";
+/// Digits of what stands in it: the SHA-256 of the model of the last run.
+const SUM: u64 = 64;
+/// How often and in what time it is tried to take it.
+const LOOKS: u32 = 10;
+const LOOK: Duration = Duration::from_millis(20);
 
-/// Files and folders that a run may leave.
-const OURS: [&str; 10] = [
+/// Files that a run may leave, those among them that it did not complete, and what is made of it.
+const FILES: [&str; 15] = [
     "model.toml",
+    "model.toml.part",
     "results.parquet",
-    "results.parquet.parts",
+    "results.parquet.part",
     "states.parquet",
-    "states.parquet.parts",
+    "states.parquet.part",
     "probes.csv",
     "probes.npz",
     "summary.json",
+    "summary.json.part",
     "checkpoint",
+    "checkpoint.part",
     "report.html",
+    "report.html.part",
+    LOCK,
+];
+
+/// Folders that a run may leave.
+const FOLDERS: [&str; 6] = [
+    "results.parquet.parts",
+    "results.parquet.parts.part",
+    "results.parquet.done",
+    "states.parquet.parts",
+    "states.parquet.parts.part",
+    "states.parquet.done",
 ];
 
 impl Folder {
@@ -64,32 +88,60 @@ impl Folder {
         self.0.join("checkpoint")
     }
 
-    /// Refuses a folder that has a model of the user in the place of that of a run.
-    pub(crate) fn spare(&self, text: &str) -> io::Result<()> {
+    /// Refuses a folder that has files of the user in the place of those of a run. `lock` tells of the last run.
+    pub(crate) fn spare(&self, lock: &File, text: &str) -> io::Result<()> {
+        let mut last = String::new();
+        lock.take(SUM).read_to_string(&mut last).map_err(|error| about(&error, &self.0.join(LOCK)))?;
         let path = self.model();
-        let is_run = self.0.join(LOCK).exists();
-        match fs::read_to_string(&path) {
-            Ok(own) if !is_run && own != text => {
-                let text =
-                    format!("{} is not of a run and would be lost: take another folder", path.display());
-                Err(io::Error::new(io::ErrorKind::AlreadyExists, text))
-            }
-            _ => Ok(()),
+        let own = match fs::read(&path) {
+            Ok(bytes) => Some(bytes),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(about(&error, &path)),
+        };
+        let is_lost = |own: &Vec<u8>| own != text.as_bytes() && sha256(own) != last;
+        if own.is_some_and(|own| is_lost(&own)) {
+            return Err(lost(&path));
         }
+        let ours = !last.is_empty();
+        let others = FILES.iter().chain(&FOLDERS).filter(|name| !["model.toml", LOCK].contains(name));
+        let found = others.map(|name| self.0.join(name)).find(|path| path.exists());
+        found.filter(|_| !ours).map_or(Ok(()), |path| Err(lost(&path)))
     }
 
     /// Removes what an earlier run left: it must not be taken for results of this one.
     pub(crate) fn clear(&self) -> io::Result<()> {
-        fs::create_dir_all(&self.0).map_err(|error| about(&error, &self.0))?;
-        OURS.iter().map(|name| self.0.join(name)).try_for_each(|path| remove(&path))
+        let files = FILES.iter().filter(|name| **name != LOCK);
+        files.map(|name| self.0.join(name)).try_for_each(|path| remove(&path))?;
+        FOLDERS.iter().map(|name| self.0.join(name)).try_for_each(|path| remove_all(&path))
+    }
+
+    /// Removes what a run that was killed did not complete.
+    pub(crate) fn sweep(&self) -> io::Result<()> {
+        let is_part = |name: &&&str| name.ends_with(".part");
+        FILES.iter().filter(is_part).map(|name| self.0.join(name)).try_for_each(|path| remove(&path))?;
+        let is_rest = |name: &&&str| name.ends_with(".part") || name.ends_with(".done");
+        FOLDERS.iter().filter(is_rest).map(|name| self.0.join(name)).try_for_each(|path| remove_all(&path))
     }
 
     /// Takes the folder for this process; it is free again when the lock is dropped, however the process ends.
     pub(crate) fn lock(&self) -> io::Result<File> {
         let path = self.0.join(LOCK);
-        let file =
-            File::options().create(true).append(true).open(&path).map_err(|error| about(&error, &path))?;
-        match file.try_lock() {
+        let file = File::options()
+            .create(true)
+            .read(true)
+            .append(true)
+            .open(&path)
+            .map_err(|error| about(&error, &path))?;
+        // Who only looks whether it is taken takes it for a moment.
+        let mut taken = file.try_lock();
+        for _ in 0..LOOKS {
+            if taken.is_ok() {
+                break;
+            }
+            thread::sleep(LOOK);
+            taken = file.try_lock();
+        }
+        match taken {
             Ok(()) => Ok(file),
             Err(TryLockError::WouldBlock) => {
                 let text = format!("{}: another run writes into this folder", self.0.display());
@@ -112,9 +164,29 @@ pub(crate) fn about(error: &io::Error, path: &Path) -> io::Error {
     io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
-/// Removes a file or a folder, which may not be there.
+fn lost(path: &Path) -> io::Error {
+    let text =
+        format!("{} is not of a run, or was changed, and would be lost: take another folder", path.display());
+    io::Error::new(io::ErrorKind::AlreadyExists, text)
+}
+
+/// Leaves a sign of the model that a run writes into its folder.
+pub(crate) fn sign(lock: &mut File, text: &str) -> io::Result<()> {
+    lock.set_len(0)?;
+    lock.write_all(sha256(text.as_bytes()).as_bytes())
+}
+
+/// Removes a file, which may not be there.
 pub(crate) fn remove(path: &Path) -> io::Result<()> {
-    let removed = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+    gone(fs::remove_file(path), path)
+}
+
+/// Removes a folder, which may not be there, with all that is in it.
+pub(crate) fn remove_all(path: &Path) -> io::Result<()> {
+    gone(fs::remove_dir_all(path), path)
+}
+
+fn gone(removed: io::Result<()>, path: &Path) -> io::Result<()> {
     match removed {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(about(&error, path)),
         _ => Ok(()),

@@ -26,15 +26,17 @@ impl Frames {
         let most = (NUMBERS / layout(simulation).width()).max(2);
         let count = usize::try_from(count).unwrap_or(usize::MAX).min(most);
         let interval = analysis.dynamics().map(|dynamics| dynamics.duration / (count.max(2) - 1) as f64);
+        let interval = interval.filter(|interval| *interval > 0.0);
         Self { interval, kept: 0, rows: 0, has_last: false }
     }
 
     /// Whether the state of a row, which begins with this number, is kept.
     pub(crate) fn is_due(&mut self, first: f64) -> bool {
         // Of instants that but for rounding are at the time, none is missed.
-        self.has_last = self.interval.is_none_or(|h| first >= (self.kept as f64 - 1e-6) * h);
-        while self.interval.is_some_and(|h| first >= (self.kept as f64 - 1e-6) * h) {
-            self.kept += 1;
+        let times = self.interval.map(|h| first / h + 1e-6);
+        self.has_last = times.is_none_or(|times| times >= self.kept as f64);
+        if let (true, Some(times)) = (self.has_last, times) {
+            self.kept = times as u64 + 1;
         }
         self.rows += 1;
         self.has_last

@@ -10,6 +10,7 @@ use parquet::file::writer::SerializedFileWriter;
 
 use crate::folder::{about, beside};
 use crate::layout::Layout;
+use crate::read::is_sound;
 use crate::table::part;
 
 /// Makes one file of several: their row groups as they are, one after the other.
@@ -65,7 +66,7 @@ pub(crate) fn split(
 }
 
 fn open(path: &Path) -> io::Result<(File, ParquetMetaData)> {
-    let file = File::open(path).map_err(|error| about(&error, path))?;
+    let file = File::open(path)?;
     let reader = ParquetMetaDataReader::new().with_page_index_policy(PageIndexPolicy::Optional);
     let metadata = reader.parse_and_finish(&file)?;
     Ok((file, metadata))
@@ -82,6 +83,9 @@ fn copy(
     let index = metadata.page_index();
     let mut to = writer.next_row_group()?;
     for (place, column) in from.columns().iter().enumerate() {
+        if !is_sound(column) {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "a place of values that cannot be"));
+        }
         let close = ColumnCloseResult {
             bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),
             rows_written: u64::try_from(from.num_rows()).unwrap_or_default(),

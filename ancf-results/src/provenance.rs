@@ -36,7 +36,7 @@ impl Provenance {
         let mut metadata = vec![
             about("program", PROGRAM.to_owned()),
             about("model", self.text.clone()),
-            about("sha256", sha256(&self.text)),
+            about("sha256", sha256(self.text.as_bytes())),
         ];
         if let (false, Ok(units)) = (self.units.is_empty(), serde_json::to_string(&self.units)) {
             metadata.push(about("units", units));
@@ -45,9 +45,9 @@ impl Provenance {
     }
 }
 
-/// The SHA-256 of a text, in hexadecimal digits.
-pub(crate) fn sha256(text: &str) -> String {
-    Sha256::digest(text.as_bytes()).iter().fold(String::new(), |mut digits, byte| {
+/// The SHA-256 of bytes, in hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().fold(String::new(), |mut digits, byte| {
         write!(digits, "{byte:02x}").expect("a String takes any text");
         digits
     })

@@ -6,6 +6,7 @@ use parquet::basic::Type as Physical;
 use parquet::column::reader::{ColumnReader, get_typed_column_reader};
 use parquet::data_type::DoubleType;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::schema::types::SchemaDescriptor;
 
@@ -74,11 +75,18 @@ impl Reader {
         let reader = self.file.get_row_group(group)?;
         let chunk = reader.metadata().column(column);
         let count = usize::try_from(chunk.num_values()).unwrap_or(usize::MAX);
-        if count > NUMBERS || reader.metadata().num_rows() > chunk.num_values() {
-            return wrong("a count of values that cannot be");
+        if count > NUMBERS || reader.metadata().num_rows() > chunk.num_values() || !is_sound(chunk) {
+            return wrong("a count or place of values that cannot be");
         }
         read(&*reader, column, count)
     }
+}
+
+/// Whether the place of a column can be one in a file: its readers take that for granted.
+pub(crate) fn is_sound(chunk: &ColumnChunkMetaData) -> bool {
+    let first = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
+    let places = [first, chunk.data_page_offset(), chunk.compressed_size(), chunk.num_values()];
+    places.iter().all(|place| *place >= 0)
 }
 
 fn read(group: &dyn RowGroupReader, column: usize, count: usize) -> Result<Vec<f64>, ParquetError> {

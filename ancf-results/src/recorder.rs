@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Conclusion;
 use crate::checkpoint::{self, CheckpointError, Every};
-use crate::folder::{Folder, about, remove, replace};
+use crate::folder::{Folder, about, remove, replace, sign};
 use crate::frames::{self, Frames};
 use crate::layout::Layout;
 use crate::provenance::{PROGRAM, Provenance};
@@ -23,6 +23,7 @@ use crate::thinned::Thinned;
 #[derive(Debug)]
 pub struct Recorder {
     folder: Folder,
+    name: String,
     output: Output,
     text: String,
     provenance: Provenance,
@@ -41,6 +42,8 @@ pub struct Recorder {
     /// What it goes on from.
     memory: Option<Memory>,
     files: Option<Files>,
+    /// Keeps others out of the folder, until all is said.
+    lock: Option<File>,
 }
 
 /// The files that grow.
@@ -49,13 +52,13 @@ struct Files {
     csv: Option<Csv<File>>,
     results: Option<Table>,
     states: Option<Table>,
-    /// Keeps others out of the folder.
-    _lock: File,
 }
 
 /// What a recorder has to remember to go on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Memory {
+    name: String,
+    last: Option<(f64, State)>,
     thinned: Thinned,
     frames: Frames,
     csv: u64,
@@ -67,12 +70,13 @@ struct Memory {
 const FLUSH: Duration = Duration::from_secs(1);
 
 impl Recorder {
-    /// Of a run of a model, given also as its text, into a folder.
-    pub fn new(folder: Folder, text: &str, model: &Model, simulation: &Simulation) -> Self {
+    /// Of a run of a model into a folder; the model is given also by its name, which `summary.json` tells, and as its text.
+    pub fn new(folder: Folder, name: &str, text: &str, model: &Model, simulation: &Simulation) -> Self {
         let columns = simulation.columns();
         let now = Instant::now();
         Self {
             folder,
+            name: name.to_owned(),
             output: model.output,
             text: text.to_owned(),
             provenance: Provenance::new(text, model.units.as_ref(), &columns),
@@ -87,6 +91,7 @@ impl Recorder {
             steps: 0,
             memory: None,
             files: None,
+            lock: None,
         }
     }
 
@@ -103,9 +108,9 @@ impl Recorder {
         let Some((memory, from)) = checkpoint::read::<(Memory, Checkpoint)>(&folder.checkpoint())? else {
             return Ok(None);
         };
-        let recorder = Self::new(folder, text, model, simulation);
-        let (thinned, frames) = (memory.thinned.clone(), memory.frames.clone());
-        Ok(Some((Self { thinned, frames, memory: Some(memory), ..recorder }, from)))
+        let recorder = Self::new(folder, &memory.name, text, model, simulation);
+        let Memory { thinned, frames, last, .. } = memory.clone();
+        Ok(Some((Self { thinned, frames, last, memory: Some(memory), ..recorder }, from)))
     }
 
     /// The same, writing checkpoints.
@@ -114,17 +119,22 @@ impl Recorder {
         Self { every: Some(every), ..self }
     }
 
+    /// What the model is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Where it writes.
     pub fn folder(&self) -> &Folder {
         &self.folder
     }
 
-    /// Writes how the run of a model, by the name of its file, ended, into `summary.json`.
+    /// Writes how the run ended, into `summary.json`, and leaves the folder to others.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn conclude(&self, summary: &Summary, model: &str, seconds: f64) -> io::Result<()> {
-        let (program, model, summary) = (PROGRAM.to_owned(), model.to_owned(), summary.clone());
+    pub fn conclude(&mut self, summary: &Summary, seconds: f64) -> io::Result<()> {
+        let (program, model, summary) = (PROGRAM.to_owned(), self.name.clone(), summary.clone());
         let conclusion = Conclusion { program, model, wall_seconds: seconds, summary };
         let text = serde_json::to_string_pretty(&conclusion).map_err(io::Error::other)? + "\n";
         let Conclusion { summary, .. } = conclusion;
@@ -132,7 +142,9 @@ impl Recorder {
             // There is nothing left to do.
             remove(&self.folder.checkpoint())?;
         }
-        replace(&self.folder.summary(), text.as_bytes())
+        replace(&self.folder.summary(), text.as_bytes())?;
+        self.lock = None;
+        Ok(())
     }
 
     fn layout(&self) -> Layout {
@@ -140,22 +152,24 @@ impl Recorder {
     }
 
     /// New files in the place of those of an earlier run.
-    fn create(&self) -> io::Result<Files> {
+    fn create(&mut self) -> io::Result<Files> {
         let folder = &self.folder;
         std::fs::create_dir_all(folder.path()).map_err(|error| about(&error, folder.path()))?;
-        folder.spare(&self.text)?;
-        let lock = folder.lock()?;
+        let mut lock = folder.lock()?;
+        folder.spare(&lock, &self.text)?;
         folder.clear()?;
         replace(&folder.model(), self.text.as_bytes())?;
+        sign(&mut lock, &self.text).map_err(|error| about(&error, folder.path()))?;
         let Output { csv, parquet, states, .. } = self.output;
-        Ok(Files {
+        let files = Files {
             csv: csv.then(|| new_csv(folder, &self.layout().numbers)).transpose()?,
             results: parquet
                 .then(|| Table::create(&folder.results(), self.layout(), &self.provenance))
                 .transpose()?,
             states: (states > 0).then(|| self.create_states()).transpose()?,
-            _lock: lock,
-        })
+        };
+        self.lock = Some(lock);
+        Ok(files)
     }
 
     fn create_states(&self) -> io::Result<Table> {
@@ -164,21 +178,25 @@ impl Recorder {
     }
 
     /// The files as they were at a checkpoint.
-    fn reopen(&self, memory: &Memory) -> io::Result<Files> {
+    fn reopen(&mut self, memory: &Memory) -> io::Result<Files> {
         let folder = &self.folder;
         let lock = folder.lock()?;
+        // It tells of the piece before.
+        remove(&folder.summary())?;
+        folder.sweep()?;
         let Output { csv, parquet, states, .. } = self.output;
         let results = || Table::reopen(&folder.results(), self.layout(), &self.provenance, memory.results);
         let states_again = || {
             let about = self.provenance.without_units();
             Table::reopen(&folder.states(), self.states_layout.clone(), &about, memory.states)
         };
-        Ok(Files {
+        let files = Files {
             csv: csv.then(|| old_csv(folder, memory.csv)).transpose()?,
             results: parquet.then(results).transpose()?,
             states: (states > 0).then(states_again).transpose()?,
-            _lock: lock,
-        })
+        };
+        self.lock = Some(lock);
+        Ok(files)
     }
 
     fn write_row(&mut self, row: &[f64]) -> io::Result<()> {
@@ -201,12 +219,13 @@ impl Recorder {
     fn save(&mut self, checkpoint: &Checkpoint) -> io::Result<()> {
         (self.checked, self.steps) = (Instant::now(), 0);
         self.flush()?;
-        let Some(files) = &mut self.files else { return Ok(()) };
-        [&mut files.results, &mut files.states].into_iter().flatten().try_for_each(Table::sync)?;
+        let Some(files) = &self.files else { return Ok(()) };
         let rows = |table: &Option<Table>| table.as_ref().map_or(0, Table::rows);
         let path = self.folder.csv();
         let csv = if files.csv.is_some() { synced(&path).map_err(|error| about(&error, &path))? } else { 0 };
         let memory = Memory {
+            name: self.name.clone(),
+            last: self.last.clone(),
             thinned: self.thinned.clone(),
             frames: self.frames.clone(),
             csv,

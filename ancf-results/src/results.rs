@@ -72,7 +72,7 @@ impl Results {
         let folder = Folder::new(path.as_ref());
         let file = folder.model();
         let text = match fs::read_to_string(&file) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
                 return Err(OpenError::NoRun(folder.path().to_owned()));
             }
             text => text.map_err(|error| crate::folder::about(&error, &file))?,
@@ -123,8 +123,9 @@ impl Results {
         match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             bytes => {
-                let conclusion = serde_json::from_slice(&bytes?).map_err(io::Error::from);
-                Ok(Some(conclusion.map_err(|error| crate::folder::about(&error, &path))?))
+                let bytes = bytes.map_err(|error| crate::folder::about(&error, &path))?;
+                // What is damaged says no more than what is missing.
+                Ok(serde_json::from_slice(&bytes).ok())
             }
         }
     }

@@ -8,11 +8,11 @@ use parquet::data_type::DoubleType;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
 
-use crate::folder::{about, beside, remove};
+use crate::folder::{about, beside, remove, remove_all};
 use crate::layout::Layout;
 use crate::merge::{merge, split};
 use crate::provenance::Provenance;
-use crate::read::rows_of;
+use crate::read::{Reader, rows_of};
 
 /// A table that grows, in parts of so many rows each, until it is finished: then it is one Parquet file.
 ///
@@ -53,22 +53,26 @@ impl Table {
             split(path, &parts(path), &table.layout, &table.properties)?;
         }
         remove(path)?;
-        let too_short =
-            || io::Error::new(io::ErrorKind::InvalidData, format!("{}: rows are missing", path.display()));
-        let rows = usize::try_from(rows).map_err(|_| too_short())?;
+        let rows = usize::try_from(rows).map_err(|_| missing(path))?;
         table.full = rows / table.most;
+        if (0..table.full).any(|number| count(&part(path, number)).ok() != Some(table.most)) {
+            return Err(missing(path));
+        }
         let left = rows % table.most;
         if left > 0 {
             table.open = rows_of(&part(path, table.full), &table.layout)?;
             let numbers = left * table.layout.width();
             if table.open.len() < numbers {
-                return Err(too_short());
+                return Err(missing(path));
             }
             table.open.truncate(numbers);
+            // In the place of the longer one at once: a run may be killed here too.
+            table.flush()?;
         }
-        let beyond = (table.full..).map(|number| part(path, number)).take_while(|path| path.exists());
-        beyond.collect::<Vec<_>>().iter().try_for_each(|path| remove(path))?;
-        table.flush()?;
+        let beyond =
+            numbers_of(path)?.into_iter().filter(|number| *number >= table.full + usize::from(left > 0));
+        // From behind, so that there is never a gap.
+        beyond.rev().try_for_each(|number| remove(&part(path, number)))?;
         Ok(table)
     }
 
@@ -99,7 +103,7 @@ impl Table {
     pub(crate) fn push(&mut self, row: &[&[f64]]) -> io::Result<()> {
         row.iter().for_each(|piece| self.open.extend_from_slice(piece));
         if self.open_rows() == self.most {
-            self.sync()?;
+            self.flush()?;
             self.full += 1;
             self.open.clear();
             self.flushed = 0;
@@ -107,17 +111,7 @@ impl Table {
         Ok(())
     }
 
-    /// Puts all rows on the disk, where they outlast a failure of power.
-    pub(crate) fn sync(&mut self) -> io::Result<()> {
-        self.flush()?;
-        let path = part(&self.path, self.full);
-        if self.flushed == 0 {
-            return Ok(());
-        }
-        File::open(&path).and_then(|file| file.sync_all()).map_err(|error| about(&error, &path))
-    }
-
-    /// Puts all rows into files, which outlast the process.
+    /// Puts all rows on the disk.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         if self.open_rows() == self.flushed {
             return Ok(());
@@ -152,22 +146,43 @@ impl Table {
         }
         group.close()?;
         writer.close()?;
-        Ok(())
+        file.sync_all()
     }
 
     /// Makes one file of the parts.
     pub(crate) fn finish(&mut self) -> io::Result<()> {
         self.flush()?;
-        let all: Vec<PathBuf> =
-            (0..).map(|number| part(&self.path, number)).take_while(|path| path.exists()).collect();
+        let count = self.full + usize::from(self.flushed > 0);
+        let all: Vec<PathBuf> = (0..count).map(|number| part(&self.path, number)).collect();
         merge(&all, &self.path, &self.layout, &self.properties)?;
         // A folder that is not gone as a whole would be taken for the table.
-        let (parts, done) = (parts(&self.path), self.path.with_extension("done"));
-        remove(&done)?;
+        let (parts, done) = (parts(&self.path), self.path.with_extension("parquet.done"));
+        remove_all(&done)?;
         fs::rename(&parts, &done)
             .and_then(|()| fs::remove_dir_all(&done))
             .map_err(|error| about(&error, &parts))
     }
+}
+
+fn missing(path: &Path) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, format!("{}: rows are missing", path.display()))
+}
+
+/// Rows of a part.
+fn count(path: &Path) -> io::Result<usize> {
+    let reader = Reader::open(path)?;
+    Ok((0..reader.groups()).map(|group| reader.rows(group)).sum())
+}
+
+/// Numbers of the parts that are there, ascending.
+fn numbers_of(path: &Path) -> io::Result<Vec<usize>> {
+    let number = |name: &str| name.strip_prefix("part-")?.strip_suffix(".parquet")?.parse().ok();
+    let folder = parts(path);
+    let entries = fs::read_dir(&folder).map_err(|error| about(&error, &folder))?;
+    let mut numbers: Vec<usize> =
+        entries.flatten().filter_map(|entry| number(&entry.file_name().to_string_lossy())).collect();
+    numbers.sort_unstable();
+    Ok(numbers)
 }
 
 /// Definition and repetition levels of full lists.

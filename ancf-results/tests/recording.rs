@@ -1,4 +1,5 @@
 //! What is written into the folder of a run is what the run said, whatever happens on the way.
+#![cfg(test)]
 
 use std::fs;
 use std::io;
@@ -33,9 +34,9 @@ fn model(rest: &str) -> (String, Model) {
 /// Runs a model into a folder.
 fn run(folder: &Path, text: &str, model: &Model) -> Results {
     let simulation = Simulation::new(model).unwrap();
-    let mut recorder = Recorder::new(Folder::new(folder), text, model, &simulation);
+    let mut recorder = Recorder::new(Folder::new(folder), "pendulum.toml", text, model, &simulation);
     let summary = simulation.run(&mut recorder).unwrap();
-    recorder.conclude(&summary, "pendulum.toml", 0.0).unwrap();
+    recorder.conclude(&summary, 0.0).unwrap();
     Results::open(folder).unwrap()
 }
 
@@ -144,14 +145,15 @@ fn a_run_that_goes_on_can_be_read_and_keeps_others_out() {
     let (text, model) = model(MOTION);
     let folder = TempDir::new().unwrap();
     let simulation = Simulation::new(&model).unwrap();
-    let recorder = Recorder::new(Folder::new(folder.path()), &text, &model, &simulation);
+    let recorder = Recorder::new(Folder::new(folder.path()), "pendulum.toml", &text, &model, &simulation);
     let mut seen = Vec::new();
     let mut look = |row: u32| {
         let results = Results::open(folder.path()).unwrap();
         assert_eq!(results.status(), Status::Running);
         let columns = results.columns().unwrap();
         seen.push((row, columns.column("t").unwrap().len(), frames(&results).len()));
-        let mut other = Recorder::new(Folder::new(folder.path()), &text, &model, &simulation);
+        let mut other =
+            Recorder::new(Folder::new(folder.path()), "pendulum.toml", &text, &model, &simulation);
         let refused = other.begin(&[]).unwrap_err().to_string();
         assert!(refused.contains("another run writes into this folder"), "{refused}");
     };
@@ -162,6 +164,7 @@ fn a_run_that_goes_on_can_be_read_and_keeps_others_out() {
     assert_eq!(seen.iter().map(|(row, ..)| *row).collect::<Vec<_>>(), [0, 40, 80]);
     assert!(seen[1].1 >= 2 && seen[2].1 >= 42, "{seen:?}");
     assert!(seen[2].2 >= 42, "states too: {seen:?}");
+    drop(peek);
     // It did not say how it ended.
     let results = Results::open(folder.path()).unwrap();
     assert_eq!(results.status(), Status::Broken);
@@ -211,12 +214,25 @@ fn a_model_of_the_user_is_not_taken_for_that_of_a_run() {
     let own = Folder::new(folder.path()).model();
     fs::write(&own, "# another one\n").unwrap();
     let simulation = Simulation::new(&model).unwrap();
-    let mut recorder = Recorder::new(Folder::new(folder.path()), &text, &model, &simulation);
+    let mut recorder = Recorder::new(Folder::new(folder.path()), "pendulum.toml", &text, &model, &simulation);
     let refused = simulation.run(&mut recorder).unwrap_err().to_string();
     assert!(refused.contains("would be lost"), "{refused}");
     assert_eq!(fs::read_to_string(&own).unwrap(), "# another one\n");
+    // So are other files that have names of ours.
+    for name in ["checkpoint", "report.html"] {
+        let other = TempDir::new().unwrap();
+        fs::write(other.path().join(name), "mine").unwrap();
+        let mut recorder =
+            Recorder::new(Folder::new(other.path()), "pendulum.toml", &text, &model, &simulation);
+        assert!(simulation.run(&mut recorder).unwrap_err().to_string().contains("would be lost"));
+        assert_eq!(fs::read_to_string(other.path().join(name)).unwrap(), "mine");
+    }
     // The very model that is run, and models of runs, are replaced.
     fs::write(&own, &text).unwrap();
     run(folder.path(), &text, &model);
     run(folder.path(), &text.replace("0.02", "0.03"), &model);
+    // But not one that was changed since.
+    fs::write(&own, "# changed\n").unwrap();
+    let mut recorder = Recorder::new(Folder::new(folder.path()), "pendulum.toml", &text, &model, &simulation);
+    assert!(simulation.run(&mut recorder).unwrap_err().to_string().contains("would be lost"));
 }

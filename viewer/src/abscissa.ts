@@ -7,6 +7,8 @@ export class Abscissa {
   readonly xs: number[];
   readonly label: string;
   readonly unit: string;
+  /** Rows are shapes: nothing lies between them. */
+  readonly discrete: boolean;
   /** Row of the charts at each frame; null: the frames have no place in the charts. */
   private readonly rows: number[] | null;
 
@@ -17,7 +19,8 @@ export class Abscissa {
     this.xs = straight ? Array.from(values) : Array.from(values, (_, i) => i);
     this.label = straight ? name : "point of the path";
     this.unit = straight ? unit : "";
-    this.rows = isModal(scene) || values.length === 0 ? null : rows(scene.frames.values, values, straight);
+    this.discrete = isModal(scene);
+    this.rows = values.length === 0 ? null : rows(scene.frames.values, values, straight);
   }
 
   /** Place on the axis of a (fractional) frame. */

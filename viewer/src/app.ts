@@ -12,8 +12,9 @@ import { Layout } from "./layout";
 import { Legend } from "./legend";
 import { Panel } from "./panel";
 import { Player } from "./player";
-import { isModal, type Scene } from "./scene";
+import { failed, isModal, type Scene } from "./scene";
 import { Choice } from "./settings";
+import { names } from "./shapes";
 import { Stage } from "./stage";
 import { Transport } from "./transport";
 import { Triad } from "./triad";
@@ -68,6 +69,7 @@ export class App {
 
   /** Shows a scene: the first one from the beginning, later ones where the user is. */
   show(scene: Scene): void {
+    scene.frames.labels = names(scene);
     const again = this.scene_ !== null;
     if (!this.scene_?.fields.length) this.choice.values.field = scene.fields[0]?.name ?? "";
     this.scene_ = scene;
@@ -82,7 +84,7 @@ export class App {
     this.setStage(scene);
     this.wake();
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (!again && !calm && !scene.live && this.stage) this.player.toggle();
+    if (!again && !calm && !scene.live && !failed(scene) && this.stage) this.player.toggle();
   }
 
   private setStage(scene: Scene): void {
@@ -144,7 +146,7 @@ export class App {
   private pickTime(x: number): void {
     const frame = this.abscissa?.frame(x);
     if (frame === null || frame === undefined) return;
-    this.player.playing = false;
+    if (!isModal(this.scene)) this.player.playing = false;
     this.player.go(frame);
   }
 

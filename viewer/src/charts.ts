@@ -4,11 +4,28 @@ import uPlot from "uplot";
 import type { Abscissa } from "./abscissa";
 import { css, nth } from "./colours";
 import { h, quantity, text } from "./dom";
+import {
+  around,
+  decades,
+  digits,
+  isolated,
+  Kinds,
+  Linear,
+  Logarithmic,
+  type Range,
+  type Scale,
+} from "./ranges";
 import type { Chart, Scene } from "./scene";
 
-/** A column as uPlot wants it: null where there is no number, or none that a logarithm has. */
-function column(values: ArrayLike<number>, log: boolean): (number | null)[] {
-  return Array.from(values, (v) => (Number.isFinite(v) && !(log && v <= 0) ? v : null));
+type Places = (number | null)[];
+
+/** A chart with what stands below it and how its numbers are drawn. */
+interface Drawn {
+  chart: Chart;
+  abscissa: Abscissa;
+  scale: Scale;
+  /** One list for each column. */
+  places: Places[];
 }
 
 function style(name: string): string {
@@ -32,19 +49,25 @@ class Plot {
 
   constructor(
     chart: Chart,
+    kinds: Kinds,
     private readonly abscissa: Abscissa,
     pick: (x: number) => void,
     width: number,
   ) {
+    const scale = chart.log ? new Logarithmic(chart) : new Linear(chart, kinds);
+    const places = chart.columns.map((c, i) => Array.from(c.values, (v) => scale.place(v, i)));
     const unit = commonUnit(chart);
     const title = h("h3", {}, chart.title, unit ? h("small", {}, ` ${unit}`) : null);
     const log = chart.log ? h("small", { class: "note" }, "logarithmic") : null;
     this.element = h("figure", { class: "chart" }, h("figcaption", {}, title, log), this.place);
     this.element.setAttribute("aria-label", `chart ${chart.title}`);
-    const data = [abscissa.xs, ...chart.columns.map((c) => column(c.values, chart.log))] as uPlot.AlignedData;
     // uPlot knows its scales only once it has drawn: then the line finds its place.
     const hooks = { draw: [() => this.show(this.x)] };
-    this.plot = new uPlot({ ...options(chart, abscissa, width), hooks }, data, this.place);
+    // Legends stand in columns that are as wide as the longest entry.
+    const longest = Math.max(0, ...chart.columns.map((c) => c.label.length + (unit ? 0 : c.unit.length)));
+    this.place.style.setProperty("--entry", `${94 + 7 * longest}px`);
+    const drawn = { chart, abscissa, scale, places };
+    this.plot = new uPlot({ ...options(drawn, width), hooks }, [abscissa.xs, ...places], this.place);
     this.plot.over.append(this.line);
     this.listen(pick);
   }
@@ -68,8 +91,8 @@ class Plot {
     });
     over.addEventListener("wheel", (event) => this.zoom(event), { passive: false });
     over.addEventListener("dblclick", () => {
-      const { xs } = this.abscissa;
-      this.plot.setScale("x", { min: xs[0], max: xs[xs.length - 1] });
+      const [min, max] = whole(this.abscissa);
+      this.plot.setScale("x", { min, max });
       this.show(this.x);
     });
   }
@@ -79,12 +102,12 @@ class Plot {
     if (!event.ctrlKey && !event.metaKey) return;
     event.preventDefault();
     const { min, max } = this.plot.scales.x;
-    const { xs } = this.abscissa;
+    const [first, last] = whole(this.abscissa);
     if (min == null || max == null) return;
     const x = this.plot.posToVal(event.clientX - this.plot.over.getBoundingClientRect().left, "x");
     const factor = Math.exp(Math.max(-1, Math.min(1, event.deltaY / 200)));
-    const low = Math.max(xs[0], x - (x - min) * factor);
-    const high = Math.min(xs[xs.length - 1], x + (max - x) * factor);
+    const low = Math.max(first, x - (x - min) * factor);
+    const high = Math.min(last, x + (max - x) * factor);
     if (high > low) this.plot.setScale("x", { min: low, max: high });
     this.show(this.x);
   }
@@ -110,43 +133,79 @@ class Plot {
   }
 }
 
-const HEIGHT = 190;
+const HEIGHT = 206;
 
-function options(chart: Chart, abscissa: Abscissa, width: number): uPlot.Options {
+/** All of the horizontal axis. */
+function whole({ xs, discrete }: Abscissa): Range {
+  const [low, high] = [xs[0] ?? 0, xs[xs.length - 1] ?? 1];
+  if (discrete) return [low - 0.5, high + 0.5];
+  return high > low ? [low, high] : around(low, high, 0);
+}
+
+/** Whether a range of the horizontal axis is another than that of all rows. */
+function zoomed({ xs }: Abscissa, low: number, high: number): boolean {
+  return xs.length > 1 && high > low && !(low === xs[0] && high === xs[xs.length - 1]);
+}
+
+function options(drawn: Drawn, width: number): uPlot.Options {
+  const { chart, abscissa, scale } = drawn;
   const [ink, rule] = [style("--ink-2"), style("--rule")];
   const axis = { stroke: ink, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 4 } };
   const font = "11px system-ui, sans-serif";
-  const numbers = (_: uPlot, ticks: (number | null)[]) => ticks.map((v) => (v == null ? "" : text(v, 5)));
-  const common = commonUnit(chart);
+  const along = (_: uPlot, ticks: Places) => numbers(ticks);
+  const up = (_: uPlot, ticks: Places) => numbers(ticks.map((v) => (v == null ? null : scale.at(v))));
+  const label = abscissa.unit ? `${abscissa.label} [${abscissa.unit}]` : abscissa.label;
+  const splits = (_: uPlot, __: number, low: number, high: number) => decades(low, high);
   return {
     ...{ width, height: HEIGHT, padding: [8, 14, 0, 0] },
     cursor: { drag: { x: false, y: false }, sync: { key: "ancf" }, points: { size: 6 } },
-    scales: { x: { time: false }, y: chart.log ? { distr: 3 } : {} },
+    scales: {
+      x: {
+        time: false,
+        range: (_, low, high) => (zoomed(abscissa, low, high) ? [low, high] : whole(abscissa)),
+      },
+      y: { range: (_, low, high) => scale.range(low, high) },
+    },
     axes: [
-      { ...axis, font, size: 26, gap: 4, space: 60, values: numbers },
-      { ...axis, font, gap: 4, size: axisWidth, values: chart.log ? logNumbers : numbers },
+      {
+        ...{ ...axis, font, size: 24, gap: 4, space: abscissa.discrete ? 28 : 60, values: along },
+        ...{ label, labelSize: 16, labelGap: 0, labelFont: font },
+        ...(abscissa.discrete ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
+      },
+      { ...axis, font, gap: 4, size: axisWidth, values: up, ...(chart.log ? { splits } : {}) },
     ],
     legend: { live: true },
     series: [
       { label: abscissa.label, value: (_, v) => (v == null ? "–" : quantity(v, abscissa.unit)) },
-      ...chart.columns.map((c, i) => ({
-        label: c.label,
-        stroke: css(nth(i)),
-        width: 1.6,
-        pxAlign: 0,
-        points: { show: abscissa.xs.length < 2 },
-        value: (_: uPlot, v: number | null) =>
-          v == null ? "–" : quantity(v, c.unit === common ? "" : c.unit),
-      })),
+      ...chart.columns.map((_, i) => series(drawn, i)),
     ],
   };
 }
 
-/** Decades only: the other ticks of a logarithmic axis have no number. */
-function logNumbers(_: uPlot, ticks: (number | null)[]): string[] {
-  return ticks.map((v) =>
-    v != null && Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9 ? text(v, 5) : "",
-  );
+/** A line, or points where nothing lies between the rows. */
+function series({ chart, abscissa, scale, places }: Drawn, index: number): uPlot.Series {
+  const { label, unit, values } = chart.columns[index];
+  const stroke = css(nth(index));
+  const alone = isolated(places[index]);
+  const points = abscissa.discrete
+    ? { show: true, size: 7, fill: stroke }
+    : { show: false, size: 4, fill: stroke, filter: () => alone };
+  const common = commonUnit(chart);
+  return {
+    ...{ label, stroke, width: 1.6, pxAlign: 0, points },
+    ...(abscissa.discrete ? { paths: () => null } : {}),
+    value: (_, __, ___, row) => {
+      const value = row == null ? Number.NaN : scale.shown(values[row], index);
+      return Number.isNaN(value) ? "–" : quantity(value, unit === common ? "" : unit);
+    },
+  };
+}
+
+/** Ticks as text, with as many digits as tell them apart. */
+function numbers(ticks: Places): string[] {
+  const [a, b] = ticks.filter((v) => v != null);
+  const count = digits(ticks, Math.abs((b ?? a ?? 0) - (a ?? 0)));
+  return ticks.map((v) => (v == null ? "" : text(v, count)));
 }
 
 function axisWidth(_: uPlot, values: string[] | null): number {
@@ -162,6 +221,7 @@ export class Charts {
   private plots: Plot[] = [];
   private scene: Scene | null = null;
   private abscissa: Abscissa | null = null;
+  private kinds = new Kinds([]);
   private group = "";
   private x: number | null = null;
 
@@ -175,6 +235,7 @@ export class Charts {
 
   load(scene: Scene, abscissa: Abscissa): void {
     [this.scene, this.abscissa] = [scene, abscissa];
+    this.kinds = new Kinds(scene.charts);
     const groups = [...new Set(scene.charts.map((c) => c.group))];
     if (!groups.includes(this.group)) this.group = groups[0] ?? "";
     this.chips.replaceChildren(
@@ -205,7 +266,7 @@ export class Charts {
     }
     const width = Math.max(200, this.list.clientWidth || 360);
     const charts = abscissa.xs.length > 0 ? scene.charts.filter((c) => c.group === this.group) : [];
-    this.plots = charts.map((c) => new Plot(c, abscissa, this.pick, width));
+    this.plots = charts.map((c) => new Plot(c, this.kinds, abscissa, this.pick, width));
     const none = h("p", { class: "empty" }, "Nothing was recorded over time.");
     this.list.replaceChildren(...(charts.length > 0 ? this.plots.map((p) => p.element) : [none]));
     this.show(this.x);

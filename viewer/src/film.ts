@@ -1,7 +1,8 @@
 // The picture as a file, the whole film as a file.
 
-import { colour, css, span } from "./colours";
+import { colour, css } from "./colours";
 import { text } from "./dom";
+import { ticks } from "./legend";
 import type { Scene } from "./scene";
 
 /** Draws the picture with its background, title and legend. */
@@ -28,7 +29,7 @@ export function compose(
   pen.fillText(caption, 16, 48);
   const shown = scene.fields.find((f) => f.name === field);
   if (shown) {
-    const [low, high] = span(shown.range, shown.diverging);
+    const values = ticks(scene, shown);
     const left = canvas.clientWidth - 100;
     pen.fillText(`${shown.name} ${shown.unit}`.trim(), left - 40, 28, 130);
     for (let i = 0; i < 140; i++) {
@@ -36,8 +37,7 @@ export function compose(
       pen.fillRect(left, 40 + i, 14, 1.5);
     }
     pen.fillStyle = style.getPropertyValue("--ink").trim();
-    for (const part of [0, 0.5, 1])
-      pen.fillText(text(high + part * (low - high), 3), left + 22, 45 + 138 * part);
+    for (const i of [0, 2, 4]) pen.fillText(text(values[i], 3), left + 22, 45 + (138 * i) / 4);
   }
   return page;
 }

@@ -2,7 +2,9 @@
 
 import { h, quantity } from "./dom";
 import { type Instant, place, station } from "./instant";
-import type { Scene, Vector } from "./scene";
+import { greatest } from "./marks";
+import { clean } from "./ranges";
+import type { Reaction, Scene, Vector } from "./scene";
 import type { Settings } from "./settings";
 import type { Stage } from "./stage";
 
@@ -13,9 +15,13 @@ const MOST_NODES = 3000;
 /** Of more bodies than this the names are seen under the pointer only. */
 const MOST_BODIES = 40;
 const CELL = 8;
+const LINE = 18;
+/** How many lines further down a reaction may be written than it should. */
+const DOWN = 5;
 
 interface Label {
-  text: string;
+  /** Its lines; all in one if there is room. */
+  lines: string[];
   kind: "body" | "marker" | "reaction" | "node";
   at: Vector;
 }
@@ -38,46 +44,68 @@ function size(vectors: ArrayLike<number>, now: Instant): number {
   return Math.hypot(...x);
 }
 
+/** The greatest force and moment of all reactions and times, found once. */
+const GREATEST = new WeakMap<Reaction[], [number, number]>();
+
+function greatestOf(reactions: Reaction[]): [number, number] {
+  const known = GREATEST.get(reactions);
+  if (known) return known;
+  const most = (of: (r: Reaction) => Reaction["force"]) =>
+    Math.max(0, ...reactions.map((r) => greatest(of(r))));
+  const found: [number, number] = [most((r) => r.force), most((r) => r.moment)];
+  GREATEST.set(reactions, found);
+  return found;
+}
+
+/** "F 119.4 N" and "M 3.103 N m"; rounding noise is left out. */
+function told(scene: Scene, reaction: Reaction, now: Instant): string[] {
+  const force = scene.units?.force ?? "";
+  const length = scene.units?.length ?? "";
+  const [most, turning] = greatestOf(scene.reactions);
+  const f = clean(size(reaction.force, now), most);
+  const m = clean(size(reaction.moment, now), turning);
+  return [
+    ...(f > 0 ? [`F ${quantity(f, force)}`] : []),
+    ...(m > 0 ? [`M ${quantity(m, force && `${force} ${length}`)}`] : []),
+  ];
+}
+
 /** All labels of an instant, the most important first. */
 function wanted(scene: Scene, reference: Float32Array, settings: Settings, now: Instant): Label[] {
   const list: Label[] = [];
-  const force = scene.units?.force ?? "";
-  const length = scene.units?.length ?? "";
   const pulls = new Map(scene.reactions.map((r) => [r.marker, r]));
   if (settings.labels) {
     scene.markers.forEach((m, i) => {
-      list.push({ text: m.name, kind: "marker", at: marker(scene, i, reference, now) });
+      list.push({ lines: [m.name], kind: "marker", at: marker(scene, i, reference, now) });
     });
   }
   if (settings.reactions) {
     for (const [i, r] of pulls) {
-      const [f, m] = [size(r.force, now), size(r.moment, now)];
-      const parts = [
-        f > 0 ? quantity(f, force) : "",
-        m > 0 ? quantity(m, force && `${force} ${length}`) : "",
-      ];
-      const text = parts.filter(Boolean).join(", ");
-      if (text) list.push({ text, kind: "reaction", at: marker(scene, i, reference, now) });
+      const lines = told(scene, r, now);
+      if (lines.length > 0) list.push({ lines, kind: "reaction", at: marker(scene, i, reference, now) });
     }
   }
   if (settings.labels) {
     const few = scene.bodies.length <= MOST_BODIES;
     for (const b of few ? scene.bodies : []) {
       if (b.count > 0)
-        list.push({ text: b.name, kind: "body", at: station(scene, b.first + (b.count >> 1), now) });
+        list.push({ lines: [b.name], kind: "body", at: station(scene, b.first + (b.count >> 1), now) });
     }
   }
   if (settings.nodes) {
     let left = MOST_NODES;
     for (const b of scene.bodies) {
       b.nodes.slice(0, Math.max(0, left)).forEach((s, i) => {
-        list.push({ text: String(i), kind: "node", at: station(scene, s, now) });
+        list.push({ lines: [String(i)], kind: "node", at: station(scene, s, now) });
       });
       left -= b.nodes.length;
     }
   }
   return list;
 }
+
+/** A text and its upper left corner. */
+type Place = [text: string, x: number, y: number];
 
 export class Labels {
   readonly element = h("div", { class: "labels", "aria-hidden": "true" });
@@ -94,15 +122,32 @@ export class Labels {
       const spot = this.stage.project(label.at);
       if (!spot || spot[0] < 0 || spot[1] < 0 || spot[0] > this.stage.width || spot[1] > this.stage.height)
         continue;
-      const width = this.width(label.text);
-      const [x, y] = offset(label.kind, spot, width, this.stage.width);
-      if (this.occupied(taken, x, y, width)) continue;
-      this.put(shown++, label, x, y);
+      const place = this.places(label, spot).find(([text, x, y]) => !this.occupied(taken, text, x, y));
+      if (place) this.put(shown++, label.kind, place);
     }
     for (let i = shown; i < this.pool.length; i++) this.pool[i].hidden = true;
   }
 
-  private put(index: number, label: Label, x: number, y: number): void {
+  /** Where a label may stand, the best first: a reaction rather elsewhere and in two lines than not at all. */
+  private places(label: Label, spot: [number, number]): Place[] {
+    const one = label.lines.join(", ");
+    const at = (text: string): Place => [
+      text,
+      ...offset(label.kind, spot, this.width(text), this.stage.width),
+    ];
+    if (label.kind !== "reaction") return [at(one)];
+    const [, x, y] = at(label.lines.join("\n"));
+    const text = label.lines.join("\n");
+    const other = spot[0] - this.width(text) - 10;
+    const list = [at(one)];
+    for (let i = 0; i <= DOWN; i++) {
+      list.push([text, x, y + i * LINE]);
+      if (other > 0) list.push([text, other, y + i * LINE]);
+    }
+    return list;
+  }
+
+  private put(index: number, kind: Label["kind"], [text, x, y]: Place): void {
     let element = this.pool[index];
     if (!element) {
       element = h("span");
@@ -110,25 +155,26 @@ export class Labels {
       this.element.append(element);
     }
     element.hidden = false;
-    if (element.textContent !== label.text) element.textContent = label.text;
-    element.className = label.kind;
+    if (element.textContent !== text) element.textContent = text;
+    element.className = kind;
     element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   private width(text: string): number {
     const known = this.widths.get(text);
     if (known !== undefined) return known;
-    const width = 12 + 6.6 * text.length;
+    const width = 12 + 6.6 * Math.max(...text.split("\n").map((line) => line.length));
     if (this.widths.size > 5000) this.widths.clear();
     this.widths.set(text, width);
     return width;
   }
 
   /** Marks the cells under a label; true if one of them was marked before. */
-  private occupied(taken: Set<number>, x: number, y: number, width: number): boolean {
+  private occupied(taken: Set<number>, text: string, x: number, y: number): boolean {
+    const [width, height] = [this.width(text), LINE * text.split("\n").length];
     const cells: number[] = [];
     for (let i = Math.floor(x / CELL); i <= (x + width) / CELL; i++) {
-      for (let j = Math.floor(y / CELL); j <= (y + 18) / CELL; j++) {
+      for (let j = Math.floor(y / CELL); j <= (y + height) / CELL; j++) {
         const cell = i * 4096 + j;
         if (taken.has(cell)) return true;
         cells.push(cell);

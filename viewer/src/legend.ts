@@ -2,6 +2,7 @@
 
 import { gradient, span } from "./colours";
 import { h, text } from "./dom";
+import { clean, largest } from "./ranges";
 import type { Field, Scene } from "./scene";
 
 export class Legend {
@@ -11,7 +12,7 @@ export class Legend {
     const field = scene.fields.find((f) => f.name === name);
     this.element.hidden = !field;
     if (!field) return;
-    const values = ticks(field);
+    const values = ticks(scene, field);
     const bar = h("div", { class: "bar" });
     bar.style.background = gradient(field.diverging, "to top");
     const unit = field.unit ? h("span", { class: "unit" }, field.unit) : null;
@@ -26,8 +27,11 @@ export class Legend {
   }
 }
 
-/** Five values from the top of the map to its bottom. */
-export function ticks(field: Field): number[] {
+/** Five values from the top of the map to its bottom, without rounding noise. */
+export function ticks(scene: Scene, field: Field): number[] {
+  const like = scene.fields.filter((f) => f === field || (f.unit === field.unit && f.unit !== ""));
+  const most = Math.max(...like.map((f) => largest(f.range)));
   const [low, high] = span(field.range, field.diverging);
-  return [0, 1, 2, 3, 4].map((i) => (field.diverging && i === 2 ? 0 : high + (i / 4) * (low - high)));
+  const at = (i: number) => (field.diverging && i === 2 ? 0 : high + (i / 4) * (low - high));
+  return [0, 1, 2, 3, 4].map((i) => clean(at(i), most));
 }

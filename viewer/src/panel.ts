@@ -84,6 +84,7 @@ export class Panel {
   }
 
   private list(scene: Scene): HTMLElement[] {
+    if (!isModal(scene)) return [];
     const kind = scene.analysis === "buckling" ? "load factor" : "mode";
     return Array.from(scene.frames.values, (value, i) => {
       const label = scene.frames.labels?.[i] ?? `${kind} ${value}`;
@@ -107,7 +108,9 @@ function summary(scene: Scene): HTMLElement {
     const { length, time, force } = scene.units;
     rows.push(h("tr", {}, h("th", { scope: "row" }, "units"), h("td", {}, `${length}, ${time}, ${force}`)));
   }
-  rows.push(h("tr", {}, h("th", { scope: "row" }, "program"), h("td", {}, scene.program)));
+  if (!scene.summary.some(([name]) => name === "program")) {
+    rows.push(h("tr", {}, h("th", { scope: "row" }, "program"), h("td", {}, scene.program)));
+  }
   if (scene.sha256) {
     rows.push(
       h("tr", {}, h("th", { scope: "row" }, "model's SHA-256"), h("td", { class: "hash" }, scene.sha256)),

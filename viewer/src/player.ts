@@ -1,7 +1,8 @@
 // The clock of the picture: which frame, and how it goes on.
 
 import type { Instant } from "./instant";
-import { isModal, type Scene } from "./scene";
+import { failed, isModal, type Scene } from "./scene";
+import { firstShape } from "./shapes";
 
 export const SPEEDS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 
@@ -19,6 +20,8 @@ export class Player {
   repeat = false;
   private modal = false;
   private values: ArrayLike<number> = [];
+  /** Whether the speed is the user's choice; else it follows from the length of the run. */
+  private chosen = false;
   private last: number | null = null;
 
   constructor(private readonly changed: () => void) {}
@@ -29,10 +32,10 @@ export class Player {
     const time = this.time;
     this.modal = isModal(scene);
     this.values = scene.frames.values;
-    if (!again) {
-      this.speed = this.timed ? nearest(Math.abs(this.duration) / FILM) : 1;
-      this.position = scene.live ? this.end : 0;
-    } else if (atEnd && !this.playing) this.position = this.end;
+    if (!this.chosen) this.speed = this.timed ? nearest(this.duration / FILM) : 1;
+    // What goes on or has failed is seen as it was last, shapes from the first that is not rigid.
+    if (!again) this.position = scene.live || failed(scene) ? this.end : firstShape(scene);
+    else if (atEnd && !this.playing) this.position = this.end;
     else this.seek(time);
   }
 
@@ -84,7 +87,12 @@ export class Player {
 
   faster(count: number): void {
     const i = SPEEDS.indexOf(this.speed);
-    this.speed = SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, i + count))];
+    this.choose(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, i + count))]);
+  }
+
+  choose(speed: number): void {
+    this.speed = speed;
+    this.chosen = true;
     this.changed();
   }
 

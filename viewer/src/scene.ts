@@ -237,3 +237,8 @@ export function fieldValue(field: Field, entry: number): number {
   const raw = field.values[entry];
   return raw === 65535 ? Number.NaN : low + (raw / 65534) * (high - low);
 }
+
+/** A film that ended where it should not have. */
+export function failed(scene: Scene): boolean {
+  return scene.outcome.kind === "failed" && !isModal(scene);
+}

@@ -24,7 +24,7 @@ export class Transport {
     this.speed = h("select", { "aria-label": "speed", title: "speed (+ and −)" });
     this.speed.append(...SPEEDS.map((s) => h("option", { value: s }, `${s}×`)));
     this.speed.addEventListener("change", () => {
-      player.speed = Number(this.speed.value);
+      player.choose(Number(this.speed.value));
     });
     this.element = h(
       "div",

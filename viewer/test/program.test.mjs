@@ -94,7 +94,10 @@ test("a run can be watched while it goes on", async () => {
   const run = spawn(program, ["run", model, "-o", out, "--quiet"], { stdio: "ignore" });
   const ended = new Promise((done) => run.on("exit", done));
   const parts = join(out, "results.parquet.parts");
-  await until("rows", () => existsSync(parts) && readdirSync(parts).some((name) => name.endsWith(".parquet")));
+  await until(
+    "rows",
+    () => existsSync(parts) && readdirSync(parts).some((name) => name.endsWith(".parquet")),
+  );
   const view = spawn(program, ["view", out]);
   try {
     const { tab, complaints } = await open(browser, null, { url: await line(view) });

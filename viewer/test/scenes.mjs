@@ -252,6 +252,20 @@ export function modes() {
   };
 }
 
+/** The same with frequencies in a chart, the first shape rigid. */
+export function frequencies() {
+  const scene = modes();
+  const labels = ["mode 1: 0 Hz", "mode 2: 77.12 Hz", "mode 3: 216 Hz"];
+  const values = f64([0, 77.1234, 216.001]);
+  const columns = [{ name: "frequency", label: "frequency", unit: "Hz", values }];
+  return {
+    ...scene,
+    frames: { ...scene.frames, labels },
+    charts: [{ title: "frequency", group: "solver", log: false, columns }],
+    abscissa: { name: "mode", unit: "", values: f64([1, 2, 3]) },
+  };
+}
+
 /** A box and a ball hung on springs over a floor, beside a sphere and a cylinder. */
 export function machine() {
   const frames = 21;

@@ -3,7 +3,7 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { browse, close, open, settle } from "./browser.mjs";
-import { cantilever, machine, many, modes } from "./scenes.mjs";
+import { cantilever, frequencies, machine, many, modes } from "./scenes.mjs";
 
 const to = process.argv[2] ?? "shots";
 mkdirSync(to, { recursive: true });
@@ -30,6 +30,7 @@ const SHOTS = [
   ["phone", cantilever(), { viewport: PHONE }, at(0.5, ["g"])],
   ["phone-dark", modes(), { viewport: PHONE, theme: "dark" }, at(2, ["g"])],
   ["modes", modes(), {}, at(2, ["g"])],
+  ["frequencies", frequencies(), {}, (tab) => tab.click("#tab-Charts")],
   ["machine", machine(), {}, at(0.3)],
   ["machine-run", machine(), { theme: "dark" }, run],
   ["help", machine(), {}, press(["?"])],

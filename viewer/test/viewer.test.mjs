@@ -2,9 +2,22 @@
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { browse, close, frame, goTo, legend, near, open, picture, place, settle, time } from "./browser.mjs";
-import { page, report } from "./container.mjs";
-import { bend, cantilever, machine, modes, tip } from "./scenes.mjs";
+import {
+  browse,
+  close,
+  frame,
+  goTo,
+  legend,
+  near,
+  open,
+  picture,
+  place,
+  plotBox,
+  settle,
+  time,
+} from "./browser.mjs";
+import { f32, page, report } from "./container.mjs";
+import { bend, cantilever, frequencies, machine, modes, tip } from "./scenes.mjs";
 
 let browser;
 before(async () => {
@@ -251,9 +264,70 @@ describe("other scenes", () => {
     await tab.close();
   });
 
+  test("shapes have six digits or are rigid; their charts are points that can be chosen", async () => {
+    const { tab, complaints } = await open(browser, frequencies());
+    const labels = await tab.$$eval(".shape", (all) => all.map((e) => e.textContent));
+    assert.deepEqual(labels, ["mode 1: rigid", "mode 2: 77.1234 Hz", "mode 3: 216.001 Hz"]);
+    assert.equal(await frame(tab), 1, "the first that is not rigid");
+    await tab.click("#tab-Charts");
+    await settle(tab);
+    near(await legend(tab, "frequency"), 77.12, 1e-9, "frequency");
+    assert.equal(await tab.$eval(".now", (e) => e.hidden), false);
+    const { left, top, width, height } = await plotBox(tab);
+    await tab.mouse.click(left + 0.8 * width, top + height / 2);
+    assert.equal(await frame(tab), 2);
+    assert.deepEqual(complaints, []);
+    await tab.close();
+  });
+
+  test("reactions at one place are all told, in two lines where there is no room for one", async () => {
+    const scene = cantilever();
+    const [root] = scene.markers;
+    const [reaction] = scene.reactions;
+    scene.markers.push({ ...root, name: "second" });
+    const noise = f32(new Array(3 * 41).fill(1e-15));
+    scene.reactions.push({ ...reaction, name: "second", marker: 2 });
+    scene.markers.push({ ...root, name: "third" });
+    scene.reactions.push({ name: "third", marker: 3, force: noise, moment: noise });
+    const { tab, complaints } = await open(browser, scene);
+    await goTo(tab, 0.5);
+    await settle(tab);
+    const found = await tab.$$eval(".labels .reaction:not([hidden])", (all) => all.map((e) => e.textContent));
+    assert.deepEqual(found, ["F 10 N, M 75 N m", "F 10 N\nM 75 N m"]);
+    assert.deepEqual(complaints, []);
+    await tab.close();
+  });
+
+  test("colours of rounding noise stand for zero", async () => {
+    const scene = cantilever();
+    const [, speed] = scene.fields;
+    scene.fields = [
+      { ...speed, range: [1e-17, 0.8] },
+      { ...speed, name: "drift", range: [0, 1e-15] },
+    ];
+    const { tab } = await open(browser, scene);
+    const seen = () => tab.$$eval(".legend li", (all) => all.map((e) => e.textContent));
+    assert.deepEqual(await seen(), ["0.8", "0.6", "0.4", "0.2", "0"]);
+    await tab.keyboard.press("c");
+    await settle(tab);
+    assert.deepEqual(await seen(), ["0", "0", "0", "0", "0"]);
+    await tab.close();
+  });
+
+  test("the program is named once", async () => {
+    const scene = cantilever();
+    scene.summary.push(["program", "ancf 0.1.0 on 8 cores"]);
+    const { tab } = await open(browser, scene);
+    const rows = await tab.$$eval(".run th", (all) => all.map((e) => e.textContent));
+    assert.equal(rows.filter((name) => name === "program").length, 1);
+    await tab.close();
+  });
+
   test("a failed run says so first; obstacles, links and rigid bodies are drawn", async () => {
     const { tab, complaints } = await open(browser, machine());
     assert.match(await tab.$eval(".banner", (e) => e.textContent), /no equilibrium at t = 1 s/);
+    assert.equal(await time(tab), 1, "where it failed");
+    assert.equal(await tab.evaluate(() => window.ancf.playing), false);
     await tab.click("#tab-Run");
     assert.match(await tab.$eval(".messages", (e) => e.textContent), /touches the floor/);
     assert.ok((await tab.evaluate(() => window.ancf.pixels())) > 0.2);

@@ -99,7 +99,8 @@ impl Arguments {
         let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
         let panels = selection.panels(&series, range);
         if !panels.iter().any(Panel::has_points) {
-            return Ok(reject(&format!("{}: there is no number to plot", self.folder.display())));
+            let what = format!("{}: there is no number to plot in this range", self.folder.display());
+            return Ok(reject(&what));
         }
         match format {
             Some((file, format)) => {

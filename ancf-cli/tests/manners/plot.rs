@@ -58,7 +58,10 @@ fn a_part_of_the_time_is_plotted() {
         chart.lines().nth_back(1).unwrap().split_whitespace().map(|number| number.parse().unwrap()).collect();
     assert_eq!((numbers.first(), numbers.last()), (Some(&0.5), Some(&0.6)), "{chart}");
     let nothing = bench.ancf(&["plot", "out", "tip.y", "--from", "7"]);
-    assert_eq!((nothing.code, nothing.said.as_str()), (Some(2), "error: out: there is no number to plot\n"));
+    assert_eq!(
+        (nothing.code, nothing.said.as_str()),
+        (Some(2), "error: out: there is no number to plot in this range\n")
+    );
 }
 
 #[test]

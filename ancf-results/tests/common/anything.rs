@@ -29,10 +29,10 @@ pub fn stopped(folder: &Path) {
     let asked = AtomicU32::new(0);
     let interrupt = Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > 12);
     let simulation = Simulation::new(&model).expect("a valid one").heeding(interrupt);
-    let recorder = Recorder::new(Folder::new(folder), MODEL, &model, &simulation);
+    let recorder = Recorder::new(Folder::new(folder), "model.toml", MODEL, &model, &simulation);
     let mut recorder = recorder.with_checkpoints(Every::Steps(2));
     let summary = simulation.run(&mut recorder).expect("it can be written");
-    recorder.conclude(&summary, "model.toml", 0.0).expect("it can be written");
+    recorder.conclude(&summary, 0.0).expect("it can be written");
 }
 
 /// The first byte chooses the file, the others are its contents; those of a checkpoint get their sum.

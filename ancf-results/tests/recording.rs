@@ -159,12 +159,12 @@ fn a_run_that_goes_on_can_be_read_and_keeps_others_out() {
     };
     let mut peek = Peek { recorder, row: 0, look: &mut look };
     let summary = simulation.run(&mut peek).unwrap();
+    drop(peek);
     assert!(summary.outcome.is_finished());
     // Each look sees what stood there when rows were flushed last, at the row after the look before.
     assert_eq!(seen.iter().map(|(row, ..)| *row).collect::<Vec<_>>(), [0, 40, 80]);
     assert!(seen[1].1 >= 2 && seen[2].1 >= 42, "{seen:?}");
     assert!(seen[2].2 >= 42, "states too: {seen:?}");
-    drop(peek);
     // It did not say how it ended.
     let results = Results::open(folder.path()).unwrap();
     assert_eq!(results.status(), Status::Broken);

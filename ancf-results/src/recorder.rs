@@ -137,12 +137,11 @@ impl Recorder {
         let (program, model, summary) = (PROGRAM.to_owned(), self.name.clone(), summary.clone());
         let conclusion = Conclusion { program, model, wall_seconds: seconds, summary };
         let text = serde_json::to_string_pretty(&conclusion).map_err(io::Error::other)? + "\n";
-        let Conclusion { summary, .. } = conclusion;
-        if summary.outcome.is_finished() {
-            // There is nothing left to do.
+        replace(&self.folder.summary(), text.as_bytes())?;
+        if conclusion.summary.outcome.is_finished() {
+            // There is nothing left to do, and from now on the summary says so.
             remove(&self.folder.checkpoint())?;
         }
-        replace(&self.folder.summary(), text.as_bytes())?;
         self.lock = None;
         Ok(())
     }

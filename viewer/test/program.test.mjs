@@ -89,7 +89,7 @@ test("a run can be watched while it goes on", async () => {
   const dir = fresh();
   const model = join(dir, "long.toml");
   const text = readFileSync(join(root, "models/cantilever.toml"), "utf8");
-  writeFileSync(model, text.replace("duration = 2.0", "duration = 20000.0"));
+  writeFileSync(model, text.replace("duration = 2.0", "duration = 2000.0"));
   const out = join(dir, "out");
   const run = spawn(program, ["run", model, "-o", out, "--quiet"], { stdio: "ignore" });
   const ended = new Promise((done) => run.on("exit", done));
@@ -101,7 +101,7 @@ test("a run can be watched while it goes on", async () => {
   const view = spawn(program, ["view", out]);
   try {
     const { tab, complaints } = await open(browser, null, { url: await line(view) });
-    const end = () => tab.evaluate(() => Number(document.querySelector("input[type=range]").max));
+    const end = () => tab.evaluate(() => Number(document.querySelector("input.scrub").max));
     const badge = () => tab.$eval("header", (e) => e.textContent);
     assert.match(await badge(), /running/i);
     const first = await end();

@@ -198,7 +198,7 @@ def test_errors_of_folders(program: Path, rod: dict[str, Any], tmp_path: Path) -
         ancf.load(out)
     assert caught.value.file == str(out / "model.toml")
     (out / "model.toml").write_text(model)
-    for name in ["states.parquet", "results.parquet", "summary.json"]:
+    for name in ["states.parquet", "results.parquet"]:
         good = (out / name).read_bytes()
         (out / name).write_bytes(good[: len(good) // 2])
         with pytest.raises(OSError, match=name.replace(".", r"\.")):

@@ -46,6 +46,7 @@ def cantilever() -> ancf.Model:
     )
     return ancf.Model(
         title="Cantilever under its own weight",
+        units=ancf.Units(length="m", time="s", force="N"),
         gravity=[0.0, -9.81, 0.0],
         materials={"steel": ancf.Material(density=8030.0, young=193e9, poisson=0.0)},
         sections={"rod": ancf.Circle(diameter=0.02)},

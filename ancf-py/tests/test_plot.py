@@ -40,7 +40,7 @@ def test_a_column_is_drawn_over_time() -> None:
     (line,) = ax.get_lines()
     np.testing.assert_array_equal(line.get_xdata(), run.time)
     np.testing.assert_array_equal(line.get_ydata(), run["tip.y"])
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("time", "tip.y")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("time, s", "tip.y, m")
 
 
 def test_a_probe_is_its_position_and_a_joint_its_angle() -> None:
@@ -49,7 +49,7 @@ def test_a_probe_is_its_position_and_a_joint_its_angle() -> None:
     assert [line.get_label() for line in ax.get_lines()] == ["tip.x", "tip.y", "tip.z", "hinge.angle"]
     ax = run.plot("tip.velocity")
     assert [line.get_label() for line in ax.get_lines()] == ["tip.vx", "tip.vy", "tip.vz"]
-    assert ax.get_ylabel() == "velocity"
+    assert ax.get_ylabel() == "velocity, m/s"
     force = result("cantilever").plot("root")
     assert [line.get_label() for line in force.get_lines()] == ["root.fx", "root.fy", "root.fz"]
 
@@ -112,7 +112,8 @@ def test_settings_of_matplotlib_stay_as_they_are() -> None:
 def test_the_overview_shows_what_probes_do_and_energies() -> None:
     run = result("slider_crank")
     axes = run.plot()
-    assert [ax.get_ylabel() for ax in axes] == ["pin moved by", "middle moved by", "block moved by", "energy"]
+    moved = [f"{name} moved by, m" for name in ("pin", "middle", "block")]
+    assert [ax.get_ylabel() for ax in axes] == [*moved, "energy, N m"]
     np.testing.assert_array_equal(axes[0].get_lines()[1].get_ydata(), run["pin.y"] - run["pin.y"][0])
 
 
@@ -137,7 +138,7 @@ def test_a_shape_is_the_field_of_positions() -> None:
     positions = run.field("position", parts=4)[-1]
     np.testing.assert_array_equal(np.stack(shape.get_data(), axis=1), positions[:, :2])
     np.testing.assert_allclose(reference.get_ydata(), 0, atol=1e-12)
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x", "y")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x, m", "y, m")
     assert ax.get_aspect() == 1
 
 
@@ -170,7 +171,7 @@ def test_colours_are_those_of_the_section_forces() -> None:
     assert int(np.abs(bands.get_array()).argmax()) == 0
     assert bands.get_clim()[0] == pytest.approx(moments.min())
     assert len(ax.figure.axes) == 2
-    assert ax.figure.axes[1].get_ylabel() == "Mz"
+    assert ax.figure.axes[1].get_ylabel() == "Mz, N m"
 
 
 def test_scales_of_colours_have_zero_in_the_middle_if_there_are_both_signs() -> None:
@@ -184,8 +185,8 @@ def test_scales_of_colours_have_zero_in_the_middle_if_there_are_both_signs() -> 
 def test_modes_that_are_shown_are_tones_unless_rigid_motions_are_wanted() -> None:
     run = result("tuning_fork")
     axes = run.plot_modes(3)
-    assert [ax.get_title() for ax in axes] == ["mode 7: f = 440", "mode 8: f = 662.7", "mode 9: f = 1493"]
-    assert [ax.get_title() for ax in run.plot_modes(2, rigid=True)] == ["mode 1: f = 0", "mode 2: f = 0"]
+    assert [ax.get_title() for ax in axes] == ["mode 7: f = 440 Hz", "mode 8: f = 662.7 Hz", "mode 9: f = 1493 Hz"]
+    assert [ax.get_title() for ax in run.plot_modes(2, rigid=True)] == ["mode 1: f = 0 Hz", "mode 2: f = 0 Hz"]
     with pytest.raises(AttributeError, match="no shapes"):
         result("cantilever").plot_modes()
 

@@ -196,6 +196,7 @@ def told(result: Result, frame: int) -> str:
         if squared < 0:
             return f"mode {row + 1}: unstable"
         unit = result.units.get("frequency")
+        unit = "Hz" if unit == "1/s" else unit
         return f"mode {row + 1}: f = {with_unit(brief(frequency), unit, ' ')}"
     if result.kind == "buckling":
         return f"shape {row + 1}: factor {brief(result.factors[row])}"

@@ -185,8 +185,15 @@ def test_scales_of_colours_have_zero_in_the_middle_if_there_are_both_signs() -> 
 def test_modes_that_are_shown_are_tones_unless_rigid_motions_are_wanted() -> None:
     run = result("tuning_fork")
     axes = run.plot_modes(3)
-    assert [ax.get_title() for ax in axes] == ["mode 7: f = 440 Hz", "mode 8: f = 662.7 Hz", "mode 9: f = 1493 Hz"]
-    assert [ax.get_title() for ax in run.plot_modes(2, rigid=True)] == ["mode 1: f = 0 Hz", "mode 2: f = 0 Hz"]
+    assert [ax.get_title() for ax in axes] == [
+        "mode 7: f = 440 Hz",
+        "mode 8: f = 662.7 Hz",
+        "mode 9: f = 1493 Hz",
+    ]
+    assert [ax.get_title() for ax in run.plot_modes(2, rigid=True)] == [
+        "mode 1: f = 0 Hz",
+        "mode 2: f = 0 Hz",
+    ]
     with pytest.raises(AttributeError, match="no shapes"):
         result("cantilever").plot_modes()
 

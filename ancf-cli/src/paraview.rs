@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use ancf_report::Frame;
 use ancf_report::paraview::{Selection, Writer};
-use ancf_report::{Ending, Frame, Recording};
 use ancf_results::Results;
 use anyhow::Result;
 use clap::Args;
@@ -68,21 +68,9 @@ impl Arguments {
     }
 
     fn write(&self, results: &Results, picked: &BTreeSet<usize>) -> Result<Ended> {
-        let folder = results.folder().path();
-        let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
-        let recording = Recording {
-            simulation: results.simulation(),
-            model: results.model(),
-            text: results.text(),
-            title: results.model().title.as_deref().unwrap_or(&name),
-            frames: Vec::new(),
-            series: &results.columns()?,
-            summary: Vec::new(),
-            ending: Ending::Running,
-            messages: Vec::new(),
-            live: false,
-        };
-        let output = self.output.clone().unwrap_or_else(|| folder.join("paraview"));
+        let (title, series) = (past::title(results), results.columns()?);
+        let recording = past::recording(results, &title, &series);
+        let output = self.output.clone().unwrap_or_else(|| self.folder.join("paraview"));
         let mut writer = Writer::new(&recording, &output)?;
         // A run that goes on may have added frames since they were counted.
         let wanted = results.frames().enumerate().filter(|(number, _)| picked.contains(number));

@@ -1,7 +1,10 @@
 //! The folder of an earlier run.
 
+use std::borrow::Cow;
 use std::path::Path;
 
+use ancf::record::Series;
+use ancf_report::{Ending, Recording};
 use ancf_results::{OpenError, Results};
 use anyhow::Result;
 
@@ -13,7 +16,7 @@ use crate::command::{Ended, refuse, reject};
 /// If a file cannot be read.
 pub fn open(folder: &Path) -> Result<Result<Results, Ended>> {
     match Results::open(folder) {
-        Ok(results) if has_run(&results) => Ok(Ok(results)),
+        Ok(results) if results.folder().has_run() => Ok(Ok(results)),
         Ok(_) => Ok(Err(reject(&format!(
             "{} holds no run: there is a model.toml and no results",
             folder.display()
@@ -24,10 +27,25 @@ pub fn open(folder: &Path) -> Result<Result<Results, Ended>> {
     }
 }
 
-/// Whether a run was there: a model alone may be the user's own, which is not to be written over.
-fn has_run(results: &Results) -> bool {
-    let folder = results.folder();
-    let left =
-        [folder.path().join(".lock"), folder.results(), folder.states(), folder.csv(), folder.summary()];
-    left.iter().any(|path| path.exists())
+/// What a run is called: the title of its model, or the name of its folder.
+pub fn title(results: &Results) -> Cow<'_, str> {
+    let folder = results.folder().path();
+    let name = || folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+    results.model().title.as_deref().map_or_else(name, Cow::Borrowed)
+}
+
+/// A run with its columns, without states and without a word about its end.
+pub fn recording<'a>(results: &'a Results, title: &'a str, series: &'a Series) -> Recording<'a> {
+    Recording {
+        simulation: results.simulation(),
+        model: results.model(),
+        text: results.text(),
+        title,
+        frames: Vec::new(),
+        series,
+        summary: Vec::new(),
+        ending: Ending::Running,
+        messages: Vec::new(),
+        live: false,
+    }
 }

@@ -1,7 +1,6 @@
 //! `ancf run` and `ancf resume`: a model into a folder.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -11,7 +10,7 @@ use ancf::record::Sink;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
 use ancf_results::{CheckpointError, Every, Folder, Recorder};
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
 
@@ -82,16 +81,16 @@ impl Arguments {
                 self.output.display()
             )));
         }
-        let model = match Model::read(&self.file) {
-            Ok(model) => model,
+        let read = Model::read_text(&self.file).and_then(|text| {
+            let model = Model::parse(&text)?;
+            let simulation = Simulation::new(&model)?;
+            Ok((text, model, simulation))
+        });
+        let (text, model, simulation) = match read {
+            Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
-        let text = fs::read_to_string(&self.file)
-            .with_context(|| format!("{} cannot be read", self.file.display()))?;
-        let simulation = match Simulation::new(&model) {
-            Ok(simulation) => simulation.heeding(interrupt()?),
-            Err(errors) => return Ok(refuse(&errors, &self.file)),
-        };
+        let simulation = simulation.heeding(interrupt()?);
         let name = self.file.display().to_string();
         let recorder = Recorder::new(Folder::new(&self.output), &name, &text, &model, &simulation);
         let recorder = recorder.with_checkpoints(self.checkpoint);

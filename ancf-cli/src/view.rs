@@ -1,13 +1,13 @@
 //! `ancf report` and `ancf view`: a run to look at.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
 use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, numbers, page, scene, warnings};
-use ancf_results::{Conclusion, Folder, Results, Status};
+use ancf_results::{Conclusion, Folder, KILLED, Results, Status, whole};
 use anyhow::{Context, Result};
 use clap::Args;
 
@@ -64,7 +64,8 @@ impl Report {
         };
         let path = self.output.clone().unwrap_or_else(|| self.folder.join("report.html"));
         let html = page(&scene_of(&results, false, self.budget.saturating_mul(1 << 20))?);
-        fs::write(&path, html).with_context(|| format!("cannot write {}", path.display()))?;
+        whole(&path, |mut file| file.write_all(html.as_bytes()))
+            .with_context(|| format!("cannot write {}", path.display()))?;
         print(&format!("{}\n", path.display()));
         Ok(Ended::Done)
     }
@@ -100,12 +101,8 @@ impl View {
 /// How often Ctrl-C is looked for.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The scene of the results so far; of a run that ends meanwhile, whose parts become one file, at the second look.
+/// The scene of the results so far.
 fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
-    look(results, live, budget).or_else(|_| look(results, live, budget))
-}
-
-fn look(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let status = results.status();
     let conclusion = results.conclusion()?;
     let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
@@ -114,8 +111,7 @@ fn look(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
         (Status::Running, _) => Ending::Running,
         (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
         (_, None) => {
-            messages
-                .push("The run ended without a word: it was killed. `ancf resume` goes on with it.".into());
+            messages.push(KILLED.to_owned());
             Ending::Stopped
         }
     };
@@ -132,19 +128,14 @@ fn look(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     if output.states > 0 && frames.is_empty() {
         messages.push("There are no states of it on the disk.".to_owned());
     }
-    let folder = results.folder().path();
-    let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+    let title = past::title(results);
     let recording = Recording {
-        simulation: results.simulation(),
-        model: results.model(),
-        text: results.text(),
-        title: results.model().title.as_deref().unwrap_or(&name),
         frames,
-        series: &series,
         summary: conclusion.as_ref().map(rows).unwrap_or_default(),
         ending,
         messages,
         live: live && status == Status::Running,
+        ..past::recording(results, &title, &series)
     };
     Ok(scene(&recording, budget))
 }

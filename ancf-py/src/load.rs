@@ -2,7 +2,7 @@ use std::io;
 use std::path::PathBuf;
 
 use ancf::record::Series;
-use ancf_results::{OpenError, Results, Status};
+use ancf_results::{KILLED, OpenError, Results, Status};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -20,10 +20,7 @@ pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>>
     let fail = |error| unreadable(py, error);
     let results = py.detach(|| Results::open(path)).map_err(fail)?;
     let status = results.status();
-    let read = || Kept::of(&results);
-    // A run that ends meanwhile puts its files together: what was there a moment ago is elsewhere.
-    let kept =
-        py.detach(|| read().or_else(|error| if status == Status::Running { read() } else { Err(error) }));
+    let kept = py.detach(|| Kept::of(&results));
     let Kept { frames, values, rows, columns, numbers } = kept.map_err(fail)?;
     let data: Table = results.text().parse().map_err(|error: toml::de::Error| plain(&error))?;
     let simulation = Simulation::new(&object(py, &Value::Table(data))?)?;
@@ -114,7 +111,7 @@ fn summary(results: &Results, status: Status) -> Result<Value, OpenError> {
     let (kind, reason) = match (status, results.conclusion()?) {
         (Status::Running, _) => ("running", "the run goes on"),
         (_, Some(conclusion)) => return Value::try_from(conclusion).map_err(|e| io::Error::other(e).into()),
-        (_, None) => ("broken", BROKEN),
+        (_, None) => ("broken", KILLED),
     };
     let outcome = [("kind", kind), ("reason", reason)].map(|(key, text)| (key.to_owned(), text.into()));
     let scales = Value::try_from(results.simulation().scales()).map_err(io::Error::other)?;
@@ -128,5 +125,3 @@ fn summary(results: &Results, status: Status) -> Result<Value, OpenError> {
     ];
     Ok(Value::Table(Table::from_iter(known)))
 }
-
-const BROKEN: &str = "the run ended without a word: it was killed; `ancf resume` goes on with it";

@@ -110,10 +110,7 @@ impl Simulation {
 
 /// Units of all columns that have one, `1` of pure numbers.
 fn named(units: &Units, simulation: &ancf::Simulation) -> BTreeMap<String, String> {
-    let of = |column: Column| {
-        let unit = units.of(column.dimension?);
-        Some((column.name, if unit.is_empty() { "1".to_owned() } else { unit }))
-    };
+    let of = |column: Column| column.unit(units).map(|unit| (column.name, unit));
     simulation.columns().into_iter().filter_map(of).collect()
 }
 

@@ -1,4 +1,4 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use ancf::model::{Analysis, Step};
 use ancf::scales::Dimension;
@@ -80,52 +80,45 @@ pub struct Charts {
     pub charts: Vec<Chart>,
 }
 
-/// Columns that belong together: their names behind the name of their owner, and how they are shown.
-struct Kin(&'static [&'static str], ChartGroup, &'static str, Dimension);
+/// Columns of one dimension that belong together: their names behind the name of their owner, and how they are shown.
+struct Kin(&'static [&'static str], ChartGroup, &'static str);
+
+/// The dimensions of the columns of a run that have one.
+type Dimensions = BTreeMap<String, Dimension>;
 
 /// Columns of probes, joints and bodies.
 const OWNED: &[Kin] = &[
-    Kin(&["x", "y", "z"], ChartGroup::Probes, "position", Dimension::LENGTH),
-    Kin(&["vx", "vy", "vz"], ChartGroup::Probes, "velocity", Dimension::VELOCITY),
-    Kin(&["ax", "ay", "az"], ChartGroup::Probes, "acceleration", Dimension::ACCELERATION),
-    Kin(&["e0", "e1", "e2", "e3"], ChartGroup::Probes, "rotation", Dimension::NUMBER),
-    Kin(&["wx", "wy", "wz"], ChartGroup::Probes, "angular velocity", Dimension::RATE),
-    Kin(&["N", "Qy", "Qz"], ChartGroup::Probes, "section forces", Dimension::FORCE),
-    Kin(&["T", "My", "Mz"], ChartGroup::Probes, "section moments", Dimension::ENERGY),
-    Kin(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], ChartGroup::Probes, "strain", Dimension::NUMBER),
-    Kin(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], ChartGroup::Probes, "stress", Dimension::STRESS),
-    Kin(&["fx", "fy", "fz"], ChartGroup::Reactions, "force", Dimension::FORCE),
-    Kin(&["mx", "my", "mz"], ChartGroup::Reactions, "moment", Dimension::ENERGY),
-    Kin(&["angle"], ChartGroup::Joints, "angle", Dimension::NUMBER),
-    Kin(&["rate"], ChartGroup::Joints, "rate", Dimension::RATE),
-    Kin(&["displacement"], ChartGroup::Joints, "displacement", Dimension::LENGTH),
-    Kin(&["position"], ChartGroup::Joints, "position", Dimension::LENGTH),
-    Kin(&["length"], ChartGroup::Joints, "length", Dimension::LENGTH),
-    Kin(&["speed"], ChartGroup::Joints, "speed", Dimension::VELOCITY),
-    Kin(
-        &["axial", "bending", "shear", "torsion", "section", "volume"],
-        ChartGroup::Energy,
-        "strain energy",
-        Dimension::ENERGY,
-    ),
+    Kin(&["x", "y", "z"], ChartGroup::Probes, "position"),
+    Kin(&["vx", "vy", "vz"], ChartGroup::Probes, "velocity"),
+    Kin(&["ax", "ay", "az"], ChartGroup::Probes, "acceleration"),
+    Kin(&["e0", "e1", "e2", "e3"], ChartGroup::Probes, "rotation"),
+    Kin(&["wx", "wy", "wz"], ChartGroup::Probes, "angular velocity"),
+    Kin(&["N", "Qy", "Qz"], ChartGroup::Probes, "section forces"),
+    Kin(&["T", "My", "Mz"], ChartGroup::Probes, "section moments"),
+    Kin(&["exx", "eyy", "ezz", "exy", "exz", "eyz"], ChartGroup::Probes, "strain"),
+    Kin(&["sxx", "syy", "szz", "sxy", "sxz", "syz"], ChartGroup::Probes, "stress"),
+    Kin(&["fx", "fy", "fz"], ChartGroup::Reactions, "force"),
+    Kin(&["mx", "my", "mz"], ChartGroup::Reactions, "moment"),
+    Kin(&["angle"], ChartGroup::Joints, "angle"),
+    Kin(&["rate"], ChartGroup::Joints, "rate"),
+    Kin(&["displacement"], ChartGroup::Joints, "displacement"),
+    Kin(&["position"], ChartGroup::Joints, "position"),
+    Kin(&["length"], ChartGroup::Joints, "length"),
+    Kin(&["speed"], ChartGroup::Joints, "speed"),
+    Kin(&["axial", "bending", "shear", "torsion", "section", "volume"], ChartGroup::Energy, "strain energy"),
 ];
 
 /// Columns of the whole.
 const WHOLE: &[Kin] = &[
-    Kin(&["frequency"], ChartGroup::Solver, "frequency", Dimension::RATE),
-    Kin(&["factor"], ChartGroup::Solver, "critical load factor", Dimension::NUMBER),
-    Kin(&["load"], ChartGroup::Solver, "load factor", Dimension::NUMBER),
-    Kin(
-        &["kinetic", "strain", "potential", "work", "dissipated"],
-        ChartGroup::Energy,
-        "energy",
-        Dimension::ENERGY,
-    ),
-    Kin(&["balance"], ChartGroup::Energy, "balance of energy", Dimension::ENERGY),
-    Kin(&["iterations"], ChartGroup::Solver, "iterations", Dimension::NUMBER),
-    Kin(&["unstable"], ChartGroup::Solver, "unstable directions", Dimension::NUMBER),
-    Kin(&["slope"], ChartGroup::Solver, "slope of the path", Dimension::NUMBER),
-    Kin(&["residual", "increment", "drift", "violation"], ChartGroup::Solver, "residual", Dimension::NUMBER),
+    Kin(&["frequency"], ChartGroup::Solver, "frequency"),
+    Kin(&["factor"], ChartGroup::Solver, "critical load factor"),
+    Kin(&["load"], ChartGroup::Solver, "load factor"),
+    Kin(&["kinetic", "strain", "potential", "work", "dissipated"], ChartGroup::Energy, "energy"),
+    Kin(&["balance"], ChartGroup::Energy, "balance of energy"),
+    Kin(&["iterations"], ChartGroup::Solver, "iterations"),
+    Kin(&["unstable"], ChartGroup::Solver, "unstable directions"),
+    Kin(&["slope"], ChartGroup::Solver, "slope of the path"),
+    Kin(&["residual", "increment", "drift", "violation"], ChartGroup::Solver, "residual"),
 ];
 
 /// Heading of the chart of residuals, which is logarithmic.
@@ -135,8 +128,10 @@ impl Charts {
     /// All columns of a recording, of at most about `most` rows.
     pub fn new(recording: &Recording<'_>, most: usize) -> Self {
         let mut abscissa = abscissa(recording);
-        let mut charts = owned(recording);
-        charts.extend(WHOLE.iter().filter_map(|kin| whole(recording, kin, &abscissa.name)));
+        let columns = recording.simulation.columns().into_iter();
+        let dimensions = columns.filter_map(|column| Some((column.name, column.dimension?))).collect();
+        let mut charts = owned(recording, &dimensions);
+        charts.extend(WHOLE.iter().filter_map(|kin| whole(recording, &dimensions, kin, &abscissa.name)));
         charts.extend(steps(recording));
         charts.sort_by_key(|chart| chart.group);
         let all: Vec<&[f64]> =
@@ -164,7 +159,7 @@ impl Charts {
 }
 
 /// Charts of probes, joints and bodies, in the order of their columns.
-fn owned(recording: &Recording<'_>) -> Vec<Chart> {
+fn owned(recording: &Recording<'_>, dimensions: &Dimensions) -> Vec<Chart> {
     let mut seen = BTreeSet::new();
     let mut charts = Vec::new();
     for name in recording.series.names() {
@@ -172,36 +167,33 @@ fn owned(recording: &Recording<'_>) -> Vec<Chart> {
         let Some((number, kin)) = OWNED.iter().enumerate().find(|(_, kin)| kin.0.contains(&suffix)) else {
             continue;
         };
-        let &Kin(_, group, title, dimension) = kin;
+        let &Kin(_, group, title) = kin;
         // Rates are zero where nothing moves.
-        let still = dimension.time != 0 && recording.model.analysis.dynamics().is_none();
+        let rates = dimensions.get(name).is_some_and(|dimension| dimension.time != 0);
+        let still = rates && recording.model.analysis.dynamics().is_none();
         if still || !seen.insert((owner, number)) {
             continue;
         }
-        // Shapes have the unit of one over the root of a mass.
-        let (title, unit) = match recording.is_modal() {
-            true => ("displacement", String::new()),
-            false => (title, recording.unit(dimension)),
-        };
-        let column = |label: &&str| column(recording, &format!("{owner}.{label}"), label, &unit);
+        let title = if recording.is_modal() { "displacement" } else { title };
+        let column = |label: &&str| column(recording, dimensions, &format!("{owner}.{label}"), label);
         let columns = kin.0.iter().filter_map(column).collect();
         charts.push(Chart { title: format!("{owner}: {title}"), group, log: false, columns });
     }
     charts
 }
 
-fn whole(recording: &Recording<'_>, kin: &Kin, abscissa: &str) -> Option<Chart> {
-    let &Kin(names, group, title, dimension) = kin;
-    let unit = recording.unit(dimension);
+fn whole(recording: &Recording<'_>, dimensions: &Dimensions, kin: &Kin, abscissa: &str) -> Option<Chart> {
+    let &Kin(names, group, title) = kin;
     let names = names.iter().filter(|name| **name != abscissa);
-    let columns: Vec<_> = names.filter_map(|name| column(recording, name, name, &unit)).collect();
+    let columns: Vec<_> = names.filter_map(|name| column(recording, dimensions, name, name)).collect();
     let some = columns.iter().any(|column| column.values.iter().any(|x| x.is_finite()));
     some.then(|| Chart { title: title.to_owned(), group, log: title == RESIDUAL, columns })
 }
 
-fn column(recording: &Recording<'_>, name: &str, label: &str, unit: &str) -> Option<Column> {
+fn column(recording: &Recording<'_>, dimensions: &Dimensions, name: &str, label: &str) -> Option<Column> {
     let values = recording.series.column(name)?.to_vec();
-    Some(Column { name: name.to_owned(), label: label.to_owned(), unit: unit.to_owned(), values })
+    let unit = dimensions.get(name).map(|dimension| recording.unit(*dimension)).unwrap_or_default();
+    Some(Column { name: name.to_owned(), label: label.to_owned(), unit, values })
 }
 
 /// Time between rows: the steps, if each is recorded.

@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::{CANTILEVER, Run, apart, dot, three};
+use common::{CANTILEVER, Run, apart, dot, tapered, three};
 
 #[test]
 fn outlines_go_about_the_axis_and_their_normals_point_outwards() {
@@ -48,14 +48,7 @@ fn outlines_go_about_the_axis_and_their_normals_point_outwards() {
 
 #[test]
 fn tapers_have_scales() {
-    let text = CANTILEVER
-        .replace(
-            "[[bodies]]",
-            "[sections.thin]\nkind = \"rectangle\"\nheight = 0.01\nwidth = 0.01\n[[bodies]]",
-        )
-        .replace("section = \"bar\"", "section = \"bar\"\nsection_end = \"thin\"")
-        .replace("scales = { kind = \"auto\" }\n", "");
-    let scene = Run::of(&text, 1).scene();
+    let scene = Run::of(&tapered(), 1).scene();
     let scale = scene.numbers(&scene.named("bodies", "beam")["scale"]);
     let count = scale.len() / 2;
     for k in 0..count {

@@ -13,7 +13,7 @@ use ancf_report::Frame;
 use ancf_report::paraview::{Selection, Writer, Written};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use common::{CANTILEVER, Run, dot, three};
+use common::{CANTILEVER, Run, dot, tapered, three};
 use flate2::read::ZlibDecoder;
 
 /// An unstructured grid that was read back by what VTK says of its files.
@@ -217,14 +217,7 @@ fn surfaces_are_closed_and_hold_the_volumes_of_their_bodies() {
 
 #[test]
 fn tapers_are_closed_and_hold_their_volumes() {
-    let text = CANTILEVER
-        .replace(
-            "[[bodies]]",
-            "[sections.thin]\nkind = \"rectangle\"\nheight = 0.01\nwidth = 0.01\n[[bodies]]",
-        )
-        .replace("section = \"bar\"", "section = \"bar\"\nsection_end = \"thin\"")
-        .replace("scales = { kind = \"auto\" }\n", "");
-    let mut run = Run::of(&text, 1);
+    let mut run = Run::of(&tapered(), 1);
     run.frames = vec![Frame { value: 0.0, state: run.simulation.assembly().initial() }];
     let (_, grid) = &written(&run, "sections")[0];
     assert!(grid.is_closed());

@@ -152,6 +152,12 @@ impl Folder {
         }
     }
 
+    /// Whether a run has left anything in it but a model, which may be the user's own.
+    pub fn has_run(&self) -> bool {
+        let left = [self.0.join(LOCK), self.results(), self.states(), self.csv(), self.summary()];
+        left.iter().any(|path| path.exists())
+    }
+
     /// Whether a run writes into it right now.
     pub fn is_busy(&self) -> bool {
         let file = File::open(self.0.join(LOCK));
@@ -201,16 +207,20 @@ pub(crate) fn beside(path: &Path) -> PathBuf {
 }
 
 /// Writes a file: all of it or nothing, on the disk when this returns.
-pub(crate) fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
+///
+/// # Errors
+/// If it cannot be written; what was there before is there still.
+pub fn whole(path: &Path, write: impl FnOnce(&File) -> io::Result<()>) -> io::Result<()> {
     let part = beside(path);
-    let write = || {
-        let mut file = File::create(&part)?;
-        file.write_all(contents)?;
+    let written = File::create(&part).and_then(|file| {
+        write(&file)?;
         file.sync_all()?;
         fs::rename(&part, path)
-    };
-    write().map_err(|error| {
-        let _ = fs::remove_file(&part);
-        about(&error, path)
-    })
+    });
+    written.inspect_err(|_| _ = fs::remove_file(&part))
+}
+
+/// Writes a file of these contents; errors name it.
+pub(crate) fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
+    whole(path, |mut file| file.write_all(contents)).map_err(|error| about(&error, path))
 }

@@ -34,6 +34,6 @@ mod thinned;
 
 pub use checkpoint::{CheckpointError, Every};
 pub use conclusion::Conclusion;
-pub use folder::Folder;
+pub use folder::{Folder, whole};
 pub use recorder::Recorder;
-pub use results::{Frame, OpenError, Results, Status};
+pub use results::{Frame, KILLED, OpenError, Results, Status};

@@ -8,7 +8,7 @@ use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataR
 use parquet::file::properties::WriterPropertiesPtr;
 use parquet::file::writer::SerializedFileWriter;
 
-use crate::folder::{about, beside};
+use crate::folder::{about, beside, whole};
 use crate::layout::Layout;
 use crate::read::is_sound;
 use crate::table::part;
@@ -20,10 +20,8 @@ pub(crate) fn merge(
     layout: &Layout,
     properties: &WriterPropertiesPtr,
 ) -> io::Result<()> {
-    let unfinished = beside(to);
-    let write = || {
-        let file = File::create(&unfinished)?;
-        let mut writer = SerializedFileWriter::new(&file, layout.schema()?, Arc::clone(properties))?;
+    let write = |file: &File| {
+        let mut writer = SerializedFileWriter::new(file, layout.schema()?, Arc::clone(properties))?;
         for path in from {
             let (file, metadata) = open(path)?;
             for group in 0..metadata.num_row_groups() {
@@ -31,13 +29,9 @@ pub(crate) fn merge(
             }
         }
         writer.close()?;
-        file.sync_all()?;
-        fs::rename(&unfinished, to)
+        Ok(())
     };
-    write().map_err(|error| {
-        let _ = fs::remove_file(&unfinished);
-        about(&error, to)
-    })
+    whole(to, write).map_err(|error| about(&error, to))
 }
 
 /// Makes parts again of a file that was made of them.

@@ -17,12 +17,8 @@ pub(crate) const PROGRAM: &str = concat!("ancf ", env!("CARGO_PKG_VERSION"));
 
 impl Provenance {
     /// Of a model by its text, with the names of its units, and its columns.
-    pub(crate) fn new(text: &str, units: Option<&Units>, columns: &[Column]) -> Self {
-        let units = units.cloned().unwrap_or_else(Units::in_words);
-        let of = |column: &Column| {
-            let unit = units.of(column.dimension?);
-            Some((column.name.clone(), if unit.is_empty() { "1".to_owned() } else { unit }))
-        };
+    pub(crate) fn new(text: &str, units: &Units, columns: &[Column]) -> Self {
+        let of = |column: &Column| Some((column.name.clone(), column.unit(units)?));
         Self { text: text.to_owned(), units: columns.iter().filter_map(of).collect() }
     }
 

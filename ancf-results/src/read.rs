@@ -12,17 +12,37 @@ use parquet::schema::types::SchemaDescriptor;
 
 use crate::folder::about;
 use crate::layout::Layout;
-use crate::table::{part, parts};
+use crate::table::part;
 
 /// The most numbers of a row group that are believed: 8 GB.
 const NUMBERS: usize = 1 << 30;
 
-/// The files of a table, one or in parts; none if there is no table.
-pub(crate) fn files(path: &Path) -> Vec<PathBuf> {
-    if parts(path).is_dir() {
-        return (0..).map(|number| part(path, number)).take_while(|path| path.exists()).collect();
+/// The rows of a table's part of a number; none beyond the last one.
+///
+/// Parts are files of their own until the table is finished, row groups of one file from then on, in the same order: a
+/// table can be read while that happens.
+pub(crate) fn rows_of(path: &Path, layout: &Layout, number: usize) -> io::Result<Option<Vec<f64>>> {
+    let read = |at: &Path, group| Reader::open(at).and_then(|reader| reader.rows_of(group, layout));
+    match read(&part(path, number), 0) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        rows => return rows,
     }
-    if path.exists() { vec![path.to_owned()] } else { Vec::new() }
+    match read(path, number) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        rows => rows,
+    }
+}
+
+/// What a table says about itself.
+pub(crate) fn about_table(path: &Path, key: &str) -> io::Result<Option<String>> {
+    let reader = match Reader::open(&part(path, 0)) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Reader::open(path),
+        reader => reader,
+    };
+    match reader {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        reader => Ok(reader?.about(key)),
+    }
 }
 
 /// A Parquet file of doubles and lists of doubles.
@@ -38,7 +58,7 @@ impl Reader {
     }
 
     /// Names of the columns, lists by their own name.
-    pub(crate) fn names(&self) -> Vec<String> {
+    fn names(&self) -> Vec<String> {
         let columns = self.schema().columns().iter();
         columns.filter_map(|column| column.path().parts().first().cloned()).collect()
     }
@@ -48,7 +68,7 @@ impl Reader {
     }
 
     /// A text of the metadata.
-    pub(crate) fn about(&self, key: &str) -> Option<String> {
+    fn about(&self, key: &str) -> Option<String> {
         let all = self.file.metadata().file_metadata().key_value_metadata()?;
         all.iter().find(|one| one.key == key).and_then(|one| one.value.clone())
     }
@@ -62,8 +82,37 @@ impl Reader {
         usize::try_from(self.file.metadata().row_group(group).num_rows()).unwrap_or_default()
     }
 
+    /// The rows of a row group, one after the other; none beyond the last group.
+    fn rows_of(&self, group: usize, layout: &Layout) -> io::Result<Option<Vec<f64>>> {
+        let wrong = |text: &str| about(&io::Error::new(io::ErrorKind::InvalidData, text), &self.path);
+        let names = layout.numbers.iter().chain(layout.lists.iter().map(|(name, _)| name));
+        if !names.eq(self.names().iter()) {
+            return Err(wrong("columns of another run"));
+        }
+        if group >= self.groups() {
+            return Ok(None);
+        }
+        let (columns, count): (Vec<_>, _) = (layout.columns().collect(), self.rows(group));
+        let read = (0..columns.len()).map(|column| self.column(group, column));
+        let values = read.collect::<io::Result<Vec<_>>>()?;
+        let fits = |((_, length), values): (&(usize, Option<usize>), &Vec<f64>)| {
+            values.len() == count * length.unwrap_or(1)
+        };
+        if !columns.iter().zip(&values).all(fits) {
+            return Err(wrong("columns of different lengths"));
+        }
+        let mut rows = vec![0.0; count * layout.width()];
+        for (row, to) in rows.chunks_exact_mut(layout.width().max(1)).enumerate() {
+            for ((first, length), values) in columns.iter().zip(&values) {
+                let length = length.unwrap_or(1);
+                to[*first..first + length].copy_from_slice(&values[row * length..(row + 1) * length]);
+            }
+        }
+        Ok(Some(rows))
+    }
+
     /// All numbers of a column in a row group.
-    pub(crate) fn column(&self, group: usize, column: usize) -> io::Result<Vec<f64>> {
+    fn column(&self, group: usize, column: usize) -> io::Result<Vec<f64>> {
         self.doubles(group, column).map_err(|error| about(&error.into(), &self.path))
     }
 
@@ -104,35 +153,4 @@ fn read(group: &dyn RowGroupReader, column: usize, count: usize) -> Result<Vec<f
         }
     }
     Ok(values)
-}
-
-/// All rows of a file of this layout.
-pub(crate) fn rows_of(path: &Path, layout: &Layout) -> io::Result<Vec<f64>> {
-    let reader = Reader::open(path)?;
-    let wrong = |text: &str| about(&io::Error::new(io::ErrorKind::InvalidData, text), path);
-    let names = layout.numbers.iter().chain(layout.lists.iter().map(|(name, _)| name));
-    if !names.eq(reader.names().iter()) {
-        return Err(wrong("columns of another run"));
-    }
-    let mut rows = Vec::new();
-    for group in 0..reader.groups() {
-        let (from, count) = (rows.len(), reader.rows(group));
-        let columns: Vec<_> = layout.columns().collect();
-        let read = (0..columns.len()).map(|column| reader.column(group, column));
-        let values = read.collect::<io::Result<Vec<_>>>()?;
-        let fits = |((_, length), values): (&(usize, Option<usize>), &Vec<f64>)| {
-            values.len() == count * length.unwrap_or(1)
-        };
-        if !columns.iter().zip(&values).all(fits) {
-            return Err(wrong("columns of different lengths"));
-        }
-        rows.resize(from + count * layout.width(), 0.0);
-        for (row, to) in rows[from..].chunks_exact_mut(layout.width().max(1)).enumerate() {
-            for ((first, length), values) in columns.iter().zip(&values) {
-                let length = length.unwrap_or(1);
-                to[*first..first + length].copy_from_slice(&values[row * length..(row + 1) * length]);
-            }
-        }
-    }
-    Ok(rows)
 }

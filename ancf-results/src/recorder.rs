@@ -29,10 +29,7 @@ pub struct Recorder {
     provenance: Provenance,
     columns: Vec<Column>,
     states_layout: Layout,
-    thinned: Thinned,
-    frames: Frames,
-    /// The last state, if it may have to be kept.
-    last: Option<(f64, State)>,
+    seen: Seen,
     every: Option<Every>,
     /// When rows were flushed, and when a checkpoint was written.
     flushed: Instant,
@@ -54,13 +51,20 @@ struct Files {
     states: Option<Table>,
 }
 
+/// What the rows so far say about those to come.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Seen {
+    thinned: Thinned,
+    frames: Frames,
+    /// The last state, if it may have to be kept.
+    last: Option<(f64, State)>,
+}
+
 /// What a recorder has to remember to go on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Memory {
     name: String,
-    last: Option<(f64, State)>,
-    thinned: Thinned,
-    frames: Frames,
+    seen: Seen,
     csv: u64,
     results: u64,
     states: u64,
@@ -79,12 +83,14 @@ impl Recorder {
             name: name.to_owned(),
             output: model.output,
             text: text.to_owned(),
-            provenance: Provenance::new(text, model.units.as_ref(), &columns),
+            provenance: Provenance::new(text, &model.unit_names(), &columns),
             columns,
             states_layout: frames::layout(simulation),
-            thinned: Thinned::new(model.output.every),
-            frames: Frames::new(simulation, &model.analysis, model.output.states),
-            last: None,
+            seen: Seen {
+                thinned: Thinned::new(model.output.every),
+                frames: Frames::new(simulation, &model.analysis, model.output.states),
+                last: None,
+            },
             every: None,
             flushed: now,
             checked: now,
@@ -109,8 +115,7 @@ impl Recorder {
             return Ok(None);
         };
         let recorder = Self::new(folder, &memory.name, text, model, simulation);
-        let Memory { thinned, frames, last, .. } = memory.clone();
-        Ok(Some((Self { thinned, frames, last, memory: Some(memory), ..recorder }, from)))
+        Ok(Some((Self { seen: memory.seen.clone(), memory: Some(memory), ..recorder }, from)))
     }
 
     /// The same, writing checkpoints.
@@ -208,7 +213,7 @@ impl Recorder {
     }
 
     fn write_state(&mut self, first: f64, state: &State) -> io::Result<()> {
-        let head = [self.frames.row() as f64, first, state.load];
+        let head = [self.seen.frames.row() as f64, first, state.load];
         let Some(table) = self.files.as_mut().and_then(|files| files.states.as_mut()) else { return Ok(()) };
         let [q, v, a, lambda] = frames::numbers(state);
         table.push(&[&head, q, v, a, lambda])
@@ -224,9 +229,7 @@ impl Recorder {
         let csv = if files.csv.is_some() { synced(&path).map_err(|error| about(&error, &path))? } else { 0 };
         let memory = Memory {
             name: self.name.clone(),
-            last: self.last.clone(),
-            thinned: self.thinned.clone(),
-            frames: self.frames.clone(),
+            seen: self.seen.clone(),
             csv,
             results: rows(&files.results),
             states: rows(&files.states),
@@ -247,8 +250,8 @@ impl Recorder {
 
     /// Writes what is left, and makes one file of each table; of all even if one fails.
     fn complete(&mut self) -> io::Result<()> {
-        let row = self.thinned.left().map_or(Ok(()), |row| self.write_row(&row));
-        let last = self.last.take().filter(|_| self.frames.lack_last());
+        let row = self.seen.thinned.left().map_or(Ok(()), |row| self.write_row(&row));
+        let last = self.seen.last.take().filter(|_| self.seen.frames.lack_last());
         let state = last.map_or(Ok(()), |(first, state)| self.write_state(first, &state));
         let flushed = self.flush();
         let tables = self.files.take().map(|files| [files.results, files.states]).into_iter().flatten();
@@ -267,19 +270,19 @@ impl Observer for Recorder {
     }
 
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
-        if self.thinned.is_due(row) {
+        if self.seen.thinned.is_due(row) {
             self.write_row(row)?;
         }
         let first = row.first().copied().unwrap_or_default();
-        if self.frames.is_due(first) {
+        if self.seen.frames.is_due(first) {
             self.write_state(first, state)?;
         } else {
-            match &mut self.last {
+            match &mut self.seen.last {
                 Some((value, last)) => {
                     *value = first;
                     last.copy_from(state);
                 }
-                None => self.last = Some((first, state.clone())),
+                None => self.seen.last = Some((first, state.clone())),
             }
         }
         if self.flushed.elapsed() >= FLUSH {

@@ -1,17 +1,20 @@
+use std::borrow::Borrow;
 use std::fs;
 use std::io;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 use ancf::model::ModelErrors;
 use ancf::record::{Series, Sink};
-use ancf::system::State;
+use ancf::system::{EquationsOfMotion, State};
 use ancf::{Model, Simulation};
 use thiserror::Error;
 
 use crate::Conclusion;
-use crate::folder::Folder;
+use crate::folder::{Folder, about};
 use crate::frames;
-use crate::read::{Reader, files, rows_of};
+use crate::layout::Layout;
+use crate::read::{about_table, rows_of};
 
 /// Why the results of a run cannot be read.
 #[derive(Debug, Error)]
@@ -42,6 +45,9 @@ pub enum Status {
     /// It has ended without a word: it was killed.
     Broken,
 }
+
+/// What there is to say of a run that is [`Status::Broken`].
+pub const KILLED: &str = "the run ended without a word: it was killed; `ancf resume` goes on with it";
 
 /// A state of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +81,7 @@ impl Results {
             Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
                 return Err(OpenError::NoRun(folder.path().to_owned()));
             }
-            text => text.map_err(|error| crate::folder::about(&error, &file))?,
+            text => text.map_err(|error| about(&error, &file))?,
         };
         let wrong = |errors| OpenError::Model { path: file.clone(), errors };
         let model = Model::parse(&text).map_err(wrong)?;
@@ -123,7 +129,7 @@ impl Results {
         match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             bytes => {
-                let bytes = bytes.map_err(|error| crate::folder::about(&error, &path))?;
+                let bytes = bytes.map_err(|error| about(&error, &path))?;
                 // What is damaged says no more than what is missing.
                 Ok(serde_json::from_slice(&bytes).ok())
             }
@@ -138,9 +144,9 @@ impl Results {
         let mut series = Series::new();
         let names: Vec<String> = self.simulation.columns().into_iter().map(|column| column.name).collect();
         series.begin(&names)?;
-        let layout = crate::layout::Layout::new(names, Vec::new());
-        for file in files(&self.folder.results()) {
-            for row in rows_of(&file, &layout)?.chunks_exact(layout.width().max(1)) {
+        let layout = Layout::new(names, Vec::new());
+        for part in parts_of(self.folder.results(), &layout) {
+            for row in part?.chunks_exact(layout.width().max(1)) {
                 let _ = series.record(row)?;
             }
         }
@@ -150,25 +156,17 @@ impl Results {
     /// The states that were kept, as far as they are on the disk, one part in memory at a time.
     pub fn frames(&self) -> impl Iterator<Item = Result<Frame, OpenError>> + '_ {
         let layout = frames::layout(&self.simulation);
-        let files = files(&self.folder.states()).into_iter();
-        files.flat_map(move |file| self.frames_of(&file, &layout))
-    }
-
-    fn frames_of(&self, file: &Path, layout: &crate::layout::Layout) -> Vec<Result<Frame, OpenError>> {
-        match rows_of(file, layout) {
-            Ok(rows) => rows.chunks_exact(layout.width()).map(|row| Ok(self.frame(row))).collect(),
+        let width = layout.width();
+        parts_of(self.folder.states(), layout).flat_map(move |part| match part {
+            Ok(rows) => rows.chunks_exact(width).map(|row| Ok(self.frame(row))).collect(),
             Err(error) => vec![Err(error.into())],
-        }
+        })
     }
 
     /// The frame of a row of the states, whose layout fits.
     fn frame(&self, row: &[f64]) -> Frame {
         let system = &self.simulation.assembly().system;
-        let (coordinates, multipliers) = {
-            use ancf::system::EquationsOfMotion;
-            (system.coordinates(), system.multipliers())
-        };
-        let mut state = State::rest(coordinates, multipliers);
+        let mut state = State::rest(system.coordinates(), system.multipliers());
         let (head, mut rest) = row.split_at(3);
         for part in [&mut state.q, &mut state.v, &mut state.a, &mut state.lambda] {
             let (own, beyond) = rest.split_at(part.len());
@@ -187,7 +185,17 @@ impl Results {
     /// # Errors
     /// If the file cannot be read.
     pub fn about(&self, key: &str) -> Result<Option<String>, OpenError> {
-        let file = files(&self.folder.results()).into_iter().next();
-        Ok(file.map(|file| Reader::open(&file)).transpose()?.and_then(|reader| reader.about(key)))
+        Ok(about_table(&self.folder.results(), key)?)
     }
+}
+
+/// The rows of a table part by part, to the last one, which may be growing, or to one that cannot be read.
+fn parts_of(path: PathBuf, layout: impl Borrow<Layout>) -> impl Iterator<Item = io::Result<Vec<f64>>> {
+    let mut next = Some(0);
+    iter::from_fn(move || {
+        let number = next?;
+        let part = rows_of(&path, layout.borrow(), number).transpose();
+        next = matches!(part, Some(Ok(_))).then_some(number + 1);
+        part
+    })
 }

@@ -8,7 +8,7 @@ use parquet::data_type::DoubleType;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
 
-use crate::folder::{about, beside, remove, remove_all};
+use crate::folder::{about, remove, remove_all, whole};
 use crate::layout::Layout;
 use crate::merge::{merge, split};
 use crate::provenance::Provenance;
@@ -60,7 +60,7 @@ impl Table {
         }
         let left = rows % table.most;
         if left > 0 {
-            table.open = rows_of(&part(path, table.full), &table.layout)?;
+            table.open = rows_of(path, &table.layout, table.full)?.ok_or_else(|| missing(path))?;
             let numbers = left * table.layout.width();
             if table.open.len() < numbers {
                 return Err(missing(path));
@@ -117,21 +117,15 @@ impl Table {
             return Ok(());
         }
         let path = part(&self.path, self.full);
-        let unfinished = beside(&path);
-        let written = self.write(&unfinished).and_then(|()| fs::rename(&unfinished, &path));
-        written.map_err(|error| {
-            let _ = fs::remove_file(&unfinished);
-            about(&error, &path)
-        })?;
+        whole(&path, |file| self.write(file)).map_err(|error| about(&error, &path))?;
         self.flushed = self.open_rows();
         Ok(())
     }
 
     /// Writes the rows of the last part.
-    fn write(&self, path: &Path) -> io::Result<()> {
-        let file = File::create(path)?;
+    fn write(&self, file: &File) -> io::Result<()> {
         let mut writer =
-            SerializedFileWriter::new(&file, self.layout.schema()?, Arc::clone(&self.properties))?;
+            SerializedFileWriter::new(file, self.layout.schema()?, Arc::clone(&self.properties))?;
         let mut group = writer.next_row_group()?;
         let rows = || self.open.chunks_exact(self.layout.width());
         let mut values = Vec::new();
@@ -146,7 +140,7 @@ impl Table {
         }
         group.close()?;
         writer.close()?;
-        file.sync_all()
+        Ok(())
     }
 
     /// Makes one file of the parts.

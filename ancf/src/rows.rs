@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::mechanics::{StrainEnergy, Wrench};
-use crate::model::{Assembly, Quantity};
+use crate::model::{Assembly, Quantity, Units};
 use crate::scales::{Dimension, Scales};
 use crate::system::{Energy, Power, State};
 
@@ -59,6 +59,12 @@ pub struct Column {
 impl Column {
     pub(crate) fn new(name: impl Into<String>, dimension: impl Into<Option<Dimension>>) -> Self {
         Self { name: name.into(), dimension: dimension.into() }
+    }
+
+    /// The unit of its numbers, `1` of pure ones; none of what has no unit of the user.
+    pub fn unit(&self, units: &Units) -> Option<String> {
+        let unit = units.of(self.dimension?);
+        Some(if unit.is_empty() { "1".to_owned() } else { unit })
     }
 
     /// Columns under the name of what they are about.

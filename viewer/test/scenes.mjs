@@ -1,29 +1,9 @@
 // Scenes whose pictures are known: an exact cantilever, shapes of vibration, obstacles, very many stations.
 
 import { f32, f64, i16, u16 } from "./container.mjs";
+import { circle, rectangle } from "./outlines.mjs";
 
 export const unit = (frames) => new Array(frames).fill(0);
-
-export function circle(radius, corners = 24) {
-  return Array.from({ length: corners }, (_, i) => {
-    const [c, s] = [Math.cos((2 * Math.PI * i) / corners), Math.sin((2 * Math.PI * i) / corners)];
-    return [radius * c, radius * s, c, s];
-  });
-}
-
-export function rectangle(height, width) {
-  const [a, b] = [height / 2, width / 2];
-  return [
-    [a, -b, 1, 0],
-    [a, b, 1, 0],
-    [a, b, 0, 1],
-    [-a, b, 0, 1],
-    [-a, b, -1, 0],
-    [-a, -b, -1, 0],
-    [-a, -b, 0, -1],
-    [a, -b, 0, -1],
-  ];
-}
 
 /** Three directors of a section whose normal has the angle `phi` in the plane x, y. */
 export function turned(phi) {

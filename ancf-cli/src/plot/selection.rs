@@ -1,5 +1,5 @@
 use ancf::Column;
-use ancf::model::{Units, nearest};
+use ancf::model::nearest;
 use ancf::record::Series;
 use ancf_results::Results;
 
@@ -24,9 +24,9 @@ pub struct Quantity {
 impl Quantity {
     /// All of a run.
     pub fn all(results: &Results) -> Vec<Self> {
-        let units = results.model().units.clone().unwrap_or_else(Units::in_words);
-        let unit = |column: &Column| column.dimension.map(|dimension| units.of(dimension));
-        let unit = |column: &Column| unit(column).filter(|unit| unit != "1").unwrap_or_default();
+        let units = results.model().unit_names();
+        let unit =
+            |column: &Column| column.dimension.map(|dimension| units.of(dimension)).unwrap_or_default();
         let columns = results.simulation().columns();
         columns.into_iter().map(|column| Self { unit: unit(&column), name: column.name }).collect()
     }

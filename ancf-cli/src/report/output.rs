@@ -1,8 +1,10 @@
 //! The folder that the report is written into.
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use ancf_results::whole;
 use anyhow::{Context, Result};
 
 /// A folder that can be written into.
@@ -17,7 +19,7 @@ impl Output {
     pub fn create(path: &Path) -> Result<Self> {
         fs::create_dir_all(path).with_context(|| format!("cannot create the folder {}", path.display()))?;
         let output = Self(path.to_owned());
-        let trial = output.beside("trial");
+        let trial = output.0.join(".trial.part");
         fs::write(&trial, "")
             .and_then(|()| fs::remove_file(&trial))
             .with_context(|| format!("cannot write into the folder {}", path.display()))?;
@@ -29,14 +31,8 @@ impl Output {
     /// # Errors
     /// If it cannot be written.
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
-        let (path, part) = (self.0.join(name), self.beside(name));
-        fs::write(&part, contents)
-            .and_then(|()| fs::rename(&part, &path))
+        let path = self.0.join(name);
+        whole(&path, |mut file| file.write_all(contents.as_ref()))
             .with_context(|| format!("cannot write {}", path.display()))
-    }
-
-    /// Where a file stands until it is complete.
-    fn beside(&self, name: &str) -> PathBuf {
-        self.0.join(format!(".{name}.part"))
     }
 }

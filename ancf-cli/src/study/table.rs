@@ -6,6 +6,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
+use ancf_results::whole;
 use anyhow::{Context, Result};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -45,14 +46,8 @@ pub struct Table<'a> {
 impl Table<'_> {
     /// Writes cases, with their keys and rows, to a file: at once all of it or nothing.
     pub fn write(&self, path: &Path, cases: &[(usize, &str, &Row)]) -> Result<()> {
-        let part = path.with_extension("parquet.part");
-        let write = || -> Result<()> {
-            let file = File::create(&part)?;
-            self.fill(&file, cases)?;
-            file.sync_all()?;
-            Ok(fs::rename(&part, path)?)
-        };
-        write().with_context(|| format!("cannot write {}", path.display()))
+        whole(path, |file| self.fill(file, cases).map_err(io::Error::other))
+            .with_context(|| format!("cannot write {}", path.display()))
     }
 
     fn fill(&self, file: &File, cases: &[(usize, &str, &Row)]) -> Result<()> {

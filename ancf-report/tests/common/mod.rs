@@ -138,6 +138,17 @@ impl Run {
     }
 }
 
+/// The cantilever with half the height at its end.
+pub fn tapered() -> String {
+    CANTILEVER
+        .replace(
+            "[[bodies]]",
+            "[sections.thin]\nkind = \"rectangle\"\nheight = 0.01\nwidth = 0.01\n[[bodies]]",
+        )
+        .replace("section = \"bar\"", "section = \"bar\"\nsection_end = \"thin\"")
+        .replace("scales = { kind = \"auto\" }\n", "")
+}
+
 pub fn metres() -> Units {
     Units { length: "m".into(), time: "s".into(), force: "N".into() }
 }

@@ -148,3 +148,10 @@ pub struct Model {
     #[serde(default)]
     pub output: Output,
 }
+
+impl Model {
+    /// What its units are called, in words if it does not name them.
+    pub fn unit_names(&self) -> Units {
+        self.units.clone().unwrap_or_else(Units::in_words)
+    }
+}

@@ -23,11 +23,19 @@ impl Model {
     /// # Errors
     /// All that is wrong, in the order of the text; or why the file cannot be read.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelErrors> {
+        Self::parse(&Self::read_text(path)?)
+    }
+
+    /// Reads the text of a model file, for [`Model::parse`].
+    ///
+    /// # Errors
+    /// Why the file cannot be read.
+    pub fn read_text(path: impl AsRef<Path>) -> Result<String, ModelErrors> {
         let bytes = bytes_of(path.as_ref()).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
         if bytes.len() as u64 > LARGEST {
             return Err(ModelErrors(vec![too_large()]));
         }
-        Self::parse(&String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))?)
+        String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))
     }
 
     /// Reads the text of a model file and checks the model.

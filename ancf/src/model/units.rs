@@ -21,7 +21,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// Names that say what the units are of, for models that do not name theirs.
+    /// Names that say what the units are of.
     pub fn in_words() -> Self {
         let [length, time, force] = ["length", "time", "force"].map(str::to_owned);
         Self { length, time, force }

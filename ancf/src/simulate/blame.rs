@@ -80,7 +80,7 @@ fn buckling(assembly: &Assembly, from: &State, error: &SolveError) -> Option<Bla
         return None;
     }
     let found = instability(assembly, from)?;
-    let directions = if found.count == 1 { "1 direction" } else { &format!("{} directions", found.count) };
+    let directions = found.directions();
     let reason = format!("the last shape is unstable in {directions}, it buckles or snaps through");
     Some(Blame { reason, at: Place::Equation(found.at), advice: OF_BUCKLING })
 }

@@ -61,34 +61,3 @@ impl<S: Sink + ?Sized> Observer for S {
         Sink::finish(self)
     }
 }
-
-/// Several observers at once; any of them may end the run.
-impl Observer for Vec<Box<dyn Observer + '_>> {
-    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        self.iter_mut().try_for_each(|observer| observer.begin(columns))
-    }
-
-    fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
-        let mut flow = ControlFlow::Continue(());
-        for observer in self.iter_mut() {
-            if observer.record(row, state)?.is_break() {
-                flow = ControlFlow::Break(());
-            }
-        }
-        Ok(flow)
-    }
-
-    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
-        self.iter_mut().try_for_each(|observer| observer.checkpoint(take))
-    }
-
-    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
-        self.iter_mut().try_for_each(|observer| observer.last_checkpoint(take))
-    }
-
-    fn finish(&mut self) -> io::Result<()> {
-        // All of them complete their record even if one fails.
-        let ends: Vec<_> = self.iter_mut().map(|observer| observer.finish()).collect();
-        ends.into_iter().collect()
-    }
-}

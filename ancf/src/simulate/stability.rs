@@ -18,6 +18,13 @@ pub(super) struct Instability {
     pub(super) at: usize,
 }
 
+impl Instability {
+    /// In how many directions, in words.
+    pub(super) fn directions(&self) -> String {
+        if self.count == 1 { "1 direction".to_owned() } else { format!("{} directions", self.count) }
+    }
+}
+
 /// Bodies beyond which it takes too long to find out what is free.
 const MANY: usize = 300;
 

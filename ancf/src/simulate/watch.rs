@@ -85,11 +85,11 @@ impl Run<'_> {
 
     /// What was seen, in words.
     pub(super) fn seen(&self) -> Option<String> {
-        let (since, over, Instability { count, at }) = self.watch.told?;
+        let (since, over, seen) = self.watch.told?;
         let scales = self.summary.scales;
         let until = over.map_or(String::new(), |over| format!(" to t = {:.4}", over * scales.time));
-        let place = self.assembly.name_in(at, scales.length);
-        let directions = if count == 1 { "1 direction".to_owned() } else { format!("{count} directions") };
+        let place = self.assembly.name_in(seen.at, scales.length);
+        let directions = seen.directions();
         Some(format!(
             "from about t = {:.4}{until} the shape was unstable in {directions} under its loads, most at {place}: it buckles; \
              a small imperfection or side load decides when and which way",

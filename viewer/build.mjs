@@ -1,4 +1,4 @@
-// Bundles the viewer into ../ancf-report/assets/viewer.js and viewer.css; `node build.mjs DIR` writes elsewhere.
+// Bundles the viewer into ../crates/ancf-report/assets/viewer.js and viewer.css; `node build.mjs DIR` writes elsewhere.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = process.argv[2] ?? join(here, "../ancf-report/assets");
+const out = process.argv[2] ?? join(here, "../crates/ancf-report/assets");
 
 const result = await build({
   absWorkingDir: here,

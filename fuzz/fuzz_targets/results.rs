@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-#[path = "../../ancf-results/tests/common/anything.rs"]
+#[path = "../../crates/ancf-results/tests/common/anything.rs"]
 mod anything;
 
 /// The folder of a run and one for each input, in memory where there is one: each input writes to the disk several times.

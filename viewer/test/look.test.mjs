@@ -169,7 +169,7 @@ test("the bundle in the repository is what the sources give", () => {
   const run = spawnSync(process.execPath, [build, out], { encoding: "utf8" });
   assert.equal(run.status, 0, run.stderr);
   for (const name of ["viewer.js", "viewer.css"]) {
-    const kept = readFileSync(new URL(`../../ancf-report/assets/${name}`, import.meta.url), "utf8");
+    const kept = readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
     assert.ok(readFileSync(join(out, name), "utf8") === kept, `${name}: run npm run build`);
     assert.ok(!/<\/script|<!--/i.test(kept), `${name} would end the element it stands in`);
     assert.match(kept, /uplot .*\(MIT\)/i);

@@ -11,7 +11,7 @@ pub(crate) fn test() -> Done {
     let checks: [(&str, &str, &[&str]); 6] = [
         ("format of Python", "ruff", &["format", "--check", "--quiet", "."]),
         ("lints of Python", "ruff", &["check", "--quiet", "."]),
-        ("types", "mypy", &["ancf-py/python/ancf", "ancf-py/tests"]),
+        ("types", "mypy", &["crates/ancf-py/python/ancf", "crates/ancf-py/tests"]),
         ("stubs", "stubtest", &["ancf._ancf", "--mypy-config-file", "pyproject.toml"]),
         ("tests of Python", "pytest", &["--quiet"]),
         ("site", "sphinx-build", &["-W", "--keep-going", "--quiet", "docs", "target/site"]),

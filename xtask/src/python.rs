@@ -18,7 +18,7 @@ use form::{definition, referred};
 
 /// Where the classes are.
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../ancf-py/python/ancf/model")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/ancf-py/python/ancf/model")
 }
 
 /// Writes the classes anew.
@@ -193,6 +193,6 @@ mod tests {
                 (name, fs::read_to_string(&path).unwrap_or_default())
             })
             .collect();
-        assert!(found == wanted, "ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`");
+        assert!(found == wanted, "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`");
     }
 }

@@ -1,0 +1,229 @@
+"""Every code block of the documentation is run, and every notebook is kept without outputs."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from markdown_it import MarkdownIt
+
+import ancf
+
+ROOT = Path(__file__).parents[3]
+DOCS = ROOT / "docs"
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.rglob("*.md"))]
+NOTEBOOKS = sorted(DOCS.rglob("*.ipynb"))
+
+BUILD = ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"]
+"""What `cargo test --workspace` builds too: alone, the program has other features of its dependencies."""
+
+TESTED_BY = {
+    "python": "run here, page by page, in one namespace a page",
+    "sh": "run here by a shell, in the same folder",
+    "toml": "written here to the file that its first line names, for the blocks after it; models are checked; those of "
+    "docs/model-file.md are read by crates/ancf/tests/models.rs",
+    "rust": "equal to a file in crates/ancf/examples, which is run here",
+    "{code-cell}": "run by the build of the site, which fails if a cell does",
+    "text": "not code: what is printed, drawings",
+    "{toctree}": "not code",
+    "{eval-rst}": "not code: names for autodoc, which fails if they are not there",
+}
+"""By what the blocks of each language are tested."""
+
+NOT_RUN = {
+    "cargo xtask": "runs this test, or takes minutes",
+    "cargo run --release -- paper": "takes minutes: crates/ancf-cli/tests/paper.rs",
+    "ancf check FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
+    "ancf run FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
+    "ancf scaled FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
+    "cargo install": "installs: the program is there",
+    "pip install": "installs: the package is there",
+}
+"""Beginnings of commands that are not run, and why."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """A code block of a page."""
+
+    page: Path
+    line: int
+    language: str
+    text: str
+
+    def __str__(self) -> str:
+        return f"{self.page.relative_to(ROOT)}:{self.line}"
+
+    def commands(self) -> list[str]:
+        """Lines of a shell that are run."""
+        lines = self.text.splitlines()
+        return [line for line in lines if not line.startswith(tuple(NOT_RUN))]
+
+
+def blocks(page: Path) -> list[Block]:
+    """All code blocks of a page."""
+    fences = [
+        token for token in MarkdownIt().parse(page.read_text(encoding="utf-8")) if token.type == "fence"
+    ]
+    return [
+        Block(page, (token.map or [0])[0] + 1, (token.info.split() or [""])[0], token.content)
+        for token in fences
+    ]
+
+
+def runnable() -> list[Path]:
+    """Pages with blocks that are run here."""
+    return [page for page in PAGES if {block.language for block in blocks(page)} & {"python", "sh", "toml"}]
+
+
+@pytest.fixture(scope="session")
+def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the program `ancf`: the one that `ANCF_PROGRAM` names, else the workspace's."""
+    named = os.environ.get("ANCF_PROGRAM")
+    if named is None:
+        subprocess.run(BUILD, cwd=ROOT, check=True)
+    built = ROOT / "target" / "debug" / f"ancf{'.exe' if os.name == 'nt' else ''}"
+    program = built if named is None else Path(named)
+    folder = tmp_path_factory.mktemp("tools")
+    shutil.copy2(program, folder / program.name)
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path: Path, tools: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder to work in: the models are there, and the program is on the path."""
+    shutil.copytree(ROOT / "models", tmp_path / "models")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PATH", f"{tools}{os.pathsep}{os.environ['PATH']}")
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    monkeypatch.setenv("SLURM_ARRAY_TASK_ID", "1")
+    monkeypatch.setitem(sys.modules, "dask_jobqueue", slurm())
+    return tmp_path
+
+
+def slurm() -> ModuleType:
+    """What stands for dask-jobqueue, as there is no SLURM here: jobs are threads of this process."""
+    local: Any = import_module("dask.distributed").LocalCluster
+
+    def start(cluster: Any, **_: object) -> None:
+        local.__init__(cluster, n_workers=0, threads_per_worker=2, processes=False, dashboard_address=None)
+
+    def scale(cluster: Any, count: int = 0, jobs: int = 0) -> object:
+        return local.scale(cluster, count or min(jobs, 2))
+
+    module: Any = ModuleType("dask_jobqueue")
+    module.SLURMCluster = type("SLURMCluster", (local,), {"__init__": start, "scale": scale})
+    return module  # type: ignore[no-any-return]
+
+
+@pytest.mark.parametrize("page", runnable(), ids=lambda page: str(page.relative_to(ROOT)))
+def test_blocks_run(page: Path, folder: Path) -> None:
+    space: dict[str, object] = {"__name__": "__main__"}
+    for block in blocks(page):
+        if block.language == "python":
+            # Empty lines before it, so that an error names the line of the page.
+            code = "\n" * block.line + block.text
+            exec(compile(code, page, "exec"), space)
+        elif block.language == "sh":
+            run(block)
+        elif block.language == "toml" and page.name != "model-file.md":
+            write(block, folder)
+
+
+def run(block: Block) -> None:
+    """Run a block of a shell."""
+    script = "\n".join(block.commands()).replace("cargo run --release --", "ancf")
+    done = subprocess.run(["sh", "-e", "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{block}: {done.stdout}{done.stderr}"
+
+
+def write(block: Block, folder: Path) -> None:
+    """Write a model, or a study, into the file that its first line names, and check the model."""
+    first = block.text.splitlines()[0]
+    assert first.startswith("# ") and first.endswith(".toml"), f"{block}: its first line names no file"
+    file = folder / first.removeprefix("# ")
+    file.write_text(block.text, encoding="utf-8")
+    if "[parameters]" not in block.text:
+        ancf.check(file)
+
+
+def test_languages_are_known() -> None:
+    unknown = [str(block) for page in PAGES for block in blocks(page) if block.language not in TESTED_BY]
+    assert not unknown, "no test knows their languages"
+
+
+def test_what_is_not_run_is_there() -> None:
+    lines = [
+        line
+        for page in PAGES
+        for block in blocks(page)
+        if block.language == "sh"
+        for line in block.text.splitlines()
+    ]
+    for start in NOT_RUN:
+        assert any(line.startswith(start) for line in lines), f"no page has {start!r}"
+
+
+def test_cells_are_on_pages_that_the_site_runs() -> None:
+    for page in PAGES:
+        if any(block.language == "{code-cell}" for block in blocks(page)):
+            assert page.read_text(encoding="utf-8").startswith("---\nfile_format: mystnb\n"), page
+
+
+def test_rust_is_that_of_the_examples(folder: Path) -> None:
+    examples = {
+        file.stem: file.read_text(encoding="utf-8") for file in (ROOT / "ancf" / "examples").glob("*.rs")
+    }
+    found = [block for page in PAGES for block in blocks(page) if block.language == "rust"]
+    for block in found:
+        names = [name for name, text in examples.items() if text.endswith(block.text)]
+        assert names, f"{block}: no file in crates/ancf/examples ends so"
+        example(names[0], folder)
+
+
+def example(name: str, folder: Path) -> None:
+    """Run an example where the models are."""
+    subprocess.run(BUILD, cwd=ROOT, check=True)
+    subprocess.run([ROOT / "target" / "debug" / "examples" / name], cwd=folder, check=True)
+
+
+@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+def test_notebooks_have_no_outputs(file: Path) -> None:
+    book = json.loads(file.read_text(encoding="utf-8"))
+    assert book["metadata"]["kernelspec"]["name"] == "python3"
+    assert book["cells"][0]["source"][0].startswith("# ")
+    for cell in book["cells"]:
+        assert cell.get("outputs", []) == []
+        assert cell.get("execution_count") is None
+
+
+def test_lists_have_all_there_is() -> None:
+    for page, files in [
+        ("decisions/index.md", "[0-9]*.md"),
+        ("notebooks/index.md", "*.ipynb"),
+        ("howto/index.md", "*.md"),
+    ]:
+        text = (DOCS / page).read_text(encoding="utf-8")
+        for file in (DOCS / page).parent.glob(files):
+            assert file.name == "index.md" or f"({file.name})" in text, (
+                f"docs/{page} does not name {file.name}"
+            )
+    problems = re.findall(
+        r"^    (\w+)::PROBLEM,$", (ROOT / "verification/src/problems/mod.rs").read_text(), re.M
+    )
+    named = re.findall(r"^\| \[`(\w+)`\]", (DOCS / "verification.md").read_text(encoding="utf-8"), re.M)
+    assert named == problems
+
+
+def test_there_are_five_notebooks() -> None:
+    assert len(NOTEBOOKS) >= 5

@@ -1,7 +1,8 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::SectionPoint;
-use super::section::{Directors, Form, Lame, STRAINS, SectionLaw, strain::*};
+use super::section::{Directors, Form, Lame, STRAINS, SectionLaw};
+use super::section_strains::*;
 
 /// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]

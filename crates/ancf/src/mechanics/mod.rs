@@ -35,6 +35,7 @@ mod quadrature;
 mod resultants;
 mod rigid;
 mod section;
+mod section_strains;
 mod shape;
 mod slide;
 mod spread;

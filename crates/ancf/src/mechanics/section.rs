@@ -56,30 +56,6 @@ pub(super) const PAIRS: [(usize, usize); STRAINS] = [
 /// Section strains by the pair of directors that they belong to.
 pub(super) type Strains = [f64; STRAINS];
 
-/// Names of the places in [`Strains`].
-pub(super) mod strain {
-    pub(in crate::mechanics) const AA: usize = 0;
-    pub(in crate::mechanics) const BB: usize = 1;
-    pub(in crate::mechanics) const CC: usize = 2;
-    pub(in crate::mechanics) const DD: usize = 3;
-    pub(in crate::mechanics) const EE: usize = 4;
-    pub(in crate::mechanics) const HH: usize = 5;
-    pub(in crate::mechanics) const AB: usize = 6;
-    pub(in crate::mechanics) const AC: usize = 7;
-    pub(in crate::mechanics) const BC: usize = 8;
-    pub(in crate::mechanics) const AD: usize = 9;
-    pub(in crate::mechanics) const BD: usize = 10;
-    pub(in crate::mechanics) const CD: usize = 11;
-    pub(in crate::mechanics) const AE: usize = 12;
-    pub(in crate::mechanics) const BE: usize = 13;
-    pub(in crate::mechanics) const CE: usize = 14;
-    pub(in crate::mechanics) const DE: usize = 15;
-    pub(in crate::mechanics) const DH: usize = 16;
-    pub(in crate::mechanics) const EH: usize = 17;
-    pub(in crate::mechanics) const BK: usize = 18;
-    pub(in crate::mechanics) const CK: usize = 19;
-}
-
 /// Elasticity of a cross-section as a quadratic form ½ εᵀ D ε in the products of directors.
 ///
 /// With g = (a, b, c, d, e, h), the Green-Lagrange strains are combinations of the *section strains*

@@ -2,7 +2,7 @@ use std::ops::{AddAssign, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::section::strain::{
+use super::section_strains::{
     AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, EE, EH, HH,
 };
 use super::section::{DIRECTORS, Directors, NO_STIFFNESS, SectionLaw, Stiffness, add, sum};

@@ -1,5 +1,6 @@
 //! Elements evaluated side by side, in the lanes of the machine's vectors ([`Batch`](crate::system::Batch)).
 
+mod batched;
 mod beam;
 mod beam_law;
 mod bend;
@@ -13,10 +14,4 @@ mod stiffness;
 mod strain;
 mod triangle;
 
-use crate::system::Batch;
-
-/// Elements that can be evaluated side by side.
-pub(super) trait Batched: Sized {
-    /// Batches of elements, each with the number of its first one.
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)>;
-}
+pub(super) use batched::Batched;

@@ -193,6 +193,9 @@ mod tests {
                 (name, fs::read_to_string(&path).unwrap_or_default())
             })
             .collect();
-        assert!(found == wanted, "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`");
+        assert!(
+            found == wanted,
+            "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`"
+        );
     }
 }

@@ -1,96 +1,56 @@
-//! FLOOR 2: what the user states. Plain data in the user's units and the field's words.
+//! Data of a model as its user states it: plain values in the user's units.
 
-mod acting;
-mod address;
-mod analysis;
-mod assemble;
-mod body;
-mod check;
-mod check_abilities;
-mod check_bodies;
-mod check_contacts;
-mod check_joints;
-mod check_loads;
-mod closing;
-mod contact;
-mod coupling;
-mod cubature;
-mod diagnosis;
-mod equilibrium;
+mod analyses;
+mod bodies;
+mod contacts;
 mod error;
-mod fluid;
-mod freedom;
-mod function;
-mod inputs;
-mod joint;
-mod joint_kinds;
-mod joint_rows;
-mod link;
-mod load;
-mod material;
-mod mechanism;
-mod meshes;
-mod motion;
-mod output;
-mod part;
-mod read;
-mod redundant;
-mod rigid;
-mod rigidity;
-mod scale;
-mod scale_choice;
-mod scale_joints;
-mod schema;
-mod scheme;
-mod section;
-mod shape;
-mod spread;
-mod substitute;
-mod supply;
-mod survey;
-mod syntax;
-mod ties;
-mod times;
-mod units;
+mod joints;
+mod loads;
+mod sections;
 
+pub use analyses::{
+    About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
+    Start, Statics, Step, Stop,
+};
+pub use bodies::{
+    At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
+};
+pub use contacts::{Against, Contact};
+pub use error::{ModelError, ModelErrors, Position};
+pub(crate) use joints::Acting;
+pub use joints::{
+    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamped, Coupled, Coupling, Cylindrical, Distance,
+    End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar, PointOnLine, PointSpring,
+    Prismatic, Slide, Universal,
+};
+pub(crate) use loads::{Clock, Stretch};
+pub use loads::{Fluid, Load, TimeFunction, Varying};
+pub use sections::{Damping, Material, MaterialLaw, Section};
+
+// TEMPORARY FACADE
+pub use crate::assembly::Assembly;
+pub use crate::assembly::Closed;
+pub use crate::assembly::Freedom;
+pub use crate::assembly::Measure;
+pub use crate::assembly::Redundant;
+pub use crate::diagnosis::Diagnosis;
+pub use crate::diagnosis::FreeMotion;
+pub use crate::diagnosis::Motion;
+pub use crate::reading::check_part;
+pub use crate::reading::parse_as;
+pub use crate::reading::substitute;
+pub use crate::schema::join;
+pub use crate::schema::nearest;
+pub use crate::schema::schema;
+pub use crate::schema::schema_text;
+pub use crate::units::Chosen;
+// END
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use acting::{AngularDrive, AngularFriction, AngularSpring, LinearDrive, LinearFriction, LinearSpring};
-pub use analysis::{Analysis, Dynamics, NewtonMethod, Scheme, Start, Step, Stop};
-pub use assemble::{Assembly, Measure};
-pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
-pub use closing::Closed;
-pub use contact::{Against, Contact};
-pub use coupling::{Coupled, Coupling, Freed};
-pub use diagnosis::Diagnosis;
-pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
-pub use error::{ModelError, ModelErrors, Position};
-pub use fluid::Fluid;
-pub use freedom::Freedom;
-pub use function::{TimeFunction, Varying};
-pub use joint::{Clamped, End, Ground, Joint};
-pub use joint_kinds::{
-    Bushing, Cylindrical, Distance, Planar, PointOnLine, PointSpring, Prismatic, Slide, Universal,
-};
-pub use load::Load;
-pub use material::{Damping, Material, MaterialLaw};
-pub use mechanism::{FreeMotion, Motion};
-pub use motion::InitialMotion;
-pub use output::{Output, Probe, Quantity};
-pub use part::check_part;
-pub use read::parse_as;
-pub use redundant::Redundant;
-pub use rigid::{PointMass, Rigid};
-pub use scale_choice::{Chosen, ScaleChoice};
-pub use schema::{nearest, schema, schema_text};
-pub use section::Section;
-pub use shape::Shape;
-pub use substitute::substitute;
-pub use survey::join;
-pub use units::Units;
+pub use crate::units::{ScaleChoice, Units};
 
 /// A flexible multibody model as its user states it.
 ///

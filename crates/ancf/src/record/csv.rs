@@ -1,8 +1,8 @@
-use std::fmt;
-use std::io::{self, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
+use std::{fmt, io};
 
-use super::Sink;
+use crate::record::Sink;
 
 /// Comma-separated values: a line of names, then a line per row. Numbers are written so that they read back exactly.
 pub struct Csv<W: Write> {

@@ -1,7 +1,7 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use super::Sink;
+use crate::record::Sink;
 
 /// Passes on every so many rows, and the last one.
 #[derive(Debug)]

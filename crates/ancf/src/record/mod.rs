@@ -1,15 +1,15 @@
-//! FLOOR 1c: results as rows of numbers under named columns. Knows nothing of mechanics.
+//! Results as rows of numbers under named columns, and the sinks that receive them.
 
 mod csv;
 mod every;
 mod series;
 
-use std::io;
-use std::ops::ControlFlow;
-
 pub use csv::Csv;
 pub use every::Every;
 pub use series::Series;
+
+use std::io;
+use std::ops::ControlFlow;
 
 /// Whoever receives the rows of a run: a file, memory, a progress bar.
 ///

@@ -1,7 +1,7 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use super::Sink;
+use crate::record::Sink;
 
 /// Rows kept in memory, by columns.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,13 +1,14 @@
 use std::io;
 
+use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::pace::{MOST, Pace, PaceMemory};
-use super::watch::Watch;
-use super::{Simulation, Summary};
-use crate::rows::{Past, Rows};
-use crate::system::EquationsOfMotion;
+use super::simulation::Simulation;
+use super::step_control::{MOST, Pace, PaceMemory};
+use super::summary::Summary;
+use crate::failure::Watch;
+use crate::results::{Past, Rows};
 
 /// All on which the rest of a motion depends: a run goes on from it to the last bit as if it had never stopped
 /// ([`Simulation::resume`]).
@@ -77,7 +78,7 @@ impl Checkpoint {
         self.time
     }
 
-    pub(super) fn new(model: u64, summary: &Summary, watch: &Watch, rows: &Rows, pace: &Pace<'_>) -> Self {
+    pub(crate) fn new(model: u64, summary: &Summary, watch: &Watch, rows: &Rows, pace: &Pace<'_>) -> Self {
         let pace = pace.memory();
         let time = pace.time() * summary.scales.time;
         let (rows, watch) = (rows.past().clone(), watch.clone());
@@ -85,7 +86,7 @@ impl Checkpoint {
     }
 
     /// Refuses what is not of a simulation, but for its numbers.
-    pub(super) fn check(&self, simulation: &Simulation) -> Result<(), Mismatch> {
+    pub(crate) fn check(&self, simulation: &Simulation) -> Result<(), Mismatch> {
         if self.version != VERSION {
             return Err(Mismatch::Version { found: self.version, wanted: VERSION });
         }
@@ -104,7 +105,7 @@ impl Checkpoint {
     }
 
     /// Puts a run that has begun where this one was.
-    pub(super) fn restore(
+    pub(crate) fn restore(
         &self,
         summary: &mut Summary,
         watch: &mut Watch,
@@ -146,7 +147,7 @@ impl Counts {
 /// A hash of all that a model says, in the units of the solver, and of these. It need not withstand malice.
 ///
 /// Source: Fowler, Noll & Vo, FNV-1a of 64 bits.
-pub(super) fn fingerprint(simulation: &Simulation) -> u64 {
+pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     // It never fails: the model is plain data, and the hash takes everything.
     let _ = serde_json::to_writer(&mut hash, &(&simulation.scaled, &simulation.scales()));

@@ -2,20 +2,24 @@ use std::cell::OnceCell;
 use std::io;
 use std::ops::ControlFlow;
 
-use super::blame::blame;
-use super::checkpoint::fingerprint;
-use super::pace::Pace;
-use super::watch::Watch;
-use super::{Checkpoint, Ended, Error, Mismatch, Reason, Run, Simulation, Summary};
-use crate::analysis::{SolveError, StepReport};
+use ancf_solver::dynamics::StepReport;
+use ancf_solver::newton::SolveError;
+
+use super::checkpoint::{Checkpoint, Mismatch, fingerprint};
+use super::error::Error;
+use super::run::{Ended, Reason, Run};
+use super::simulation::Simulation;
+use super::step_control::Pace;
+use super::summary::Summary;
+use crate::failure::{Watch, blame};
 use crate::model::Dynamics;
-use crate::rows::{Rows, TIME};
+use crate::results::{Rows, TIME};
 
 /// The columns of a motion.
-pub(super) const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
+pub(crate) const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
 /// A motion under way.
-pub(super) struct Motion<'a> {
+pub(crate) struct Motion<'a> {
     simulation: &'a Simulation,
     rows: Rows,
     pace: Pace<'a>,
@@ -42,7 +46,7 @@ fn rows(simulation: &Simulation) -> Rows {
 
 impl<'a> Run<'a> {
     /// Steps through a motion, recording its instants.
-    pub(super) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> Ended {
+    pub(crate) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> Ended {
         let rows = rows(simulation);
         self.observer.begin(&rows.columns())?;
         match Motion::new(simulation, settings, rows) {
@@ -55,7 +59,7 @@ impl<'a> Run<'a> {
     }
 
     /// The motion of a checkpoint, which begins as it did, and is then put where it was.
-    pub(super) fn restored(
+    pub(crate) fn restored(
         &mut self,
         simulation: &'a Simulation,
         settings: &Dynamics,
@@ -69,7 +73,7 @@ impl<'a> Run<'a> {
     }
 
     /// Goes on with a motion.
-    pub(super) fn go_on(&mut self, motion: Motion<'a>) -> Ended {
+    pub(crate) fn go_on(&mut self, motion: Motion<'a>) -> Ended {
         self.observer.begin(&motion.rows.columns())?;
         self.follow(motion)
     }
@@ -88,7 +92,8 @@ impl<'a> Run<'a> {
             let flow = match motion.pace.due() {
                 Some(report) => {
                     let flow = self.record(motion, &report)?;
-                    self.look(motion.pace.dynamics().state());
+                    let steps = self.summary.steps;
+                    self.watch.look(self.assembly, motion.pace.dynamics().state(), steps);
                     flow
                 }
                 None => ControlFlow::Continue(()),

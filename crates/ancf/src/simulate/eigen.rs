@@ -1,23 +1,27 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use super::equilibria::{equilibrium, settled, unloaded};
-use super::{Ended, Reason, Run};
-use crate::analysis::{Critical, EigenError, Failure, Mode, buckling, modes};
-use crate::model::{About, Assembly, Buckling, Model, Modes};
-use crate::rows::Column;
-use crate::scales::Dimension;
-use crate::system::{EquationsOfMotion, State};
+use ancf_solver::eigen::{Critical, EigenError, Mode, buckling, modes};
+use ancf_solver::equations::{EquationsOfMotion, State};
+use ancf_solver::newton::Failure;
+
+use super::equilibria::{equilibrium, settled};
+use super::run::{Ended, Reason, Run};
+use crate::assembly::Assembly;
+use crate::failure::unloaded;
+use crate::model::{About, Buckling, Model, Modes};
+use crate::results::Column;
+use crate::units::Dimension;
 
 /// Relative residual of what is no mode.
 const WRONG: f64 = 1e-3;
 
 /// The columns of modes and of critical loads.
-pub(super) const MODES: [&str; 3] = ["frequency", "squared", "residual"];
-pub(super) const BUCKLING: [&str; 1] = ["factor"];
+pub(crate) const MODES: [&str; 3] = ["frequency", "squared", "residual"];
+pub(crate) const BUCKLING: [&str; 1] = ["factor"];
 
 /// The columns of shapes: their number, `own`, what probes move.
-pub(super) fn columns(assembly: &Assembly, own: &[&str]) -> Vec<Column> {
+pub(crate) fn columns(assembly: &Assembly, own: &[&str]) -> Vec<Column> {
     let dimension = |name: &str| match name {
         "frequency" => Some(Dimension::RATE),
         "squared" => Some(Dimension::new(0, -2, 0)),
@@ -54,7 +58,7 @@ impl Run<'_> {
     }
 
     /// Natural modes, one row each.
-    pub(super) fn modes(&mut self, model: &Model, settings: &Modes) -> Ended {
+    pub(crate) fn modes(&mut self, model: &Model, settings: &Modes) -> Ended {
         self.begin(&MODES)?;
         let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
@@ -83,7 +87,7 @@ impl Run<'_> {
     }
 
     /// Critical loads, one row each.
-    pub(super) fn buckling(&mut self, settings: &Buckling) -> Ended {
+    pub(crate) fn buckling(&mut self, settings: &Buckling) -> Ended {
         self.begin(&BUCKLING)?;
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
         let found = self.held(&s).and_then(|()| {

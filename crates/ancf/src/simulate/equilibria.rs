@@ -1,19 +1,21 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use super::blame::blame;
-use super::{Ended, Reason, Run, mechanism};
-use crate::analysis::{
-    self, ArcSteps, Equilibrium, EquilibriumError, Increments, Interrupt, Limit, Newton, PathPoint,
-    SolveError, Stop, Until, settle,
-};
-use crate::model::{Assembly, Model, Path, ScaleChoice, Statics};
-use crate::rows::{LOAD, Rows};
-use crate::system::State;
+use ancf_solver::equations::State;
+use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, Stop};
+use ancf_solver::statics::{ArcSteps, Equilibrium, Increments, Limit, PathPoint, Until, settle};
+
+use super::outcome::mechanism;
+use super::run::{Ended, Reason, Run};
+use crate::assembly::Assembly;
+use crate::failure::{blame, unloaded};
+use crate::model::{Model, Path, Statics};
+use crate::results::{LOAD, Rows};
+use crate::units::ScaleChoice;
 
 /// The columns of an equilibrium; those of a path besides.
-pub(super) const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
-pub(super) const PATH: [&str; 3] = ["length", "slope", "limit"];
+pub(crate) const OWN: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
+pub(crate) const PATH: [&str; 3] = ["length", "slope", "limit"];
 
 /// The values of [`OWN`]. `unstable` is not a number where the factors do not tell.
 fn own(found: &Equilibrium) -> [f64; 4] {
@@ -21,17 +23,13 @@ fn own(found: &Equilibrium) -> [f64; 4] {
     [f64::from(found.iterations), found.residual, found.increment, unstable]
 }
 
-/// The unloaded reference state.
-pub(super) fn unloaded(assembly: &Assembly) -> State {
-    State { load: 0.0, ..assembly.initial() }
-}
-
 /// The equilibrium under all loads by the default settings, from a state on.
-pub(super) fn equilibrium(assembly: &Assembly, start: State, interrupt: &Interrupt) -> Result<State, Reason> {
+pub(crate) fn equilibrium(assembly: &Assembly, start: State, interrupt: &Interrupt) -> Result<State, Reason> {
     let Statics { stop, max_iterations, .. } = Statics::default();
     let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
     let newton = newton.heeding(interrupt.clone());
-    let mut statics = analysis::Statics::new(&assembly.system, newton, Increments::default(), start);
+    let mut statics =
+        ancf_solver::statics::Statics::new(&assembly.system, newton, Increments::default(), start);
     statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
     Ok(statics.state().clone())
 }
@@ -42,7 +40,7 @@ const SETTLED: Stop = Stop::Energy(1e-14);
 const SETTLING: u32 = 1000;
 
 /// The equilibrium of a model that nothing may hold but its loads, without contacts.
-pub(super) fn settled(
+pub(crate) fn settled(
     assembly: &Assembly,
     model: &Model,
     mut s: State,
@@ -59,7 +57,7 @@ pub(super) fn settled(
 
 impl Run<'_> {
     /// Whether nothing is free to move; else why there is no equilibrium.
-    pub(super) fn held(&self, s: &State) -> Result<(), Reason> {
+    pub(crate) fn held(&self, s: &State) -> Result<(), Reason> {
         let motions = mechanism(self.assembly, s, self.summary.scales);
         motions.map_or(Ok(()), |motions| Err(Reason::Mechanism(motions)))
     }
@@ -75,7 +73,7 @@ impl Run<'_> {
     }
 
     /// Loads a model step by step, recording every equilibrium.
-    pub(super) fn statics(&mut self, settings: &Statics) -> Ended {
+    pub(crate) fn statics(&mut self, settings: &Statics) -> Ended {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &OWN);
         self.observer.begin(&rows.columns())?;
@@ -89,7 +87,7 @@ impl Run<'_> {
             Ok(newton) => newton.heeding(self.interrupt.clone()),
             Err(error) => return Ok(Err(error.into())),
         };
-        let mut statics = analysis::Statics::new(&assembly.system, newton, increments, start);
+        let mut statics = ancf_solver::statics::Statics::new(&assembly.system, newton, increments, start);
         if let Err(error) = statics.take_in() {
             return Ok(Err(error.into()));
         }
@@ -110,7 +108,7 @@ impl Run<'_> {
     }
 
     /// Follows a path of equilibria, recording every point.
-    pub(super) fn path(&mut self, settings: &Path) -> Ended {
+    pub(crate) fn path(&mut self, settings: &Path) -> Ended {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &[OWN.as_slice(), &PATH].concat());
         self.observer.begin(&rows.columns())?;
@@ -121,10 +119,10 @@ impl Run<'_> {
         let steps = ArcSteps { largest: settings.largest, ..ArcSteps::from(settings.first) };
         let system = &assembly.system;
         let newton = Newton::new(system.matrix(), settings.stop.into(), settings.max_iterations);
-        let begun = newton
-            .map_err(Reason::from)
-            .map(|newton| newton.heeding(self.interrupt.clone()))
-            .and_then(|newton| analysis::Path::new(system, newton, steps, start).map_err(Reason::from));
+        let begun =
+            newton.map_err(Reason::from).map(|newton| newton.heeding(self.interrupt.clone())).and_then(
+                |newton| ancf_solver::statics::Path::new(system, newton, steps, start).map_err(Reason::from),
+            );
         let mut path = match begun {
             Ok(path) => path,
             Err(reason) => return Ok(Err(reason)),

@@ -1,9 +1,10 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use super::Checkpoint;
+use ancf_solver::equations::State;
+
+use super::checkpoint::Checkpoint;
 use crate::record::Sink;
-use crate::system::State;
 
 /// Whoever follows a run: receives each of its rows together with the state that it is about.
 ///
@@ -25,7 +26,7 @@ pub trait Observer {
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>>;
 
     /// May keep where a motion is, after each step and the row that belongs to it: `take` makes a [`Checkpoint`] of it, from which
-    /// [`Simulation::resume`](crate::Simulation::resume) goes on. Whether and when they are taken changes no bit of the results.
+    /// [`Simulation::resume`](super::Simulation::resume) goes on. Whether and when they are taken changes no bit of the results.
     ///
     /// # Errors
     /// If it cannot be kept; the run ends.

@@ -1,9 +1,10 @@
+use ancf_solver::dynamics::StepReport;
+use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::StepReport;
-use crate::model::{Analysis, Assembly, Chosen};
-use crate::scales::Scales;
-use crate::system::EquationsOfMotion;
+use crate::assembly::Assembly;
+use crate::model::Analysis;
+use crate::units::{Chosen, Scales};
 
 /// How a run ended. Whatever was recorded until then stands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -84,7 +85,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(super) fn new(assembly: &Assembly, chosen: Chosen) -> Self {
+    pub(crate) fn new(assembly: &Assembly, chosen: Chosen) -> Self {
         Self {
             outcome: Outcome::Finished,
             time: 0.0,
@@ -103,7 +104,7 @@ impl Summary {
         }
     }
 
-    pub(super) fn count(&mut self, report: &StepReport) {
+    pub(crate) fn count(&mut self, report: &StepReport) {
         self.steps += 1;
         self.divided_steps += u64::from(report.substeps > 1);
         self.rejected_steps += u64::from(report.rejected);

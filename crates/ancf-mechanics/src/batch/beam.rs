@@ -1,0 +1,265 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
+use pulp::Simd;
+
+use super::batched::Batched;
+use super::beam_law::{BeamLaw, Station};
+use super::kernel::{Kernel, KernelBatch};
+use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled};
+use super::relative::Relative;
+use super::strain::Section;
+use super::triangle::{Blocks, lower};
+use crate::elements::{Beam24, Beam27, Element};
+use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
+
+/// Beam elements side by side: of N vectors, A + 1 of them of the axis and B of each kind of the sections.
+#[derive(Debug)]
+struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
+    count: usize,
+    law: Arc<BeamLaw<N, A, B, C>>,
+    /// Reference directors in the global frame at each station, or the same for all.
+    reference: Vec<[[Lanes; 3]; 7]>,
+}
+
+impl Batched for Beam24 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        batches::<8, 3, 2, BeamShape>(elements)
+    }
+}
+
+impl Batched for Beam27 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        batches::<9, 2, 3, QuadraticShape>(elements)
+    }
+}
+
+fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
+    elements: &[Element<N, S>],
+) -> Vec<(usize, Box<dyn Batch>)> {
+    let mut batches: Vec<(usize, Box<dyn Batch>)> = Vec::new();
+    let mut last: Option<(&Element<N, S>, Arc<BeamLaw<N, A, B, f64>>)> = None;
+    for (chunk, elements) in elements.chunks(LANES).enumerate() {
+        let (first, head) = (chunk * LANES, &elements[0]);
+        let congruent = elements.iter().all(|element| Arc::ptr_eq(&element.profile, &head.profile));
+        if !congruent {
+            let profiles: Vec<_> = elements.iter().map(|element| &*element.profile).collect();
+            let law = BeamLaw::<N, A, B, Lanes>::new::<S>(&profiles);
+            let batch = law.map(|law| BeamBatch::new(elements, Arc::new(law)));
+            batches.extend(batch.map(|batch| (first, Box::new(KernelBatch(batch)) as Box<dyn Batch>)));
+            continue;
+        }
+        let known = last.as_ref().filter(|(known, _)| Arc::ptr_eq(&known.profile, &head.profile));
+        let law = match known {
+            Some((_, law)) => Some(Arc::clone(law)),
+            None => BeamLaw::new::<S>(&[&*head.profile]).map(Arc::new),
+        };
+        if let Some(law) = law {
+            batches.push((first, Box::new(KernelBatch(BeamBatch::new(elements, Arc::clone(&law))))));
+            last = Some((head, law));
+        }
+    }
+    batches
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
+    fn new<S: Interpolation<N>>(elements: &[Element<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
+        let at = |s: usize| {
+            let directors: Vec<_> = elements
+                .iter()
+                .map(|element| element.profile.stations[s].reference(&element.frame))
+                .collect();
+            std::array::from_fn(|i| {
+                std::array::from_fn(|axis| {
+                    Lanes(std::array::from_fn(|lane| directors[lane.min(directors.len() - 1)][i][axis]))
+                })
+            })
+        };
+        let mut reference: Vec<[[Lanes; 3]; 7]> = (0..law.stations.len()).map(at).collect();
+        if reference.iter().all(|other| *other == reference[0]) {
+            reference.truncate(1);
+        }
+        Self { count: elements.len(), law, reference }
+    }
+
+    /// Sets the directors at a station.
+    #[inline(always)]
+    fn deform<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: usize,
+        q: &Relative<S, A, B>,
+        section: &mut Section<S>,
+    ) {
+        let Station { mix, plan, .. } = &self.law.stations[station];
+        let reference = &self.reference[station.min(self.reference.len() - 1)];
+        section.deform(pass, reference, &mix.directors(pass, q, plan.reach), plan.reach);
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamBatch<N, A, B, C> {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn is_damped(&self) -> bool {
+        self.law.drag != 0.0 || self.law.retardation != 0.0
+    }
+
+    #[inline(always)]
+    fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        let law = &*self.law;
+        let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
+        let (mut force, mut section) = (Relative::zero(pass), Section::new(pass));
+        for (s, station) in law.stations.iter().enumerate() {
+            self.deform(pass, s, &q, &mut section);
+            station.resultants(pass, v.as_ref(), law.retardation, station.weight, &mut section);
+            station.plan.pulls(pass, &section.n, &section.now, &mut section.made);
+            station.mix.spread(pass, &section.made, &mut force, station.plan.reach);
+        }
+        let mut rows = law.inertia(pass, at);
+        force.add_to(&law.layout, &mut rows);
+        for a in 0..N {
+            for axis in 0..3 {
+                let row = &mut r[3 * a + axis];
+                pass.store(row, pass.load(row) + rows[a][axis]);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        let law = &*self.law;
+        let mut blocks = Blocks::<S, A, B>::zero(pass);
+        // Viscosity adds τ D to the stiffness by v; what else it has is left out, as `Station::stiffness` says.
+        let squares = w.q + w.v * law.retardation;
+        if w.q != 0.0 || squares != 0.0 {
+            let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
+            let mut section = Section::new(pass);
+            // The place of the triangle serves for H until it is written.
+            let (h, _) = k.as_chunks_mut();
+            for (s, station) in law.stations.iter().enumerate() {
+                let Station { weight, mix, plan, elasticity } = station;
+                self.deform(pass, s, &q, &mut section);
+                station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
+                plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
+                blocks.add(pass, mix, h, plan.reach);
+            }
+        }
+        blocks.write::<N>(pass, &law.layout, k);
+        let inertia = w.a + law.drag * w.v;
+        if inertia != 0.0 {
+            let inertia = pass.splat(inertia);
+            for (a, b, mass) in &law.mass {
+                for axis in 0..3 {
+                    let entry = &mut k[lower(3 * N, 3 * a + axis, 3 * b + axis)];
+                    pass.store(entry, mass.lane(pass).mul_add(inertia, pass.load(entry)));
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3] {
+        let law = &*self.law;
+        let q = Relative::of(pass, &law.layout, at.q);
+        let (mut strain, mut section, half) = (pass.zero(), Section::new(pass), pass.splat(0.5));
+        for (s, station) in law.stations.iter().enumerate() {
+            self.deform(pass, s, &q, &mut section);
+            station.resultants(pass, None, 0.0, station.weight, &mut section);
+            for k in 0..station.plan.resultants.len() {
+                strain = section.n[k].mul_add(section.strains[k], strain);
+            }
+        }
+        let (mut kinetic, mut potential) = (pass.zero(), pass.zero());
+        for (a, b, mass) in &law.mass {
+            let (x, y) = (pass.vector(&at.v[3 * a..3 * a + 3]), pass.vector(&at.v[3 * b..3 * b + 3]));
+            let share = if a == b { mass.lane(pass) * half } else { mass.lane(pass) };
+            kinetic = dot(x, y).mul_add(share, kinetic);
+        }
+        for (a, first) in law.first.iter().enumerate() {
+            let fall = dot(law.gravity(pass, -at.load), pass.vector(&at.q[3 * a..3 * a + 3]));
+            potential = fall.mul_add(first.lane(pass), potential);
+        }
+        [kinetic, strain * half, potential]
+    }
+
+    /// det J > 0 on the axis.
+    #[inline(always)]
+    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
+        let q = Relative::of(pass, &self.law.layout, at.q);
+        let mut section = Section::new(pass);
+        for s in 0..self.law.stations.len() {
+            self.deform(pass, s, &q, &mut section);
+            let [a, _, _, d, e, ..] = section.now;
+            let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
+            // Lanes of other passes stay right.
+            let mut det = Lanes([1.0; LANES]);
+            pass.store(&mut det, dot(a, cross));
+            right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
+        }
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
+    /// The velocities of the vectors, if there is anything that they strain.
+    #[inline(always)]
+    fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<Relative<S, A, B>> {
+        if self.law.retardation == 0.0 { None } else { Some(Relative::of(pass, &self.law.layout, at.v)) }
+    }
+}
+
+impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
+    /// Sets the stress resultants of strains and, if velocities are given, of their rates, times a factor.
+    #[inline(always)]
+    fn resultants<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        v: Option<&Relative<S, A, B>>,
+        retardation: f64,
+        factor: f64,
+        section: &mut Section<S>,
+    ) {
+        let Section { now, middle, increment, made: rates, strains, n } = section;
+        self.plan.strains(pass, [middle, increment], false, strains);
+        if let Some(v) = v {
+            *rates = self.mix.directors(pass, v, self.plan.reach);
+            rates.iter_mut().for_each(|rate| *rate = scaled(*rate, pass.splat(retardation)));
+            self.plan.strains(pass, [now, rates], true, strains);
+        }
+        self.plan.resultants(pass, &self.elasticity, strains, factor, n);
+    }
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
+    /// g times a factor.
+    #[inline(always)]
+    fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> Vector<S> {
+        let [x, y, z] = self.gravity;
+        [pass.splat(x * factor), pass.splat(y * factor), pass.splat(z * factor)]
+    }
+
+    /// M (a + α v) less gravity.
+    #[inline(always)]
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; N] {
+        let (mut moved, mut rows) = ([pass.zeros(); N], [pass.zeros(); N]);
+        let gravity = self.gravity(pass, -at.load);
+        for a in 0..N {
+            moved[a] = pass.vector(&at.a[3 * a..3 * a + 3]);
+            rows[a] = scaled(gravity, self.first[a].lane(pass));
+        }
+        if self.drag != 0.0 {
+            for a in 0..N {
+                moved[a] = plus(moved[a], pass.vector(&at.v[3 * a..3 * a + 3]), pass.splat(self.drag));
+            }
+        }
+        for &(a, b, mass) in &self.mass {
+            let mass: Lane<S> = mass.lane(pass);
+            rows[a] = plus(rows[a], moved[b], mass);
+            if a != b {
+                rows[b] = plus(rows[b], moved[a], mass);
+            }
+        }
+        rows
+    }
+}

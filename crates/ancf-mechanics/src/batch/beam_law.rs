@@ -1,0 +1,91 @@
+use std::sync::Arc;
+
+use super::lane::Number;
+use super::plan::Plan;
+use super::relative::{Layout, Mix};
+use crate::elements::{Law, Profile};
+use crate::kinematics::Interpolation;
+use crate::sections::Form;
+
+/// What the profiles of the elements of a batch say: numbers that they share, or one for each element.
+#[derive(Clone, Debug)]
+pub(crate) struct BeamLaw<const N: usize, const A: usize, const B: usize, C> {
+    pub layout: Layout<A, B>,
+    pub stations: Vec<Station<A, B, C>>,
+    /// M_ab, a ≥ b, where it is not zero.
+    pub mass: Vec<(usize, usize, C)>,
+    /// ∫ ρ S_a dV.
+    pub first: [C; N],
+    pub gravity: [f64; 3],
+    pub drag: f64,
+    pub retardation: f64,
+}
+
+/// A quadrature point.
+#[derive(Clone, Debug)]
+pub(crate) struct Station<const A: usize, const B: usize, C> {
+    pub weight: f64,
+    pub mix: Mix<A, B>,
+    pub plan: Arc<Plan>,
+    /// D_kl, as the plan counts them.
+    pub elasticity: Vec<C>,
+}
+
+impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
+    /// Of profiles that differ in numbers only; none if one of their laws is not quadratic.
+    pub fn new<S: Interpolation<N>>(profiles: &[&Profile<N>]) -> Option<Self> {
+        let (layout, first) = (Layout::new(&S::KINDS), profiles[0]);
+        let mut stations: Vec<Station<A, B, C>> = Vec::new();
+        for s in 0..first.stations.len() {
+            let forms = profiles.iter().map(|profile| match &profile.stations[s].law {
+                Law::Quadratic(law) => Some(law.form()),
+                Law::Hyperelastic(_) => None,
+            });
+            let forms: Vec<Form> = forms.collect::<Option<_>>()?;
+            let plan = Plan::new(&forms);
+            let known = stations.iter().map(|station| &station.plan).find(|known| ***known == plan);
+            let plan = known.map_or_else(|| Arc::new(plan.clone()), Arc::clone);
+            let entries = numbers(forms.iter().map(|form| plan.coefficients(form).collect()).collect());
+            let mix = mix(profiles, s, &layout);
+            stations.push(Station { weight: first.stations[s].weight, mix, plan, elasticity: entries });
+        }
+        let lower = (0..N).flat_map(|a| (0..=a).map(move |b| (a, b)));
+        let of = |a: usize, b: usize| profiles.iter().map(move |profile| profile.mass[a][b]);
+        let mass = lower.filter(|&(a, b)| of(a, b).any(|m| m != 0.0));
+        let mass = mass.map(|(a, b)| (a, b, C::of(&of(a, b).collect::<Vec<_>>())));
+        let moment = |a: usize| C::of(&profiles.iter().map(|profile| profile.first[a]).collect::<Vec<_>>());
+        Some(Self {
+            layout,
+            stations,
+            mass: mass.collect(),
+            first: std::array::from_fn(moment),
+            gravity: first.gravity.into(),
+            drag: first.drag,
+            retardation: first.retardation,
+        })
+    }
+}
+
+/// Numbers from those of each element.
+fn numbers<C: Number>(elements: Vec<Vec<f64>>) -> Vec<C> {
+    let of = |k: usize| C::of(&elements.iter().map(|numbers| numbers[k]).collect::<Vec<_>>());
+    (0..elements[0].len()).map(of).collect()
+}
+
+/// Weights of an element's vectors at a station, read from whichever profile has them.
+fn mix<const N: usize, const A: usize, const B: usize>(
+    profiles: &[&Profile<N>],
+    station: usize,
+    layout: &Layout<A, B>,
+) -> Mix<A, B> {
+    let weight = |vector: usize, director: usize| {
+        let of = |profile: &&Profile<N>| {
+            let parts = profile.stations[station].parts[vector].as_slice();
+            parts.iter().find(|(other, _)| *other == director).map(|(_, weight)| *weight)
+        };
+        profiles.iter().find_map(of).unwrap_or(0.0)
+    };
+    let mut section = layout.y.map(|y| [weight(y, 3), weight(y, 1)]);
+    section[0] = [section.iter().map(|[d, _]| d).sum(), 0.0];
+    Mix { axis: layout.axis.map(|(i, _)| [0, 5, 6].map(|director| weight(i, director))), section }
+}

@@ -1,0 +1,300 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
+use pulp::Simd;
+
+use super::batched::Batched;
+use super::bend::Bend;
+use super::kernel::{Kernel, KernelBatch};
+use super::lane::{Lane, Number, Pass, Vector, added, dot, less, plus, scaled};
+use super::relative::Layout;
+use super::stiffness::{add, times, transposed};
+use super::triangle::{Blocks, lower};
+use crate::elements::{CRUSHED, Cable12, CableDamping, CableProfile, CableStation};
+
+/// Cable elements of one profile side by side.
+#[derive(Debug)]
+struct CableBatch {
+    count: usize,
+    profile: Arc<CableProfile>,
+    /// The reference direction of each.
+    direction: [Lanes; 3],
+}
+
+impl Batched for Cable12 {
+    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
+        let of = |(chunk, elements): (usize, &[Self])| {
+            let profile = &elements[0].profile;
+            let shared = elements.iter().all(|element| Arc::ptr_eq(&element.profile, profile));
+            let component = |axis: usize| -> Vec<f64> {
+                elements.iter().map(|element| element.direction[axis]).collect()
+            };
+            let direction = std::array::from_fn(|axis| Lanes::of(&component(axis)));
+            let batch = CableBatch { count: elements.len(), profile: Arc::clone(profile), direction };
+            shared.then(|| (chunk * LANES, Box::new(KernelBatch(batch)) as Box<dyn Batch>))
+        };
+        elements.chunks(LANES).enumerate().filter_map(of).collect()
+    }
+}
+
+/// Vectors ℓ r_x₁, r₂ − r₁ and ℓ r_x₂ of a pass.
+type Line<S> = [Vector<S>; 3];
+
+/// The vectors of a [`Line`] among those of the element.
+const LINE: Layout<3, 0> = Layout { axis: [(1, false), (2, true), (3, false)], y: [], z: [] };
+
+#[inline(always)]
+fn line<S: Simd>(pass: Pass<S>, x: &[Lanes]) -> Line<S> {
+    let of = |i: usize| pass.vector(&x[3 * i..3 * i + 3]);
+    [of(1), less(of(2), of(0)), of(3)]
+}
+
+/// Σ w x.
+#[inline(always)]
+fn mixed<S: Simd>(pass: Pass<S>, x: &Line<S>, weights: &[f64; 4]) -> Vector<S> {
+    let sum = plus(scaled(x[1], pass.splat(weights[2])), x[0], pass.splat(weights[1]));
+    plus(sum, x[2], pass.splat(weights[3]))
+}
+
+/// Adds a force on Σ w x to those on x.
+#[inline(always)]
+fn spread<S: Simd>(pass: Pass<S>, f: Vector<S>, weights: &[f64; 4], force: &mut Line<S>) {
+    for i in 0..3 {
+        force[i] = plus(force[i], f, pass.splat(weights[i + 1]));
+    }
+}
+
+/// Stretch as in [`Stretch`](crate::kinematics::Stretch).
+struct Stretch<S: Simd> {
+    strain: Lane<S>,
+    /// 1/|a|.
+    shortness: Lane<S>,
+    tangent: Vector<S>,
+}
+
+impl CableBatch {
+    #[inline(always)]
+    fn stretch<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> Stretch<S> {
+        let (a0, u, one) = (pass.vector(&self.direction), mixed(pass, q, &station.first), pass.splat(1.0));
+        let a = added(a0, u);
+        let length = dot(a, a).sqrt();
+        let shortness = one.over(length);
+        Stretch { strain: dot(added(a0, a), u).over(length + one), shortness, tangent: scaled(a, shortness) }
+    }
+
+    #[inline(always)]
+    fn bend<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> Bend<S> {
+        let a = added(pass.vector(&self.direction), mixed(pass, q, &station.first));
+        Bend::new(pass, a, mixed(pass, q, &station.second))
+    }
+
+    /// ε + τ ε̇.
+    #[inline(always)]
+    fn retarded_strain<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &CableStation,
+        stretch: &Stretch<S>,
+        v: &Line<S>,
+    ) -> Lane<S> {
+        let tau = self.profile.damping().retardation;
+        if tau == 0.0 {
+            return stretch.strain;
+        }
+        dot(stretch.tangent, mixed(pass, v, &station.first)).mul_add(pass.splat(tau), stretch.strain)
+    }
+
+    /// β°.
+    #[inline(always)]
+    fn rate<S: Simd>(&self, pass: Pass<S>, station: &CableStation, bend: &Bend<S>, v: &Line<S>) -> Vector<S> {
+        bend.rate(pass, mixed(pass, v, &station.first), mixed(pass, v, &station.second))
+    }
+
+    /// M (a + α v) less gravity.
+    #[inline(always)]
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; 4] {
+        let (profile, drag) = (&*self.profile, self.profile.damping().mass);
+        let (mut moved, mut rows) = ([pass.zeros(); 4], [pass.zeros(); 4]);
+        for i in 0..4 {
+            moved[i] = pass.vector(&at.a[3 * i..3 * i + 3]);
+            if drag != 0.0 {
+                moved[i] = plus(moved[i], pass.vector(&at.v[3 * i..3 * i + 3]), pass.splat(drag));
+            }
+        }
+        for i in 0..4 {
+            for axis in 0..3 {
+                rows[i][axis] = pass.splat(-profile.gravity()[axis] * at.load * profile.first_moments()[i]);
+            }
+            for j in 0..4 {
+                rows[i] = plus(rows[i], moved[j], pass.splat(profile.mass()[i][j]));
+            }
+        }
+        rows
+    }
+}
+
+impl Kernel for CableBatch {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn is_damped(&self) -> bool {
+        self.profile.damping() != CableDamping::default()
+    }
+
+    #[inline(always)]
+    fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
+        let (section, tau) = (profile.section(), profile.damping().retardation);
+        let mut force = [pass.zeros(); 3];
+        for station in profile.axial() {
+            let stretch = self.stretch(pass, station, &q);
+            let n = self.retarded_strain(pass, station, &stretch, &v);
+            let n = n * pass.splat(station.weight * section.axial);
+            spread(pass, scaled(stretch.tangent, n), &station.first, &mut force);
+        }
+        for station in profile.bending() {
+            let bend = self.bend(pass, station, &q);
+            let mut m = bend.strain();
+            if tau != 0.0 {
+                m = plus(m, self.rate(pass, station, &bend, &v), pass.splat(tau));
+            }
+            let [of_a, of_b] = bend.force(scaled(m, pass.splat(station.weight * section.bending)));
+            spread(pass, of_a, &station.first, &mut force);
+            spread(pass, of_b, &station.second, &mut force);
+        }
+        let mut rows = self.inertia(pass, at);
+        rows[0] = less(rows[0], force[1]);
+        for i in 0..3 {
+            rows[i + 1] = added(rows[i + 1], force[i]);
+        }
+        for i in 0..4 {
+            for axis in 0..3 {
+                let row = &mut r[3 * i + axis];
+                pass.store(row, pass.load(row) + rows[i][axis]);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
+        let mut blocks = Blocks::<S, 3, 0>::zero(pass);
+        if w.q != 0.0 || w.v * profile.damping().retardation != 0.0 {
+            for station in profile.axial() {
+                self.add_axial(pass, station, [&q, &v], w, &mut blocks);
+            }
+            for station in profile.bending() {
+                self.add_bending(pass, station, [&q, &v], w, &mut blocks);
+            }
+        }
+        blocks.write::<4>(pass, &LINE, k);
+        let inertia = w.a + w.v * profile.damping().mass;
+        for i in 0..4 {
+            for j in 0..=i {
+                let mass = pass.splat(inertia * profile.mass()[i][j]);
+                for axis in 0..3 {
+                    let entry = &mut k[lower(12, 3 * i + axis, 3 * j + axis)];
+                    pass.store(entry, pass.load(entry) + mass);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3] {
+        let (profile, q) = (&*self.profile, line(pass, at.q));
+        let [mut kinetic, mut strain, mut potential] = [pass.zero(); 3];
+        for station in profile.axial() {
+            let e = self.stretch(pass, station, &q).strain;
+            strain = (e * e).mul_add(pass.splat(0.5 * station.weight * profile.section().axial), strain);
+        }
+        for station in profile.bending() {
+            let e = self.bend(pass, station, &q).strain();
+            strain = dot(e, e).mul_add(pass.splat(0.5 * station.weight * profile.section().bending), strain);
+        }
+        let gravity = profile.gravity() * -at.load;
+        let gravity = [pass.splat(gravity[0]), pass.splat(gravity[1]), pass.splat(gravity[2])];
+        for i in 0..4 {
+            let (q, v) = (pass.vector(&at.q[3 * i..3 * i + 3]), pass.vector(&at.v[3 * i..3 * i + 3]));
+            potential = dot(gravity, q).mul_add(pass.splat(profile.first_moments()[i]), potential);
+            for j in 0..4 {
+                let other = pass.vector(&at.v[3 * j..3 * j + 3]);
+                kinetic = dot(v, other).mul_add(pass.splat(0.5 * profile.mass()[i][j]), kinetic);
+            }
+        }
+        [kinetic, strain, potential]
+    }
+
+    #[inline(always)]
+    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
+        let q = line(pass, at.q);
+        for station in self.profile.axial().iter().chain(self.profile.bending()) {
+            let a = added(pass.vector(&self.direction), mixed(pass, &q, &station.first));
+            let mut length = Lanes([1.0; LANES]);
+            pass.store(&mut length, dot(a, a).sqrt());
+            right.iter_mut().zip(length.0).for_each(|(right, length)| *right &= length > CRUSHED);
+        }
+    }
+}
+
+impl CableBatch {
+    /// Adds (c − n/|a|) t tᵀ + n/|a| I for the stiffness c and the force n.
+    #[inline(always)]
+    fn add_axial<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &CableStation,
+        [q, v]: [&Line<S>; 2],
+        w: Weights,
+        blocks: &mut Blocks<S, 3, 0>,
+    ) {
+        let (rigidity, tau) =
+            (self.profile.section().axial * station.weight, self.profile.damping().retardation);
+        let stretch = self.stretch(pass, station, q);
+        let n = self.retarded_strain(pass, station, &stretch, v) * pass.splat(rigidity * w.q);
+        let n = n * stretch.shortness;
+        let c = pass.splat(rigidity * (w.q + w.v * tau)) - n;
+        let t = stretch.tangent;
+        let x = scaled(t, c);
+        let (xy, xz, yz) = (x[0] * t[1], x[0] * t[2], x[1] * t[2]);
+        let diagonal = [x[0].mul_add(t[0], n), x[1].mul_add(t[1], n), x[2].mul_add(t[2], n)];
+        let h = [diagonal[0], xy, xz, xy, diagonal[1], yz, xz, yz, diagonal[2]];
+        for i in 0..3 {
+            for j in 0..=i {
+                let weight = station.first[i + 1] * station.first[j + 1];
+                add(&mut blocks.axis[i][j], &h, pass.splat(weight));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn add_bending<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &CableStation,
+        [q, v]: [&Line<S>; 2],
+        w: Weights,
+        blocks: &mut Blocks<S, 3, 0>,
+    ) {
+        let rigidity = self.profile.section().bending * station.weight;
+        let (tau, bend) = (self.profile.damping().retardation, self.bend(pass, station, q));
+        let mut h = bend.hessian(pass, rigidity * w.q);
+        if tau != 0.0 {
+            let rate = self.rate(pass, station, &bend, v);
+            bend.add_stress_stiffness(pass, scaled(rate, pass.splat(tau * rigidity * w.q)), &mut h);
+            bend.add_damping(pass, tau * rigidity * w.v, &mut h);
+        }
+        let (s, c, ab) = (&station.first, &station.second, transposed(&h.ba));
+        for j in 0..3 {
+            let (s_j, c_j) = (pass.splat(s[j + 1]), pass.splat(c[j + 1]));
+            let (mut of_a, mut of_b) = (times(&h.aa, s_j), times(&h.ba, s_j));
+            add(&mut of_a, &ab, c_j);
+            add(&mut of_b, &h.bb, c_j);
+            for i in j..3 {
+                add(&mut blocks.axis[i][j], &of_a, pass.splat(s[i + 1]));
+                add(&mut blocks.axis[i][j], &of_b, pass.splat(c[i + 1]));
+            }
+        }
+    }
+}

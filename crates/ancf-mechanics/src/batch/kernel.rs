@@ -1,0 +1,123 @@
+use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+use pulp::Simd;
+
+use super::lane::{Job, Lane, Pass, run, total};
+
+/// What elements side by side compute in one pass: any such are a [`Batch`]. Of `at`, `r` and `k`, see there.
+pub(crate) trait Kernel: Send + Sync {
+    fn count(&self) -> usize;
+
+    /// Whether anything depends on velocities.
+    fn is_damped(&self) -> bool;
+
+    fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]);
+
+    fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
+
+    /// Kinetic, of strain, potential.
+    fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3];
+
+    /// Tells of lanes that cannot be in this state; those of other passes stay right.
+    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]);
+}
+
+/// A kernel as a [`Batch`].
+pub(crate) struct KernelBatch<K>(pub(crate) K);
+
+impl<K: Kernel> Batch for KernelBatch<K> {
+    fn count(&self) -> usize {
+        self.0.count()
+    }
+
+    fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        run(self.0.count(), Residual { kernel: &self.0, at, r });
+    }
+
+    fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
+        run(self.0.count(), Tangent { kernel: &self.0, at, w, k });
+    }
+
+    fn energy(&self, at: &LocalLanes<'_>) -> Energy {
+        let (count, mut parts) = (self.0.count(), [Lanes::default(); 3]);
+        run(count, Energies { kernel: &self.0, at, parts: &mut parts });
+        let [kinetic, strain, potential] = parts.map(|part| total(&part, count));
+        Energy { kinetic, strain, potential }
+    }
+
+    fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
+        let (count, mut right) = (self.0.count(), [true; LANES]);
+        run(count, Admissible { kernel: &self.0, at, right: &mut right });
+        right[..count].iter().position(|right| !right)
+    }
+
+    fn power(&self, at: &LocalLanes<'_>) -> Power {
+        let dissipation = if self.0.is_damped() { dissipated(self, at) } else { 0.0 };
+        Power { work: 0.0, dissipation }
+    }
+}
+
+/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
+    let zeros = [Lanes::default(); 32];
+    let (mut moving, mut still) = (zeros, zeros);
+    let (n, a) = (at.q.len(), &zeros[..at.q.len()]);
+    batch.residual(&LocalLanes { a, load: 0.0, ..*at }, &mut moving[..n]);
+    batch.residual(&LocalLanes { a, v: a, load: 0.0, ..*at }, &mut still[..n]);
+    let of =
+        |lane: usize| (0..n).map(|i| at.v[i].0[lane] * (moving[i].0[lane] - still[i].0[lane])).sum::<f64>();
+    (0..batch.count()).map(of).sum()
+}
+
+struct Residual<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    r: &'a mut [Lanes],
+}
+
+impl<K: Kernel> Job for Residual<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.add_residual(pass, self.at, self.r);
+    }
+}
+
+struct Tangent<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    w: Weights,
+    k: &'a mut [Lanes],
+}
+
+impl<K: Kernel> Job for Tangent<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.set_tangent(pass, self.at, self.w, self.k);
+    }
+}
+
+struct Energies<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    parts: &'a mut [Lanes; 3],
+}
+
+impl<K: Kernel> Job for Energies<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        let energies = self.kernel.energies(pass, self.at);
+        self.parts.iter_mut().zip(energies).for_each(|(part, energy)| pass.store(part, energy));
+    }
+}
+
+struct Admissible<'a, K> {
+    kernel: &'a K,
+    at: &'a LocalLanes<'a>,
+    right: &'a mut [bool; LANES],
+}
+
+impl<K: Kernel> Job for Admissible<'_, K> {
+    #[inline(always)]
+    fn run<S: Simd>(&mut self, pass: Pass<S>) {
+        self.kernel.admit(pass, self.at, self.right);
+    }
+}

@@ -1,0 +1,16 @@
+//! Elements evaluated side by side in the lanes of vector registers ([`Batch`](ancf_solver::equations::Batch)).
+
+mod batched;
+mod beam;
+mod beam_law;
+mod bend;
+mod cable;
+mod kernel;
+mod lane;
+mod plan;
+mod relative;
+mod stiffness;
+mod strain;
+mod triangle;
+
+pub(crate) use batched::Batched;

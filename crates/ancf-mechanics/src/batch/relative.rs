@@ -1,0 +1,174 @@
+use ancf_solver::equations::Lanes;
+use pulp::Simd;
+
+use super::lane::{Lane, Pass, Vector, added, less, plus, scaled};
+use crate::kinematics::Kind;
+use crate::sections::STRAINS;
+
+/// Which of an element's vectors belong to its axis, and which to its sections.
+///
+/// What its strains depend on are the differences of its vectors from the first of their kind, and these first ones of kind
+/// Y and Z: A vectors of the axis, B of each kind of the sections. The first position is left out.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout<const A: usize, const B: usize> {
+    /// The vectors of the axis but the first, each with whether it is a position.
+    pub axis: [(usize, bool); A],
+    pub y: [usize; B],
+    pub z: [usize; B],
+}
+
+impl<const A: usize, const B: usize> Layout<A, B> {
+    /// Of vectors of the given kinds, of which the first is a position.
+    pub fn new(kinds: &[Kind]) -> Self {
+        let of = |wanted: &[Kind]| -> Vec<usize> {
+            (0..kinds.len()).filter(|&i| wanted.contains(&kinds[i])).collect()
+        };
+        let (axis, y, z) = (of(&[Kind::Position, Kind::Slope]), of(&[Kind::Y]), of(&[Kind::Z]));
+        Self {
+            axis: std::array::from_fn(|i| (axis[i + 1], kinds[axis[i + 1]] == Kind::Position)),
+            y: std::array::from_fn(|i| y[i]),
+            z: std::array::from_fn(|i| z[i]),
+        }
+    }
+}
+
+/// Vectors, less the first of their kind, and the first ones of kind Y and Z; or what belongs to each of them.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Relative<S: Simd, const A: usize, const B: usize> {
+    pub axis: [Vector<S>; A],
+    pub y: [Vector<S>; B],
+    pub z: [Vector<S>; B],
+}
+
+#[inline(always)]
+fn vector<S: Simd>(pass: Pass<S>, x: &[Lanes], number: usize) -> Vector<S> {
+    pass.vector(&x[3 * number..3 * number + 3])
+}
+
+#[inline(always)]
+fn differences<S: Simd, const B: usize>(pass: Pass<S>, x: &[Lanes], numbers: &[usize; B]) -> [Vector<S>; B] {
+    let first = vector(pass, x, numbers[0]);
+    let mut differences = [first; B];
+    for i in 1..B {
+        differences[i] = less(vector(pass, x, numbers[i]), first);
+    }
+    differences
+}
+
+impl<S: Simd, const A: usize, const B: usize> Relative<S, A, B> {
+    #[inline(always)]
+    pub fn zero(pass: Pass<S>) -> Self {
+        Self { axis: [pass.zeros(); A], y: [pass.zeros(); B], z: [pass.zeros(); B] }
+    }
+
+    #[inline(always)]
+    pub fn of(pass: Pass<S>, layout: &Layout<A, B>, x: &[Lanes]) -> Self {
+        let (first, mut axis) = (vector(pass, x, 0), [pass.zeros(); A]);
+        for i in 0..A {
+            let (number, position) = layout.axis[i];
+            axis[i] = vector(pass, x, number);
+            if position {
+                axis[i] = less(axis[i], first);
+            }
+        }
+        Self { axis, y: differences(pass, x, &layout.y), z: differences(pass, x, &layout.z) }
+    }
+
+    /// Adds forces that do work on these to those on the vectors.
+    #[inline(always)]
+    pub fn add_to<const N: usize>(&self, layout: &Layout<A, B>, force: &mut [Vector<S>; N]) {
+        for i in 0..A {
+            let (number, position) = layout.axis[i];
+            force[number] = added(force[number], self.axis[i]);
+            if position {
+                force[0] = less(force[0], self.axis[i]);
+            }
+        }
+        for (numbers, share) in [(&layout.y, &self.y), (&layout.z, &self.z)] {
+            let first = numbers[0];
+            force[first] = added(force[first], share[0]);
+            for i in 1..B {
+                force[numbers[i]] = added(force[numbers[i]], share[i]);
+                force[first] = less(force[first], share[i]);
+            }
+        }
+    }
+}
+
+/// Weights of the vectors ([`Relative`]) in the directors at a station.
+#[derive(Clone, Debug)]
+pub(crate) struct Mix<const A: usize, const B: usize> {
+    /// In a, h and k.
+    pub axis: [[f64; 3]; A],
+    /// In d and b, or in e and c; the first one has no part in b and c.
+    pub section: [[f64; 2]; B],
+}
+
+/// Directors of a pass, padded to a power of two.
+pub(crate) type Directors<S> = [Vector<S>; 8];
+
+impl<const A: usize, const B: usize> Mix<A, B> {
+    /// The directors that vectors make; h and k if they are wanted.
+    #[inline(always)]
+    pub fn directors<S: Simd>(&self, pass: Pass<S>, x: &Relative<S, A, B>, reach: usize) -> Directors<S> {
+        let mut u = [pass.zeros(); 8];
+        for i in 0..A {
+            u[0] = plus(u[0], x.axis[i], pass.splat(self.axis[i][0]));
+        }
+        [u[3], u[1]] = self.of_section(pass, &x.y);
+        [u[4], u[2]] = self.of_section(pass, &x.z);
+        if reach > 5 {
+            for i in 0..A {
+                u[5] = plus(u[5], x.axis[i], pass.splat(self.axis[i][1]));
+                u[6] = plus(u[6], x.axis[i], pass.splat(self.axis[i][2]));
+            }
+        }
+        u
+    }
+
+    /// d and b of the vectors of kind Y, or e and c of those of kind Z.
+    #[inline(always)]
+    fn of_section<S: Simd>(&self, pass: Pass<S>, x: &[Vector<S>; B]) -> [Vector<S>; 2] {
+        let (mut value, mut slope) = (scaled(x[0], pass.splat(self.section[0][0])), pass.zeros());
+        for i in 1..B {
+            value = plus(value, x[i], pass.splat(self.section[i][0]));
+            slope = plus(slope, x[i], pass.splat(self.section[i][1]));
+        }
+        [value, slope]
+    }
+
+    #[inline(always)]
+    fn to_section<S: Simd>(&self, pass: Pass<S>, [value, slope]: [Vector<S>; 2], force: &mut [Vector<S>; B]) {
+        force[0] = plus(force[0], value, pass.splat(self.section[0][0]));
+        for i in 1..B {
+            let sum = plus(force[i], value, pass.splat(self.section[i][0]));
+            force[i] = plus(sum, slope, pass.splat(self.section[i][1]));
+        }
+    }
+
+    /// Adds forces of the directors to those of the vectors.
+    #[inline(always)]
+    pub fn spread<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        p: &Directors<S>,
+        force: &mut Relative<S, A, B>,
+        reach: usize,
+    ) {
+        for i in 0..A {
+            force.axis[i] = plus(force.axis[i], p[0], pass.splat(self.axis[i][0]));
+        }
+        self.to_section(pass, [p[3], p[1]], &mut force.y);
+        self.to_section(pass, [p[4], p[2]], &mut force.z);
+        if reach > 5 {
+            for i in 0..A {
+                force.axis[i] = plus(force.axis[i], p[5], pass.splat(self.axis[i][1]));
+                force.axis[i] = plus(force.axis[i], p[6], pass.splat(self.axis[i][2]));
+            }
+        }
+    }
+}
+
+/// A number of each strain of a pass that a law has.
+pub(crate) type Strains<S> = [Lane<S>; STRAINS];

@@ -1,0 +1,402 @@
+use std::fmt;
+use std::sync::Arc;
+
+use ancf_solver::equations::{Batch, State, Term};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::batch::Batched;
+use crate::elements::{
+    Beam24, Beam27, Cable12, CableDamping, CableProfile, CableRule, CableSection, Formulation, Medium,
+    Profile, StrainEnergy,
+};
+use crate::kinematics::{
+    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, Node, QuadraticShape, clean,
+};
+use crate::sections::{CrossSection, Lame};
+
+/// The elements of a body, all of one kind.
+#[derive(Clone, Debug)]
+pub(crate) enum Elements {
+    Two(Vec<Beam24>),
+    Three(Vec<Beam27>),
+    Cable(Vec<Cable12>),
+}
+
+/// How stress follows strain at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Elasticity {
+    /// In three dimensions.
+    Continuum,
+    NeoHookean,
+    /// As in [`SectionLaw::enhanced`](crate::sections::SectionLaw::enhanced), by linked strains or not.
+    Rod {
+        linked: bool,
+    },
+    /// Along the axis only.
+    Line,
+}
+
+/// The nodes and elements of a beam.
+///
+/// The coordinates of its vectors follow each other from `first` on: (r, ℓ r_x, ℓ r_y, ℓ r_z) for each node of a two-node
+/// beam element, (r, ℓ r_y, ℓ r_z) for each of a three-node one, (r, ℓ r_x) for each of a cable.
+#[derive(Clone, Debug)]
+pub struct BeamMesh {
+    pub(crate) first: usize,
+    /// Length l of each element.
+    pub(crate) length: f64,
+    pub(crate) slope: f64,
+    pub(crate) elements: Elements,
+    /// The point from which reference positions count.
+    pub(crate) origin: Vector3<f64>,
+    /// Reference values of the vectors.
+    pub(crate) reference: Vec<Vector3<f64>>,
+    pub(crate) lame: Lame,
+    pub(crate) elasticity: Elasticity,
+}
+
+/// A vector among the coordinates of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalVector {
+    /// The first of its three coordinates.
+    pub first: usize,
+    /// What it is.
+    pub kind: Kind,
+    /// Its value in a state.
+    pub value: Vector3<f64>,
+}
+
+/// What all elements of a mesh have in common.
+pub struct Blueprint<'a> {
+    /// First coordinate.
+    pub first: usize,
+    /// The point from which the positions of the nodes count.
+    pub origin: Vector3<f64>,
+    /// Length of one element.
+    pub length: f64,
+    /// Slope length ℓ.
+    pub slope: f64,
+    /// Material, damping and gravity.
+    pub medium: &'a Medium,
+    /// The section at an arc length.
+    pub section: &'a dyn Fn(f64) -> CrossSection,
+    /// Whether the section is the same everywhere.
+    pub prismatic: bool,
+}
+
+impl fmt::Debug for Blueprint<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Blueprint")
+            .field("first", &self.first)
+            .field("length", &self.length)
+            .finish_non_exhaustive()
+    }
+}
+
+impl NodalVector {
+    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    pub fn is_position(&self) -> bool {
+        self.kind == Kind::Position
+    }
+}
+
+impl BeamMesh {
+    /// Two-node elements between consecutive nodes.
+    pub fn two_node(blueprint: &Blueprint<'_>, nodes: &[Node], formulation: Formulation) -> Self {
+        let Blueprint { first, origin, length, slope, .. } = *blueprint;
+        let shape = BeamShape { length, slope };
+        let reference = nodes
+            .iter()
+            .flat_map(|Node { position, frame: [x, y, z] }| [*position, x * slope, y * slope, z * slope]);
+        let reference: Vec<_> = reference.collect();
+        let elements = elements(blueprint, nodes, 1, &reference, 4, |local, section| {
+            Profile::two_node(shape, local, section, blueprint.medium, formulation)
+        });
+        let elements = elements.into_iter().enumerate().map(|(k, (frame, profile))| {
+            let first = first + 12 * k;
+            Beam24::new(first..first + 24, frame, profile)
+        });
+        let lame = blueprint.medium.lame;
+        let elasticity = match formulation {
+            Formulation::Continuum if blueprint.medium.neo_hookean => Elasticity::NeoHookean,
+            Formulation::Continuum => Elasticity::Continuum,
+            Formulation::Enhanced => Elasticity::Rod { linked: false },
+            Formulation::Linked => Elasticity::Rod { linked: true },
+        };
+        let elements = Elements::Two(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity }
+    }
+
+    /// Three-node elements on nodes 0 1 2, 2 3 4, and so on.
+    pub fn three_node(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
+        let Blueprint { first, origin, length, slope, .. } = *blueprint;
+        let shape = QuadraticShape { length, slope };
+        let reference =
+            nodes.iter().flat_map(|Node { position, frame: [_, y, z] }| [*position, y * slope, z * slope]);
+        let reference: Vec<_> = reference.collect();
+        let elements = elements(blueprint, nodes, 2, &reference, 3, |local, section| {
+            Profile::three_node(shape, local, section, blueprint.medium)
+        });
+        let elements = elements.into_iter().enumerate().map(|(k, (frame, profile))| {
+            let first = first + 18 * k;
+            Beam27::new(first..first + 27, frame, profile)
+        });
+        let (lame, elasticity) = (blueprint.medium.lame, Elasticity::Rod { linked: false });
+        let elements = Elements::Three(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity }
+    }
+
+    /// Cable elements between consecutive nodes of a straight line, by [`CableRule::Lobatto`].
+    pub fn cable(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
+        let Blueprint { first, origin, length, slope, medium, section, .. } = *blueprint;
+        let Medium { lame, density, retardation, drag, gravity, .. } = *medium;
+        let (young, moments) = (lame.young(), section(0.0).moments);
+        let section = CableSection {
+            axial: young * moments.area,
+            bending: young * moments.yy,
+            line_density: density * moments.area,
+        };
+        let profile = CableProfile::new(BeamShape { length, slope }, section, gravity)
+            .damped(CableDamping { retardation, mass: drag })
+            .integrated(CableRule::Lobatto);
+        let profile = Arc::new(profile);
+        let reference =
+            nodes.iter().flat_map(|Node { position, frame }| [*position, frame[0] * slope]).collect();
+        let elements = nodes[1..].iter().enumerate().map(|(k, node)| {
+            let first = first + 6 * k;
+            Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
+        });
+        let elements = Elements::Cable(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity: Elasticity::Line }
+    }
+
+    /// Whether it has cross-sections, with directions r_y and r_z: all but a cable.
+    pub const fn has_sections(&self) -> bool {
+        !matches!(self.elements, Elements::Cable(_))
+    }
+
+    /// Number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        3 * self.reference.len()
+    }
+
+    /// Number of elements.
+    pub fn count(&self) -> usize {
+        match &self.elements {
+            Elements::Two(elements) => elements.len(),
+            Elements::Three(elements) => elements.len(),
+            Elements::Cable(elements) => elements.len(),
+        }
+    }
+
+    /// Length of the axis.
+    pub fn length(&self) -> f64 {
+        self.length * self.count() as f64
+    }
+
+    /// The elements as terms.
+    pub fn terms(&self) -> Vec<Box<dyn Term>> {
+        fn boxed<T: Term + Clone + 'static>(elements: &[T]) -> Vec<Box<dyn Term>> {
+            elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
+        }
+        match &self.elements {
+            Elements::Two(elements) => boxed(elements),
+            Elements::Three(elements) => boxed(elements),
+            Elements::Cable(elements) => boxed(elements),
+        }
+    }
+
+    /// Batches of its terms, each with the number of its first one.
+    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
+        match &self.elements {
+            Elements::Two(elements) => Batched::batches(elements),
+            Elements::Three(elements) => Batched::batches(elements),
+            Elements::Cable(elements) => Batched::batches(elements),
+        }
+    }
+
+    /// Strain energy of all elements by part.
+    pub fn strain_energy(&self, state: &State) -> StrainEnergy {
+        let mut sum = StrainEnergy::default();
+        let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
+        for element in 0..self.count() {
+            let first = self.first + element * stride;
+            let q = &state.q[first..first + size];
+            sum += match &self.elements {
+                Elements::Two(elements) => elements[element].parts(q),
+                Elements::Three(elements) => elements[element].parts(q),
+                Elements::Cable(elements) => {
+                    let [axial, bending] = elements[element].parts(q);
+                    StrainEnergy { axial, bending, ..StrainEnergy::default() }
+                }
+            };
+        }
+        sum
+    }
+
+    pub(crate) fn term(&self, element: usize) -> &dyn Term {
+        match &self.elements {
+            Elements::Two(elements) => &elements[element],
+            Elements::Three(elements) => &elements[element],
+            Elements::Cable(elements) => &elements[element],
+        }
+    }
+
+    /// Kinds of the vectors of a node.
+    pub(crate) fn node_kinds(&self) -> &'static [Kind] {
+        match self.elements {
+            Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
+            Elements::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
+            Elements::Cable(_) => &[Kind::Position, Kind::Slope],
+        }
+    }
+
+    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
+        let kinds = self.node_kinds();
+        self.reference.iter().enumerate().map(move |(i, &reference)| {
+            let (first, kind) = (self.first + 3 * i, kinds[i % kinds.len()]);
+            let reference = if kind == Kind::Position { reference + self.origin } else { reference };
+            NodalVector { first, kind, value: reference + Vector3::from_column_slice(&s.q[first..first + 3]) }
+        })
+    }
+
+    /// The node and the vector that a coordinate belongs to, if it is one of this mesh.
+    pub fn place_of(&self, coordinate: usize) -> Option<(usize, Kind)> {
+        let (vector, kinds) = (coordinate.checked_sub(self.first)? / 3, self.node_kinds());
+        (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
+    }
+
+    /// The directors r_x, r_y and r_z at an arc length in the reference state.
+    pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
+        self.axes(s).map(|axis| axis.reference())
+    }
+
+    /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the directors that each enters.
+    pub(crate) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
+        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
+            let (values, directors) = (shape.values(xi), shape.directors(xi));
+            (0..N).map(|i| (S::KINDS[i], values[i], directors[i])).collect()
+        }
+        let (length, slope) = (self.length, self.slope);
+        match self.elements {
+            Elements::Two(_) => of(&BeamShape { length, slope }, xi),
+            Elements::Three(_) => of(&QuadraticShape { length, slope }, xi),
+            Elements::Cable(_) => {
+                let line = of(&BeamShape { length, slope }, xi).into_iter();
+                line.filter(|(kind, ..)| matches!(kind, Kind::Position | Kind::Slope)).collect()
+            }
+        }
+    }
+
+    /// The point of the axis at an arc length.
+    pub fn point(&self, s: f64) -> Marker {
+        self.material_point(s, 0.0, 0.0)
+    }
+
+    /// The point of the body at an arc length and (y, z) in its section.
+    pub fn material_point(&self, s: f64, y: f64, z: f64) -> Marker {
+        self.marker(s, |kind, value, _| match kind {
+            Kind::Position | Kind::Slope => value,
+            Kind::Y => y * value,
+            Kind::Z => z * value,
+        })
+    }
+
+    /// What joints, loads and probes hold on to at an arc length.
+    pub fn attachment(&self, s: f64) -> Attachment {
+        let [x, y, z] = self.axes(s);
+        let directions =
+            if self.has_sections() { Directions::Section([x, y, z]) } else { Directions::Line(x) };
+        Attachment { point: self.point(s), directions }
+    }
+
+    /// The direction of the body at an arc length that is `direction` in the reference state ([`Attachment::direction`]).
+    pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
+        self.attachment(s).direction(direction)
+    }
+
+    /// The directors r_x, r_y and r_z at an arc length.
+    pub fn axes(&self, s: f64) -> [Marker; 3] {
+        [0, 1, 2].map(|axis| {
+            self.marker(s, |kind, value, directors| match (kind, axis) {
+                (Kind::Position | Kind::Slope, 0) => directors[0],
+                (Kind::Y, 1) | (Kind::Z, 2) => value,
+                _ => 0.0,
+            })
+        })
+    }
+
+    fn marker(&self, s: f64, weight: impl Fn(Kind, f64, [f64; 3]) -> f64) -> Marker {
+        let (element, xi) = self.locate(s);
+        let offset = element * self.stride();
+        let of = self.weights(xi);
+        let weights: Vec<f64> =
+            of.iter().map(|&(kind, value, directors)| weight(kind, value, directors)).collect();
+        // The weights of positions sum to one in a point and to zero in a direction.
+        let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == Kind::Position);
+        let origin = self.origin * clean(positions.map(|(weight, _)| weight).sum());
+        let vectors = &self.reference[offset..offset + weights.len()];
+        let reference =
+            weights.iter().zip(vectors).map(|(weight, vector)| vector * *weight).sum::<Vector3<f64>>()
+                + origin;
+        let parts = weights.iter().enumerate().map(|(i, &w)| (self.first + 3 * (offset + i), w));
+        Marker::new(parts, reference)
+    }
+
+    /// Vectors from the start of one element to that of the next.
+    pub(crate) fn stride(&self) -> usize {
+        match self.elements {
+            Elements::Two(_) => 4,
+            Elements::Three(_) => 6,
+            Elements::Cable(_) => 2,
+        }
+    }
+
+    /// Element and ξ of an arc length; a node belongs to one of its elements at exactly ξ = 0 or 1.
+    pub(crate) fn locate(&self, s: f64) -> (usize, f64) {
+        let at = s / self.length;
+        let node = at.round();
+        let at = if (at - node).abs() < 1e-9 { node } else { at };
+        let element = (at.floor().max(0.0) as usize).min(self.count() - 1);
+        (element, (at - element as f64).clamp(0.0, 1.0))
+    }
+}
+
+/// Frame and profile of each element; congruent neighbours share their profile.
+fn elements<const N: usize>(
+    blueprint: &Blueprint<'_>,
+    nodes: &[Node],
+    span: usize,
+    reference: &[Vector3<f64>],
+    stride: usize,
+    profile: impl Fn(&[Vector3<f64>; N], &dyn Fn(f64) -> CrossSection) -> Profile<N>,
+) -> Vec<([Vector3<f64>; 3], Arc<Profile<N>>)> {
+    let mut last: Option<([Vector3<f64>; N], Arc<Profile<N>>)> = None;
+    let of = |k: usize| {
+        let frame = nodes[k * span].frame;
+        let to_local = Matrix3::from_columns(&frame).transpose();
+        let origin = nodes[k * span].position;
+        let local: [Vector3<f64>; N] = std::array::from_fn(|i| {
+            let shift = if i % stride == 0 { origin } else { Vector3::zeros() };
+            to_local * (reference[k * span * stride + i] - shift)
+        });
+        // Far from its start, differences of positions are no more precise than this.
+        let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
+        let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
+            let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {
+                let size = if i % stride == 0 { blueprint.length } else { blueprint.slope };
+                (x - y).amax() <= 1e-12 * size + rounding
+            };
+            blueprint.prismatic && known.iter().zip(&local).enumerate().all(near)
+        };
+        if let Some((_, profile)) = last.as_ref().filter(congruent) {
+            return (frame, Arc::clone(profile));
+        }
+        let section = |xi: f64| (blueprint.section)((k as f64 + xi) * blueprint.length);
+        let profile = Arc::new(profile(&local, &section));
+        last = Some((local, Arc::clone(&profile)));
+        (frame, profile)
+    };
+    (0..(nodes.len() - 1) / span).map(of).collect()
+}

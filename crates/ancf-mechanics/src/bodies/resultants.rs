@@ -1,0 +1,164 @@
+use ancf_solver::equations::{LOCAL, Local, State};
+use nalgebra::{Matrix3, Vector3};
+
+use super::mesh::{BeamMesh, Elasticity};
+use crate::constraints::Wrench;
+use crate::kinematics::Kind;
+use crate::sections::{DIRECTORS, Directors, all_strains, linking, local_strains};
+
+impl BeamMesh {
+    /// What is transmitted through the section at an arc length: force, and moment about the section's centre, that the
+    /// part beyond (greater arc length) exerts on the part before, in the global frame. Resolved in
+    /// [`section_frame`](Self::section_frame), a positive first component is tension.
+    ///
+    /// At nodes these are the forces that hold an element in equilibrium with its own inertia, body force and
+    /// damping: exact where an element has no other loads, whatever the mesh. Between the nodes of an element they are
+    /// interpolated linearly.
+    pub fn resultants(&self, state: &State, s: f64) -> Wrench {
+        let (element, xi) = self.locate(s);
+        let [start, end] = self.ends(state, element);
+        Wrench {
+            force: end.force * xi - start.force * (1.0 - xi),
+            moment: end.moment * xi - start.moment * (1.0 - xi),
+        }
+    }
+
+    /// N, Qy, Qz and T, My, Mz: [`resultants`](Self::resultants) seen in the [`section_frame`](Self::section_frame).
+    pub fn section_forces(&self, state: &State, s: f64) -> Wrench {
+        let (wrench, frame) = (self.resultants(state, s), self.section_frame(state, s));
+        let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
+        Wrench { force: seen(wrench.force), moment: seen(wrench.moment) }
+    }
+
+    /// Forces and moments that hold the two ends of an element.
+    fn ends(&self, state: &State, element: usize) -> [Wrench; 2] {
+        let term = self.term(element);
+        let coordinates = term.coordinates();
+        let n = coordinates.len();
+        let mut local = [[0.0; LOCAL]; 4];
+        for (i, &c) in coordinates.iter().enumerate() {
+            local[0][i] = state.q[c];
+            local[1][i] = state.v[c];
+            local[2][i] = state.a[c];
+        }
+        let [q, v, a, mut r] = local;
+        let at = Local { q: &q[..n], v: &v[..n], a: &a[..n], lambda: &[], t: state.t, load: state.load };
+        term.residual(&at, &mut r[..n]);
+        let kinds = self.node_kinds();
+        let last = n / 3 - kinds.len();
+        let offset = element * self.stride();
+        [0, last].map(|first| {
+            let mut wrench = Wrench::default();
+            for (i, kind) in kinds.iter().enumerate() {
+                let place = first + i;
+                let force = Vector3::from_column_slice(&r[3 * place..3 * place + 3]);
+                if *kind == Kind::Position {
+                    wrench.force += force;
+                } else {
+                    let vector = self.reference[offset + place]
+                        + Vector3::from_column_slice(&q[3 * place..3 * place + 3]);
+                    wrench.moment += vector.cross(&force);
+                }
+            }
+            wrench
+        })
+    }
+
+    /// An orthonormal section frame at an arc length: its normal, and y and z as near to r_y and r_z as they can be. Of a
+    /// cable, the tangent and any two directions across.
+    pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
+        let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
+        if !self.has_sections() {
+            let normal = a.normalize();
+            let [y, z] = across(normal);
+            return [normal, y, z];
+        }
+        let normal = d.cross(&e).normalize();
+        let y = (d.normalize() + e.cross(&normal).normalize()).normalize();
+        [normal, y, normal.cross(&y)]
+    }
+}
+
+impl BeamMesh {
+    /// Green's strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc length, in the frame of the
+    /// reference section.
+    ///
+    /// As the formulation has them: a rod's normal stresses are E times its normal strains besides what Poisson's
+    /// ratio adds on the axis; shear stresses are G times shear strains, without the factors of shear and torsion, which
+    /// are averages over a section. Of a cable, stretch ε and E ε.
+    pub fn strain_and_stress(&self, state: &State, s: f64, [y, z]: [f64; 2]) -> [Matrix3<f64>; 2] {
+        let (g0, u, xi) = self.directors(state, s);
+        if self.elasticity == Elasticity::Line {
+            let (length, moved) = (g0[0].norm(), (g0[0] + u[0]).norm());
+            let stretch = moved / length - 1.0;
+            let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
+            return [along, along * self.lame.young()];
+        }
+        let mut products = all_strains(&g0, &u);
+        if self.elasticity == (Elasticity::Rod { linked: true }) {
+            for (strain, added, factor) in linking(xi, self.length) {
+                products[strain] += factor * products[added];
+            }
+        }
+        let at = |y: f64, z: f64| {
+            let (rows, _) = local_strains(&g0, y, z);
+            let [xx, yy, zz, xy, xz, yz] =
+                rows.map(|row| row.iter().zip(&products).map(|(row, product)| row * product).sum::<f64>());
+            Matrix3::new(xx, 0.5 * xy, 0.5 * xz, 0.5 * xy, yy, 0.5 * yz, 0.5 * xz, 0.5 * yz, zz)
+        };
+        let strain = at(y, z);
+        [strain, self.stress(&strain, &at(0.0, 0.0))]
+    }
+
+    /// The stress of a strain, and of the strain on the axis, which a rod's law wants besides.
+    fn stress(&self, strain: &Matrix3<f64>, on_axis: &Matrix3<f64>) -> Matrix3<f64> {
+        let (lambda, shear, identity) = (self.lame.lambda, self.lame.shear, Matrix3::identity());
+        let hooke = |e: &Matrix3<f64>| identity * (lambda * e.trace()) + e * (2.0 * shear);
+        match self.elasticity {
+            Elasticity::Continuum => hooke(strain),
+            Elasticity::NeoHookean => {
+                let c = identity + strain * 2.0;
+                let inverse = c.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+                (identity - inverse) * shear + inverse * (0.5 * lambda * c.determinant().ln())
+            }
+            Elasticity::Rod { .. } | Elasticity::Line => {
+                let young = self.lame.young();
+                let normal = |e: &Matrix3<f64>| Matrix3::from_diagonal(&e.diagonal());
+                let rod = normal(strain) * young + (strain - normal(strain)) * (2.0 * shear);
+                rod + normal(&hooke(on_axis)) - normal(on_axis) * young
+            }
+        }
+    }
+
+    /// The directors at an arc length in the reference state, their increments, and ξ.
+    fn directors(&self, state: &State, s: f64) -> (Directors, Directors, f64) {
+        let (element, xi) = self.locate(s);
+        let offset = element * self.stride();
+        let base = [self.reference[offset], self.displacement(state, offset)];
+        let (mut g0, mut u) = ([Vector3::zeros(); DIRECTORS], [Vector3::zeros(); DIRECTORS]);
+        for (i, (kind, _, weights)) in self.weights(xi).into_iter().enumerate() {
+            let mut vectors = [self.reference[offset + i], self.displacement(state, offset + i)];
+            if kind == Kind::Position {
+                vectors = [vectors[0] - base[0], vectors[1] - base[1]];
+            }
+            for (director, weight) in kind.directors().into_iter().zip(weights) {
+                g0[director] += vectors[0] * weight;
+                u[director] += vectors[1] * weight;
+            }
+        }
+        (g0, u, xi)
+    }
+
+    fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
+        let first = self.first + 3 * vector;
+        Vector3::from_column_slice(&state.q[first..first + 3])
+    }
+}
+
+/// Two unit vectors normal to a unit vector and to each other; the global axes where they fit.
+pub fn across(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
+    let least = axis.iamin();
+    let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });
+    let first = (guide - axis * axis.dot(&guide)).normalize();
+    [first, axis.cross(&first)]
+}

@@ -1,0 +1,167 @@
+use std::ops::Range;
+
+use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use nalgebra::Vector3;
+
+use super::coincide_perpendicular::{AXES, Wrench};
+use crate::kinematics::{ElementAxis, Marker};
+
+/// A point slides along a beam: r_a = r_b(s), with the arc length s of the undeformed beam as a coordinate without mass.
+///
+/// Φ = r_a − r_b(s), Φ_qᵀ λ puts λ on the point, −λ N on the beam and −λ·r_b′(s), the part along the tangent, on s, where nothing
+/// else balances it unless something drives or holds s: the slide is free of friction.
+///
+/// One term for each element of the beam, all with the same three multipliers and the same s; the one whose element s is in
+/// acts, so that the point goes from element to element. The tangent is continuous along elements of two nodes, and of no others.
+/// A point that leaves the beam is not admissible.
+///
+/// Units: length; λ is a force.
+/// Source: Sugiyama, Escalona & Shabana (2003), sliding joints of the absolute nodal coordinate formulation.
+#[derive(Clone, Debug)]
+pub struct Slide {
+    point: Marker,
+    axis: ElementAxis,
+    /// s less its reference value first.
+    coordinates: Vec<usize>,
+    first: usize,
+    start: f64,
+    /// Whether the beam ends at the start of the element, and at its end.
+    ends: [bool; 2],
+}
+
+/// Place of s among the coordinates.
+const S: usize = 0;
+
+impl Slide {
+    /// The terms of a slide of a point along the elements of a beam from the arc length `start` on; uses the three multipliers
+    /// from `first` on.
+    pub fn along(
+        axes: impl IntoIterator<Item = ElementAxis>,
+        point: &Marker,
+        coordinate: usize,
+        start: f64,
+        first: usize,
+    ) -> Vec<Self> {
+        let mut slides: Vec<Self> =
+            axes.into_iter().map(|axis| Self::new(&axis, point, coordinate, start, first)).collect();
+        if let Some(slide) = slides.first_mut() {
+            slide.ends[0] = true;
+        }
+        if let Some(slide) = slides.last_mut() {
+            slide.ends[1] = true;
+        }
+        slides
+    }
+
+    fn new(axis: &ElementAxis, point: &Marker, coordinate: usize, start: f64, first: usize) -> Self {
+        let mut others: Vec<usize> = point.coordinates().chain(axis.coordinates()).collect();
+        others.sort_unstable();
+        others.dedup();
+        let coordinates: Vec<usize> = [coordinate].into_iter().chain(others).collect();
+        let (point, axis) = (point.within(&coordinates), axis.within(&coordinates));
+        Self { point, axis, coordinates, first, start, ends: [false; 2] }
+    }
+
+    /// What the beam exerts on the point: −λ.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
+        Wrench { force, ..Wrench::default() }
+    }
+
+    /// The arc length s, if it is in this element; ends of the beam reach on.
+    fn here(&self, q: &[f64]) -> Option<f64> {
+        let (s, span) = (self.start + q[S], self.axis.span());
+        let within = (self.ends[0] || s >= span.start) && (self.ends[1] || s < span.end);
+        within.then_some(s)
+    }
+}
+
+impl Term for Slide {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.first..self.first + 3
+    }
+
+    fn tie(&self, k: usize) -> String {
+        format!("position along {}", AXES[k])
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let Some(s) = self.here(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [r_b, tangent, _] = self.axis.at(at.q, s);
+        let [weights, ..] = self.axis.weights(s);
+        self.point.add(lambda, &mut r[..n]);
+        for (&first, weight) in self.axis.vectors().iter().zip(weights) {
+            (0..3).for_each(|k| r[first + k] -= weight * lambda[k]);
+        }
+        r[S] -= lambda.dot(&tangent);
+        let apart = self.point.reference() + self.point.sum(at.q) - r_b;
+        (0..3).for_each(|k| r[n + k] += apart[k]);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let Some(s) = self.here(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [values, slopes, curvatures] = self.axis.weights(s);
+        // Weights are of degree three in s.
+        let turn = f64::EPSILON * (self.start.abs() + at.q[S].abs());
+        let of_value = |i: usize| 4.0 * (f64::EPSILON * values[i].abs() + turn * slopes[i].abs());
+        let of_slope = |i: usize| 8.0 * (f64::EPSILON * slopes[i].abs() + turn * curvatures[i].abs());
+        let mut apart = f64::EPSILON * self.point.size(at.q);
+        for (i, &first) in self.axis.vectors().iter().enumerate() {
+            let size = self.axis.size(i, at.q);
+            apart += of_value(i) * size;
+            floor[S] += of_slope(i) * size * lambda.norm();
+            (0..3).for_each(|k| floor[first + k] += of_value(i) * lambda[k].abs());
+        }
+        for &(first, w) in self.point.parts() {
+            (0..3).for_each(|k| floor[first + k] += f64::EPSILON * (w * lambda[k]).abs());
+        }
+        floor[n..n + 3].iter_mut().for_each(|row| *row += apart);
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let Some(s) = self.here(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [_, tangent, curvature] = self.axis.at(at.q, s);
+        let [values, slopes, _] = self.axis.weights(s);
+        for i in 0..3 {
+            k.add(n + i, S, -tangent[i]);
+            for &(first, weight) in self.point.parts() {
+                k.add(n + i, first + i, weight);
+            }
+            for (j, &first) in self.axis.vectors().iter().enumerate() {
+                k.add(n + i, first + i, -values[j]);
+                k.add(first + i, S, -w.q * slopes[j] * lambda[i]);
+            }
+        }
+        k.add(S, S, -w.q * lambda.dot(&curvature));
+    }
+
+    fn massless(&self) -> &[usize] {
+        &self.coordinates[..=S]
+    }
+
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        let Some(s) = self.here(at.q) else { return };
+        let [r_b, tangent, curvature] = self.axis.at(at.q, s);
+        let [velocity, turning, _] = self.axis.sum(at.v, s);
+        let rate = at.v[S];
+        let row = match level {
+            Level::Position => self.point.reference() + self.point.sum(at.q) - r_b,
+            Level::Velocity => self.point.sum(at.v) - velocity - tangent * rate,
+            Level::Acceleration => -(turning * (2.0 * rate) + curvature * (rate * rate)),
+        };
+        (0..3).for_each(|k| phi[k] += row[k]);
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let (s, span) = (self.start + at.q[S], self.axis.span());
+        let slack = 1e-9 * (span.end - span.start);
+        !(self.ends[0] && s < span.start - slack || self.ends[1] && s > span.end + slack)
+    }
+}

@@ -1,0 +1,59 @@
+use ancf_solver::equations::Local;
+
+use crate::functions::{Function, Instant};
+
+/// What a measure is to be, less its reference value: c = x + b x² with x = s α f(t), of a function of time f and the load
+/// factor s, which is 1 but in statics.
+///
+/// With b = 0 an angle or a displacement is told; with b = 1/(2 L₀) the half square of a length over L₀, for the length L₀ + x.
+#[derive(Clone, Debug)]
+pub struct Target {
+    amount: f64,
+    function: Function,
+    bend: f64,
+}
+
+impl Target {
+    /// The reference value.
+    pub const NONE: Self = Self { amount: 0.0, function: Function::ONE, bend: 0.0 };
+
+    /// x = α f(t).
+    pub const fn new(amount: f64, function: Function) -> Self {
+        Self { amount, function, bend: 0.0 }
+    }
+
+    /// The length L₀ + α f(t) of a measure d·d/(2 L₀).
+    pub const fn of_length(length: f64, amount: f64, function: Function) -> Self {
+        Self { amount, function, bend: 0.5 / length }
+    }
+
+    fn stated(&self, at: &Local<'_>) -> f64 {
+        at.load * self.amount * self.function.value(at.t)
+    }
+
+    /// c.
+    pub(crate) fn value(&self, at: &Local<'_>) -> f64 {
+        let x = self.stated(at);
+        x + self.bend * x * x
+    }
+
+    /// The magnitudes that c is made of.
+    pub(crate) fn size(&self, at: &Local<'_>) -> f64 {
+        let x = self.stated(at);
+        x.abs() + 2.0 * self.bend * x * x
+    }
+
+    /// ∂c/∂s, by the load factor.
+    pub(crate) fn by_load(&self, at: &Local<'_>) -> f64 {
+        let x = self.stated(at);
+        self.amount * self.function.value(at.t) * (1.0 + 2.0 * self.bend * x)
+    }
+
+    /// ċ and c̈ at full load.
+    pub(crate) fn rates(&self, t: f64) -> [f64; 2] {
+        let Instant { value, rate, acceleration } = self.function.at(t);
+        let [x, v, a] = [value, rate, acceleration].map(|f| self.amount * f);
+        let slope = 1.0 + 2.0 * self.bend * x;
+        [v * slope, a * slope + 2.0 * self.bend * v * v]
+    }
+}

@@ -1,0 +1,112 @@
+use nalgebra::Vector3;
+
+use crate::kinematics::Real;
+
+/// The forces of a contact by its gap g and the relative velocity w of the bodies there; per length of beam.
+///
+/// The pressure follows from a potential U(d) of the depth d = −g, zero for d ≤ 0:
+///
+/// p = U′ = k d²/(2δ) for d ≤ δ,  k (d − δ/2) beyond.
+///
+/// It is multiplied by h = √(1 + x²) − x, x = c ġ: 1 at rest, less when parting, more when meeting, above zero always, so that
+/// the force N = p h never pulls and damping only takes energy. For small c ġ it is p (1 − c ġ) (Hunt & Crossley 1975), for
+/// fast approach twice that.
+///
+/// Friction is Coulomb's, made smooth: −μ N w_t/√(w_t² + v₀²) with the sliding velocity w_t across the normal. Slower than v₀ it
+/// is viscous: what should stick creeps, at v₀ T/√(μ²N² − T²) under a force T.
+///
+/// In tangents the N of friction is constant: ∂f_t/∂v is then symmetric. What is left out, −μ t ∂N/∂q, is not; it leads from
+/// errors in the normal direction to the tangential one only, where its symmetric part would lead back too. Newton's method
+/// converges linearly where bodies slide.
+///
+/// Units: k force/length², δ length, c time/length, v₀ length/time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactLaw {
+    /// Stiffness k, pressure per depth.
+    pub stiffness: f64,
+    /// Depth δ over which the stiffness grows from zero.
+    pub transition: f64,
+    /// Damping c.
+    pub damping: f64,
+    /// Coefficient of friction μ.
+    pub friction: f64,
+    /// Sliding velocity v₀ at which friction has 1/√2 of its value.
+    pub slip_speed: f64,
+}
+
+impl ContactLaw {
+    /// U at a gap.
+    pub fn energy(&self, gap: f64) -> f64 {
+        let (k, delta, depth) = (self.stiffness, self.transition, -gap);
+        match depth {
+            d if d <= 0.0 => 0.0,
+            d if d < delta => k * d.powi(3) / (6.0 * delta),
+            d => k * (0.5 * d * (d - delta) + delta * delta / 6.0),
+        }
+    }
+
+    /// p at a gap.
+    pub fn pressure(&self, gap: f64) -> f64 {
+        self.smooth_pressure(gap)
+    }
+
+    pub(crate) fn smooth_pressure<D: Real>(&self, gap: D) -> D {
+        let (k, delta, depth) = (self.stiffness, self.transition, -gap);
+        match depth.re() {
+            d if d <= 0.0 => D::from(0.0),
+            d if d < delta => depth * depth * (0.5 * k / delta),
+            _ => (depth - 0.5 * delta) * k,
+        }
+    }
+
+    /// dp/d(depth), at most k.
+    pub fn slope(&self, gap: f64) -> f64 {
+        (-gap / self.transition).clamp(0.0, 1.0) * self.stiffness
+    }
+
+    /// N at a gap that changes at a rate.
+    pub fn normal(&self, gap: f64, rate: f64) -> f64 {
+        self.smooth_normal(gap, rate)
+    }
+
+    pub(crate) fn smooth_normal<D: Real>(&self, gap: D, rate: D) -> D {
+        self.smooth_pressure(gap) * parting(rate * self.damping)
+    }
+
+    /// The friction of a normal force N at a relative velocity, on the body that has it.
+    pub fn tangential(&self, normal: f64, direction: &Vector3<f64>, velocity: &Vector3<f64>) -> Vector3<f64> {
+        self.smooth_tangential(normal, direction, velocity)
+    }
+
+    pub(crate) fn smooth_tangential<D: Real>(
+        &self,
+        normal: D,
+        direction: &Vector3<D>,
+        velocity: &Vector3<D>,
+    ) -> Vector3<D> {
+        if self.friction == 0.0 {
+            return Vector3::from_element(D::from(0.0));
+        }
+        let along = direction.dot(velocity);
+        let sliding = velocity - direction.map(|x| x * along);
+        let factor = -(normal * self.friction) / (sliding.dot(&sliding) + self.slip_speed.powi(2)).sqrt();
+        sliding.map(|x| x * factor)
+    }
+
+    /// A bound of the rounding error of the force at a gap and a speed, where the gap, the direction and the velocities have
+    /// errors of ε times these.
+    pub(crate) fn rounding(&self, gap: f64, speed: f64, [gaps, tilt, rushed]: [f64; 3]) -> f64 {
+        let pressure = self.pressure(gap);
+        let eager = 1.0 + 2.0 * self.damping * speed;
+        let normal = (self.slope(gap) * gaps + pressure * tilt) * eager
+            + pressure * self.damping * 2.0 * (rushed + speed * tilt);
+        let slid = pressure * eager * self.friction * (rushed + speed * tilt) / self.slip_speed;
+        2.0 * f64::EPSILON * (normal * (1.0 + self.friction) + slid)
+    }
+}
+
+/// √(1 + x²) − x, without cancellation.
+fn parting<D: Real>(x: D) -> D {
+    let root = (x * x + 1.0).sqrt();
+    if x.re() > 0.0 { (root + x).recip() } else { root - x }
+}

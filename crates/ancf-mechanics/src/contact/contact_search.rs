@@ -1,0 +1,202 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Encounters, Pair, State, Term};
+use nalgebra::Vector3;
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
+
+use super::beam_contact::BeamContact;
+use super::contact_law::ContactLaw;
+use super::obstacle::{Obstacle, ObstacleContact};
+use crate::bodies::BeamMesh;
+use crate::kinematics::{ElementAxis, Marker};
+
+/// A body as contacts see it: a round tube about its axis, with points at equal distances along it.
+#[derive(Clone, Debug)]
+pub struct Skin {
+    axes: Vec<ElementAxis>,
+    points: Vec<Marker>,
+    /// Points of each element.
+    count: usize,
+    /// The length that each point stands for.
+    length: f64,
+    radius: f64,
+}
+
+impl Skin {
+    /// A body of a radius with so many points in each element.
+    pub fn new(mesh: &BeamMesh, radius: f64, count: usize) -> Self {
+        let all = mesh.count() * count;
+        let length = mesh.length() / all as f64;
+        let points = (0..all).map(|i| mesh.point((i as f64 + 0.5) * length)).collect();
+        Self { axes: mesh.element_axes().collect(), points, count, length, radius }
+    }
+
+    /// Points of an element.
+    fn points_of(&self, element: usize) -> impl Iterator<Item = (usize, &Marker)> {
+        let range = element * self.count..(element + 1) * self.count;
+        range.clone().zip(&self.points[range])
+    }
+}
+
+/// Bodies against one obstacle.
+#[derive(Debug)]
+pub struct ObstacleContacts {
+    contacts: Vec<Arc<ObstacleContact>>,
+    margins: Vec<f64>,
+}
+
+impl ObstacleContacts {
+    /// Every point of some bodies against an obstacle. Pairs are told of within a margin of one radius.
+    pub fn new(obstacle: &Obstacle, skins: &[Skin], law: ContactLaw) -> Self {
+        let (mut contacts, mut margins) = (Vec::new(), Vec::new());
+        for skin in skins {
+            let contact =
+                |point: &Marker| ObstacleContact::new(obstacle, point, skin.radius, skin.length, law);
+            contacts.extend(skin.points.iter().filter_map(contact).map(Arc::new));
+            margins.resize(contacts.len(), skin.radius);
+        }
+        Self { contacts, margins }
+    }
+}
+
+impl Encounters for ObstacleContacts {
+    fn near(&self, s: &State) -> Vec<(Pair, f64)> {
+        let distance = |(i, contact): (usize, &Arc<ObstacleContact>)| {
+            ([i as u32, 0], contact.gap_of_all(&s.q) / self.margins[i])
+        };
+        self.contacts.iter().enumerate().map(distance).filter(|(_, distance)| *distance <= 1.0).collect()
+    }
+
+    fn has(&self, [contact, other]: Pair) -> bool {
+        (contact as usize) < self.contacts.len() && other == 0
+    }
+
+    fn term(&self, pair: Pair) -> Arc<dyn Term> {
+        Arc::clone(&self.contacts[pair[0] as usize]) as Arc<dyn Term>
+    }
+}
+
+/// Bodies against each other, and against themselves.
+///
+/// Each point of one against the elements of the other and the reverse, with half the stiffness each, so that neither is
+/// preferred. What overlaps in the reference state by more than 1 % of the radii is taken to be joined and never in contact: a point
+/// and its own element, beams at a joint.
+#[derive(Debug)]
+pub struct BeamContacts {
+    skins: Vec<Skin>,
+    law: ContactLaw,
+    /// Body and number there of each element and each point, in the order of bodies.
+    elements: Vec<(usize, usize)>,
+    points: Vec<(usize, usize)>,
+    /// First point of each body.
+    first: Vec<usize>,
+    joined: Vec<Pair>,
+}
+
+/// Overlap in the reference state, as a part of the sum of the radii, from which on two things are joined.
+const JOINED: f64 = 0.01;
+
+type Corner = [f64; 3];
+type Boxed = GeomWithData<Rectangle<Corner>, usize>;
+
+impl BeamContacts {
+    /// All pairs of the given bodies, each with itself too.
+    pub fn new(skins: Vec<Skin>, law: ContactLaw) -> Self {
+        let numbered = |count: &dyn Fn(&Skin) -> usize| -> Vec<(usize, usize)> {
+            let of = |(body, skin)| (0..count(skin)).map(move |i| (body, i));
+            skins.iter().enumerate().flat_map(of).collect()
+        };
+        let (elements, points) = (numbered(&|skin| skin.axes.len()), numbered(&|skin| skin.points.len()));
+        let starts = skins.iter().scan(0, |next, skin| {
+            *next += skin.points.len();
+            Some(*next - skin.points.len())
+        });
+        let first = starts.collect();
+        let law = ContactLaw { stiffness: 0.5 * law.stiffness, ..law };
+        let contacts = Self { skins, law, elements, points, first, joined: Vec::new() };
+        let coordinates = contacts.skins.iter().flat_map(|skin| skin.axes.iter());
+        let end = coordinates.flat_map(ElementAxis::coordinates).max().map_or(0, |last| last + 1);
+        contacts.joined_in(&State::rest(end, 0))
+    }
+
+    /// The same with what overlaps in another state than the reference state taken to be joined.
+    #[must_use]
+    pub fn joined_in(mut self, s: &State) -> Self {
+        self.joined.clear();
+        let near = self.near(s).into_iter();
+        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED);
+        self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
+        self
+    }
+
+    fn contact(&self, [point, element]: Pair) -> BeamContact {
+        let ((a, i), (b, k)) = (self.points[point as usize], self.elements[element as usize]);
+        let (own, other) = (&self.skins[a], &self.skins[b]);
+        let ends = [k == 0, k + 1 == other.axes.len()];
+        BeamContact::new(
+            &own.points[i],
+            &other.axes[k],
+            ends,
+            own.radius + other.radius,
+            own.length,
+            self.law,
+        )
+    }
+}
+
+impl Encounters for BeamContacts {
+    /// Elements whose boxes are near by an R*-tree (Beckmann et al. 1990), then the points of one near the box of the other.
+    fn near(&self, s: &State) -> Vec<(Pair, f64)> {
+        let boxes: Vec<AABB<Corner>> = self
+            .elements
+            .iter()
+            .map(|&(body, k)| {
+                let hull = self.skins[body].axes[k].hull(&s.q).map(Corner::from);
+                AABB::from_points(&hull)
+            })
+            .collect();
+        let boxed = |(i, b): (usize, &AABB<Corner>)| Boxed::new(Rectangle::from_aabb(*b), i);
+        let tree = RTree::bulk_load(boxes.iter().enumerate().map(boxed).collect());
+        let largest = self.skins.iter().map(|skin| skin.radius).fold(0.0, f64::max);
+        let mut near = Vec::new();
+        for (i, &(a, element)) in self.elements.iter().enumerate() {
+            let skin = &self.skins[a];
+            // Radii, and a margin as large as their sum.
+            let reach = 2.0 * (skin.radius + largest);
+            let around =
+                AABB::from_corners(boxes[i].lower().map(|x| x - reach), boxes[i].upper().map(|x| x + reach));
+            let others: Vec<usize> = tree.locate_in_envelope_intersecting(around).map(|b| b.data).collect();
+            for (number, point) in skin.points_of(element) {
+                let value = point.value(s);
+                for &k in &others {
+                    let radii = skin.radius + self.skins[self.elements[k].0].radius;
+                    let distance = (outside(&value, &boxes[k]) - radii) / radii;
+                    let pair = [(self.first[a] + number) as u32, k as u32];
+                    if distance <= 1.0 && self.joined.binary_search(&pair).is_err() {
+                        near.push((pair, distance));
+                    }
+                }
+            }
+        }
+        near.sort_unstable_by_key(|(pair, _)| *pair);
+        near
+    }
+
+    fn has(&self, pair: Pair) -> bool {
+        let [point, element] = pair.map(|i| i as usize);
+        let is_there = point < self.points.len() && element < self.elements.len();
+        is_there && self.joined.binary_search(&pair).is_err()
+    }
+
+    fn term(&self, pair: Pair) -> Arc<dyn Term> {
+        Arc::new(self.contact(pair))
+    }
+}
+
+/// How far a point is outside of a box.
+fn outside(point: &Vector3<f64>, b: &AABB<Corner>) -> f64 {
+    let (lower, upper) = (b.lower(), b.upper());
+    let beyond = Vector3::from_fn(|i, _| (lower[i] - point[i]).max(point[i] - upper[i]).max(0.0));
+    beyond.norm()
+}

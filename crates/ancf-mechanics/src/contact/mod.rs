@@ -1,0 +1,11 @@
+//! Contact between bodies and with obstacles: search, penalty law, friction.
+
+mod beam_contact;
+mod contact_law;
+mod contact_search;
+mod obstacle;
+
+pub use beam_contact::BeamContact;
+pub use contact_law::ContactLaw;
+pub use contact_search::{BeamContacts, ObstacleContacts, Skin};
+pub use obstacle::{Form, Obstacle, ObstacleContact};

@@ -1,0 +1,266 @@
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
+use nalgebra::{SMatrix, SVector, Vector3};
+
+use super::contact_law::ContactLaw;
+use crate::kinematics::{Attachment, Marker, Real, add_symmetric, constant};
+
+/// The form of an obstacle about its point c, with an axis a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// The half space behind the plane through c with the normal a.
+    Plane,
+    /// A ball with the centre c, or all beyond it.
+    Sphere {
+        /// Its radius.
+        radius: f64,
+        /// Whether bodies are inside.
+        inside: bool,
+    },
+    /// An endless cylinder about the line through c along a, or all beyond it.
+    Cylinder {
+        /// Its radius.
+        radius: f64,
+        /// Whether bodies are inside.
+        inside: bool,
+    },
+}
+
+/// An obstacle that the ground or a body carries.
+#[derive(Clone, Debug)]
+pub struct Obstacle {
+    form: Form,
+    place: Attachment,
+    /// The axis in the directions of the carrier.
+    axis: Vector3<f64>,
+}
+
+impl Obstacle {
+    /// An obstacle at the point of an attachment that has three directions, with the axis that is `axis` in the reference state.
+    ///
+    /// `None` if the attachment has not.
+    pub fn new(form: Form, place: Attachment, axis: Vector3<f64>) -> Option<Self> {
+        let reference = place.axes()?.each_ref().map(Marker::reference);
+        let axis = SMatrix::<f64, 3, 3>::from_columns(&reference).try_inverse()? * axis;
+        Some(Self { form, place, axis })
+    }
+}
+
+impl Form {
+    /// The gap of a point without thickness at d from c, its gradient by d and that by a.
+    fn gap<D: Real>(self, d: &Vector3<D>, a: &Vector3<D>) -> (D, Vector3<D>, Vector3<D>) {
+        let unit = |x: &Vector3<D>| {
+            let length = x.dot(x).sqrt();
+            (length, x.map(|x| x / length))
+        };
+        let sign = |inside| if inside { -1.0 } else { 1.0 };
+        match self {
+            Self::Plane => {
+                let (length, n) = unit(a);
+                let gap = n.dot(d);
+                (gap, n, (d - n.map(|x| x * gap)).map(|x| x / length))
+            }
+            Self::Sphere { radius, inside } => {
+                let (distance, n) = unit(d);
+                let gap = (distance - radius) * sign(inside);
+                (gap, n.map(|x| x * sign(inside)), constant(&Vector3::zeros()))
+            }
+            Self::Cylinder { radius, inside } => {
+                let (length, u) = unit(a);
+                let along = u.dot(d);
+                let (distance, n) = unit(&(d - u.map(|x| x * along)));
+                let (gap, n) = ((distance - radius) * sign(inside), n.map(|x| x * sign(inside)));
+                (gap, n, n.map(|x| -(x * along / length)))
+            }
+        }
+    }
+}
+
+/// A point of a beam's axis against an [`Obstacle`], for the length of beam that the point stands for.
+///
+/// With d = p − c, the carrier's directions X = [x y z], a = X α and the gap g(d, a) less the beam's radius: N pushes along
+/// ∂g/∂d on d and αₖ ∂g/∂a on xₖ. Friction f acts at p on the beam, and on the carrier as if it reached as far: −f on c
+/// and −ρₖ f on xₖ, ρ = X⁻¹d, by the relative velocity w = ḋ − Ẋ ρ. Momentum and angular momentum of both are thus kept,
+/// and the friction of a rope on a pulley has the lever that its tension has. The tangent is the symmetric part of the
+/// derivative at constant N in the friction; without friction and damping it is exact.
+#[derive(Clone, Debug)]
+pub struct ObstacleContact {
+    form: Form,
+    axis: Vector3<f64>,
+    /// d and the carrier's directions.
+    markers: [Marker; 4],
+    coordinates: Vec<usize>,
+    /// The same d over all coordinates.
+    global: [Marker; 4],
+    radius: f64,
+    length: f64,
+    law: ContactLaw,
+}
+
+/// d, x, y, z, and velocities of them.
+type Twelve<D> = SVector<D, 12>;
+
+impl ObstacleContact {
+    /// The contact of a point of a beam of a radius, which stands for a length of it.
+    pub fn new(
+        obstacle: &Obstacle,
+        point: &Marker,
+        radius: f64,
+        length: f64,
+        law: ContactLaw,
+    ) -> Option<Self> {
+        let [x, y, z] = obstacle.place.axes()?;
+        let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.point)]);
+        let global = [d, x.clone(), y.clone(), z.clone()];
+        let coordinates = Marker::joined(&global);
+        let markers = global.each_ref().map(|marker| marker.within(&coordinates));
+        let Obstacle { form, axis, .. } = *obstacle;
+        Some(Self { form, axis, markers, coordinates, global, radius, length, law })
+    }
+
+    /// The gap at coordinates q of all bodies.
+    pub(crate) fn gap_of_all(&self, q: &[f64]) -> f64 {
+        let [d, axes @ ..] = self.global.each_ref().map(|marker| marker.reference() + marker.sum(q));
+        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+    }
+
+    /// Values of the markers and their velocities.
+    fn values(&self, at: &Local<'_>) -> [Twelve<f64>; 2] {
+        let stack = |of: &dyn Fn(&Marker) -> Vector3<f64>| {
+            let mut x = Twelve::zeros();
+            for (i, marker) in self.markers.iter().enumerate() {
+                x.fixed_rows_mut::<3>(3 * i).copy_from(&of(marker));
+            }
+            x
+        };
+        [stack(&|marker| marker.reference() + marker.sum(at.q)), stack(&|marker| marker.sum(at.v))]
+    }
+
+    fn gap(&self, x: &Twelve<f64>) -> f64 {
+        let [d, axes @ ..] = parts(x);
+        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+    }
+
+    /// Generalised forces on d, x, y and z.
+    fn forces<D: Real>(&self, x: &Twelve<D>, v: &Twelve<D>) -> Twelve<D> {
+        let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
+        let (gap, n, b) = self.form.gap(&d, &along(&axes, &self.axis));
+        let closing = n.dot(&rate) + b.dot(&along(&spins, &self.axis));
+        let normal = self.law.smooth_normal(gap - self.radius, closing) * self.length;
+        let reach = components(&axes, &d);
+        let carried: Vector3<D> =
+            spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
+        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &carried);
+        let mut forces = Twelve::from_element(D::from(0.0));
+        forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + friction));
+        for k in 0..3 {
+            let share = b.map(|x| x * normal * self.axis[k]) - friction.map(|x| x * reach[k]);
+            forces.fixed_rows_mut::<3>(3 * k + 3).copy_from(&share);
+        }
+        forces
+    }
+
+    /// ∂(forces)/∂z along dx = w_q z, dv = w_v z.
+    fn slope(&self, x: &Twelve<f64>, v: &Twelve<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
+        if self.markers[1..].iter().all(|axis| axis.parts().is_empty()) {
+            // An obstacle on the ground: only d moves.
+            let f = |z: SVector<num_dual::DualSVec64<3>, 3>| {
+                let moved = |x: &Twelve<f64>, w: f64| {
+                    let mut moved = x.map(num_dual::DualSVec64::<3>::from);
+                    (0..3).for_each(|i| moved[i] += z[i] * w);
+                    moved
+                };
+                self.forces(&moved(x, w.q), &moved(v, w.v)).fixed_rows::<3>(0).into_owned()
+            };
+            let (_, h) = num_dual::jacobian(f, &Vector3::zeros());
+            let mut slope = SMatrix::<f64, 12, 12>::zeros();
+            slope.fixed_view_mut::<3, 3>(0, 0).copy_from(&h);
+            return slope;
+        }
+        let moved = |x: &Twelve<f64>, z: &Twelve<num_dual::DualSVec64<12>>, w: f64| {
+            Twelve::from_fn(|i, _| z[i] * w + x[i])
+        };
+        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &Twelve::zeros()).1
+    }
+}
+
+/// Four vectors of a column.
+fn parts<D: Real>(x: &Twelve<D>) -> [Vector3<D>; 4] {
+    [0, 3, 6, 9].map(|i| x.fixed_rows::<3>(i).into_owned())
+}
+
+/// X α.
+fn along<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> Vector3<D> {
+    x.map(|x| x * components.x) + y.map(|x| x * components.y) + z.map(|x| x * components.z)
+}
+
+/// X⁻¹ d.
+fn components<D: Real>([x, y, z]: &[Vector3<D>; 3], d: &Vector3<D>) -> [D; 3] {
+    let across = [y.cross(z), z.cross(x), x.cross(y)];
+    let volume = across[0].dot(x);
+    across.map(|across| across.dot(d) / volume)
+}
+
+impl Term for ObstacleContact {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let [x, v] = self.values(at);
+        if self.gap(&x) >= 0.0 {
+            return;
+        }
+        let forces = self.forces(&x, &v);
+        for (i, marker) in self.markers.iter().enumerate() {
+            marker.add(-forces.fixed_rows::<3>(3 * i).into_owned(), r);
+        }
+    }
+
+    /// Relative errors of d and of the directions turn the normal; those of the gap and of the velocities change the force.
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let [x, v] = self.values(at);
+        let gap = self.gap(&x);
+        if gap >= 0.0 {
+            return;
+        }
+        let [d, axes @ ..] = parts(&x);
+        let tilt: f64 = (1..4).map(|k| self.markers[k].size(at.q) / axes[k - 1].norm()).sum();
+        // The radius of the obstacle, and the distance that turns the normal.
+        let (round, distance) = match self.form {
+            Form::Plane => (0.0, f64::INFINITY),
+            Form::Sphere { radius, inside } | Form::Cylinder { radius, inside } => {
+                let reach = gap + self.radius;
+                (radius, if inside { radius - reach } else { radius + reach })
+            }
+        };
+        let place = self.markers[0].size(at.q) + d.norm() * tilt;
+        let reach = components(&axes, &d);
+        let [rate, spins @ ..] = parts(&v);
+        let rushed = self.markers[0].sum_of_sizes(at.v)
+            + (0..3).map(|k| reach[k].abs() * self.markers[k + 1].sum_of_sizes(at.v)).sum::<f64>()
+            + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
+        let turned = tilt + place / distance;
+        let (_, _, b) = self.form.gap(&d, &along(&axes, &self.axis));
+        let speed = rate.norm() + b.norm() * along(&spins, &self.axis).norm();
+        let errors = [place + self.radius + round, turned, rushed];
+        let bound = self.law.rounding(gap, speed, errors) * self.length;
+        for (k, marker) in self.markers.iter().enumerate() {
+            let arm = if k == 0 { 1.0 } else { reach[k - 1].abs() + self.axis[k - 1].abs() * b.norm() };
+            for &(first, w) in marker.parts() {
+                floor[first..first + 3].iter_mut().for_each(|row| *row += bound * w.abs() * arm);
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let [x, v] = self.values(at);
+        if self.gap(&x) < 0.0 {
+            add_symmetric(&self.markers.each_ref(), &self.slope(&x, &v, w), -1.0, k);
+        }
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let gap = self.gap(&self.values(at)[0]);
+        Energy { strain: self.length * self.law.energy(gap), ..Energy::default() }
+    }
+}

@@ -1,0 +1,233 @@
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
+use nalgebra::{Matrix3, Vector3};
+
+use super::station::{Relative, Station, StrainEnergy};
+use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
+use crate::sections::NO_STIFFNESS;
+
+/// What congruent elements share: quadrature points with their elasticity, inertia and body force.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile<const N: usize> {
+    pub(crate) stations: Vec<Station<N>>,
+    /// M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
+    pub(crate) mass: [[f64; N]; N],
+    /// ∫ ρ S_a dV.
+    pub(crate) first: [f64; N],
+    pub(crate) gravity: Vector3<f64>,
+    /// Rate α of the mass-proportional damping α M v.
+    pub(crate) drag: f64,
+    /// Retardation time τ.
+    pub(crate) retardation: f64,
+}
+
+impl<const N: usize> Profile<N> {
+    /// The compact consistent mass matrix M_ab = ∫ ρ S_a S_b dV of one element.
+    pub fn mass(&self) -> &[[f64; N]; N] {
+        &self.mass
+    }
+
+    /// ∫ ρ S_a dV: the force of gravity on vector a is this times g.
+    pub fn first_moments(&self) -> &[f64; N] {
+        &self.first
+    }
+}
+
+/// A beam element of N vectors r, ℓ r_x, ℓ r_y, ℓ r_z at its nodes, by the rule of an interpolation.
+///
+/// Coordinates are the components of the vectors less their reference values. Its energy is that of its stations'
+/// laws; which strains are stiff in which way, the [`Profile`] says.
+#[derive(Clone, Debug)]
+pub struct Element<const N: usize, S> {
+    coordinates: Vec<usize>,
+    pub(crate) frame: Matrix3<f64>,
+    pub(crate) profile: Arc<Profile<N>>,
+    interpolation: PhantomData<S>,
+}
+
+/// The two-node, 24-coordinate, fully parameterised beam element.
+///
+/// Source: Yakoub & Shabana (2001); Garcia-Vallejo et al. (2007); Kim et al. (2017), section 2.
+pub type Beam24 = Element<8, BeamShape>;
+
+/// The three-node, 27-coordinate beam element without axial slopes.
+///
+/// Source: Nachbagauer, Gruber & Gerstmayr (2013).
+pub type Beam27 = Element<9, QuadraticShape>;
+
+impl<const N: usize, S: Interpolation<N>> Element<N, S> {
+    /// An element on 3N coordinates, with the orthonormal `frame` (directions of x, y, z) in which its profile is stated.
+    pub fn new(
+        coordinates: impl IntoIterator<Item = usize>,
+        frame: [Vector3<f64>; 3],
+        profile: Arc<Profile<N>>,
+    ) -> Self {
+        let coordinates: Vec<usize> = coordinates.into_iter().collect();
+        debug_assert_eq!(coordinates.len(), 3 * N, "three coordinates for each vector");
+        Self { coordinates, frame: Matrix3::from_columns(&frame), profile, interpolation: PhantomData }
+    }
+
+    /// What it shares with congruent elements.
+    pub fn profile(&self) -> &Profile<N> {
+        &self.profile
+    }
+
+    /// Sum over the element of M_ab x_b.
+    fn mass_times(&self, x: &[Vector3<f64>; N]) -> [Vector3<f64>; N] {
+        std::array::from_fn(|a| {
+            (0..N).filter(|&b| self.profile.mass[a][b] != 0.0).map(|b| x[b] * self.profile.mass[a][b]).sum()
+        })
+    }
+
+    /// Strain energy by part, from the element's own coordinates.
+    pub fn parts(&self, q: &[f64]) -> StrainEnergy {
+        let q = Relative::new::<S>(&vectors(q));
+        let mut sum = StrainEnergy::default();
+        for station in &self.profile.stations {
+            let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
+            sum += station.strain_energy(&g0, &u) * station.weight;
+        }
+        sum
+    }
+
+    /// The velocities of the vectors, if there is anything that they strain.
+    fn moving(&self, at: &Local<'_>) -> Option<Relative<N>> {
+        let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
+        viscous.then(|| Relative::new::<S>(&vectors(at.v)))
+    }
+}
+
+/// The vectors of a slice of coordinates.
+pub(crate) fn vectors<const N: usize>(x: &[f64]) -> [Vector3<f64>; N] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
+}
+
+impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let profile = &self.profile;
+        let mut force = self.mass_times(&vectors(at.a));
+        if profile.drag != 0.0 {
+            let drag = self.mass_times(&vectors(at.v));
+            force.iter_mut().zip(drag).for_each(|(force, drag)| *force += drag * profile.drag);
+        }
+        for (force, first) in force.iter_mut().zip(&profile.first) {
+            *force -= profile.gravity * (at.load * first);
+        }
+        let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.forces::<S>(&g0, &u, v.as_ref());
+            station.spread(&p, &mut force);
+        }
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let profile = &self.profile;
+        let (vectors_q, v) = (vectors::<N>(at.q), vectors::<N>(at.v));
+        let moved = vectors::<N>(at.a).map(|a| a.norm());
+        let mut bound: [f64; N] = std::array::from_fn(|a| {
+            let of = |b: usize| profile.mass[a][b].abs() * (moved[b] + profile.drag * v[b].norm());
+            let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
+            f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
+        });
+        let (q, v, sizes) = (Relative::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
+        for station in &profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = station.directors::<S>(&q);
+            let p = station.rounding::<S>(&g0, &u, v.as_ref(), &sizes);
+            for (i, bound) in bound.iter_mut().enumerate() {
+                for &(director, weight) in station.parts[i].as_slice() {
+                    *bound += station.weight * p[director] * weight.abs();
+                }
+            }
+        }
+        for (row, floor) in floor.iter_mut().enumerate() {
+            *floor += bound[row / 3];
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let mut blocks = [[Matrix3::zeros(); N]; N];
+        if w.q != 0.0 || w.v != 0.0 {
+            let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+            let mut h = NO_STIFFNESS;
+            for station in &self.profile.stations {
+                let g0 = station.reference(&self.frame);
+                let u = station.directors::<S>(&q);
+                station.stiffness::<S>(&g0, &u, v.as_ref(), [w.q, w.v], &mut h);
+                station.spread_stiffness(&h, &mut blocks);
+            }
+        }
+        let inertia = w.a + self.profile.drag * w.v;
+        for a in 0..N {
+            for b in 0..=a {
+                blocks[a][b] += Matrix3::from_diagonal_element(inertia * self.profile.mass[a][b]);
+            }
+        }
+        add_blocks(&blocks, k);
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (q, dq) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(by.q)));
+        let mut blocks = [[Matrix3::zeros(); N]; N];
+        for station in &self.profile.stations {
+            let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
+            let h = station.stress_stiffness(&g0, &u, &station.directors::<S>(&dq));
+            station.spread_stiffness(&h, &mut blocks);
+        }
+        add_blocks(&blocks, k);
+    }
+
+    /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let q = Relative::new::<S>(&vectors(at.q));
+        self.profile
+            .stations
+            .iter()
+            .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)))
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let (q, v) = (vectors::<N>(at.q), vectors::<N>(at.v));
+        let momentum = self.mass_times(&v);
+        let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
+        let relative = Relative::new::<S>(&q);
+        let of =
+            |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
+        let strain = self.profile.stations.iter().map(of).sum();
+        Energy {
+            kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
+            strain,
+            potential: -at.load * self.profile.gravity.dot(&moved),
+        }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let damped = self.profile.drag != 0.0 || self.moving(at).is_some();
+        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
+    }
+}
+
+/// Adds the lower blocks to a matrix.
+pub(crate) fn add_blocks<const N: usize>(blocks: &[[Matrix3<f64>; N]; N], k: &mut LocalMatrix<'_>) {
+    for a in 0..N {
+        for b in 0..=a {
+            for i in 0..3 {
+                let columns = if a == b { 0..=i } else { 0..=2 };
+                for j in columns {
+                    k.add(3 * a + i, 3 * b + j, blocks[a][b][(i, j)]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,312 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
+use nalgebra::{Matrix3, Vector3};
+
+use super::beam::add_blocks;
+use super::cable_profile::{CableDamping, CableProfile, CableStation};
+use crate::kinematics::{Bend, Blocks, Stretch};
+
+/// |r′| at and below which a line is taken to be crushed to a point.
+pub(crate) const CRUSHED: f64 = 0.01;
+
+/// The two-node, 12-coordinate, gradient-deficient ANCF cable element; straight and stress-free in its reference
+/// configuration.
+///
+/// A line that stretches and bends, without shear or twist. Coordinates are the vectors (r, ℓ r_x) of node 1, then of
+/// node 2, less their reference values. Strain energy
+///
+/// U = ½∫(EA ε² + EI K²) dx,  ε = |r′| − 1,  K = |r′ × r″|/|r′|²
+///
+/// with the material measure of curvature, the same about all axes normal to the line. Strains are formed from
+/// displacement gradients: nothing is lost for small ones or far from the origin. The mass is that of the line, ρA;
+/// the rotary inertia of the section is neglected.
+///
+/// # Damping
+///
+/// Kelvin-Voigt with the retardation time τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|² and κ° its
+/// rate seen from a frame that follows the tangent without spin about it. The dissipation ½τ∫(EA ε̇² + EI |κ°|²) dx is half
+/// the lost power; it is smooth, never negative, and damps small vibrations about any shape as linear theory does.
+///
+/// It is zero in translations, in all rotations of a straight cable, and in rotations in the plane of a plane one. A rigid
+/// spin Ω about the tangent of a *bent* cable loses τ EI K² Ω² per length, as a rod does whose sections do not spin with it,
+/// being held at its ends; its moment about the tangent is not balanced. It cannot be had otherwise: a line without twist,
+/// bent by a small η, that spins about its tangent at the rate 1/η has the velocities of a bending of finite rate,
+/// however small η. A dissipation that vanishes in all rigid motions and is continuous at the straight line vanishes
+/// there for bending, too. The rate of the scalar K vanishes in rigid motions, but jumps where the line is straight, and leaves
+/// vibrations across the plane of bending undamped.
+///
+/// The mass-proportional α M v damps rigid motions as well, like a medium at rest.
+///
+/// # Tangent
+///
+/// Exact without damping, and by v. Of the derivative of the retarded forces by q, how it changes the rates of strain is left
+/// out: it is not symmetric, and its symmetric part serves Newton's method worse than none. The method then converges
+/// linearly, fast for steps in which the cable turns little.
+///
+/// Source: Gerstmayr & Shabana (2006), the element; Gerstmayr & Irschik (2008), its strains.
+#[derive(Clone, Debug)]
+pub struct Cable12 {
+    coordinates: [usize; 12],
+    pub(crate) direction: Vector3<f64>,
+    pub(crate) profile: Arc<CableProfile>,
+}
+
+impl Cable12 {
+    /// An element on the given coordinates along a unit vector.
+    pub fn new(coordinates: [usize; 12], direction: Vector3<f64>, profile: Arc<CableProfile>) -> Self {
+        Self { coordinates, direction, profile }
+    }
+
+    /// What it shares with the other elements of the cable.
+    pub fn profile(&self) -> &CableProfile {
+        &self.profile
+    }
+
+    /// Axial strain ε = |r′| − 1 and curvature vector κ = r′ × r″/|r′|² at ξ, from the element's own coordinates.
+    pub fn strains(&self, q: &[f64], xi: f64) -> (f64, Vector3<f64>) {
+        let (station, q) = (self.profile.station(xi), vectors(q));
+        let bend = self.bend(&station, &q);
+        (self.stretch(&station, &q).strain, bend.turned(&bend.strain()))
+    }
+
+    /// Axial force N = EA (ε + τ ε̇), positive in tension along the tangent, and bending moment M = EI (κ + τ κ°),
+    /// global components, at ξ, from the element's own coordinates and velocities.
+    ///
+    /// What the part x > ξ l exerts on the part x < ξ l. Axial forces are best at the axial points of the rule.
+    pub fn resultants(&self, q: &[f64], v: &[f64], xi: f64) -> (f64, Vector3<f64>) {
+        let (station, q, v) = (self.profile.station(xi), vectors(q), vectors(v));
+        let (stretch, bend) = (self.stretch(&station, &q), self.bend(&station, &q));
+        let rates = station.both(&v);
+        let moment = bend.turned(&self.profile.moment(&bend, &rates));
+        (self.profile.axial_force(&stretch, &rates[0]), moment)
+    }
+
+    /// Strain energy of stretch and of bending, from the element's own coordinates.
+    pub fn parts(&self, q: &[f64]) -> [f64; 2] {
+        let (profile, q) = (&*self.profile, vectors(q));
+        let section = profile.section();
+        let axial = profile.axial().iter().map(|s| s.weight * self.stretch(s, &q).strain.powi(2));
+        let bending = profile.bending().iter().map(|s| s.weight * self.bend(s, &q).strain().norm_squared());
+        [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
+    }
+
+    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Stretch {
+        Stretch::new(&self.direction, &station.first(q))
+    }
+
+    fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
+        Bend::new(self.direction + station.first(q), station.second(q))
+    }
+
+    /// Sum over the element of M_ab x_b.
+    fn mass_times(&self, x: &[Vector3<f64>; 4]) -> [Vector3<f64>; 4] {
+        self.profile.mass().map(|row| row.iter().zip(x).map(|(m, x)| x * *m).sum())
+    }
+}
+
+fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
+    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
+}
+
+impl Term for Cable12 {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
+        let a = vectors(at.a);
+        let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
+        for (force, first) in force.iter_mut().zip(profile.first_moments()) {
+            *force -= profile.gravity() * (at.load * first);
+        }
+        for station in profile.axial() {
+            let stretch = self.stretch(station, &q);
+            let n = profile.axial_force(&stretch, &station.first(&v));
+            for (force, s) in force.iter_mut().zip(station.first) {
+                *force += stretch.tangent * (station.weight * n * s);
+            }
+        }
+        for station in profile.bending() {
+            let bend = self.bend(station, &q);
+            let [of_a, of_b] = bend.force(&(profile.moment(&bend, &station.both(&v)) * station.weight));
+            for (i, force) in force.iter_mut().enumerate() {
+                *force += of_a * station.first[i] + of_b * station.second[i];
+            }
+        }
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
+        let a = vectors(at.a);
+        let mut bound: [f64; 4] = std::array::from_fn(|i| {
+            let moved = |j: usize| a[j].norm() + profile.damping().mass * v[j].norm();
+            let inertia: f64 = (0..4).map(|j| profile.mass()[i][j].abs() * moved(j)).sum();
+            let weight = (at.load * profile.first_moments()[i]).abs() * profile.gravity().norm();
+            f64::EPSILON * (inertia + weight)
+        });
+        for station in profile.axial() {
+            let force = station.weight * self.axial_rounding(station, &q, &v);
+            for (bound, s) in bound.iter_mut().zip(station.first) {
+                *bound += force * s.abs();
+            }
+        }
+        for station in profile.bending() {
+            let [of_a, of_b] = self.bending_rounding(station, &q, &v).map(|f| station.weight * f);
+            for (i, bound) in bound.iter_mut().enumerate() {
+                *bound += of_a * station.first[i].abs() + of_b * station.second[i].abs();
+            }
+        }
+        for (row, floor) in floor.iter_mut().enumerate() {
+            *floor += bound[row / 3];
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        for station in profile.axial() {
+            let h = self.axial_stiffness(station, &q, &v, w) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        for station in profile.bending() {
+            add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
+        }
+        let inertia = w.a + w.v * profile.damping().mass;
+        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * profile.mass()[i][j]));
+        add_blocks(&blocks, k);
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let (profile, q, dq) = (&*self.profile, vectors(at.q), vectors(by.q));
+        let (section, mut blocks) = (profile.section(), [[Matrix3::zeros(); 4]; 4]);
+        for station in profile.axial() {
+            let stretch = self.stretch(station, &q);
+            let n = section.axial * stretch.tangent.dot(&station.first(&dq));
+            let h = stretch.stiffness(0.0, n) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        for station in profile.bending() {
+            let bend = self.bend(station, &q);
+            let m = bend.rate(&station.both(&dq)) * section.bending;
+            add_bending(station, &bend.stress_stiffness(&m), &mut blocks);
+        }
+        add_blocks(&blocks, k);
+    }
+
+    /// |r′| > 0.01 at the points of integration: a line has no inside to turn out, but its strains fail at a point.
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let (profile, q) = (&*self.profile, vectors(at.q));
+        let mut stations = profile.axial().iter().chain(profile.bending());
+        stations.all(|station| (self.direction + station.first(&q)).norm() > CRUSHED)
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let damped = self.profile.damping() != CableDamping::default();
+        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
+        let momentum = self.mass_times(&v);
+        let moved: Vector3<f64> = q.iter().zip(profile.first_moments()).map(|(q, m)| q * *m).sum();
+        Energy {
+            kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
+            strain: self.parts(at.q).iter().sum(),
+            potential: -at.load * profile.gravity().dot(&moved),
+        }
+    }
+}
+
+/// The lower pairs of the element's vectors.
+fn each_pair(mut visit: impl FnMut(usize, usize)) {
+    for i in 0..4 {
+        for j in 0..=i {
+            visit(i, j);
+        }
+    }
+}
+
+/// Adds what a station has by r′ and r″, times its weight.
+fn add_bending(station: &CableStation, h: &Blocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+    let h = h.scaled(station.weight);
+    let (s, c, ab) = (&station.first, &station.second, h.ba.transpose());
+    each_pair(|i, j| {
+        blocks[i][j] += (h.aa * s[j] + ab * c[j]) * s[i] + (h.ba * s[j] + h.bb * c[j]) * c[i];
+    });
+}
+
+impl Cable12 {
+    /// The tangent of N t by a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, but for w_q EA τ t ȧᵀ ∂t/∂a.
+    fn axial_stiffness(
+        &self,
+        station: &CableStation,
+        q: &[Vector3<f64>; 4],
+        v: &[Vector3<f64>; 4],
+        w: Weights,
+    ) -> Matrix3<f64> {
+        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
+        let stretch = self.stretch(station, q);
+        let n = self.profile.axial_force(&stretch, &station.first(v));
+        stretch.stiffness(rigidity * (w.q + w.v * tau), w.q * n)
+    }
+
+    /// The tangent of EI Lᵀ(β + τβ°) by (a, b), but for w_q EI τ Lᵀ ∂β°/∂(a, b).
+    fn bending_stiffness(
+        &self,
+        station: &CableStation,
+        q: &[Vector3<f64>; 4],
+        v: &[Vector3<f64>; 4],
+        w: Weights,
+    ) -> Blocks {
+        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
+        let bend = self.bend(station, q);
+        let stiffness = bend.hessian().scaled(w.q * rigidity);
+        if tau == 0.0 {
+            return stiffness;
+        }
+        stiffness
+            .plus(bend.damping(), w.v * tau * rigidity)
+            .plus(bend.stress_stiffness(&bend.rate(&station.both(v))), w.q * tau * rigidity)
+    }
+}
+
+impl Cable12 {
+    /// A bound of the rounding error of N t.
+    fn axial_rounding(&self, station: &CableStation, q: &[Vector3<f64>; 4], v: &[Vector3<f64>; 4]) -> f64 {
+        let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
+        let (u, rate) = (station.first(q).norm(), station.first(v));
+        let stretch = self.stretch(station, q);
+        let ([du, _], [drate, _]) = (station.rounding(q), station.rounding(v));
+        let dt = du / stretch.length + f64::EPSILON;
+        let dstrain = du + f64::EPSILON * (2.0 + u) * u / (stretch.length + 1.0);
+        let retarded = tau * (drate + (dt + f64::EPSILON) * rate.norm());
+        rigidity * (dstrain + retarded)
+            + self.profile.axial_force(&stretch, &rate).abs() * (dt + f64::EPSILON)
+    }
+
+    /// Bounds of the rounding errors of EI Lᵀ(β + τβ°).
+    fn bending_rounding(
+        &self,
+        station: &CableStation,
+        q: &[Vector3<f64>; 4],
+        v: &[Vector3<f64>; 4],
+    ) -> [f64; 2] {
+        let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
+        let ([du, db], [da_rate, db_rate]) = (station.rounding(q), station.rounding(v));
+        let (a, b) = ((self.direction + station.first(q)).norm(), station.second(q).norm());
+        let [a_rate, b_rate] = station.both(v).map(|x| x.norm());
+        // Of a relatively; of the others absolutely. β is made of b, β° of ḃ and b ȧ/|a|, all over |a|.
+        let da = du / a + f64::EPSILON;
+        let (strain, dstrain) = (b / a, (db + 4.0 * b * da) / a);
+        let rate = (b_rate + 4.0 * b * a_rate / a) / a;
+        let drate = (db_rate + 4.0 * (db * a_rate + b * da_rate) / a) / a + 6.0 * rate * da;
+        let (m, dm) = (strain + tau * rate, dstrain + tau * drate);
+        let of_a = 2.0 * (b * dm + db * m + 4.0 * b * m * da) / (a * a);
+        [rigidity * of_a, rigidity * (dm + 2.0 * m * da) / a]
+    }
+}

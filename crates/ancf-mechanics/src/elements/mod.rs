@@ -1,0 +1,17 @@
+//! Finite elements: ANCF beams and cables, rigid bodies in natural coordinates.
+
+mod beam;
+mod cable;
+mod cable_profile;
+mod profile;
+mod rigid;
+mod station;
+
+pub use beam::{Beam24, Beam27, Element, Profile};
+pub(crate) use cable::CRUSHED;
+pub use cable::Cable12;
+pub(crate) use cable_profile::CableStation;
+pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
+pub use profile::{Formulation, Medium};
+pub use rigid::{RigidBody, is_inertia};
+pub use station::{Law, Station, StrainEnergy};

@@ -1,0 +1,186 @@
+use nalgebra::Vector3;
+
+use super::beam::Profile;
+use super::station::{Law, Parts, Relative, Station};
+use crate::kinematics::{BeamShape, Interpolation, Kind, QuadraticShape, gauss, gauss2, lobatto3};
+use crate::sections::{CrossSection, DIRECTORS, Directors, Lame, Moments, NeoHookean, SectionLaw, straight};
+
+/// What a beam is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Medium {
+    /// Lamé's constants.
+    pub lame: Lame,
+    /// Whether the law is neo-Hookean, not St. Venant-Kirchhoff's; for the continuum formulation.
+    pub neo_hookean: bool,
+    /// Density ρ.
+    pub density: f64,
+    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strains E + τ dE/dt.
+    pub retardation: f64,
+    /// Rate α of the mass-proportional damping α M v.
+    pub drag: f64,
+    /// Acceleration of gravity.
+    pub gravity: Vector3<f64>,
+}
+
+/// Which strains of the two-node element are how stiff, and where they are integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Formulation {
+    /// Full three-dimensional elasticity at five points: exact for the polynomials, hence with all the locking.
+    Continuum,
+    /// [`SectionLaw::enhanced`] at five points.
+    Enhanced,
+    /// [`SectionLaw::rod`] under linked strains ([`SectionLaw::linked`]) at the nodes and the middle, by Simpson's rule, and
+    /// [`SectionLaw::transverse`] at the nodes, where r_x, r_y and r_z are coordinates and free to fit each other: neither
+    /// the axis' length nor the sections' size and shape lock when the element bends.
+    Linked,
+}
+
+/// A quadrature point and its elasticity there: at ξ, by reference directors and section.
+type Sample<'a> = (f64, f64, &'a Elasticity<'a>);
+type Elasticity<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
+
+fn at<'a>(rule: &[(f64, f64)], law: &'a Elasticity<'a>) -> Vec<Sample<'a>> {
+    rule.iter().map(|&(xi, w)| (xi, w, law)).collect()
+}
+
+impl Profile<8> {
+    /// Elements of a straight prismatic beam in the continuum formulation.
+    pub fn new(shape: BeamShape, lame: Lame, density: f64, moments: Moments, gravity: Vector3<f64>) -> Self {
+        let medium = Medium { lame, neo_hookean: false, density, retardation: 0.0, drag: 0.0, gravity };
+        let section = CrossSection {
+            moments,
+            inertia: [moments.yy, moments.zz],
+            torsion: moments.yy + moments.zz,
+            shear: [1.0; 2],
+            points: Vec::new(),
+        };
+        let (l, zero) = (shape.slope, Vector3::zeros());
+        let node = |x: f64| [Vector3::x() * x, Vector3::x() * l, Vector3::y() * l, Vector3::z() * l];
+        let [near, far] = [node(0.0), node(shape.length)];
+        let mut reference = [zero; 8];
+        reference[..4].copy_from_slice(&near);
+        reference[4..].copy_from_slice(&far);
+        Self::two_node(shape, &reference, &|_| section.clone(), &medium, Formulation::Continuum)
+    }
+
+    /// Two-node elements with the given reference vectors, in any frame, and the section at ξ.
+    pub fn two_node(
+        shape: BeamShape,
+        reference: &[Vector3<f64>; 8],
+        section: &dyn Fn(f64) -> CrossSection,
+        medium: &Medium,
+        formulation: Formulation,
+    ) -> Self {
+        let (lame, length) = (medium.lame, shape.length);
+        let continuum = |_: f64, g0: &Directors, section: &CrossSection| match is_straight(g0) {
+            true => SectionLaw::continuum(lame, section.moments),
+            false => SectionLaw::curved(lame, section, g0),
+        };
+        let enhanced =
+            |_: f64, g0: &Directors, section: &CrossSection| SectionLaw::enhanced(lame, section, g0);
+        let linked = |xi: f64, g0: &Directors, section: &CrossSection| {
+            let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
+            let shear = SectionLaw::shear(lame, section, g0);
+            let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
+            // Simpson's weights are 1/6 at the nodes, those of the trapezoidal rule 1/2.
+            if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
+        };
+        let rule = match formulation {
+            Formulation::Continuum => at(&gauss(), &continuum),
+            Formulation::Enhanced => at(&gauss(), &enhanced),
+            Formulation::Linked => at(&lobatto3(), &linked),
+        };
+        Self::build(&shape, reference, section, medium, &rule)
+    }
+}
+
+impl Profile<9> {
+    /// Three-node elements with the given reference vectors, in any frame, and the section at ξ.
+    ///
+    /// [`SectionLaw::rod`] at two Gauss points, which frees the element from shear and membrane locking, and
+    /// [`SectionLaw::transverse`] at the nodes, by Simpson's rule, with the axial strain of the Gauss points
+    /// ([`SectionLaw::reduced`]).
+    ///
+    /// Source: Nachbagauer, Gruber & Gerstmayr (2013) for the element and the two points; the change of the section at the nodes is
+    /// ours: at the Gauss points, motions without or with negative energy are left, at more points the element locks.
+    pub fn three_node(
+        shape: QuadraticShape,
+        reference: &[Vector3<f64>; 9],
+        section: &dyn Fn(f64) -> CrossSection,
+        medium: &Medium,
+    ) -> Self {
+        let lame = medium.lame;
+        let rod = |_: f64, g0: &Directors, section: &CrossSection| {
+            SectionLaw::rod(lame, section, g0).plus(&SectionLaw::shear(lame, section, g0))
+        };
+        let transverse = |xi: f64, g0: &Directors, section: &CrossSection| {
+            SectionLaw::transverse(lame, section, g0).reduced(xi)
+        };
+        let mut rule = at(&gauss2(), &rod);
+        rule.extend(at(&lobatto3(), &transverse));
+        Self::build(&shape, reference, section, medium, &rule)
+    }
+}
+
+fn is_straight(g0: &Directors) -> bool {
+    g0.iter().zip(straight()).take(5).all(|(g0, straight)| *g0 == straight)
+}
+
+impl<const N: usize> Profile<N> {
+    fn build<S: Interpolation<N>>(
+        shape: &S,
+        reference: &[Vector3<f64>; N],
+        section: &dyn Fn(f64) -> CrossSection,
+        medium: &Medium,
+        rule: &[Sample<'_>],
+    ) -> Self {
+        let relative = Relative::new::<S>(reference);
+        let stations = rule.iter().map(|&(xi, w, law)| {
+            let weights = shape.directors(xi);
+            let parts = |reach: usize| -> [Parts; N] {
+                std::array::from_fn(|i| Parts::new(S::KINDS[i].directors(), weights[i], reach))
+            };
+            let mut g0 = settled(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
+            let section = section(xi);
+            let quadratic = law(xi, &g0, &section);
+            // What nothing reads costs nothing.
+            let reach = quadratic.reach().max(5);
+            g0[reach..].fill(Vector3::zeros());
+            let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
+            let law = if medium.neo_hookean {
+                Law::Hyperelastic(NeoHookean::new(medium.lame, section.points))
+            } else {
+                Law::Quadratic(quadratic)
+            };
+            Station { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
+        });
+        let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
+        for (xi, w) in gauss() {
+            let (section, values) = (section(xi), shape.values(xi));
+            let weight = w * shape.length() * medium.density;
+            for a in 0..N {
+                if matches!(S::KINDS[a], Kind::Position | Kind::Slope) {
+                    first[a] += weight * section.moments.area * values[a];
+                }
+                for b in 0..N {
+                    let moment = match (S::KINDS[a], S::KINDS[b]) {
+                        (Kind::Y, Kind::Y) => section.inertia[0],
+                        (Kind::Z, Kind::Z) => section.inertia[1],
+                        (Kind::Y | Kind::Z, _) | (_, Kind::Y | Kind::Z) => continue,
+                        _ => section.moments.area,
+                    };
+                    mass[a][b] += weight * moment * values[a] * values[b];
+                }
+            }
+        }
+        let Medium { gravity, drag, retardation, .. } = *medium;
+        Self { stations: stations.collect(), mass, first, gravity, drag, retardation }
+    }
+}
+
+/// Directors that are straight but for rounding, straight.
+fn settled(g0: Directors, length: f64) -> Directors {
+    let scales = [1.0, length, length, 1.0, 1.0, 1.0, 1.0];
+    let near = g0.iter().zip(straight()).zip(scales).all(|((g, s), scale)| (g - s).amax() * scale < 1e-12);
+    if near { straight() } else { g0 }
+}

@@ -1,0 +1,361 @@
+use std::ops::{AddAssign, Mul};
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::kinematics::{Interpolation, Kind};
+use crate::sections::{
+    AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, DIRECTORS, Directors, EE, EH, HH,
+    NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
+};
+
+/// The elastic law of a cross-section.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Law {
+    /// Quadratic in the section strains.
+    Quadratic(SectionLaw),
+    /// Compressible neo-Hookean.
+    Hyperelastic(NeoHookean),
+}
+
+impl Law {
+    fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
+        match self {
+            Self::Quadratic(_) => true,
+            Self::Hyperelastic(law) => law.is_admissible(g0, u),
+        }
+    }
+
+    fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
+        match self {
+            Self::Quadratic(law) => law.energy(g0, u),
+            Self::Hyperelastic(law) => law.energy(g0, u),
+        }
+    }
+
+    fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
+        match self {
+            Self::Quadratic(law) => law.forces(g0, u),
+            Self::Hyperelastic(law) => law.forces(g0, u),
+        }
+    }
+
+    fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
+        match self {
+            Self::Quadratic(law) => law.add_stiffness(g0, u, factor, h),
+            Self::Hyperelastic(law) => law.add_stiffness(g0, u, factor, h),
+        }
+    }
+
+    fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
+        match self {
+            Self::Quadratic(law) => law.add_stress_stiffness(g0, u, du, h),
+            Self::Hyperelastic(law) => law.add_stress_stiffness(g0, u, du, h),
+        }
+    }
+
+    /// One more than the last director that it depends on.
+    fn reach(&self) -> usize {
+        match self {
+            Self::Quadratic(law) => law.reach(),
+            Self::Hyperelastic(_) => 5,
+        }
+    }
+
+    fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
+        match self {
+            Self::Quadratic(law) => law.rounding(g0, u, du),
+            Self::Hyperelastic(law) => law.rounding(g0, u, du),
+        }
+    }
+}
+
+/// One quadrature point of the axis: where it is, what it weighs, what its section is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Station<const N: usize> {
+    /// Gauss weight times the element's length.
+    pub(crate) weight: f64,
+    /// What each of the element's vectors is in the directors.
+    pub(crate) parts: [Parts; N],
+    /// Directors of the reference state in the element's frame.
+    pub(crate) reference: Directors,
+    /// Elasticity.
+    pub(crate) law: Law,
+    /// Viscosity: resultants of strain rates.
+    pub(crate) viscosity: Option<SectionLaw>,
+}
+
+/// Strain energy by the strains that it belongs to; what couples two of them is shared between them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StrainEnergy {
+    /// Stretch of the axis.
+    pub axial: f64,
+    /// Bending about both axes.
+    pub bending: f64,
+    /// Mean shear of the sections.
+    pub shear: f64,
+    /// Twist.
+    pub torsion: f64,
+    /// Change of the sections' size and shape.
+    pub section: f64,
+    /// All of it, of a law that has no such parts.
+    pub volume: f64,
+}
+
+impl AddAssign for StrainEnergy {
+    fn add_assign(&mut self, other: Self) {
+        let Self { axial, bending, shear, torsion, section, volume } = other;
+        self.axial += axial;
+        self.bending += bending;
+        self.shear += shear;
+        self.torsion += torsion;
+        self.section += section;
+        self.volume += volume;
+    }
+}
+
+impl Mul<f64> for StrainEnergy {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        let Self { axial, bending, shear, torsion, section, volume } = self;
+        Self {
+            axial: axial * factor,
+            bending: bending * factor,
+            shear: shear * factor,
+            torsion: torsion * factor,
+            section: section * factor,
+            volume: volume * factor,
+        }
+    }
+}
+
+/// The directors that a vector enters, each with its weight there.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Parts {
+    count: usize,
+    items: [(usize, f64); 3],
+}
+
+impl Parts {
+    /// Those below `reach` with a weight.
+    pub(crate) fn new(directors: [usize; 3], weights: [f64; 3], reach: usize) -> Self {
+        let mut parts = Self::default();
+        for part in directors.into_iter().zip(weights).filter(|&(i, weight)| i < reach && weight != 0.0) {
+            parts.items[parts.count] = part;
+            parts.count += 1;
+        }
+        parts
+    }
+
+    /// Director and weight of each.
+    pub(crate) fn as_slice(&self) -> &[(usize, f64)] {
+        &self.items[..self.count]
+    }
+}
+
+/// The vectors of an element, each less the first of its kind, and these first ones of kind Y and Z: what depends on
+/// differences only is then not spoilt by what all have in common.
+pub(crate) struct Relative<const N: usize> {
+    difference: [Vector3<f64>; N],
+    base: [Vector3<f64>; 2],
+}
+
+impl<const N: usize> Relative<N> {
+    pub(crate) fn new<S: Interpolation<N>>(q: &[Vector3<f64>; N]) -> Self {
+        let first = |kind: Kind| S::KINDS.iter().position(|&k| k == kind).map_or(Vector3::zeros(), |i| q[i]);
+        let [r, y, z] = [Kind::Position, Kind::Y, Kind::Z].map(first);
+        let difference = std::array::from_fn(|i| match S::KINDS[i] {
+            Kind::Position => q[i] - r,
+            Kind::Slope => q[i],
+            Kind::Y => q[i] - y,
+            Kind::Z => q[i] - z,
+        });
+        Self { difference, base: [y, z] }
+    }
+
+    /// The directors that the vectors make.
+    pub(crate) fn directors<S: Interpolation<N>>(&self, parts: &[Parts; N]) -> Directors {
+        let mut u = [Vector3::zeros(); DIRECTORS];
+        let (mut d, mut e) = (0.0, 0.0);
+        for i in 0..N {
+            for &(director, weight) in parts[i].as_slice() {
+                u[director] += self.difference[i] * weight;
+                match (S::KINDS[i], director) {
+                    (Kind::Y, 3) => d += weight,
+                    (Kind::Z, 4) => e += weight,
+                    _ => {}
+                }
+            }
+        }
+        u[3] += self.base[0] * d;
+        u[4] += self.base[1] * e;
+        u
+    }
+}
+
+impl<const N: usize> Station<N> {
+    /// Increments of the directors.
+    pub(crate) fn directors<S: Interpolation<N>>(&self, q: &Relative<N>) -> Directors {
+        q.directors::<S>(&self.parts)
+    }
+
+    /// Bounds of the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
+    fn uncertainty(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
+        let mut du = [0.0; DIRECTORS];
+        for (i, size) in sizes.iter().enumerate() {
+            for &(director, weight) in self.parts[i].as_slice() {
+                du[director] += f64::EPSILON * weight.abs() * size;
+            }
+        }
+        du
+    }
+
+    /// The reference directors in the global frame.
+    pub(crate) fn reference(&self, frame: &Matrix3<f64>) -> Directors {
+        let mut g0 = self.reference;
+        for g in g0.iter_mut().filter(|g| **g != Vector3::zeros()) {
+            *g = frame * *g;
+        }
+        g0
+    }
+
+    /// det J > 0 on the axis, and wherever its law wants it.
+    pub(crate) fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
+        let g = sum(g0, u);
+        g[0].dot(&g[3].cross(&g[4])) > 0.0 && self.law.is_admissible(g0, u)
+    }
+
+    /// Strain energy per length.
+    pub(crate) fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
+        self.law.energy(g0, u)
+    }
+
+    /// Strain energy per length by part.
+    pub(crate) fn strain_energy(&self, g0: &Directors, u: &Directors) -> StrainEnergy {
+        let Law::Quadratic(law) = &self.law else {
+            return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
+        };
+        let shares = law.shares(g0, u);
+        let sum = |of: &[usize]| of.iter().map(|&k| shares[k]).sum::<f64>();
+        StrainEnergy {
+            axial: sum(&[AA]),
+            bending: sum(&[AB, AC, BB, BC, CC, DH, EH, BK, CK]),
+            shear: sum(&[AD, AE]),
+            torsion: sum(&[BE, CD]),
+            section: sum(&[BD, CE, DD, DE, EE, HH]),
+            volume: 0.0,
+        }
+    }
+
+    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors; without these, elastic ones.
+    pub(crate) fn forces<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        u: &Directors,
+        v: Option<&Relative<N>>,
+    ) -> Directors {
+        let mut p = self.law.forces(g0, u);
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let g = sum(g0, u);
+            let viscous = law.of_resultants(&law.viscous(&g, &self.directors::<S>(v)), &g);
+            p.iter_mut().zip(viscous).for_each(|(p, viscous)| *p += viscous);
+        }
+        p
+    }
+
+    /// A bound of the rounding errors of the forces, for each component, given the norms of the vectors.
+    pub(crate) fn rounding<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        u: &Directors,
+        v: Option<&Relative<N>>,
+        sizes: &[f64; N],
+    ) -> [f64; DIRECTORS] {
+        let mut bound = self.law.rounding(g0, u, &self.uncertainty(sizes));
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let g = sum(g0, u);
+            let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
+            let sizes = law.of_resultants(&n, &g.map(|g| g.abs()));
+            bound.iter_mut().zip(sizes).for_each(|(bound, size)| *bound += 4.0 * f64::EPSILON * size.norm());
+        }
+        bound
+    }
+
+    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks, but for w_q B(g)ᵀ D B(v), how
+    /// displacements change the rates of strain: it is not symmetric, and Newton's method does better without any of it than
+    /// with its symmetric part.
+    pub(crate) fn stiffness<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        u: &Directors,
+        v: Option<&Relative<N>>,
+        [wq, wv]: [f64; 2],
+        h: &mut Stiffness,
+    ) {
+        let reach = self.law.reach();
+        for i in 0..reach {
+            h[i][..=i].fill(Matrix3::zeros());
+        }
+        if wq != 0.0 {
+            self.law.add_stiffness(g0, u, wq, h);
+        }
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let (g, v) = (sum(g0, u), self.directors::<S>(v));
+            law.add_geometric(&law.viscous(&g, &v), wq, h);
+            law.add_squares(&g, wv, h);
+        }
+        for i in 0..reach {
+            for j in 0..i {
+                h[j][i] = h[i][j].transpose();
+            }
+        }
+    }
+
+    /// The stiffness of the elastic stresses that the increment `du` of the directors causes in first order, all blocks.
+    pub(crate) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
+        let mut h = NO_STIFFNESS;
+        self.law.add_stress_stiffness(g0, u, du, &mut h);
+        for i in 0..DIRECTORS {
+            for j in 0..i {
+                h[j][i] = h[i][j].transpose();
+            }
+        }
+        h
+    }
+
+    /// Adds p to the vectors that the directors are made of.
+    pub(crate) fn spread(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
+        for (force, parts) in force.iter_mut().zip(&self.parts) {
+            for &(director, weight) in parts.as_slice() {
+                *force += p[director] * (weight * self.weight);
+            }
+        }
+    }
+
+    /// Adds H to the lower blocks of the element's matrix.
+    pub(crate) fn spread_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
+        let reach = self.law.reach();
+        for a in 0..N {
+            if let [(director, own)] = *self.parts[a].as_slice() {
+                for b in 0..=a {
+                    for &(other, weight) in self.parts[b].as_slice() {
+                        add(&mut k[a][b], &h[director][other], own * weight * self.weight);
+                    }
+                }
+                continue;
+            }
+            // The row of the vector against the directors.
+            let mut row = [Matrix3::zeros(); DIRECTORS];
+            for &(director, weight) in self.parts[a].as_slice() {
+                for j in 0..reach {
+                    add(&mut row[j], &h[director][j], weight * self.weight);
+                }
+            }
+            for b in 0..=a {
+                for &(director, weight) in self.parts[b].as_slice() {
+                    add(&mut k[a][b], &row[director], weight);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Hydrodynamic loads: drag, added mass, buoyancy.
+
+mod flow;
+mod morison;
+
+pub use flow::{Fluid, Hull};
+pub use morison::Morison;

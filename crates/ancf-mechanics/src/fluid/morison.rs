@@ -1,0 +1,190 @@
+use std::sync::Arc;
+
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
+use nalgebra::{Matrix3, Vector3};
+
+use super::flow::{Flow, Fluid, Wetted};
+use crate::kinematics::ElementAxis;
+
+/// What a fluid does to one element of a thin line: drag, added mass, buoyancy.
+///
+/// Per undeformed length, with the tangent t, the velocity of the fluid seen from the line w = u − ṙ, its parts w_t = t·w along
+/// and w_n = w − t w_t across, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in MoorDyn, Hall & Goupee 2015):
+///
+/// f = ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t + ρA u̇ + M (u̇ − r̈) − ρA g,  M = ρA (C_an (I − t tᵀ) + C_at t tᵀ).
+///
+/// The buoyancy −ρA g is that of a line with fluid all around it, at its ends too; axial forces are then effective tensions, true
+/// force plus pressure times area. Drag, buoyancy and ρA u̇ + M u̇ are loads and act s times for a load factor s; −M r̈ is
+/// inertia and does not.
+///
+/// Energies: ½ ṙ·M ṙ is kinetic, that of the fluid set in motion; buoyancy has a potential. Supplied are F·u of the drag F, the work
+/// of a changing current, and ½ ṙ·Ṁ ṙ, since Morison's formula has no forces by which the momentum of the fluid turns with the line.
+/// Dissipated is F·w ≥ 0.
+///
+/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent holds its symmetric part.
+#[derive(Clone, Debug)]
+pub struct Morison {
+    coordinates: Vec<usize>,
+    fluid: Arc<Fluid>,
+    stations: [Station; 5],
+}
+
+/// A point of the axis.
+#[derive(Clone, Copy, Debug)]
+struct Station {
+    /// Weights of the vectors in r and in p = dr/ds.
+    values: [f64; 4],
+    slopes: [f64; 4],
+    /// p in the reference state.
+    tangent: Vector3<f64>,
+    wetted: Wetted,
+}
+
+/// The fluid at one time.
+struct Instant {
+    velocity: Vector3<f64>,
+    acceleration: Vector3<f64>,
+}
+
+impl Morison {
+    /// On an axis, from the weights, the tangent and the section at five points.
+    pub(crate) fn new(
+        axis: &ElementAxis,
+        fluid: Arc<Fluid>,
+        points: [([[f64; 4]; 3], Vector3<f64>, Wetted); 5],
+    ) -> Self {
+        let stations =
+            points.map(|([values, slopes, _], tangent, wetted)| Station { values, slopes, tangent, wetted });
+        Self { coordinates: axis.coordinates().collect(), fluid, stations }
+    }
+
+    fn fluid(&self, at: &Local<'_>) -> Instant {
+        let (velocity, acceleration) = (self.fluid.velocity(at.t), self.fluid.acceleration(at.t));
+        Instant { velocity, acceleration }
+    }
+
+    /// Without load: buoyancy and the push of a fluid that is accelerated.
+    fn displaced(&self, fluid: &Instant, wetted: &Wetted) -> Vector3<f64> {
+        (fluid.acceleration - self.fluid.gravity) * wetted.displaced()
+    }
+}
+
+impl Station {
+    fn flow(&self, at: &Local<'_>, fluid: &Instant) -> Flow {
+        let p = self.tangent + sum(&self.slopes, at.q);
+        let stretch = p.norm();
+        Flow {
+            tangent: p / stretch,
+            stretch,
+            relative: fluid.velocity - sum(&self.values, at.v),
+            accelerated: fluid.acceleration * at.load - sum(&self.values, at.a),
+            load: at.load,
+        }
+    }
+
+    /// The magnitudes that p, w and b are made of.
+    fn sizes(&self, at: &Local<'_>, fluid: &Instant) -> [f64; 3] {
+        [
+            self.tangent.norm() + size(&self.slopes, at.q),
+            fluid.velocity.norm() + size(&self.values, at.v),
+            (fluid.acceleration * at.load).norm() + size(&self.values, at.a),
+        ]
+    }
+}
+
+fn vectors(x: &[f64]) -> impl Iterator<Item = Vector3<f64>> + '_ {
+    x.chunks_exact(3).map(Vector3::from_column_slice)
+}
+
+fn sum(weights: &[f64; 4], x: &[f64]) -> Vector3<f64> {
+    vectors(x).zip(weights).map(|(x, w)| x * *w).sum()
+}
+
+fn size(weights: &[f64; 4], x: &[f64]) -> f64 {
+    vectors(x).zip(weights).map(|(x, w)| x.norm() * w.abs()).sum()
+}
+
+impl Term for Morison {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let fluid = self.fluid(at);
+        for station in &self.stations {
+            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
+            let force = wetted.drag(&flow)
+                + wetted.added(&flow, &flow.accelerated)
+                + self.displaced(&fluid, wetted) * at.load;
+            for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
+                (0..3).for_each(|k| row[k] -= value * force[k]);
+            }
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let fluid = self.fluid(at);
+        for station in &self.stations {
+            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
+            let displaced = (self.displaced(&fluid, wetted) * at.load).norm() * f64::EPSILON;
+            let bound = wetted.rounding(&flow, station.sizes(at, &fluid)) + displaced;
+            for (row, value) in floor.chunks_exact_mut(3).zip(station.values) {
+                row.iter_mut().for_each(|floor| *floor += value.abs() * bound);
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (fluid, n) = (self.fluid(at), self.coordinates.len() / 3);
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        for station in &self.stations {
+            let (values, slopes) = (&station.values, &station.slopes);
+            let by = station.wetted.slopes(&station.flow(at, &fluid));
+            let inertia = by.velocity * w.v + by.acceleration * w.a;
+            let stiffness = by.gradient * (-0.5 * w.q);
+            for i in 0..n {
+                for j in 0..=i {
+                    blocks[i][j] += inertia * (values[i] * values[j])
+                        + stiffness * (values[i] * slopes[j])
+                        + stiffness.transpose() * (slopes[i] * values[j]);
+                }
+            }
+        }
+        for (i, j) in (0..3 * n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+            k.add(i, j, blocks[i / 3][j / 3][(i % 3, j % 3)]);
+        }
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let fluid = self.fluid(at);
+        let of = |station: &Station| {
+            let (flow, v) = (station.flow(at, &fluid), sum(&station.values, at.v));
+            let buoyancy = self.fluid.gravity * (-at.load * station.wetted.displaced());
+            Energy {
+                kinetic: 0.5 * v.dot(&station.wetted.added(&flow, &v)),
+                potential: -buoyancy.dot(&sum(&station.values, at.q)),
+                ..Energy::default()
+            }
+        };
+        let mut energy = Energy::default();
+        self.stations.iter().map(of).for_each(|share| energy += share);
+        energy
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let fluid = self.fluid(at);
+        let of = |station: &Station| {
+            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
+            let (v, rate) = (sum(&station.values, at.v), sum(&station.slopes, at.v));
+            let drag = wetted.drag(&flow);
+            let pushed = fluid.acceleration * wetted.displaced() + wetted.added(&flow, &fluid.acceleration);
+            Power {
+                work: drag.dot(&fluid.velocity) + pushed.dot(&v) * at.load + wetted.turning(&flow, &v, &rate),
+                dissipation: drag.dot(&flow.relative),
+            }
+        };
+        let mut power = Power::default();
+        self.stations.iter().map(of).for_each(|share| power += share);
+        power
+    }
+}

@@ -1,0 +1,111 @@
+use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::functions::ForceFunction;
+use crate::kinematics::{Marker, add_symmetric};
+
+/// A force on a point that the program computes from time, position and velocity: adds −w s F(t, x, v) to the residual, with the
+/// load factor s.
+///
+/// It has no potential that is known; its work is told as supplied power, also what it takes out. The derivatives by x and v
+/// are central differences, exact to some 10⁻¹⁰ of F per length of the model and per speed where F is smooth, and the tangent
+/// holds the symmetric part of them.
+///
+/// Steps are ∛ε, where errors of differencing and of rounding balance, times what is large: of x the length of the model, of v
+/// the speed itself or, if that is less, the speed at which a thousand steps of time pass the length of the model.
+#[derive(Clone, Debug)]
+pub struct ExternalForce {
+    point: Marker,
+    coordinates: Vec<usize>,
+    function: ForceFunction,
+    length: f64,
+}
+
+/// ∛ε.
+const STEP: f64 = 6.055e-6;
+/// A step of time less, by which a slow point passes so much of the length of the model.
+const SLOW: f64 = 1e-3;
+
+impl ExternalForce {
+    /// The force on a point marker, in a model of a length.
+    pub fn new(point: &Marker, function: ForceFunction, length: f64) -> Self {
+        let coordinates: Vec<usize> = point.coordinates().collect();
+        Self { point: point.within(&coordinates), coordinates, function, length }
+    }
+
+    /// Position and velocity of the point.
+    fn motion(&self, at: &Local<'_>) -> [Vector3<f64>; 2] {
+        [self.point.reference() + self.point.sum(at.q), self.point.sum(at.v)]
+    }
+
+    fn force(&self, at: &Local<'_>, [x, v]: [Vector3<f64>; 2]) -> Vector3<f64> {
+        Vector3::from(self.function.at(at.t, x.into(), v.into())) * at.load
+    }
+
+    /// ∂F/∂x.
+    fn by_position(&self, at: &Local<'_>) -> Matrix3<f64> {
+        let [x, v] = self.motion(at);
+        slope(x, STEP * self.length, |x| self.force(at, [x, v]))
+    }
+
+    /// ∂F/∂v by steps for a speed.
+    fn by_velocity(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
+        let [x, v] = self.motion(at);
+        slope(v, STEP * speed, |v| self.force(at, [x, v]))
+    }
+}
+
+/// The derivative of a function by central differences.
+fn slope(x: Vector3<f64>, step: f64, f: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Matrix3<f64> {
+    let columns = [0, 1, 2].map(|k| {
+        let (mut ahead, mut back) = (x, x);
+        // Far away, steps have to be seen at all.
+        let step = step.max(8.0 * f64::EPSILON * x[k].abs());
+        ahead[k] += step;
+        back[k] -= step;
+        (f(ahead) - f(back)) / (ahead[k] - back[k])
+    });
+    Matrix3::from_columns(&columns)
+}
+
+impl Term for ExternalForce {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.point.add(-self.force(at, self.motion(at)), r);
+    }
+
+    /// That of the arguments, and of the result as if the program rounded it once.
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (place, speed) = (self.point.size(at.q), self.point.sum_of_sizes(at.v));
+        let mut error = 4.0 * self.force(at, self.motion(at)).norm() + self.by_position(at).norm() * place;
+        if speed > 0.0 {
+            error += self.by_velocity(at, speed).norm() * speed;
+        }
+        for &(first, w) in self.point.parts() {
+            floor[first..first + 3].iter_mut().for_each(|row| *row += 2.0 * f64::EPSILON * error * w.abs());
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        if at.load == 0.0 {
+            return;
+        }
+        let mut slope = Matrix3::zeros();
+        if w.q != 0.0 {
+            slope += self.by_position(at) * w.q;
+        }
+        if w.v != 0.0 {
+            let rate = if w.q == 0.0 { 1.0 } else { (w.v / w.q).abs() };
+            let speed = self.point.sum(at.v).norm().max(SLOW * self.length * rate);
+            slope += self.by_velocity(at, speed) * w.v;
+        }
+        add_symmetric(&[&self.point], &slope, -1.0, k);
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        supplied(self, at)
+    }
+}

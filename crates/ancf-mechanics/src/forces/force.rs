@@ -1,0 +1,66 @@
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, supplied};
+use nalgebra::Vector3;
+
+use crate::functions::Function;
+use crate::kinematics::Marker;
+
+/// A force on a point, constant in direction and, but for a function of time f, in size.
+///
+/// Adds −w f(t) F to the residual. A constant one has the potential −f F·(x − x₀), zero in the reference configuration; of one
+/// that varies, the work is told as supplied power.
+#[derive(Clone, Debug)]
+pub struct Force {
+    point: Marker,
+    coordinates: Vec<usize>,
+    force: Vector3<f64>,
+    function: Function,
+}
+
+impl Force {
+    /// The force on a point marker.
+    pub fn new(point: &Marker, force: Vector3<f64>) -> Self {
+        Self::varying(point, force, Function::ONE)
+    }
+
+    /// The force, times a function of time, on a point marker.
+    pub fn varying(point: &Marker, force: Vector3<f64>, function: Function) -> Self {
+        let coordinates: Vec<usize> = point.coordinates().collect();
+        Self { point: point.within(&coordinates), coordinates, force, function }
+    }
+
+    fn now(&self, at: &Local<'_>) -> Vector3<f64> {
+        self.force * (at.load * self.function.value(at.t))
+    }
+}
+
+impl Term for Force {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.point.add(-self.now(at), r);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let force = self.now(at);
+        for &(first, w) in self.point.parts() {
+            for k in 0..3 {
+                floor[first + k] += f64::EPSILON * (w * force[k]).abs();
+            }
+        }
+    }
+
+    fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        if !self.function.is_constant() {
+            return Energy::default();
+        }
+        Energy { potential: -self.now(at).dot(&self.point.sum(at.q)), ..Energy::default() }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        if self.function.is_constant() { Power::default() } else { supplied(self, at) }
+    }
+}

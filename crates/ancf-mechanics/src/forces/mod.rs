@@ -1,0 +1,19 @@
+//! Applied forces and moments, springs, friction.
+
+mod distributed;
+mod external;
+mod follower;
+mod force;
+mod friction;
+mod moment;
+mod spring;
+mod strut;
+
+pub use distributed::Piece;
+pub use external::ExternalForce;
+pub use follower::FollowerForce;
+pub use force::Force;
+pub use friction::Friction;
+pub use moment::Moment;
+pub use spring::Spring;
+pub use strut::Strut;

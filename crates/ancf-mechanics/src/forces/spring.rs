@@ -1,0 +1,109 @@
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Term, Weights};
+
+use crate::constraints::{Measure, Target, Wrench, add_outer};
+
+/// A spring and a damper beside it that resist the change of a measure.
+///
+/// U = ½ k x (x − 2c), x = g(q) − g₀, is ½ k (x − c)² less its value in the reference state, with the set point c(t); the
+/// damper dissipates d ẋ². Forces are (k (x − c) + d ẋ) ∂g/∂q. A set point that moves supplies −k x ċ.
+///
+/// The derivative of the damper's forces by q is not symmetric if g is quadratic, and the tangent holds its symmetric part.
+///
+/// Units: k is an energy, d an energy times time, per square of the measure.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    global: Measure,
+    measure: Measure,
+    stiffness: f64,
+    damping: f64,
+    rest: Target,
+    coordinates: Vec<usize>,
+}
+
+impl Spring {
+    /// A spring without force in the reference state.
+    pub fn new(measure: Measure, stiffness: f64, damping: f64) -> Self {
+        Self::set(measure, stiffness, damping, Target::NONE)
+    }
+
+    /// A spring with a set point, by the load factor.
+    pub fn set(measure: Measure, stiffness: f64, damping: f64, rest: Target) -> Self {
+        let coordinates = measure.coordinates();
+        let local = measure.within(&coordinates);
+        Self { global: measure, measure: local, stiffness, damping, rest, coordinates }
+    }
+
+    fn force(&self, at: &Local<'_>) -> f64 {
+        let stretch = self.measure.change(at.q) - self.rest.value(at);
+        self.stiffness * stretch + self.damping * self.measure.slope(at.q, at.v)
+    }
+
+    /// What it exerts on the first body.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let at = Local { q: &s.q, v: &s.v, a: &s.a, lambda: &[], t: s.t, load: s.load };
+        let stretch = self.global.change(at.q) - self.rest.value(&at);
+        let force = self.stiffness * stretch + self.damping * self.global.slope(at.q, at.v);
+        self.global.wrench(s, -force)
+    }
+
+    fn gradient(&self, at: &Local<'_>) -> [f64; LOCAL] {
+        let mut gradient = [0.0; LOCAL];
+        self.measure.add_gradient(at.q, 1.0, &mut gradient[..at.q.len()]);
+        gradient
+    }
+}
+
+impl Term for Spring {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        self.measure.add_gradient(at.q, self.force(at), r);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let n = at.q.len();
+        let of_change = self.measure.add_rounding(at.q, self.force(at), floor);
+        let mut of_rate = [0.0; LOCAL];
+        let mut slopes = 0.0;
+        let gradient = self.gradient(at);
+        self.measure.add_rounding(at.q, 1.0, &mut of_rate[..n]);
+        for i in 0..n {
+            slopes += (of_rate[i] + f64::EPSILON * gradient[i].abs()) * at.v[i].abs();
+        }
+        let of_set = f64::EPSILON * self.rest.size(at);
+        let error = 2.0 * (self.stiffness * (of_change + of_set) + self.damping * slopes);
+        for i in 0..n {
+            floor[i] += error * gradient[i].abs();
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (n, gradient, mut turned) = (at.q.len(), self.gradient(at), [0.0; LOCAL]);
+        let stiffness = w.q * self.stiffness + w.v * self.damping;
+        add_outer(&gradient, &gradient, stiffness, n, k);
+        self.measure.add_curvature(w.q * self.force(at), k);
+        if self.damping > 0.0 {
+            self.measure.add_gradient_slope(at.v, 1.0, &mut turned[..n]);
+            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+        }
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let stretch = self.measure.slope(at.q, by.q) - by.load * self.rest.by_load(at);
+        self.measure.add_curvature(self.stiffness * stretch, k);
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let change = self.measure.change(at.q);
+        let strain = 0.5 * self.stiffness * change * (change - 2.0 * self.rest.value(at));
+        Energy { strain, ..Energy::default() }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let [moved, _] = self.rest.rates(at.t);
+        let dissipation = self.damping * self.measure.slope(at.q, at.v).powi(2);
+        Power { work: -self.stiffness * self.measure.change(at.q) * moved, dissipation }
+    }
+}

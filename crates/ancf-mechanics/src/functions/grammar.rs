@@ -1,0 +1,172 @@
+use num_dual::Dual2_64;
+use thiserror::Error;
+use winnow::ascii::{digit0, digit1, multispace0};
+use winnow::combinator::{Infix, Prefix, alt, expression, opt, preceded, separated};
+use winnow::error::{ContextError, ErrMode, StrContext, StrContextValue};
+use winnow::stream::Stream as _;
+use winnow::token::{one_of, take_while};
+use winnow::{ModalResult, Parser};
+
+use super::expression::{Node, power};
+
+/// Characters of a formula; beyond that it is taken for a slip, and its depth would be that of the stack.
+const LENGTH: usize = 1000;
+/// Brackets within brackets.
+const DEPTH: usize = 40;
+
+const OPERAND: &str = "a number, `t`, `pi`, a function or a bracket";
+const NAME: &str = "`t`, `pi` or a function: sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, \
+                    sqrt, abs, sign, min, max or if";
+const ARGUMENTS: &str = "one argument, two of `min` and `max`, three of `if`";
+const OPERATOR: &str = "an operator or the end; powers of powers in brackets";
+
+/// Where a formula is not understood.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("character {}: wanted {wanted}", .at + 1)]
+pub struct ExpressionError {
+    /// The character, counted from 0.
+    pub at: usize,
+    /// What is wanted there.
+    pub wanted: String,
+}
+
+type Failure = ErrMode<ContextError>;
+
+/// Reads a whole formula.
+pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
+    let error = |at, wanted: &str| Err(ExpressionError { at, wanted: wanted.into() });
+    if text.chars().count() > LENGTH {
+        return error(LENGTH, "at most 1000 characters");
+    }
+    let mut open = 0_usize;
+    for (at, c) in text.chars().enumerate() {
+        open = (open + usize::from(c == '(')).saturating_sub(usize::from(c == ')'));
+        if open > DEPTH {
+            return error(at, "at most 40 brackets within each other");
+        }
+    }
+    let whole = |i: &mut &str| {
+        let node = sum(i)?;
+        multispace0.parse_next(i)?;
+        if i.is_empty() { Ok(node) } else { wanted(OPERATOR) }
+    };
+    { whole }.parse(text).map_err(|failure| {
+        let said = failure.inner().context().find_map(|context| match context {
+            StrContext::Expected(StrContextValue::Description(wanted)) => Some(*wanted),
+            _ => None,
+        });
+        let at = text[..failure.char_span().start.min(text.len())].chars().count();
+        ExpressionError { at, wanted: said.unwrap_or(OPERAND).into() }
+    })
+}
+
+/// A failure for good.
+fn wanted<T>(what: &'static str) -> ModalResult<T> {
+    let mut error = ContextError::new();
+    error.push(StrContext::Expected(StrContextValue::Description(what)));
+    Err(ErrMode::Cut(error))
+}
+
+/// Operands and operators.
+fn sum(i: &mut &str) -> ModalResult<Node> {
+    expression(operand).prefix(sign).infix(operator).parse_next(i)
+}
+
+fn sign<'i>(i: &mut &'i str) -> ModalResult<Prefix<&'i str, Node, Failure>> {
+    multispace0.parse_next(i)?;
+    match opt(one_of(['+', '-'])).parse_next(i)? {
+        Some(_) if i.trim_start().starts_with(['+', '-']) => wanted(OPERAND),
+        Some('-') => Ok(Prefix(30, |_, x| Ok(Node::One(|x| -x, Box::new(x))))),
+        Some(_) => Ok(Prefix(30, |_, x| Ok(x))),
+        None => wanted(OPERAND),
+    }
+}
+
+fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, Node, Failure>> {
+    let sign = one_of(['+', '-', '*', '/', '^', '<', '>']).take();
+    let operator = preceded(multispace0, alt(("<=", ">=", sign))).parse_next(i)?;
+    Ok(match operator {
+        "+" => Infix::Left(10, |_, x, y| Ok(Node::two(|x, y| x + y, x, y))),
+        "-" => Infix::Left(10, |_, x, y| Ok(Node::two(|x, y| x - y, x, y))),
+        "*" => Infix::Left(20, |_, x, y| Ok(Node::two(|x, y| x * y, x, y))),
+        "/" => Infix::Left(20, |_, x, y| Ok(Node::two(|x, y| x / y, x, y))),
+        "<" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re < y.re), x, y))),
+        ">" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re > y.re), x, y))),
+        "<=" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re <= y.re), x, y))),
+        ">=" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re >= y.re), x, y))),
+        _ => Infix::Neither(40, |_, x, y| Ok(Node::two(power, x, y))),
+    })
+}
+
+fn truth(holds: bool) -> Dual2_64 {
+    Dual2_64::from_re(f64::from(u8::from(holds)))
+}
+
+fn operand(i: &mut &str) -> ModalResult<Node> {
+    multispace0.parse_next(i)?;
+    match i.chars().next() {
+        Some('0'..='9' | '.') => number(i),
+        Some('a'..='z' | 'A'..='Z' | '_') => name(i),
+        Some('(') => {
+            i.next_token();
+            let inner = sure(sum(i))?;
+            close(i, "`)` or an operator")?;
+            Ok(inner)
+        }
+        Some('+' | '-') => Err(ErrMode::Backtrack(ContextError::new())),
+        _ => wanted(OPERAND),
+    }
+}
+
+fn number(i: &mut &str) -> ModalResult<Node> {
+    let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1);
+    let digits = (digit0, opt(('.', digit0)), opt(exponent)).take();
+    let number = digits.verify_map(|text: &str| text.parse().ok().filter(|x: &f64| x.is_finite()));
+    match opt(number).parse_next(i)? {
+        Some(x) => Ok(Node::Number(x)),
+        None => wanted("a finite number"),
+    }
+}
+
+fn name(i: &mut &str) -> ModalResult<Node> {
+    let start = i.checkpoint();
+    let name = take_while(1.., |c: char| c.is_ascii_alphanumeric() || c == '_').parse_next(i)?;
+    match name {
+        "t" => return Ok(Node::Time),
+        "pi" => return Ok(Node::Number(std::f64::consts::PI)),
+        _ => {}
+    }
+    let call = opt((multispace0, '(')).parse_next(i)?;
+    let known = FUNCTIONS.contains(&name);
+    if call.is_none() || !known {
+        i.reset(&start);
+        return wanted(NAME);
+    }
+    let arguments = sure(separated(1..=3, sum, (multispace0, ',')).parse_next(i))?;
+    close(i, "`)`, `,` or an operator")?;
+    match Node::call(name, arguments) {
+        Some(node) => Ok(node),
+        None => {
+            i.reset(&start);
+            wanted(ARGUMENTS)
+        }
+    }
+}
+
+const FUNCTIONS: [&str; 17] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "sign",
+    "min", "max", "if",
+];
+
+fn close(i: &mut &str, what: &'static str) -> ModalResult<()> {
+    multispace0.parse_next(i)?;
+    match opt(')').parse_next(i)? {
+        Some(_) => Ok(()),
+        None => wanted(what),
+    }
+}
+
+/// What fails now cannot be meant otherwise.
+fn sure<T>(result: ModalResult<T>) -> ModalResult<T> {
+    result.map_err(ErrMode::cut)
+}

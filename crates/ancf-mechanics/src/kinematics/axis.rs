@@ -1,0 +1,130 @@
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::shape::{BeamShape, Kind, QuadraticShape};
+use crate::bodies::BeamMesh;
+
+/// The axis of one element as a curve, r(s) = Σᵢ Nᵢ(s) rᵢ, by the arc length s of the undeformed body.
+///
+/// What slides along a body or touches it needs r at places that move; a [`Marker`](super::marker::Marker) stays where it is.
+#[derive(Clone, Debug)]
+pub struct ElementAxis {
+    /// First coordinate of each vector rᵢ, three or four of them.
+    vectors: Vec<usize>,
+    reference: Vec<Vector3<f64>>,
+    shape: Shape,
+    start: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    Cubic(BeamShape),
+    Quadratic(QuadraticShape),
+}
+
+impl ElementAxis {
+    /// Arc lengths at which the element starts and ends.
+    pub fn span(&self) -> Range<f64> {
+        let length = match self.shape {
+            Shape::Cubic(shape) => shape.length,
+            Shape::Quadratic(shape) => shape.length,
+        };
+        self.start..self.start + length
+    }
+
+    /// First coordinate of each vector.
+    pub fn vectors(&self) -> &[usize] {
+        &self.vectors
+    }
+
+    /// All coordinates that it reads.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> {
+        self.vectors.iter().flat_map(|&first| first..first + 3)
+    }
+
+    /// The same axis over the coordinates of a term, given their list.
+    pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
+        let local = |first: &usize| {
+            coordinates.iter().position(|c| c == first).expect("the term lists its coordinates")
+        };
+        Self { vectors: self.vectors.iter().map(local).collect(), ..self.clone() }
+    }
+
+    /// The magnitudes that vector i is made of.
+    pub(crate) fn size(&self, i: usize, q: &[f64]) -> f64 {
+        self.reference[i].norm() + vector(q, self.vectors[i]).norm()
+    }
+
+    /// Weights of the vectors in r, dr/ds and d²r/ds² at an arc length; of three vectors the fourth is 0.
+    pub fn weights(&self, s: f64) -> [[f64; 4]; 3] {
+        match self.shape {
+            Shape::Cubic(shape) => {
+                let xi = (s - self.start) / shape.length;
+                [shape.axis(xi), shape.axis_gradient(xi), shape.axis_curvature(xi)]
+            }
+            Shape::Quadratic(shape) => {
+                let (l, xi) = (shape.length, (s - self.start) / shape.length);
+                let four = |[a, b, c]: [f64; 3]| [a, b, c, 0.0];
+                let curvature = [4.0, -8.0, 4.0].map(|weight| weight / (l * l));
+                let slopes = QuadraticShape::slopes(xi).map(|weight| weight / l);
+                [four(QuadraticShape::values(xi)), four(slopes), four(curvature)]
+            }
+        }
+    }
+
+    /// r, dr/ds and d²r/ds² at an arc length, given the coordinates q.
+    pub fn at(&self, q: &[f64], s: f64) -> [Vector3<f64>; 3] {
+        let moved = |i: usize| self.reference[i] + vector(q, self.vectors[i]);
+        self.weights(s).map(|weights| (0..self.vectors.len()).map(|i| moved(i) * weights[i]).sum())
+    }
+
+    /// The magnitudes that r and dr/ds are made of, Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|): ε times these bounds their rounding errors.
+    pub(crate) fn sizes(&self, q: &[f64], s: f64) -> [f64; 2] {
+        let [values, slopes, _] = self.weights(s);
+        let size = |i: usize| self.reference[i].norm() + vector(q, self.vectors[i]).norm();
+        [values, slopes].map(|weights| (0..self.vectors.len()).map(|i| weights[i].abs() * size(i)).sum())
+    }
+
+    /// The points whose convex hull holds the element, given the coordinates q: those of Bézier.
+    pub(crate) fn hull(&self, q: &[f64]) -> [Vector3<f64>; 4] {
+        let span = self.span();
+        let third = (span.end - span.start) / 3.0;
+        let ([a, from, _], [b, to, _]) = (self.at(q, span.start), self.at(q, span.end));
+        [a, a + from * third, b - to * third, b]
+    }
+
+    /// Σᵢ Nᵢ x[vᵢ..vᵢ+3] and its two derivatives by s, of a vector over the coordinates: of velocities, say.
+    pub fn sum(&self, x: &[f64], s: f64) -> [Vector3<f64>; 3] {
+        let of = |weights: [f64; 4]| {
+            (0..self.vectors.len()).map(|i| vector(x, self.vectors[i]) * weights[i]).sum()
+        };
+        self.weights(s).map(of)
+    }
+}
+
+fn vector(x: &[f64], first: usize) -> Vector3<f64> {
+    Vector3::new(x[first], x[first + 1], x[first + 2])
+}
+
+impl BeamMesh {
+    /// The axis of each element.
+    pub fn element_axes(&self) -> impl Iterator<Item = ElementAxis> + '_ {
+        (0..self.count()).map(|element| {
+            let offset = element * self.stride();
+            let kinds = self.weights(0.0).into_iter().map(|(kind, ..)| kind).enumerate();
+            let (mut vectors, mut reference) = (Vec::new(), Vec::new());
+            for (i, kind) in kinds.filter(|(_, kind)| matches!(kind, Kind::Position | Kind::Slope)) {
+                let origin = if kind == Kind::Position { self.origin } else { Vector3::zeros() };
+                vectors.push(self.first + 3 * (offset + i));
+                reference.push(self.reference[offset + i] + origin);
+            }
+            let (length, slope) = (self.length, self.slope);
+            let shape = match vectors.len() {
+                3 => Shape::Quadratic(QuadraticShape { length, slope }),
+                _ => Shape::Cubic(BeamShape { length, slope }),
+            };
+            ElementAxis { vectors, reference, shape, start: element as f64 * length }
+        })
+    }
+}

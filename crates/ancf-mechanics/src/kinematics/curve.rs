@@ -1,0 +1,291 @@
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, Vector3};
+
+use super::quadrature::gauss;
+
+/// A point of a reference axis with the orthonormal directions of x (the tangent), y and z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Position.
+    pub position: Vector3<f64>,
+    /// Directions of the axis and of the section's y and z.
+    pub frame: [Vector3<f64>; 3],
+}
+
+/// The axis of a beam in its reference state, by arc length.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Curve {
+    /// A straight line.
+    Line {
+        /// Start.
+        from: Vector3<f64>,
+        /// End.
+        to: Vector3<f64>,
+    },
+    /// A helix, or an arc if it does not rise.
+    Helix {
+        /// The point of its axis at the height of the start.
+        center: Vector3<f64>,
+        /// From the center to the start.
+        radius: Vector3<f64>,
+        /// Unit vector of the axis; the helix turns about it by the right hand.
+        axis: Vector3<f64>,
+        /// Angle of all its turns, in radians.
+        angle: f64,
+        /// How far it rises along its axis in all.
+        rise: f64,
+    },
+    /// A natural cubic spline through points, by chord length.
+    Spline(Spline),
+}
+
+impl Curve {
+    /// The arc of a circle from a point through another to a third; `None` if they are on a line.
+    pub fn arc(from: Vector3<f64>, through: Vector3<f64>, to: Vector3<f64>) -> Option<Self> {
+        let (u, v) = (through - from, to - from);
+        let normal = u.cross(&v);
+        let axis = normal.try_normalize(1e-12 * u.norm() * v.norm())?;
+        let to_center =
+            (v * u.norm_squared() - u * v.norm_squared()).cross(&normal) / (2.0 * normal.norm_squared());
+        let radius = -to_center;
+        let end = radius + v;
+        let angle = axis.dot(&radius.cross(&end)).atan2(radius.dot(&end)).rem_euclid(TAU);
+        Some(Self::Helix { center: from + to_center, radius, axis, angle, rise: 0.0 })
+    }
+
+    /// Its length.
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Line { from, to } => (to - from).norm(),
+            Self::Helix { radius, angle, rise, .. } => (angle * radius.norm()).hypot(*rise),
+            Self::Spline(spline) => spline.length(),
+        }
+    }
+
+    /// Point and unit tangent at an arc length.
+    pub fn at(&self, s: f64) -> (Vector3<f64>, Vector3<f64>) {
+        match self {
+            Self::Line { from, to } => {
+                let along = (to - from).normalize();
+                (from + along * s, along)
+            }
+            Self::Helix { center, radius, axis, angle, rise } => {
+                let part = s / self.length();
+                let (sin, cos) = (angle * part).sin_cos();
+                let normal = axis.cross(radius);
+                let point = center + radius * cos + normal * sin + axis * (rise * part);
+                (point, ((normal * cos - radius * sin) * *angle + axis * *rise).normalize())
+            }
+            Self::Spline(spline) => spline.at(s),
+        }
+    }
+
+    /// Nodes at ascending arc lengths. The section's y starts as near to `up` as it can and is carried along without
+    /// turning about the tangent, but for a twist in proportion to the arc length, `twist` radians over the whole.
+    ///
+    /// Source: Wang, Jüttler, Zheng & Liu (2008), double reflection, for the frames without twist.
+    pub fn nodes(&self, up: Vector3<f64>, twist: f64, at: &[f64]) -> Vec<Node> {
+        let mut here = 0.0;
+        let (mut point, mut tangent) = self.at(0.0);
+        let mut y = (up - tangent * tangent.dot(&up)).normalize();
+        let straight = matches!(self, Self::Line { .. });
+        let nodes = at.iter().map(|&s| {
+            let steps = if straight || s <= here { 1 } else { SUBSTEPS };
+            for step in 1..=steps {
+                let (next, next_tangent) = self.at(here + (s - here) * f64::from(step) / f64::from(steps));
+                if !straight {
+                    y = carried(y, (point, tangent), (next, next_tangent));
+                }
+                (point, tangent) = (next, next_tangent);
+            }
+            here = s;
+            let (sin, cos) = (twist * s / self.length()).sin_cos();
+            let z = tangent.cross(&y);
+            let frame =
+                if twist == 0.0 { [tangent, y, z] } else { [tangent, y * cos + z * sin, z * cos - y * sin] };
+            Node { position: point, frame }
+        });
+        nodes.collect()
+    }
+}
+
+/// Reflections between two nodes.
+const SUBSTEPS: u32 = 16;
+
+/// A normal vector carried from one point of a curve to another by two reflections.
+fn carried(
+    y: Vector3<f64>,
+    (point, tangent): (Vector3<f64>, Vector3<f64>),
+    (next, next_tangent): (Vector3<f64>, Vector3<f64>),
+) -> Vector3<f64> {
+    let reflected = |x: Vector3<f64>, normal: Vector3<f64>| match normal.norm_squared() {
+        0.0 => x,
+        squared => x - normal * (2.0 * normal.dot(&x) / squared),
+    };
+    let chord = next - point;
+    let (y, turned) = (reflected(y, chord), reflected(tangent, chord));
+    let y = reflected(y, next_tangent - turned);
+    // Normal to the tangent and of length one to rounding, however many steps there are.
+    (y - next_tangent * next_tangent.dot(&y)).normalize()
+}
+
+/// A natural cubic spline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline {
+    points: Vec<Vector3<f64>>,
+    /// Second derivatives at the points.
+    bends: Vec<Vector3<f64>>,
+    /// Chord lengths between the points.
+    chords: Vec<f64>,
+    /// Arc length up to each of the equal parts of all chords, [`PARTS`] for each.
+    arcs: Vec<f64>,
+}
+
+/// Parts of a chord in the table of arc lengths.
+const PARTS: usize = 32;
+
+impl Spline {
+    /// The spline through at least two points, each away from the one before.
+    ///
+    /// `None` if there are fewer, or two in a row are the same.
+    pub fn new(points: Vec<Vector3<f64>>) -> Option<Self> {
+        let chords: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+        if chords.is_empty() || chords.iter().any(|chord| !chord.is_normal()) {
+            return None;
+        }
+        let n = points.len();
+        let mut matrix = DMatrix::identity(n, n);
+        let mut sides = DMatrix::zeros(n, 3);
+        for i in 1..n - 1 {
+            let (before, after) = (chords[i - 1], chords[i]);
+            matrix[(i, i - 1)] = before;
+            matrix[(i, i)] = 2.0 * (before + after);
+            matrix[(i, i + 1)] = after;
+            let bend = ((points[i + 1] - points[i]) / after - (points[i] - points[i - 1]) / before) * 6.0;
+            sides.row_mut(i).copy_from(&bend.transpose());
+        }
+        let solved = matrix.lu().solve(&sides)?;
+        let bends = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
+        let mut spline = Self { points, bends, chords, arcs: vec![0.0] };
+        for i in 0..spline.chords.len() {
+            for part in 0..PARTS {
+                let width = spline.chords[i] / PARTS as f64;
+                let speed = |x: f64| spline.derivative(i, (part as f64 + x) * width).norm();
+                let arc: f64 = gauss().iter().map(|&(x, w)| w * width * speed(x)).sum();
+                spline.arcs.push(spline.arcs[spline.arcs.len() - 1] + arc);
+            }
+        }
+        Some(spline)
+    }
+
+    /// Its length.
+    pub fn length(&self) -> f64 {
+        self.arcs[self.arcs.len() - 1]
+    }
+
+    /// Point and unit tangent at an arc length.
+    fn at(&self, s: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let part = self.arcs.partition_point(|&arc| arc <= s).clamp(1, self.arcs.len() - 1) - 1;
+        let (i, width) = (part / PARTS, self.chords[part / PARTS] / PARTS as f64);
+        let start = (part % PARTS) as f64 * width;
+        // Newton's method on the arc length, from the chord of the table.
+        let mut t = start + width * (s - self.arcs[part]) / (self.arcs[part + 1] - self.arcs[part]);
+        for _ in 0..3 {
+            let speed = |x: f64| self.derivative(i, start + (t - start) * x).norm();
+            let arc: f64 = gauss().iter().map(|&(x, w)| w * (t - start) * speed(x)).sum();
+            t -= (self.arcs[part] + arc - s) / self.derivative(i, t).norm();
+        }
+        (self.point(i, t), self.derivative(i, t).normalize())
+    }
+
+    /// Point of chord i at the parameter t, 0 at its start.
+    fn point(&self, i: usize, t: f64) -> Vector3<f64> {
+        let (h, left) = (self.chords[i], self.chords[i] - t);
+        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        (m * left.powi(3) + n * t.powi(3)) / (6.0 * h)
+            + (self.points[i] / h - m * (h / 6.0)) * left
+            + (self.points[i + 1] / h - n * (h / 6.0)) * t
+    }
+
+    fn derivative(&self, i: usize, t: f64) -> Vector3<f64> {
+        let (h, left) = (self.chords[i], self.chords[i] - t);
+        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        (n * t.powi(2) - m * left.powi(2)) / (2.0 * h) + (self.points[i + 1] - self.points[i]) / h
+            - (n - m) * (h / 6.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn arc_through_three_points() {
+        let (from, to) = (Vector3::zeros(), Vector3::new(70.71067811865476, 29.28932188134524, 0.0));
+        let half = PI / 8.0;
+        let through = Vector3::new(half.sin(), 1.0 - half.cos(), 0.0) * 100.0;
+        let arc = Curve::arc(from, through, to).unwrap();
+        assert!((arc.length() - 25.0 * PI).abs() < 1e-12);
+        assert!((arc.at(0.0).1 - Vector3::x()).norm() < 1e-14);
+        assert!((arc.at(arc.length()).0 - to).norm() < 1e-13);
+        assert!((arc.at(12.5 * PI).0 - through).norm() < 1e-13);
+        assert_eq!(Curve::arc(from, to * 0.5, to), None);
+    }
+
+    /// An arc of more than half a circle goes the long way round.
+    #[test]
+    fn long_arc() {
+        let arc = Curve::arc(Vector3::x(), -Vector3::x(), -Vector3::y()).unwrap();
+        assert!((arc.length() - 1.5 * PI).abs() < 1e-14);
+    }
+
+    /// On a helix, the frame without twist turns against the Frenet frame by the torsion: by τ s in all.
+    #[test]
+    fn frames_of_a_helix_do_not_spin() {
+        let (radius, rise) = (2.0, 1.5);
+        let helix = Curve::Helix {
+            center: Vector3::zeros(),
+            radius: Vector3::x() * radius,
+            axis: Vector3::z(),
+            angle: TAU,
+            rise,
+        };
+        let (length, pitch) = (helix.length(), rise / TAU);
+        let torsion = pitch / (radius * radius + pitch * pitch);
+        let at: Vec<f64> = (0..=8).map(|k| length * f64::from(k) / 8.0).collect();
+        let nodes = helix.nodes(-Vector3::x(), 0.0, &at);
+        let last = nodes[8].frame;
+        // The principal normal is again −x after a turn.
+        let angle = (-Vector3::x()).dot(&last[2]).atan2((-Vector3::x()).dot(&last[1]));
+        assert!((angle - (torsion * length).rem_euclid(TAU)).abs() < 1e-5, "{angle}");
+        for Node { frame: [x, y, z], .. } in nodes {
+            assert!((x.cross(&y) - z).norm() < 1e-14 && x.dot(&y).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn spline_goes_through_its_points_at_unit_speed() {
+        let points = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 1.0], [3.5, 0.2, 0.3]].map(Vector3::from);
+        let spline = Spline::new(points.to_vec()).unwrap();
+        for (i, point) in points.iter().enumerate() {
+            assert!((spline.at(spline.arcs[PARTS * i]).0 - point).norm() < 1e-12);
+        }
+        let curve = Curve::Spline(spline);
+        for k in 1..20 {
+            let (s, h) = (curve.length() * f64::from(k) / 20.0, 1e-4);
+            let slope = (curve.at(s + h).0 - curve.at(s - h).0) / (2.0 * h);
+            assert!((slope - curve.at(s).1).norm() < 1e-7);
+        }
+    }
+
+    #[test]
+    fn twist_is_in_proportion_to_the_length() {
+        let line = Curve::Line { from: Vector3::zeros(), to: Vector3::x() * 2.0 };
+        let nodes = line.nodes(Vector3::y(), PI, &[0.0, 1.0, 2.0]);
+        assert!((nodes[1].frame[1] - Vector3::z()).norm() < 1e-15);
+        assert!((nodes[2].frame[1] + Vector3::y()).norm() < 1e-15);
+    }
+}

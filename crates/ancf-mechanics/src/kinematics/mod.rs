@@ -1,0 +1,21 @@
+//! Shape functions, curves, quadrature, and points and directions linear in the coordinates.
+
+mod attachment;
+mod axis;
+mod curve;
+mod frame;
+mod line;
+mod marker;
+mod quadrature;
+mod shape;
+
+pub(crate) use attachment::clean;
+pub use attachment::{Attachment, Directions};
+pub use axis::ElementAxis;
+pub use curve::{Curve, Node, Spline};
+pub(crate) use frame::{Real, add_symmetric, components, constant, turned};
+pub(crate) use line::{Bend, Blocks, Stretch};
+pub use marker::Marker;
+pub use quadrature::{gauss, gauss2, gauss3};
+pub(crate) use quadrature::{gauss4, lobatto3};
+pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};

@@ -1,0 +1,227 @@
+/// Shape functions of the two-node fully parameterised beam element at one cross-section.
+///
+/// r(x, y, z) = Σₐ Sₐ eₐ with the eight vectors e = (r, ℓ r_x, ℓ r_y, ℓ r_z) of node 1, then of node 2;
+/// with ξ = x/l, η = y/l, ζ = z/l and s = l/ℓ
+///
+/// S₁ = 1 − 3ξ² + 2ξ³   S₂ = s(ξ − 2ξ² + ξ³)   S₃ = s(η − ξη)   S₄ = s(ζ − ξζ)
+/// S₅ = 3ξ² − 2ξ³       S₆ = s(ξ³ − ξ²)        S₇ = s ξη        S₈ = s ξζ
+///
+/// ℓ = 1 gives eq. (5), ℓ = l eq. (12). The paper prints 3ξ³ in S₂ and a stray l in Ŝ₆; with those, S₂ would have a slope
+/// at the far end and Ŝ₆ a dimension (see `docs/paper.md`).
+///
+/// Units: l, ℓ and x lengths; values as the powers of s and l say.
+/// Source: Kim et al. (2017), eqs (5), (12); Yakoub & Shabana (2001).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamShape {
+    /// Length l of the element.
+    pub length: f64,
+    /// Slope length ℓ.
+    pub slope: f64,
+}
+
+impl BeamShape {
+    /// S₁, S₂, S₅, S₆ on the axis at ξ: weights of r₁, ℓ r_x₁, r₂, ℓ r_x₂.
+    pub fn axis(&self, xi: f64) -> [f64; 4] {
+        let s = self.length / self.slope;
+        let (xi2, xi3) = (xi * xi, xi * xi * xi);
+        [1.0 - 3.0 * xi2 + 2.0 * xi3, s * (xi - 2.0 * xi2 + xi3), 3.0 * xi2 - 2.0 * xi3, s * (xi3 - xi2)]
+    }
+
+    /// Derivatives by x of [`axis`](Self::axis).
+    pub fn axis_gradient(&self, xi: f64) -> [f64; 4] {
+        let xi2 = xi * xi;
+        let bend = 6.0 * (xi2 - xi) / self.length;
+        [bend, (1.0 - 4.0 * xi + 3.0 * xi2) / self.slope, -bend, (3.0 * xi2 - 2.0 * xi) / self.slope]
+    }
+
+    /// Second derivatives by x of [`axis`](Self::axis).
+    pub fn axis_curvature(&self, xi: f64) -> [f64; 4] {
+        let bend = 6.0 * (2.0 * xi - 1.0) / (self.length * self.length);
+        let rate = 1.0 / (self.slope * self.length);
+        [bend, (6.0 * xi - 4.0) * rate, -bend, (6.0 * xi - 2.0) * rate]
+    }
+
+    /// ∂S₃/∂y = ∂S₄/∂z and ∂S₇/∂y = ∂S₈/∂z at ξ: weights of the section vectors of both nodes.
+    pub fn section(&self, xi: f64) -> [f64; 2] {
+        [(1.0 - xi) / self.slope, xi / self.slope]
+    }
+
+    /// Derivatives by x of [`section`](Self::section).
+    pub fn section_gradient(&self) -> [f64; 2] {
+        let rate = 1.0 / (self.slope * self.length);
+        [-rate, rate]
+    }
+}
+
+/// What a vector of an element is a coordinate of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// r, a point of the axis.
+    Position,
+    /// ℓ r_x.
+    Slope,
+    /// ℓ r_y.
+    Y,
+    /// ℓ r_z.
+    Z,
+}
+
+impl Kind {
+    /// The directors that it enters: a, h and k, or d and b, or e and c; only the axis has a third.
+    pub(crate) const fn directors(self) -> [usize; 3] {
+        match self {
+            Self::Position | Self::Slope => [0, 5, 6],
+            Self::Y => [3, 1, 1],
+            Self::Z => [4, 2, 2],
+        }
+    }
+}
+
+/// How N vectors of an element make its axis and its sections.
+pub trait Interpolation<const N: usize> {
+    /// What each vector is.
+    const KINDS: [Kind; N];
+
+    /// Length of the element.
+    fn length(&self) -> f64;
+
+    /// Weights of the vectors in r, r_y or r_z, whichever they belong to, at ξ.
+    fn values(&self, xi: f64) -> [f64; N];
+
+    /// Weights of the vectors in the directors that they enter ([`Kind`]) at ξ: a, h and k, or d and b, or e and c.
+    fn directors(&self, xi: f64) -> [[f64; 3]; N];
+}
+
+impl Interpolation<8> for BeamShape {
+    const KINDS: [Kind; 8] =
+        [Kind::Position, Kind::Slope, Kind::Y, Kind::Z, Kind::Position, Kind::Slope, Kind::Y, Kind::Z];
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn values(&self, xi: f64) -> [f64; 8] {
+        let (axis, section) = (self.axis(xi), self.section(xi));
+        [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
+    }
+
+    fn directors(&self, xi: f64) -> [[f64; 3]; 8] {
+        let (axis, section, twist) = (self.axis_gradient(xi), self.section(xi), self.section_gradient());
+        // The part of a that is quadratic in ξ: 3 (r_x₁ + r_x₂) − 6 (r₂ − r₁)/l.
+        let quadratic = [6.0 / self.length, 3.0 / self.slope, -6.0 / self.length, 3.0 / self.slope];
+        let change = [0.0, -1.0 / self.slope, 0.0, 1.0 / self.slope];
+        let axis: [[f64; 3]; 4] = std::array::from_fn(|i| [axis[i], quadratic[i], change[i]]);
+        let section: [[f64; 3]; 2] = std::array::from_fn(|i| [section[i], twist[i], 0.0]);
+        [axis[0], axis[1], section[0], section[0], axis[2], axis[3], section[1], section[1]]
+    }
+}
+
+/// Shape functions of the three-node beam element: r, r_y and r_z are quadratic along the axis.
+///
+/// N₁ = 1 − 3ξ + 2ξ², N₂ = 4ξ − 4ξ², N₃ = 2ξ² − ξ for the vectors (r, ℓ r_y, ℓ r_z) of the nodes at ξ = 0, ½, 1.
+///
+/// Source: Nachbagauer, Gruber & Gerstmayr (2013).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadraticShape {
+    /// Length l of the element.
+    pub length: f64,
+    /// Slope length ℓ.
+    pub slope: f64,
+}
+
+impl QuadraticShape {
+    /// N₁, N₂, N₃ at ξ.
+    pub fn values(xi: f64) -> [f64; 3] {
+        [1.0 - 3.0 * xi + 2.0 * xi * xi, 4.0 * (xi - xi * xi), 2.0 * xi * xi - xi]
+    }
+
+    /// Their derivatives by ξ.
+    pub fn slopes(xi: f64) -> [f64; 3] {
+        [4.0 * xi - 3.0, 4.0 - 8.0 * xi, 4.0 * xi - 1.0]
+    }
+}
+
+impl Interpolation<9> for QuadraticShape {
+    const KINDS: [Kind; 9] = [
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+        Kind::Position,
+        Kind::Y,
+        Kind::Z,
+    ];
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn values(&self, xi: f64) -> [f64; 9] {
+        let n = Self::values(xi);
+        std::array::from_fn(|i| if i % 3 == 0 { n[i / 3] } else { n[i / 3] / self.slope })
+    }
+
+    fn directors(&self, xi: f64) -> [[f64; 3]; 9] {
+        let (n, slopes) = (Self::values(xi), Self::slopes(xi).map(|slope| slope / self.length));
+        // a is linear in ξ: h = k.
+        let change = [4.0, -8.0, 4.0].map(|change| change / self.length);
+        std::array::from_fn(|i| match i % 3 {
+            0 => [slopes[i / 3], change[i / 3], change[i / 3]],
+            _ => [n[i / 3] / self.slope, slopes[i / 3] / self.slope, 0.0],
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHAPE: BeamShape = BeamShape { length: 0.7, slope: 0.3 };
+
+    /// r and ℓ r_x at the ends are the coordinates themselves. The printed S₂ has slope 6 at ξ = 1, not 0.
+    #[test]
+    fn nodal_values_and_slopes() {
+        let l = SHAPE.slope;
+        assert_eq!(SHAPE.axis(0.0), [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(SHAPE.axis(1.0), [0.0, 0.0, 1.0, 0.0]);
+        assert_eq!(SHAPE.axis_gradient(0.0).map(|s| s * l), [0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(SHAPE.axis_gradient(1.0).map(|s| s * l), [0.0, 0.0, 0.0, 1.0]);
+    }
+
+    /// The derivative of a cubic by central differences with Richardson's correction is exact.
+    #[test]
+    fn gradient_is_derivative_of_value() {
+        let difference = |xi: f64, h: f64| {
+            let (right, left) = (SHAPE.axis(xi + h), SHAPE.axis(xi - h));
+            std::array::from_fn::<f64, 4, _>(|i| (right[i] - left[i]) / (2.0 * h * SHAPE.length))
+        };
+        for xi in [0.0, 0.3, 0.8, 1.0] {
+            let (coarse, fine) = (difference(xi, 0.5), difference(xi, 0.25));
+            for (i, exact) in SHAPE.axis_gradient(xi).into_iter().enumerate() {
+                assert!((exact - (4.0 * fine[i] - coarse[i]) / 3.0).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// The central difference of a parabola is exact.
+    #[test]
+    fn curvature_is_derivative_of_gradient() {
+        for xi in [0.0, 0.3, 0.8, 1.0] {
+            let (right, left) = (SHAPE.axis_gradient(xi + 0.5), SHAPE.axis_gradient(xi - 0.5));
+            for (i, exact) in SHAPE.axis_curvature(xi).into_iter().enumerate() {
+                assert!((exact - (right[i] - left[i]) / SHAPE.length).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// The hat functions of eq. (12) have no dimension: in other units of length they are the same numbers.
+    /// The printed Ŝ₆ = l (ξ³ − ξ²) is not.
+    #[test]
+    fn hat_functions_are_dimensionless() {
+        let in_metres = BeamShape { length: 0.7, slope: 0.7 };
+        let in_millimetres = BeamShape { length: 700.0, slope: 700.0 };
+        assert_eq!(in_metres.axis(0.3), in_millimetres.axis(0.3));
+    }
+}

@@ -1,0 +1,15 @@
+//! Elements, constraints and forces of flexible multibody systems on the absolute nodal coordinate formulation (ANCF).
+//!
+//! Each of them is a [`Term`](ancf_solver::equations::Term) of the equations of motion in `ancf-solver`. Models, units and
+//! results are in `ancf`.
+
+mod batch;
+pub mod bodies;
+pub mod constraints;
+pub mod contact;
+pub mod elements;
+pub mod fluid;
+pub mod forces;
+pub mod functions;
+pub mod kinematics;
+pub mod sections;

@@ -1,0 +1,274 @@
+use nalgebra::{Matrix3, Vector3};
+
+use super::section_law::{DIRECTORS, Directors, Lame, Stiffness};
+
+/// A point of a cross-section and the area that it stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionPoint {
+    /// Material coordinate y, length.
+    pub y: f64,
+    /// Material coordinate z, length.
+    pub z: f64,
+    /// Area, length².
+    pub weight: f64,
+}
+
+/// Compressible neo-Hookean elasticity, integrated over a cross-section by points.
+///
+/// With J(y, z) = [a + y b + z c, d, e], J₀ that of the reference directors, F = J J₀⁻¹ and C = FᵀF, the energy per
+/// length of the axis is Σ weight · det J₀ · W with
+///
+/// W = ½G (tr C − 3) − G ln det F + ½λ (ln det F)².
+///
+/// Its linearisation at F = I is that of [`SectionLaw`](super::section_law::SectionLaw). Everything is computed from the increments
+/// by way of H = F − I and E = ½(H + Hᵀ + HᵀH), so that the energy of tiny strains has the relative error of E itself.
+///
+/// Where det F ≤ 0 at any point there is no energy: it is infinite, its derivatives are not numbers, and
+/// [`is_admissible`](Self::is_admissible) says no. The same holds where det J₀ ≤ 0, a reference curved more tightly than its section
+/// is thick.
+///
+/// Units: energies per length of the axis.
+/// Source: Simo & Pister (1984); Bonet & Wood (2008), eqs (6.27), (6.28).
+#[derive(Clone, Debug, PartialEq)]
+pub struct NeoHookean {
+    lame: Lame,
+    points: Vec<SectionPoint>,
+}
+
+/// The column of J that a director enters.
+const COLUMN: [usize; 5] = [0, 0, 0, 1, 2];
+
+impl SectionPoint {
+    /// The factors of the directors in their columns of J.
+    fn factors(&self) -> [f64; 5] {
+        [1.0, self.y, self.z, 1.0, 1.0]
+    }
+
+    /// J(y, z) of directors, or its increment.
+    fn gradient(&self, g: &Directors) -> Matrix3<f64> {
+        Matrix3::from_columns(&[g[0] + g[1] * self.y + g[2] * self.z, g[3], g[4]])
+    }
+}
+
+/// What a point knows of its deformation.
+struct Deformation {
+    /// weight · det J₀.
+    volume: f64,
+    /// J₀⁻¹.
+    inverse: Matrix3<f64>,
+    /// F.
+    gradient: Matrix3<f64>,
+    /// F⁻ᵀ.
+    dual: Matrix3<f64>,
+    /// E.
+    strain: Matrix3<f64>,
+    /// ln det F.
+    log: f64,
+    /// tr E − ln det F = ½(tr C − 3) − ln det F.
+    distortion: f64,
+}
+
+impl Deformation {
+    /// None where det F or det J₀ is not positive.
+    fn new(point: &SectionPoint, g0: &Directors, u: &Directors) -> Option<Self> {
+        let reference = point.gradient(g0);
+        let (inverse, volume) = (reference.try_inverse()?, point.weight * reference.determinant());
+        let h = point.gradient(u) * inverse;
+        let gradient = h + Matrix3::identity();
+        let det = gradient.determinant();
+        let dual = gradient.try_inverse()?.transpose();
+        let strain = (h + h.transpose() + h.transpose() * h) * 0.5;
+        let (log, distortion) = logarithm(&strain, det);
+        (det > 0.0 && volume > 0.0).then_some(Self {
+            volume,
+            inverse,
+            gradient,
+            dual,
+            strain,
+            log,
+            distortion,
+        })
+    }
+
+    /// 2G E + λ ln det F I = C S, with the second Piola-Kirchhoff stress S.
+    fn stress(&self, lame: Lame) -> Matrix3<f64> {
+        self.strain * (2.0 * lame.shear) + Matrix3::from_diagonal_element(lame.lambda * self.log)
+    }
+}
+
+/// Size of E up to which logarithms are taken by way of E, not of det F.
+const NEAR: f64 = 0.0625;
+
+/// ln det F and tr E − ln det F.
+///
+/// With the invariants of E, det C = 1 + x, x = 2 I + 4 II + 8 III; then tr E − ½ ln(1 + x) =
+/// −2 II − 4 III + ½(x − ln(1 + x)), in which the terms of first order have gone.
+fn logarithm(strain: &Matrix3<f64>, det: f64) -> (f64, f64) {
+    let trace = strain.trace();
+    if strain.norm() < NEAR {
+        let (second, third) = (0.5 * (trace * trace - strain.norm_squared()), strain.determinant());
+        let x = 2.0 * trace + 4.0 * second + 8.0 * third;
+        (0.5 * x.ln_1p(), 0.5 * log_excess(x) - 2.0 * second - 4.0 * third)
+    } else {
+        (det.ln(), trace - det.ln())
+    }
+}
+
+/// x − ln(1 + x) for small x: with s = x/(2 + x), ln(1 + x) = 2 artanh s and x − 2s = x s.
+fn log_excess(x: f64) -> f64 {
+    let s = x / (2.0 + x);
+    let square = s * s;
+    let tail = (0..8).rev().fold(0.0, |sum, k| sum * square + 1.0 / f64::from(2 * k + 3));
+    s * (x - 2.0 * square * tail)
+}
+
+impl NeoHookean {
+    /// The law of a section of one material, given by points with weights.
+    pub fn new(lame: Lame, points: Vec<SectionPoint>) -> Self {
+        Self { lame, points }
+    }
+
+    /// Whether det F > 0 at all points.
+    pub fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
+        self.points.iter().all(|point| Deformation::new(point, g0, u).is_some())
+    }
+
+    /// Strain energy per length of the increment u from the reference directors g0; infinite where det F ≤ 0.
+    pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
+        let Lame { lambda, shear } = self.lame;
+        let density = |d: &Deformation| shear * d.distortion + 0.5 * lambda * d.log * d.log;
+        let energy = |point| Deformation::new(point, g0, u).map(|d| d.volume * density(&d));
+        self.points.iter().map(energy).sum::<Option<f64>>().unwrap_or(f64::INFINITY)
+    }
+
+    /// Derivative p_α of the energy by the directors; not numbers where det F ≤ 0.
+    ///
+    /// ∂W/∂F = G(F − F⁻ᵀ) + λ ln det F F⁻ᵀ = F⁻ᵀ (2G E + λ ln det F I), and ∂W/∂J = ∂W/∂F J₀⁻ᵀ.
+    pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
+        let mut p = [Vector3::zeros(); DIRECTORS];
+        for point in &self.points {
+            let Some(d) = Deformation::new(point, g0, u) else {
+                return [Vector3::repeat(f64::NAN); DIRECTORS];
+            };
+            let stress = d.dual * d.stress(self.lame) * d.inverse.transpose() * d.volume;
+            for ((p, column), factor) in p.iter_mut().zip(COLUMN).zip(point.factors()) {
+                *p += stress.column(column) * factor;
+            }
+        }
+        p
+    }
+
+    /// Adds `factor` times the second derivative of the energy by the directors, blocks H_αβ with α ≥ β; not
+    /// numbers where det F ≤ 0.
+    ///
+    /// With the columns gⁱ of J⁻ᵀ = F⁻ᵀ J₀⁻ᵀ, column i of J against column j has
+    /// G (J₀ᵀJ₀)⁻¹_ij I + (G − λ ln det F) gʲ gⁱᵀ + λ gⁱ gʲᵀ.
+    pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
+        let Lame { lambda, shear } = self.lame;
+        for point in &self.points {
+            let Some(d) = Deformation::new(point, g0, u) else {
+                *h = [[Matrix3::repeat(f64::NAN); DIRECTORS]; DIRECTORS];
+                return;
+            };
+            let (metric, basis) = (d.inverse * d.inverse.transpose(), d.dual * d.inverse.transpose());
+            let block = |i: usize, j: usize| {
+                let product = basis.column(i) * basis.column(j).transpose();
+                let crossed = product.transpose() * (shear - lambda * d.log);
+                (Matrix3::from_diagonal_element(shear * metric[(i, j)]) + crossed + product * lambda)
+                    * (d.volume * factor)
+            };
+            let blocks: [[Matrix3<f64>; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|j| if i >= j { block(i, j) } else { Matrix3::zeros() })
+            });
+            let factors = point.factors();
+            for i in 0..5 {
+                for j in 0..=i {
+                    h[i][j] += blocks[COLUMN[i]][COLUMN[j]] * (factors[i] * factors[j]);
+                }
+            }
+        }
+    }
+
+    /// Adds the stiffness of the stresses that an increment `du` of the directors causes in first order; not numbers where
+    /// det F ≤ 0.
+    ///
+    /// With the second Piola-Kirchhoff stress S = G (I − C⁻¹) + λ ln det F C⁻¹ and dE = sym(Fᵀ dF),
+    /// dS = λ (C⁻¹:dE) C⁻¹ + 2 (G − λ ln det F) C⁻¹ dE C⁻¹; column i of J against column j has (J₀⁻¹ dS J₀⁻ᵀ)_ij I.
+    pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
+        let Lame { lambda, shear } = self.lame;
+        for point in &self.points {
+            let Some(d) = Deformation::new(point, g0, u) else {
+                *h = [[Matrix3::repeat(f64::NAN); DIRECTORS]; DIRECTORS];
+                return;
+            };
+            let (inverse, rate) = (d.dual.transpose() * d.dual, point.gradient(du) * d.inverse);
+            let product = d.gradient.transpose() * rate;
+            let strain = (product + product.transpose()) * 0.5;
+            let stress = inverse * (lambda * inverse.dot(&strain))
+                + inverse * strain * inverse * (2.0 * (shear - lambda * d.log));
+            let blocks = d.inverse * stress * d.inverse.transpose() * d.volume;
+            let factors = point.factors();
+            for i in 0..5 {
+                for j in 0..=i {
+                    let entry = blocks[(COLUMN[i], COLUMN[j])] * (factors[i] * factors[j]);
+                    h[i][j] += Matrix3::from_diagonal_element(entry);
+                }
+            }
+        }
+    }
+
+    /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u; infinite where
+    /// det F ≤ 0.
+    ///
+    /// Returns one number per director, for each of its components. By norms: dH = dJ J₀⁻¹, dE = Fᵀ dH,
+    /// d ln det F = C⁻¹:dE, dF⁻¹ = −F⁻¹ dF F⁻¹.
+    pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
+        let moved: [f64; DIRECTORS] = std::array::from_fn(|i| du[i] + 2.0 * f64::EPSILON * u[i].norm());
+        let mut p = [0.0; DIRECTORS];
+        for point in &self.points {
+            let Some(d) = Deformation::new(point, g0, u) else {
+                return [f64::INFINITY; DIRECTORS];
+            };
+            let factors = point.factors().map(f64::abs);
+            let mut columns = Vector3::<f64>::zeros();
+            for i in 0..5 {
+                columns[COLUMN[i]] += moved[i] * factors[i];
+            }
+            let [inverse, gradient, dual] = [d.inverse, d.gradient, d.dual].map(|m| norm(&m));
+            let increment = columns.norm() * inverse;
+            let strain = increment * gradient;
+            let near = d.strain.norm() < NEAR;
+            let det = if near { d.log.abs() } else { 4.0 * (gradient * dual).powi(2) };
+            let log = 3.0_f64.sqrt() * strain * dual * dual + f64::EPSILON * det;
+            let stress = 2.0 * self.lame.shear * strain + self.lame.lambda.abs() * log;
+            let turned = dual * increment + 4.0 * f64::EPSILON;
+            let error = d.volume * inverse * dual * (stress + norm(&d.stress(self.lame)) * turned);
+            for (p, factor) in p.iter_mut().zip(factors) {
+                *p += error * factor;
+            }
+        }
+        p
+    }
+}
+
+/// A bound of the spectral norm, exact for multiples of the identity: √(‖m‖₁ ‖m‖∞).
+fn norm(m: &Matrix3<f64>) -> f64 {
+    let size = m.abs();
+    (size.row_sum().max() * size.column_sum().max()).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the series Σ (−x)ᵏ/k, k ≥ 2, and against the difference itself where it loses little.
+    #[test]
+    fn log_excess_is_exact() {
+        for x in [1e-12_f64, -1e-9, 1e-5, -3e-3, 0.02, -0.1, 0.24, -0.24] {
+            let series: f64 = (2..60).rev().map(|k| (-x).powi(k) / f64::from(k)).sum();
+            assert!((log_excess(x) / series - 1.0).abs() < 1e-15, "{x}: {} and {series}", log_excess(x));
+        }
+        let x = 0.25_f64;
+        assert!((log_excess(x) / (x - x.ln_1p()) - 1.0).abs() < 1e-14);
+    }
+}

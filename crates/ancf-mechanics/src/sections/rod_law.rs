@@ -1,0 +1,278 @@
+use nalgebra::{Matrix3, SMatrix, Vector3};
+
+use super::hyperelastic::SectionPoint;
+use super::section_law::{Directors, Form, Lame, STRAINS, SectionLaw};
+use super::section_strains::*;
+
+/// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// Area A.
+    pub area: f64,
+    /// ∫ y² dA.
+    pub yy: f64,
+    /// ∫ z² dA.
+    pub zz: f64,
+    /// ∫ y⁴ dA.
+    pub yyyy: f64,
+    /// ∫ y² z² dA.
+    pub yyzz: f64,
+    /// ∫ z⁴ dA.
+    pub zzzz: f64,
+}
+
+/// A cross-section as the elements see it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrossSection {
+    /// Moments of area.
+    pub moments: Moments,
+    /// ∫ y² dA and ∫ z² dA by which the section resists rotation with its mass.
+    pub inertia: [f64; 2],
+    /// Torsion constant J of St. Venant.
+    pub torsion: f64,
+    /// Shear factors k_y and k_z.
+    pub shear: [f64; 2],
+    /// A quadrature rule over the section that is exact for the moments.
+    pub points: Vec<SectionPoint>,
+}
+
+impl SectionLaw {
+    /// Three-dimensional St. Venant-Kirchhoff elasticity ½∫(λ tr² E + 2G E:E) dA of a straight beam, exactly.
+    ///
+    /// Locks: bending is resisted by (λ+2G) I, torsion by the polar moment of area.
+    ///
+    /// Source: the energy of Kim et al. (2017), eqs (26)-(31), with the factors missing in (27), (28) restored.
+    pub fn continuum(material: Lame, m: Moments) -> Self {
+        Self::new(&full(material, m))
+    }
+
+    /// The same for a beam that is curved or twisted in its reference state, with directors g0 in any frame.
+    ///
+    /// The strains that have energy are those in the orthonormal frame of the reference section, E = F₀⁻ᵀ Ẽ F₀⁻¹ with
+    /// F₀ = [g₁ g₂ g₃], which varies over the section; integrated by points.
+    pub fn curved(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let Lame { lambda, shear } = material;
+        let mut d = NONE;
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            let weight = point.weight * volume;
+            for i in 0..3 {
+                for j in 0..3 {
+                    let stiffness = if i == j { lambda + 2.0 * shear } else { lambda };
+                    add_product(&rows[i], &rows[j], weight * stiffness, &mut d);
+                }
+                add_product(&rows[3 + i], &rows[3 + i], weight * shear, &mut d);
+            }
+        }
+        Self::new(&d)
+    }
+
+    /// Elasticity of a rod in the strains of the continuum: the remedy of Poisson and torsion locking.
+    ///
+    /// The sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference directors g0 in
+    /// any frame.
+    ///
+    /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on the axis
+    /// only and the shear factors; the split into parts that are never negative is ours.
+    pub fn enhanced(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let shear = Self::shear(material, section, g0);
+        Self::rod(material, section, g0).plus(&shear).plus(&Self::transverse(material, section, g0))
+    }
+
+    /// Tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
+    ///
+    /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean of the rates at which the
+    /// section's two directions turn.
+    pub fn rod(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (m, mut d, mut area, mut twist) = (section.moments, NONE, 0.0, [0.0; STRAINS]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            let weight = point.weight * volume;
+            area += weight;
+            add_product(&rows[0], &rows[0], weight * material.young(), &mut d);
+            for k in 0..STRAINS {
+                twist[k] += 0.5 * weight * (point.y / m.yy * rows[4][k] - point.z / m.zz * rows[3][k]);
+            }
+        }
+        // Per length of the material coordinate, of which area/A is the length in the reference state.
+        add_product(&twist, &twist, material.shear * section.torsion * m.area / area, &mut d);
+        Self::new(&d)
+    }
+
+    /// Shear forces: ½(k_y GA γ_y² + k_z GA γ_z²), where γ are the means of the shear strains over the section.
+    pub fn shear(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (mut d, mut area, mut means) = (NONE, 0.0, [[0.0; STRAINS]; 2]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            area += point.weight * volume;
+            for (mean, row) in means.iter_mut().zip(&rows[3..5]) {
+                mean.iter_mut().zip(row).for_each(|(mean, x)| *mean += point.weight * volume * x);
+            }
+        }
+        for (mean, factor) in means.iter().zip(section.shear) {
+            add_product(mean, mean, factor * material.shear / area, &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// The section's own change of size and shape, ½A ((λ+2G)(y² + z²) + 2λ y z + G (2E₂₃)²) with y = E₂₂ + ν E₁₁,
+    /// z = E₃₃ + ν E₁₁ on the axis: none where it contracts as it does under tension.
+    pub fn transverse(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let Lame { lambda, shear } = material;
+        let poisson = 0.5 * lambda / (lambda + shear);
+        let (rows, volume) = local_strains(g0, 0.0, 0.0);
+        let area = section.moments.area * volume;
+        let of = |i: usize| std::array::from_fn(|k| rows[i][k] + poisson * rows[0][k]);
+        let (y, z, mut d): (Row, Row, Form) = (of(1), of(2), NONE);
+        for (x, y, stiffness) in [
+            (&y, &y, lambda + 2.0 * shear),
+            (&z, &z, lambda + 2.0 * shear),
+            (&y, &z, lambda),
+            (&z, &y, lambda),
+            (&rows[5], &rows[5], shear),
+        ] {
+            add_product(x, y, area * stiffness, &mut d);
+        }
+        Self::new(&d)
+    }
+
+    /// The same law under the strains of the linked formulation at ξ of a two-node element of length l.
+    ///
+    /// Its curvatures are ε_ab + w' ε_hd, with w = ξ − ξ², in the place of ε_ab, and likewise with c, e: as if the sections'
+    /// directors had the quadratic part w h·d that makes the shear strains linear along the element, from their values at the
+    /// nodes.
+    ///
+    /// Source: linked interpolation as in Jelenic & Papa (2011), here of strains of the fully parameterised element.
+    #[must_use]
+    pub fn linked(&self, xi: f64, length: f64) -> Self {
+        self.mapped(&linking(xi, length))
+    }
+
+    /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:
+    /// ε_aa − (η² − 1/12) ε_hh in the place of ε_aa, with η = ξ − ½ and a = a(½) + η h.
+    #[must_use]
+    pub fn reduced(&self, xi: f64) -> Self {
+        let eta = xi - 0.5;
+        self.mapped(&[(AA, HH, 1.0 / 12.0 - eta * eta)])
+    }
+
+    /// The law in which each strain of the list has a factor of another one added to it.
+    fn mapped(&self, list: &[(usize, usize, f64)]) -> Self {
+        let mut map: SMatrix<f64, STRAINS, STRAINS> = SMatrix::identity();
+        for &(strain, added, factor) in list {
+            map[(strain, added)] = factor;
+        }
+        let form = self.form();
+        let d = map.transpose() * SMatrix::from_fn(|k, l| form[k][l]) * map;
+        Self::new(&std::array::from_fn(|k| std::array::from_fn(|l| 0.5 * (d[(k, l)] + d[(l, k)]))))
+    }
+}
+
+/// What linked curvatures have besides their own section strain at ξ: the strain, what is added to it, and its factor.
+pub(crate) fn linking(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
+    let slope = (1.0 - 2.0 * xi) / length;
+    let arm = slope * length;
+    [(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)]
+}
+
+/// A strain as a combination of section strains.
+type Row = [f64; STRAINS];
+
+/// No stiffness.
+const NONE: Form = [[0.0; STRAINS]; STRAINS];
+
+/// D of λ tr² E + 2G E:E over a straight section.
+fn full(material: Lame, m: Moments) -> Form {
+    let Lame { lambda: l, shear: g } = material;
+    let p = l + 2.0 * g;
+    let mut d = NONE;
+    let mut set = |i: usize, j: usize, value: f64| {
+        d[i][j] = value;
+        d[j][i] = value;
+    };
+    for (i, j, value) in [
+        (AA, AA, p * m.area),
+        (AA, BB, p * m.yy),
+        (AA, CC, p * m.zz),
+        (AA, DD, l * m.area),
+        (AA, EE, l * m.area),
+        (BB, BB, p * m.yyyy),
+        (BB, CC, p * m.yyzz),
+        (BB, DD, l * m.yy),
+        (BB, EE, l * m.yy),
+        (CC, CC, p * m.zzzz),
+        (CC, DD, l * m.zz),
+        (CC, EE, l * m.zz),
+        (DD, DD, p * m.area),
+        (DD, EE, l * m.area),
+        (EE, EE, p * m.area),
+        (AB, AB, p * m.yy),
+        (AC, AC, p * m.zz),
+        (BC, BC, p * m.yyzz),
+        (AD, AD, g * m.area),
+        (BD, BD, g * m.yy),
+        (CD, CD, g * m.zz),
+        (AE, AE, g * m.area),
+        (BE, BE, g * m.yy),
+        (CE, CE, g * m.zz),
+        (DE, DE, g * m.area),
+    ] {
+        set(i, j, value);
+    }
+    d
+}
+
+fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
+    for k in 0..STRAINS {
+        for l in 0..STRAINS {
+            d[k][l] += factor * x[k] * y[l];
+        }
+    }
+}
+
+/// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ at (y, z) in the orthonormal frame of the reference section as rows over the section
+/// strains, and det F₀.
+pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
+    let n = g0[3].cross(&g0[4]).normalize();
+    let second = g0[3].normalize();
+    let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
+    let first = g0[0] + g0[1] * y + g0[2] * z;
+    let f0 = frame.transpose() * Matrix3::from_columns(&[first, g0[3], g0[4]]);
+    let inverse = f0.try_inverse().unwrap_or_else(Matrix3::identity);
+    // Ẽ in the basis of the reference directors: each entry a combination of section strains.
+    let of = |terms: &[(usize, f64)]| {
+        let mut row = [0.0; STRAINS];
+        terms.iter().for_each(|&(k, x)| row[k] = x);
+        row
+    };
+    let half = |terms: [(usize, f64); 3]| of(&terms.map(|(k, x)| (k, 0.5 * x)));
+    let e11 = of(&[(AA, 1.0), (AB, y), (AC, z), (BB, y * y), (BC, y * z), (CC, z * z)]);
+    let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
+    let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
+    let strains = [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]];
+    let rotated = |i: usize, j: usize, factor: f64| -> Row {
+        let mut row = [0.0; STRAINS];
+        for (k, strains) in strains.iter().enumerate() {
+            for (l, strain) in strains.iter().enumerate() {
+                let weight = factor * inverse[(k, i)] * inverse[(l, j)];
+                row.iter_mut().zip(strain).for_each(|(row, x)| *row += weight * x);
+            }
+        }
+        row
+    };
+    let rows = [
+        rotated(0, 0, 1.0),
+        rotated(1, 1, 1.0),
+        rotated(2, 2, 1.0),
+        rotated(0, 1, 2.0),
+        rotated(0, 2, 2.0),
+        rotated(1, 2, 2.0),
+    ];
+    (rows, f0.determinant())
+}
+
+/// Directors of a straight, undistorted reference section in its own frame.
+pub(crate) fn straight() -> Directors {
+    let zero = Vector3::zeros();
+    [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero, zero]
+}

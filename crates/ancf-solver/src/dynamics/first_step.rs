@@ -1,0 +1,72 @@
+use super::initial_conditions::{accelerations, solve};
+use super::scheme::Scheme;
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::newton::{Newton, SolveError};
+
+/// Part of a step by which the rate of the acceleration is differenced.
+const PART: f64 = 1.0 / 16.0;
+
+/// Start values of the generalized-α scheme for a first step h from a consistent state: aₙ, and a change of the velocities.
+///
+/// a₀ = v̇₀ + (αm − αf) h v̈₀ is what a is an approximation of. Positions that satisfy Φ(q₁) = 0 in spite of the local error
+/// C h³ v̈ want Φ_q v to be C h² Φ_q v̈, as it is in all later steps: from exact velocities the first accelerations and
+/// multipliers would be off by O(h), which takes many steps to decay. Both corrections are filtered by the
+/// matrix of the iteration S = M + w_q K, so that motions faster than the step are left alone:
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈₀, Φ_q v̈₀),   [S, Φ_qᵀ; Φ_q, 0] (y, ·) = (0, Φ_q v̈₀),
+/// a₀ = v̇₀ + (αm − αf) h x,   v₀ ← v₀ + C h² y.
+///
+/// Source: Arnold, Brüls & Cardona (2015), on the order reduction of the first steps and perturbed start values.
+pub(crate) fn launch<E: EquationsOfMotion>(
+    eom: &E,
+    scheme: Scheme,
+    newton: &mut Newton,
+    s: &mut State,
+    auxiliary: &mut [f64],
+    h: f64,
+) -> Result<(), SolveError> {
+    let n = s.q.len();
+    let mut rate = rate(eom, newton, s, h * PART)?;
+    rate.resize(newton.z.len(), 0.0);
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, factor) = tangent.lend();
+    eom.tangent(s, Weights::MASS, matrix);
+    matrix.multiply(&rate, r);
+    z.copy_from_slice(r);
+    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
+    for i in 0..n {
+        auxiliary[i] = s.a[i] + scheme.lead() * h * z[i];
+    }
+    z.copy_from_slice(r);
+    z[..n].fill(0.0);
+    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
+    for i in 0..n {
+        s.v[i] += scheme.error_constant() * h * h * z[i];
+    }
+    Ok(())
+}
+
+/// v̈ by consistent accelerations along the parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ).
+///
+/// Forward only, since loads may have jumped. Quadratic terms cancel, and with them the error of the parabola in v.
+fn rate<E: EquationsOfMotion>(
+    eom: &E,
+    newton: &mut Newton,
+    s: &State,
+    delta: f64,
+) -> Result<Vec<f64>, SolveError> {
+    let mut rate: Vec<f64> = s.a.iter().map(|a| -1.5 / delta * a).collect();
+    for (d, weight) in [(delta, 2.0 / delta), (2.0 * delta, -0.5 / delta)] {
+        let mut ahead = s.clone();
+        for i in 0..s.q.len() {
+            ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
+            ahead.v[i] += d * s.a[i];
+        }
+        ahead.t += d;
+        let Newton { tangent, z, .. } = &mut *newton;
+        let (matrix, factor) = tangent.lend();
+        accelerations(eom, matrix, factor, &mut ahead, z)?;
+        rate.iter_mut().zip(&ahead.a).for_each(|(rate, a)| *rate += weight * a);
+    }
+    Ok(rate)
+}

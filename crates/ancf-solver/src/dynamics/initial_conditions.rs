@@ -1,0 +1,94 @@
+use crate::equations::{EquationsOfMotion, Level, State, Weights};
+use crate::factor::Factor;
+use crate::newton::{Failure, SolveError};
+use crate::sparse::SparseMatrix;
+
+/// Sets the accelerations and multipliers that satisfy the equations of motion at given q and v.
+///
+/// [M, Φ_qᵀ; Φ_q, 0] (v̇, λ) = −(f, (Φ_q v)_q v + Φ_tt).
+///
+/// # Errors
+/// If the matrix is singular.
+pub fn consistent_start<E: EquationsOfMotion>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    s: &mut State,
+) -> Result<(), SolveError> {
+    let (mut factor, mut rhs) = storage(matrix)?;
+    accelerations(eom, matrix, &mut factor, s, &mut rhs)
+}
+
+/// Sets the velocities nearest to the given ones in the norm of the kinetic energy that satisfy Φ_q v + Φ_t = 0.
+///
+/// [M, Φ_qᵀ; Φ_q, 0] (Δv, μ) = −(0, Φ_q v + Φ_t). Velocities that satisfy the constraints stay as they are.
+///
+/// # Errors
+/// If the matrix is singular.
+pub fn consistent_velocities<E: EquationsOfMotion>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    s: &mut State,
+) -> Result<(), SolveError> {
+    let (mut factor, mut rhs) = storage(matrix)?;
+    velocities(eom, matrix, &mut factor, s, &mut rhs)
+}
+
+/// A factorisation and a right-hand side for one use.
+fn storage(matrix: &SparseMatrix) -> Result<(Factor, Vec<f64>), SolveError> {
+    let factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?;
+    Ok((factor, vec![0.0; matrix.pattern().size()]))
+}
+
+/// [`consistent_start`] with working storage at hand.
+pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &mut State,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    let n = s.q.len();
+    s.a.fill(0.0);
+    s.lambda.fill(0.0);
+    eom.residual(s, rhs);
+    eom.constraints(s, Level::Acceleration, &mut rhs[n..]);
+    rhs.iter_mut().for_each(|x| *x = -*x);
+    solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
+    s.a.copy_from_slice(&rhs[..n]);
+    s.lambda.copy_from_slice(&rhs[n..]);
+    Ok(())
+}
+
+/// [`consistent_velocities`] with working storage at hand.
+pub(crate) fn velocities<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &mut State,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    let n = s.q.len();
+    rhs[..n].fill(0.0);
+    eom.constraints(s, Level::Velocity, &mut rhs[n..]);
+    if rhs.iter().all(|x| *x == 0.0) {
+        return Ok(());
+    }
+    rhs.iter_mut().for_each(|x| *x = -*x);
+    solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
+    s.v.iter_mut().zip(&*rhs).for_each(|(v, dv)| *v += dv);
+    Ok(())
+}
+
+/// Solves with the tangent of a state.
+pub(crate) fn solve<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &State,
+    w: Weights,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    eom.tangent(s, w, matrix);
+    let solved = factor.factorise(matrix).and_then(|()| factor.solve(matrix, rhs));
+    solved.map_err(|_| SolveError::at(s.t, Failure::Singular))
+}

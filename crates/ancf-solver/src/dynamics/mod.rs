@@ -1,0 +1,16 @@
+//! Time integration: schemes, steps of fixed and of controlled size, initial conditions.
+
+mod adaptive;
+mod estimate;
+mod first_step;
+mod initial_conditions;
+mod motion;
+mod predictor;
+mod scheme;
+mod time_stepper;
+
+pub use adaptive::{Adaptive, AdaptiveMemory, Control};
+pub use initial_conditions::{consistent_start, consistent_velocities};
+pub use motion::{DynamicsMemory, Unknown};
+pub use scheme::Scheme;
+pub use time_stepper::{Dynamics, StepReport};

@@ -1,0 +1,338 @@
+use serde::{Deserialize, Serialize};
+
+use super::first_step::launch;
+use super::initial_conditions::{accelerations, velocities};
+use super::motion::{Divided, DynamicsMemory, Motion, Unknown};
+use super::scheme::Scheme;
+use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};
+use crate::newton::{Current, Failure, Newton, Report, SolveError};
+use crate::sparse::SparseMatrix;
+
+/// How a step went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StepReport {
+    /// Newton iterations, those of failed attempts included.
+    pub iterations: u32,
+    /// Steps that were taken, 1 unless the step had to be divided.
+    pub substeps: u32,
+    /// Steps that were tried but found too inaccurate; none without error control.
+    pub rejected: u32,
+    /// Euclidean norm of the last residual that was evaluated.
+    pub residual: f64,
+    /// Euclidean norm of the last increment of the coordinates.
+    pub increment: f64,
+    /// The largest |Φ_q v + Φ_t| of a constraint: what the velocities violate, while Φ = 0 is solved for. In the numbers of
+    /// the solver, length/time for points and 1/time for directions. Second order in h, it need not grow.
+    pub drift: f64,
+    /// The largest |Φ| of a constraint, in the numbers of the solver, length for points and 1 for directions.
+    pub violation: f64,
+    /// Whether the rounding error of the residual ended an iteration.
+    pub floor: bool,
+}
+
+impl StepReport {
+    /// This report and that of the step after it, as one: counts of both, norms of the later.
+    #[must_use]
+    pub fn then(self, next: &Self) -> Self {
+        Self {
+            iterations: self.iterations + next.iterations,
+            substeps: self.substeps + next.substeps,
+            rejected: self.rejected + next.rejected,
+            floor: self.floor || next.floor,
+            ..*next
+        }
+    }
+}
+
+/// Integration of equations of motion in time.
+#[derive(Debug)]
+pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
+    pub(crate) eom: Current<'a, E>,
+    pub(crate) scheme: Scheme,
+    pub(crate) newton: Newton,
+    max_halvings: u32,
+    pub(crate) motion: Motion,
+    /// The pairs met when the last step was accepted, if there are others now.
+    met: Option<Vec<Met>>,
+    /// The state before the current attempt.
+    before: State,
+    /// aₙ and aₙ₊₁ of the current attempt.
+    pub(crate) attempted: [Vec<f64>; 2],
+    phi: Vec<f64>,
+}
+
+impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
+    /// Starts from a state, accelerations as they are (see [`restart`](Self::restart)); a step whose iteration fails is halved
+    /// up to `max_halvings` times.
+    pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
+        newton.reuse(&start);
+        let auxiliary = start.a.clone();
+        Self {
+            eom: Current::new(eom),
+            scheme,
+            newton,
+            max_halvings,
+            met: None,
+            before: start.clone(),
+            attempted: [auxiliary.clone(), auxiliary],
+            phi: vec![0.0; start.lambda.len()],
+            motion: Motion::new(start, eom),
+        }
+    }
+
+    /// The current state.
+    pub fn state(&self) -> &State {
+        &self.motion.state
+    }
+
+    /// The energies of the current state.
+    pub fn energy(&self) -> Energy {
+        self.motion.energy
+    }
+
+    /// Work supplied and energy dissipated since the start, by the trapezoidal rule over the steps.
+    pub fn exchanged(&self) -> Power {
+        self.motion.exchanged
+    }
+
+    /// Begins anew at a time t, at q and v as they are: at the start, and where loads or prescribed motions jump.
+    ///
+    /// Velocities are projected onto Φ_q v + Φ_t = 0, accelerations and multipliers follow from the equations of motion, and
+    /// the scheme gets start values of its own. At a jump take the last step to `t.next_down()`, where loads are still those before it.
+    ///
+    /// # Errors
+    /// If the mass matrix with the constraints is singular; the state is then as it was.
+    pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
+        self.before.copy_from(&self.motion.state);
+        let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
+        let done = self.start_at(t);
+        match done {
+            Ok(()) => self.keep(),
+            Err(_) => {
+                self.take_back();
+                (self.motion.energy, self.motion.exchanged) = (energy, exchanged);
+            }
+        }
+        done
+    }
+
+    fn start_at(&mut self, t: f64) -> Result<(), SolveError> {
+        self.motion.state.t = t;
+        self.take_in()?;
+        let Newton { tangent, z, .. } = &mut self.newton;
+        let (matrix, factor) = tangent.lend();
+        let before = self.motion.energy.kinetic;
+        velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        self.motion.energy = self.eom.energy(&self.motion.state);
+        if self.motion.h > 0.0 {
+            // A blow: prescribed motions whose rates jump do the work of impulses on the mean of both rates.
+            self.motion.exchanged.work += self.motion.energy.kinetic - before;
+        }
+        accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
+        self.motion.power = self.eom.power(&self.motion.state);
+        self.motion.h = 0.0;
+        self.motion.fresh = true;
+        self.motion.trend.restart();
+        Ok(())
+    }
+
+    /// Projects velocities onto Φ_q v + Φ_t = 0, and leaves accelerations and multipliers as they are.
+    ///
+    /// # Errors
+    /// If the mass matrix with the constraints is singular.
+    pub fn project_velocities(&mut self) -> Result<(), SolveError> {
+        let Newton { tangent, z, .. } = &mut self.newton;
+        let (matrix, factor) = tangent.lend();
+        velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        self.motion.energy = self.eom.energy(&self.motion.state);
+        self.motion.power = self.eom.power(&self.motion.state);
+        self.keep();
+        Ok(())
+    }
+
+    /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not. After
+    /// that, steps grow again by a factor of two each.
+    ///
+    /// # Errors
+    /// If the smallest permitted step fails; the state is then that of the last converged part of the step, from which the same
+    /// step goes on if it is asked for again.
+    pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
+        let divided = self.motion.divided.filter(|divided| divided.to == to);
+        let Divided { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
+            let halvings = self.motion.halvings.min(self.max_halvings);
+            let h = (to - self.motion.state.t) / f64::from(halvings).exp2();
+            Divided { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
+        });
+        while left > 0 {
+            match self.attempt(h, to - (left - 1) as f64 * h) {
+                Ok(done) => {
+                    self.accept(&done, &mut report);
+                    left -= 1;
+                    self.motion.divided = (left > 0).then_some(Divided { to, h, left, halvings, report });
+                }
+                Err(error) => {
+                    report.iterations += error.iterations;
+                    if halvings == self.max_halvings || error.is_final() {
+                        return Err(error);
+                    }
+                    (h, left, halvings) = (0.5 * h, 2 * left, halvings + 1);
+                }
+            }
+        }
+        self.motion.halvings = halvings.saturating_sub(1);
+        Ok(report)
+    }
+
+    /// The time to which a step leads that was divided and not completed.
+    pub fn under_way(&self) -> Option<f64> {
+        self.motion.divided.map(|divided| divided.to)
+    }
+
+    /// Tries a step h that ends at the time `to`. Its end is then to be accepted or taken back; a failed one is taken back already.
+    pub(crate) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+        self.take_in()?;
+        self.before.copy_from(&self.motion.state);
+        let mut spent = 0;
+        loop {
+            let done = match self.solve(h, to) {
+                Ok(done) => done,
+                Err(error) => {
+                    self.take_back();
+                    if error.is_final() || !self.newton.tangent.improve() {
+                        return Err(error);
+                    }
+                    spent += error.iterations;
+                    continue;
+                }
+            };
+            let Some((eom, matrix)) = self.eom.completed(&self.motion.state) else {
+                return Ok(Report { iterations: spent + done.iterations, ..done });
+            };
+            // Something acts at the end that was not among the equations.
+            self.take_back();
+            self.renew(eom, matrix)?;
+            spent += done.iterations;
+        }
+    }
+
+    /// Takes in the terms that may soon act. To be called before the first look at the energy; steps do it by themselves.
+    ///
+    /// # Errors
+    /// If memory does not suffice.
+    pub fn take_in(&mut self) -> Result<(), SolveError> {
+        match self.eom.ahead(&self.motion.state) {
+            Some((eom, matrix)) => {
+                self.renew(eom, matrix)?;
+                self.motion.energy = self.eom.energy(&self.motion.state);
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+        if self.met.is_none() {
+            self.met = Some(self.eom.met());
+        }
+        self.eom.replace(eom);
+        self.newton.adopt(matrix)
+    }
+
+    fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+        let [auxiliary, next] = &mut self.attempted;
+        if self.motion.fresh && !self.scheme.is_newmark() {
+            launch(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
+        } else {
+            // a − v̇ is proportional to h (Brüls & Arnold 2008).
+            let ratio = if self.motion.h == 0.0 { 1.0 } else { h / self.motion.h };
+            for i in 0..auxiliary.len() {
+                auxiliary[i] =
+                    self.motion.state.a[i] + ratio * (self.motion.auxiliary[i] - self.motion.state.a[i]);
+            }
+        }
+        self.scheme.predict(&mut self.motion.state, auxiliary, h);
+        self.motion.state.t = to;
+        let weights = self.scheme.weights(h);
+        if self.newton.tangent.is_reusable() {
+            self.motion.trend.add_to(&mut self.motion.state, weights, h);
+        }
+        let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
+        if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
+            return Err(SolveError::after(done, to, Failure::Inverted, worst));
+        }
+        for i in 0..next.len() {
+            next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
+        }
+        Ok(done)
+    }
+
+    /// Returns to the state before the attempt.
+    pub(crate) fn take_back(&mut self) {
+        self.motion.state.copy_from(&self.before);
+    }
+
+    /// Makes the end of the attempt the current state.
+    pub(crate) fn accept(&mut self, done: &Report, report: &mut StepReport) {
+        self.motion.h = self.motion.state.t - self.before.t;
+        self.motion.trend.note(&self.before, &self.motion.state, self.motion.h, &self.newton.tangent.factor);
+        self.motion.fresh = false;
+        std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
+        self.motion.energy = self.eom.energy(&self.motion.state);
+        self.newton.met(self.motion.energy.largest());
+        let power = self.eom.power(&self.motion.state);
+        self.motion.exchanged.work += 0.5 * self.motion.h * (self.motion.power.work + power.work);
+        self.motion.exchanged.dissipation +=
+            0.5 * self.motion.h * (self.motion.power.dissipation + power.dissipation);
+        self.motion.power = power;
+        report.iterations += done.iterations;
+        report.substeps += 1;
+        report.residual = done.residual;
+        report.increment = done.increment;
+        report.drift = self.largest(Level::Velocity);
+        report.violation = self.largest(Level::Position);
+        report.floor |= done.floor;
+        self.keep();
+    }
+
+    /// To what is now a run returns that breaks off in the next step.
+    fn keep(&mut self) {
+        self.met = None;
+        self.newton.tangent.keep();
+    }
+
+    /// All on which the rest of the motion depends, as of the last accepted step.
+    pub fn memory(&self) -> DynamicsMemory {
+        let met = self.met.clone().unwrap_or_else(|| self.eom.met());
+        DynamicsMemory { motion: self.motion.clone(), met, newton: self.newton.memory() }
+    }
+
+    /// Goes on from a memory, to the last bit as the dynamics would have gone on that it is one of.
+    ///
+    /// # Errors
+    /// If it is no memory of such dynamics; they are then of no use.
+    pub fn recall(&mut self, memory: &DynamicsMemory) -> Result<(), Unknown> {
+        let DynamicsMemory { motion, met, newton } = memory;
+        let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
+        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.knows(newton, n, m) {
+            return Err(Unknown);
+        }
+        if *met != self.eom.met() {
+            let (eom, matrix) = self.eom.having_met(met).ok_or(Unknown)?;
+            self.renew(eom, matrix).map_err(|_| Unknown)?;
+        }
+        self.motion = motion.clone();
+        let mut residual = vec![0.0; n + m];
+        self.eom.residual(&self.motion.state, &mut residual);
+        let is_finite = residual.iter().all(|x| x.is_finite());
+        let recalled = self.newton.recall(&*self.eom, newton);
+        self.keep();
+        if is_finite && recalled.is_ok() { Ok(()) } else { Err(Unknown) }
+    }
+
+    /// The largest constraint at a level.
+    fn largest(&mut self, level: Level) -> f64 {
+        self.eom.constraints(&self.motion.state, level, &mut self.phi);
+        self.phi.iter().fold(0.0, |largest, phi| phi.abs().max(largest))
+    }
+}

@@ -1,0 +1,152 @@
+use nalgebra::DVector;
+
+use super::krylov::{EigenError, Operator, Search, krylov};
+use super::modes::modes;
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::factor::Factor;
+use crate::newton::Interrupt;
+use crate::sparse::SparseMatrix;
+
+/// A load factor at which a state buckles, and the motion in which it does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Critical {
+    /// s: the loads at load factor one, s times, on top of those that the state bears already.
+    pub factor: f64,
+    /// x over the coordinates with xᵀ M x = 1.
+    pub shape: Vec<f64>,
+}
+
+/// Which way the loads grow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sense {
+    /// As they are: s > 0.
+    #[default]
+    Stated,
+    /// Reversed: s < 0.
+    Reversed,
+    /// Either way: the smallest in size.
+    Either,
+}
+
+/// Converged when residuals are below this.
+const TOLERANCE: f64 = 1e-7;
+/// Vectors of a block beyond the number of factors.
+const GUARD: usize = 4;
+/// Blocks of a space.
+const DEPTH: usize = 16;
+/// Spaces, each with better vectors.
+const PASSES: usize = 8;
+/// Eigenvalues 1/s smaller than this part of the largest are those of an unloaded rest.
+const LOADED: f64 = 1e-6;
+/// Loads do nothing if their work is less than this part of the sum of what they would do on each coordinate alone.
+const IDLE: f64 = 1e-12;
+
+/// The `count` lowest critical load factors of a stable equilibrium by linear buckling: K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
+///
+/// K_g is the stiffness of the stresses and multipliers that the loads at load factor one cause in first order,
+/// [K₀, Φ_qᵀ; Φ_q, 0] (q₁, λ₁) = −∂r/∂(load factor), at the configuration of the state
+/// ([`EquationsOfMotion::stress_stiffness`]). The reference configuration is an equilibrium under load factor zero; about it
+/// this is the classical theory, which neglects what bodies deform before they buckle: Euler's load of a column but for
+/// P/EA, Prandtl's and Michell's load of a strip on edge. Such a strip, bent in its plane before, bears more,
+/// about 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) times as much if both ratios are small.
+///
+/// About an equilibrium under load, displacement so far is in K₀, and the factor left over is zero where the nonlinear path
+/// is critical. [`Path`](crate::statics::Path) finds that point by the negative pivots of K.
+///
+/// Fewer than `count` if loads in this sense have no more. `matrix` is any matrix of the pattern of `eom`.
+///
+/// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
+/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
+///
+/// # Errors
+/// If K₀ is singular or not positive definite, the iteration does not converge, or it is interrupted.
+pub fn buckling(
+    eom: &dyn EquationsOfMotion,
+    matrix: SparseMatrix,
+    s: &State,
+    count: usize,
+    sense: Sense,
+    interrupt: &Interrupt,
+) -> Result<Vec<Critical>, EigenError> {
+    let lowest = modes(eom, matrix.clone(), s, 1, interrupt)?.modes;
+    match lowest.first().map(|mode| mode.squared) {
+        None => return Ok(Vec::new()),
+        Some(0.0) => return Err(EigenError::Singular),
+        Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
+        Some(_) => {}
+    }
+    let (mut stiffness, n) = (matrix.clone(), eom.coordinates());
+    eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
+    let mut factor = Factor::new(matrix.pattern())?;
+    factor.factorise(&stiffness)?;
+    let Some(increment) = first_order(eom, s, &stiffness, &mut factor)? else { return Ok(Vec::new()) };
+    let mut softening = matrix.clone();
+    eom.stress_stiffness(s, &increment, &mut softening);
+    softening.values_mut().iter_mut().for_each(|value| *value = -*value);
+    let inner = &stiffness;
+    let factor = &mut factor;
+    let mut op = Operator { factor, left: inner, right: &softening, inner, coordinates: n, interrupt };
+    let key: fn(f64) -> f64 = match sense {
+        Sense::Stated => |theta| theta,
+        Sense::Reversed => |theta| -theta,
+        Sense::Either => f64::abs,
+    };
+    let search = Search { count, key, least: LOADED, tolerance: TOLERANCE, depth: DEPTH };
+    let mut start = op.start(count + GUARD)?;
+    let mut mass = matrix;
+    eom.tangent(s, Weights::MASS, &mut mass);
+    for _ in 0..PASSES {
+        let found = krylov(&mut op, start, &search)?;
+        if found.converged {
+            // Once more through T: x then obeys the constraints as well as equations are solved.
+            let shapes: Result<Vec<_>, _> =
+                found.pairs[..found.wanted].iter().map(|pair| op.apply(&pair.vector)).collect();
+            return Ok(shapes?.iter().map(|x| critical(x, &stiffness, &softening, &mass, n)).collect());
+        }
+        start = found.pairs.into_iter().map(|pair| pair.vector).collect();
+    }
+    Err(EigenError::NotConverged)
+}
+
+/// s = xᵀ K₀ x / −xᵀ K_g x, which the error of x enters by its square only, and x with xᵀ M x = 1.
+fn critical(
+    x: &DVector<f64>,
+    stiffness: &SparseMatrix,
+    softening: &SparseMatrix,
+    mass: &SparseMatrix,
+    n: usize,
+) -> Critical {
+    let product = |matrix: &SparseMatrix| x.dot(&DVector::from(matrix.times(x.as_slice())));
+    let size = product(mass).max(0.0).sqrt();
+    let shape = x.iter().take(n).map(|x| x / size).collect();
+    Critical { factor: product(stiffness) / product(softening), shape }
+}
+
+/// What the loads at load factor one do in first order, (q₁, λ₁); `None` if they move nothing.
+fn first_order(
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+    stiffness: &SparseMatrix,
+    factor: &mut Factor,
+) -> Result<Option<State>, EigenError> {
+    let (n, m) = (eom.coordinates(), eom.multipliers());
+    let residual = |load| {
+        let (mut moved, mut r) = (s.clone(), vec![0.0; n + m]);
+        moved.load = load;
+        eom.residual(&moved, &mut r);
+        r
+    };
+    // The residual is affine in the load factor.
+    let (here, there) = (residual(s.load), residual(s.load + 1.0));
+    let force: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
+    let mut direction = force.clone();
+    factor.solve(stiffness, &mut direction)?;
+    let held = |i: usize| match stiffness.diagonal_of(i).abs() {
+        0.0 => 0.0,
+        stiffness => force[i].powi(2) / stiffness,
+    };
+    let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
+    let mut increment = State::rest(n, m);
+    increment.add(&direction, Weights::STIFFNESS);
+    Ok((work.abs() > IDLE * (0..n).map(held).sum::<f64>()).then_some(increment))
+}

@@ -1,0 +1,9 @@
+//! Eigenvalues about a state: natural modes and critical loads.
+
+mod buckling;
+mod krylov;
+mod modes;
+
+pub use buckling::{Critical, Sense, buckling};
+pub use krylov::EigenError;
+pub use modes::{Mode, Modes, modes};

@@ -1,0 +1,195 @@
+use std::f64::consts::TAU;
+
+use nalgebra::DVector;
+
+use super::krylov::{EigenError, Found, Operator, Search, krylov};
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::factor::Factor;
+use crate::newton::Interrupt;
+use crate::sparse::SparseMatrix;
+
+/// A natural mode of vibration about a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// ω², 1/time². Exactly zero for a rigid mode, negative where the state is not stable.
+    pub squared: f64,
+    /// x over the coordinates with xᵀ M x = 1; its largest entry, each weighed by the root of its mass, is positive.
+    pub shape: Vec<f64>,
+    /// |T x − θ x| / θ in the norm of M, with T = (K − σM)⁻¹ M and θ = 1/(ω² − σ).
+    pub residual: f64,
+}
+
+impl Mode {
+    /// ω / 2π; `None` for a motion that grows instead.
+    pub fn frequency(&self) -> Option<f64> {
+        (self.squared >= 0.0).then(|| self.squared.sqrt() / TAU)
+    }
+}
+
+/// The lowest modes of vibration about a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// By ω², ascending.
+    pub modes: Vec<Mode>,
+    /// How many of them have no stiffness: ω² that the rounding of K cannot tell from zero.
+    pub rigid: usize,
+}
+
+/// Converged when residuals are below this.
+const TOLERANCE: f64 = 1e-7;
+/// Vectors of a block beyond the number of modes.
+const GUARD: usize = 4;
+/// Blocks of the first space, which only estimates the spectrum, and of the others.
+const DEPTH: [usize; 2] = [4, 16];
+/// Passes, each with a better shift and better vectors.
+const PASSES: usize = 8;
+/// ω² within this many rounding errors of xᵀ K x is zero.
+const ZERO: f64 = 8.0;
+
+/// The `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state; fewer if the system has not so many.
+///
+/// K is the tangent of f + Φ_qᵀ λ in that state: stress, loads and multipliers stiffen or soften it. Gyroscopic forces
+/// have no part in it, nor has damping.
+///
+/// The largest eigenvalues θ = 1/(ω² − σ) of (K − σM)⁻¹ M by block Krylov spaces. σ lies below all ω², which the inertia
+/// of K − σM tells, and as far below as the lowest ω² that is not zero is above: free bodies, of which K is singular,
+/// need no care. Units and slope lengths have no effect.
+///
+/// `matrix` is any matrix of the pattern of `eom`.
+///
+/// Source: Ericsson & Ruhe (1980), the spectral transformation; Grimes, Lewis & Simon (1994).
+///
+/// # Errors
+/// If constraints are redundant, the mass is negative, the iteration does not converge, or it is interrupted.
+pub fn modes(
+    eom: &dyn EquationsOfMotion,
+    matrix: SparseMatrix,
+    s: &State,
+    count: usize,
+    interrupt: &Interrupt,
+) -> Result<Modes, EigenError> {
+    let count = count.min(eom.freedoms(s));
+    if count == 0 {
+        return Ok(Modes { modes: Vec::new(), rigid: 0 });
+    }
+    let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
+    let mut search = Search { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
+    // Far below all ω² no mode is preferred: the vectors to start from are independent even if the first shift is not.
+    let highest = pencil.highest();
+    pencil.factorise(-highest)?;
+    let mut start = pencil.operator().start(count + GUARD)?;
+    let mut shift = -100.0 * f64::EPSILON * highest;
+    for pass in 0..PASSES {
+        shift = pencil.factorise(shift)?;
+        let found = krylov(&mut pencil.operator(), start, &search)?;
+        if pass > 0 && found.converged {
+            return pencil.finish(found);
+        }
+        shift = pencil.better_shift(&found, shift);
+        start = found.pairs.into_iter().map(|pair| pair.vector).collect();
+        search.depth = DEPTH[1];
+    }
+    Err(EigenError::NotConverged)
+}
+
+/// K and M of a state, and K − σM with its factors.
+struct Pencil<'a> {
+    eom: &'a dyn EquationsOfMotion,
+    s: &'a State,
+    stiffness: SparseMatrix,
+    mass: SparseMatrix,
+    shifted: SparseMatrix,
+    factor: Factor,
+    interrupt: &'a Interrupt,
+}
+
+impl<'a> Pencil<'a> {
+    fn new(
+        eom: &'a dyn EquationsOfMotion,
+        matrix: SparseMatrix,
+        s: &'a State,
+        interrupt: &'a Interrupt,
+    ) -> Result<Self, EigenError> {
+        let (mut stiffness, mut mass) = (matrix.clone(), matrix.clone());
+        eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
+        eom.tangent(s, Weights::MASS, &mut mass);
+        let factor = Factor::new(matrix.pattern())?;
+        Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor, interrupt })
+    }
+
+    /// The size of the highest ω², for which the largest K_ii / M_ii stands; one if nothing has stiffness.
+    fn highest(&self) -> f64 {
+        let ratio = |i| match self.mass.diagonal_of(i) {
+            mass if mass > 0.0 => self.stiffness.diagonal_of(i).abs() / mass,
+            _ => 0.0,
+        };
+        let highest = (0..self.eom.coordinates()).map(ratio).fold(0.0, f64::max);
+        if highest > 0.0 { highest } else { 1.0 }
+    }
+
+    /// Factorises K − σM for the first σ of σ, 4σ, 16σ, ... that lies below all ω²; returns it.
+    fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
+        // 4¹⁰⁰ is beyond any spectrum.
+        for _ in 0..100 {
+            self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
+            self.factor.factorise(&self.shifted)?;
+            match self.factor.negative_pivots() {
+                Some(negative) if negative > self.eom.multipliers() => shift *= 4.0,
+                _ => return Ok(shift),
+            }
+        }
+        Err(EigenError::Singular)
+    }
+
+    fn operator(&mut self) -> Operator<'_> {
+        let Self { eom, mass, shifted, factor, interrupt, .. } = self;
+        let coordinates = eom.coordinates();
+        Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
+    }
+
+    /// ω² = xᵀ K x for xᵀ M x = 1; zero if that is no more than rounding.
+    fn squared(&self, x: &DVector<f64>) -> f64 {
+        let squared = x.dot(&DVector::from(self.stiffness.times(x.as_slice())));
+        let rounding = f64::EPSILON * self.stiffness.magnitude(x.as_slice());
+        if squared.abs() > ZERO * rounding { squared } else { 0.0 }
+    }
+
+    /// As far below the lowest ω² as the smallest in size is away from zero.
+    fn better_shift(&self, found: &Found, shift: f64) -> f64 {
+        let squared = found.pairs.iter().take(found.wanted.max(1)).map(|pair| self.squared(&pair.vector));
+        let squared: Vec<f64> = squared.filter(|&squared| squared != 0.0).collect();
+        let lowest = squared.iter().copied().fold(0.0, f64::min);
+        let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
+        if nearest.is_finite() { lowest - nearest } else { shift }
+    }
+
+    /// The modes of converged pairs, each iterated once more.
+    fn finish(&mut self, found: Found) -> Result<Modes, EigenError> {
+        let mut modes = Vec::with_capacity(found.wanted);
+        for pair in &found.pairs[..found.wanted] {
+            let image = self.operator().apply(&pair.vector)?;
+            let rest = &image - &pair.vector * pair.value;
+            let residual = self.size(&rest) / pair.value;
+            let x = &image * (self.sign(&image) / self.size(&image));
+            let squared = self.squared(&x);
+            modes.push(Mode { squared, shape: x.as_slice()[..self.eom.coordinates()].to_vec(), residual });
+        }
+        modes.sort_by(|a, b| a.squared.total_cmp(&b.squared));
+        let rigid = modes.iter().filter(|mode| mode.squared == 0.0).count();
+        Ok(Modes { modes, rigid })
+    }
+
+    /// √(xᵀ M x).
+    fn size(&self, x: &DVector<f64>) -> f64 {
+        x.dot(&DVector::from(self.mass.times(x.as_slice()))).max(0.0).sqrt()
+    }
+
+    /// The sign of the first of the largest entries, those within a millionth of each other being equal.
+    fn sign(&self, x: &DVector<f64>) -> f64 {
+        let weighed = |i: usize| x[i] * self.mass.diagonal_of(i).abs().sqrt();
+        let all = 0..self.eom.coordinates();
+        let largest = all.clone().map(|i| weighed(i).abs()).fold(0.0, f64::max);
+        let first = all.clone().find(|&i| weighed(i).abs() >= (1.0 - 1e-6) * largest);
+        first.map_or(1.0, |i| x[i].signum())
+    }
+}

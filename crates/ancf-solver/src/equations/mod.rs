@@ -1,0 +1,20 @@
+//! Equations of motion as a sum of terms: states, local terms, the assembled system.
+
+mod batch;
+mod contact_pairs;
+mod dependence;
+mod motion_equations;
+mod scatter;
+mod state;
+mod system;
+mod term;
+mod thread_parts;
+
+pub use batch::{Batch, LANES, Lanes, LocalLanes};
+pub use contact_pairs::{Encounters, Met, Pair};
+pub use dependence::{Dependence, INDEPENDENT, all_constraint_rows, constraint_rows, dependences};
+pub use motion_equations::{Energy, EquationsOfMotion, Level, Power};
+pub use scatter::Scatter;
+pub use state::{State, Weights};
+pub use system::System;
+pub use term::{LOCAL, Local, LocalMatrix, Term, dissipated, supplied};

@@ -1,0 +1,381 @@
+use std::fmt;
+use std::ops::AddAssign;
+use std::sync::Arc;
+
+use super::batch::{Batch, Batched, GatheredLanes, LocalLanes, LowerLanes};
+use super::contact_pairs::{Encounters, Met, lacks, near};
+use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
+use super::motion_equations::{Energy, EquationsOfMotion, Level, Power};
+use super::scatter::Scatter;
+use super::state::{State, Weights};
+use super::term::{LOCAL, Local, LocalMatrix, Term};
+use super::thread_parts::{Parts, hull};
+use crate::sparse::{Lists, Pattern, SparseMatrix};
+
+/// Equations of motion as the sum of terms: gather, evaluate, scatter.
+pub struct System {
+    coordinates: usize,
+    multipliers: usize,
+    terms: Vec<Arc<dyn Term>>,
+    /// What adds terms besides, and the pairs whose terms are the last ones, in ascending order.
+    encounters: Arc<[Arc<dyn Encounters>]>,
+    met: Vec<Met>,
+    /// The terms that have multipliers.
+    constraints: Vec<usize>,
+    pattern: Arc<Pattern>,
+    /// Where each term's matrix goes.
+    scatters: Vec<Scatter>,
+    /// What evaluates terms side by side, and the terms that are evaluated one by one.
+    batches: Arc<[Batched]>,
+    alone: Vec<usize>,
+    /// The batches by the rows and by the entries to which they add.
+    by_rows: Parts,
+    by_entries: Parts,
+}
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("System")
+            .field("coordinates", &self.coordinates)
+            .field("multipliers", &self.multipliers)
+            .field("terms", &self.terms.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// Pairs within this part of the margin are taken in before they act.
+const SOON: f64 = 0.5;
+
+/// The unknowns of one term, gathered from a state.
+struct Gathered {
+    q: [f64; LOCAL],
+    v: [f64; LOCAL],
+    a: [f64; LOCAL],
+    lambda: [f64; LOCAL],
+}
+
+impl Gathered {
+    const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+
+    fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
+        for (i, &c) in coordinates.iter().enumerate() {
+            self.q[i] = s.q[c];
+            self.v[i] = s.v[c];
+            self.a[i] = s.a[c];
+        }
+        let (n, m) = (coordinates.len(), multipliers.len());
+        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
+        Local {
+            q: &self.q[..n],
+            v: &self.v[..n],
+            a: &self.a[..n],
+            lambda: &self.lambda[..m],
+            t: s.t,
+            load: s.load,
+        }
+    }
+}
+
+impl System {
+    /// The sum of `terms` over so many coordinates and multipliers.
+    ///
+    /// # Panics
+    /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
+    pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
+        let terms = terms.into_iter().map(Arc::from).collect();
+        Self::made_of(coordinates, multipliers, terms, Arc::default(), Vec::new())
+    }
+
+    /// The same with terms that come and go; none of them is here before it is asked for
+    /// ([`ahead`](EquationsOfMotion::ahead), [`completed`](EquationsOfMotion::completed)).
+    #[must_use]
+    pub fn with(self, encounters: Vec<Arc<dyn Encounters>>) -> Self {
+        Self { encounters: encounters.into(), ..self }
+    }
+
+    fn made_of(
+        coordinates: usize,
+        multipliers: usize,
+        terms: Vec<Arc<dyn Term>>,
+        encounters: Arc<[Arc<dyn Encounters>]>,
+        met: Vec<Met>,
+    ) -> Self {
+        let blocks: Lists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
+        assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
+        let defining = terms.iter().filter(|term| !term.massless().is_empty());
+        let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
+        let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
+        let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
+        let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
+        let (pattern, alone, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
+        Self {
+            coordinates,
+            multipliers,
+            terms,
+            encounters,
+            met,
+            constraints,
+            pattern,
+            scatters,
+            batches,
+            alone,
+            by_rows: Parts::new(&[]),
+            by_entries: Parts::new(&[]),
+        }
+    }
+
+    /// The same with terms evaluated side by side: each batch with the number of its first term.
+    ///
+    /// # Panics
+    /// If the terms are not alike: a mistake in code, not in input.
+    #[must_use]
+    pub fn batched(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
+        let batches = batches.into_iter().map(|(first, batch)| Batched::new(first, batch, &self.terms));
+        let batches = batches.collect();
+        self.in_batches(batches)
+    }
+
+    fn in_batches(self, batches: Arc<[Batched]>) -> Self {
+        let mut alone = vec![true; self.terms.len()];
+        batches.iter().for_each(|batched| alone[batched.terms()].fill(false));
+        let alone = (0..self.terms.len()).filter(|&i| alone[i]).collect();
+        let rows: Vec<_> = batches.iter().map(Batched::range).collect();
+        let entries = |batched: &Batched| hull(self.scatters[batched.terms()].iter().map(Scatter::range));
+        let entries: Vec<_> = batches.iter().map(entries).collect();
+        let (by_rows, by_entries) = (Parts::new(&rows), Parts::new(&entries));
+        Self { batches, alone, by_rows, by_entries, ..self }
+    }
+
+    /// The same with the terms of other pairs, in ascending order.
+    fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
+        let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
+        let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
+        let system =
+            Self::made_of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met)
+                .in_batches(Arc::clone(&self.batches));
+        let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+        let matrix = system.matrix();
+        (system, matrix)
+    }
+
+    /// The same with multipliers that redundant constraints leave undetermined: forces are shared by them in the least
+    /// squares ([`Factor`](crate::factor::Factor)). To be told before any matrix is made.
+    #[must_use]
+    pub fn sharing(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
+        let coordinates = self.coordinates;
+        let unknowns = multipliers.into_iter().map(|multiplier| coordinates + multiplier);
+        Arc::make_mut(&mut self.pattern).share(unknowns);
+        self
+    }
+
+    /// The terms.
+    pub fn terms(&self) -> &[Arc<dyn Term>] {
+        &self.terms
+    }
+
+    /// A zero matrix of this pattern.
+    pub fn matrix(&self) -> SparseMatrix {
+        SparseMatrix::zero(Arc::clone(&self.pattern))
+    }
+
+    /// Adds a vector summed over some of the terms: `share` adds to the local rows.
+    fn add<'a>(
+        &self,
+        terms: impl Iterator<Item = &'a Arc<dyn Term>>,
+        s: &State,
+        sum: &mut [f64],
+        share: impl Fn(&dyn Term, &Local<'_>, &mut [f64]),
+    ) {
+        let (mut gathered, mut rows) = (Gathered::EMPTY, [0.0; LOCAL]);
+        for term in terms {
+            let term = term.as_ref();
+            let local = gathered.gather(s, term);
+            let n = local.q.len() + local.lambda.len();
+            rows[..n].fill(0.0);
+            share(term, &local, &mut rows[..n]);
+            let (of_coordinates, of_multipliers) = rows[..n].split_at(local.q.len());
+            for (&c, row) in term.coordinates().iter().zip(of_coordinates) {
+                sum[c] += row;
+            }
+            for (m, row) in term.multipliers().zip(of_multipliers) {
+                sum[self.coordinates + m] += row;
+            }
+        }
+    }
+
+    /// Adds a matrix summed over some of the terms: `share` adds to the lower triangle of the local one.
+    fn add_matrix(
+        &self,
+        terms: impl Iterator<Item = usize>,
+        values: &mut [f64],
+        mut share: impl FnMut(&dyn Term, &mut LocalMatrix<'_>),
+    ) {
+        let mut storage = [0.0; LOCAL * (LOCAL + 1) / 2];
+        for i in terms {
+            let term = self.terms[i].as_ref();
+            let size = term.coordinates().len() + term.multipliers().len();
+            let mut block = LocalMatrix::zero(size, &mut storage);
+            share(term, &mut block);
+            let lower = block.lower();
+            self.scatters[i].add(values, 0, |k| lower[k]);
+        }
+    }
+
+    /// Batches by their numbers.
+    fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a Batched> {
+        batches.iter().map(|&i| &self.batches[i as usize])
+    }
+
+    /// Sums over all batches.
+    fn sum<T: Default + AddAssign + Send>(
+        &self,
+        s: &State,
+        share: impl Fn(&dyn Batch, &LocalLanes<'_>) -> T + Sync,
+    ) -> T {
+        self.by_rows.sum(|batches| {
+            let (mut lanes, mut sum) = (GatheredLanes::EMPTY, T::default());
+            for batched in self.of(batches) {
+                sum += share(&*batched.batch, &lanes.gather(s, batched));
+            }
+            sum
+        })
+    }
+
+    /// The terms that no batch evaluates.
+    fn alone(&self) -> impl Iterator<Item = &Arc<dyn Term>> {
+        self.alone.iter().map(|&i| &self.terms[i])
+    }
+}
+
+/// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
+fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
+    let multipliers = term.multipliers().map(move |m| coordinates + m);
+    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
+}
+
+impl EquationsOfMotion for System {
+    fn coordinates(&self) -> usize {
+        self.coordinates
+    }
+
+    fn multipliers(&self) -> usize {
+        self.multipliers
+    }
+
+    fn residual(&self, s: &State, r: &mut [f64]) {
+        r.fill(0.0);
+        self.by_rows.add_to(r, |batches, r, first| {
+            let mut gathered = GatheredLanes::EMPTY;
+            self.of(batches).for_each(|batched| gathered.add_residual(s, batched, r, first));
+        });
+        self.add(self.alone(), s, r, |term, at, rows| term.residual(at, rows));
+    }
+
+    fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
+        phi.fill(0.0);
+        let mut gathered = Gathered::EMPTY;
+        for &i in &self.constraints {
+            let term = self.terms[i].as_ref();
+            term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
+        }
+    }
+
+    fn rounding(&self, s: &State, floor: &mut [f64]) {
+        floor.fill(0.0);
+        self.add(self.terms.iter(), s, floor, |term, at, rows| term.rounding(at, rows));
+    }
+
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
+        let values = k.values_mut();
+        values.fill(0.0);
+        self.by_entries.add_to(values, |batches, values, first| {
+            let (mut lanes, mut lower) = (GatheredLanes::EMPTY, LowerLanes::ZERO);
+            for batched in self.of(batches) {
+                let at = lanes.gather(s, batched);
+                lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
+            }
+        });
+        let mut gathered = Gathered::EMPTY;
+        let alone = self.alone.iter().copied();
+        self.add_matrix(alone, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
+        let values = k.values_mut();
+        values.fill(0.0);
+        let (mut at, mut increment) = (Gathered::EMPTY, Gathered::EMPTY);
+        self.add_matrix(0..self.terms.len(), values, |term, block| {
+            term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
+        });
+    }
+
+    fn inadmissible(&self, s: &State) -> Option<usize> {
+        let batched = self.by_rows.find(|batches| {
+            let mut lanes = GatheredLanes::EMPTY;
+            self.of(batches).find_map(|batched| {
+                let wrong = batched.batch.inadmissible(&lanes.gather(s, batched));
+                wrong.map(|lane| &self.terms[batched.first + lane])
+            })
+        });
+        let mut gathered = Gathered::EMPTY;
+        let wrong = batched
+            .or_else(|| self.alone().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref()))));
+        wrong.and_then(|term| term.coordinates().first().copied())
+    }
+
+    fn ahead(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+        let near = near(&self.encounters, s);
+        let met = || near.iter().map(|(pair, _)| *pair).collect();
+        lacks(&self.met, &near, SOON).then(|| self.meeting(met()))
+    }
+
+    fn completed(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+        let near = near(&self.encounters, s);
+        lacks(&self.met, &near, 0.0).then(|| {
+            // Those of the start of the step stay, so that repeating it comes to an end.
+            let mut met: Vec<Met> =
+                near.iter().map(|(pair, _)| *pair).chain(self.met.iter().copied()).collect();
+            met.sort_unstable();
+            met.dedup();
+            self.meeting(met)
+        })
+    }
+
+    fn met(&self) -> Vec<Met> {
+        self.met.clone()
+    }
+
+    fn having_met(&self, met: &[Met]) -> Option<(Self, SparseMatrix)> {
+        let is_here = |(i, pair): &Met| self.encounters.get(*i).is_some_and(|each| each.has(*pair));
+        (met.is_sorted_by(|a, b| a < b) && met.iter().all(is_here)).then(|| self.meeting(met.to_vec()))
+    }
+
+    fn freedoms(&self, s: &State) -> usize {
+        let terms = self.constraints.iter().map(|&i| self.terms[i].as_ref());
+        // Constraints are redundant only where multipliers are shared.
+        let excess = match self.pattern.shared() {
+            [] => 0,
+            _ => dependences(all_constraint_rows(terms, self.multipliers, s), INDEPENDENT).len(),
+        };
+        (self.coordinates + excess).saturating_sub(self.multipliers)
+    }
+
+    fn energy(&self, s: &State) -> Energy {
+        let mut energy = self.sum(s, |batch, at| batch.energy(at));
+        let mut gathered = Gathered::EMPTY;
+        self.alone().for_each(|term| energy += term.energy(&gathered.gather(s, term.as_ref())));
+        energy
+    }
+
+    fn power(&self, s: &State) -> Power {
+        let mut power = self.sum(s, |batch, at| batch.power(at));
+        let mut gathered = Gathered::EMPTY;
+        self.alone().for_each(|term| power += term.power(&gathered.gather(s, term.as_ref())));
+        power
+    }
+}

@@ -1,0 +1,131 @@
+use std::ops::{AddAssign, Range};
+
+/// Items of a sum by the part of a vector to which they add; the parts are done at the same time by all threads.
+///
+/// Items that add to more than one part come after all parts. Parts depend on the items only, not on the threads, and
+/// each entry is summed in one order: results are the same to the last digit with any number of threads. Few items
+/// make one part, which costs nothing.
+pub(crate) struct Parts {
+    parts: Vec<Part>,
+    between: Vec<u32>,
+}
+
+/// A part of the vector, up to the next one, and the items that add to it only.
+struct Part {
+    first: usize,
+    items: Vec<u32>,
+}
+
+/// Items of a part. Measured: with 512 elements a part takes some 100 μs, and its thread is woken in 5.
+const ITEMS: usize = 64;
+
+impl Parts {
+    /// Parts of items that add to the given ranges of entries.
+    pub(crate) fn new(ranges: &[Range<usize>]) -> Self {
+        let mut order: Vec<u32> = (0..ranges.len() as u32).collect();
+        order.sort_by_key(|&item| ranges[item as usize].start);
+        let cut = |items: &[u32]| ranges[items[0] as usize].start;
+        let chunks: Vec<&[u32]> = order.chunks(ITEMS).collect();
+        let (mut parts, mut between) = (Vec::with_capacity(chunks.len()), Vec::new());
+        for (k, chunk) in chunks.iter().enumerate() {
+            let end = chunks.get(k + 1).map_or(usize::MAX, |next| cut(next));
+            let (inside, across): (Vec<u32>, Vec<u32>) =
+                chunk.iter().partition(|&&item| ranges[item as usize].end <= end);
+            parts.push(Part { first: if k == 0 { 0 } else { cut(chunk) }, items: inside });
+            between.extend(across);
+        }
+        Self { parts, between }
+    }
+
+    /// Adds to a vector: `work` adds items to a part of it that begins at the given entry.
+    pub(crate) fn add_to(&self, values: &mut [f64], work: impl Fn(&[u32], &mut [f64], usize) + Sync) {
+        split(&self.parts, values, 0, &|part, values| work(&part.items, values, part.first));
+        work(&self.between, values, 0);
+    }
+
+    /// The sum of what `work` finds of items.
+    pub(crate) fn sum<T: Default + AddAssign + Send>(&self, work: impl Fn(&[u32]) -> T + Sync) -> T {
+        let plus = |mut a: T, b: T| {
+            a += b;
+            a
+        };
+        let parts = fold(&self.parts, &|items| work(items), &plus).unwrap_or_default();
+        plus(parts, work(&self.between))
+    }
+
+    /// What `work` finds first.
+    pub(crate) fn find<T: Send>(&self, work: impl Fn(&[u32]) -> Option<T> + Sync) -> Option<T> {
+        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| work(&self.between))
+    }
+}
+
+/// The least range that holds all of them.
+pub(crate) fn hull(ranges: impl Iterator<Item = Range<usize>>) -> Range<usize> {
+    ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
+}
+
+/// Does the parts of a vector, of which `values` begins at an entry.
+fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part, &mut [f64]) + Sync)) {
+    match parts {
+        [] => {}
+        [part] => work(part, values),
+        _ => {
+            let (left, right) = parts.split_at(parts.len() / 2);
+            let cut = right[0].first;
+            let (low, high) = values.split_at_mut(cut - first);
+            rayon::join(|| split(left, low, first, work), || split(right, high, cut, work));
+        }
+    }
+}
+
+/// Puts together what is found of the parts, neighbours first.
+fn fold<T: Send>(
+    parts: &[Part],
+    work: &(impl Fn(&[u32]) -> T + Sync),
+    join: &(impl Fn(T, T) -> T + Sync),
+) -> Option<T> {
+    match parts {
+        [] => None,
+        [part] => Some(work(&part.items)),
+        _ => {
+            let (left, right) = parts.split_at(parts.len() / 2);
+            let (a, b) = rayon::join(|| fold(left, work, join), || fold(right, work, join));
+            a.zip(b).map(|(a, b)| join(a, b))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each item once, also those across parts, in the same way by one thread and by many.
+    #[test]
+    fn each_item_once() {
+        let count = 10 * ITEMS + 7;
+        let ranges: Vec<_> = (0..count).map(|i| 3 * i..3 * i + 6).collect();
+        let parts = Parts::new(&ranges);
+        let run = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let mut sum = vec![0.0; 3 * count + 3];
+            pool.install(|| {
+                parts.add_to(&mut sum, |items, values, first| {
+                    for &item in items {
+                        ranges[item as usize]
+                            .clone()
+                            .for_each(|at| values[at - first] += 0.1 * f64::from(item));
+                    }
+                });
+            });
+            sum
+        };
+        let mut expected = vec![0.0; 3 * count + 3];
+        for (i, range) in ranges.iter().enumerate() {
+            range.clone().for_each(|at| expected[at] += 0.1 * i as f64);
+        }
+        assert_eq!(run(1), expected);
+        assert_eq!(run(4), expected);
+        assert_eq!(parts.sum(|items| items.len() as u32), count as u32);
+        assert_eq!(parts.find(|items| items.iter().copied().find(|item| *item == 200)), Some(200));
+    }
+}

@@ -1,0 +1,329 @@
+//! Arithmetic on dense panels, in quads: to be called within [`pulp::Arch::dispatch`], hence all inline.
+
+use crate::sparse::{LANES, Quad, Shape};
+
+/// y += s x.
+#[inline(always)]
+fn add_product(y: &mut Quad, s: f64, x: &Quad) {
+    for lane in 0..LANES {
+        y[lane] = s.mul_add(x[lane], y[lane]);
+    }
+}
+
+/// y += x ∘ z.
+#[inline(always)]
+fn add_products(y: &mut Quad, x: &Quad, z: &Quad) {
+    for lane in 0..LANES {
+        y[lane] = x[lane].mul_add(z[lane], y[lane]);
+    }
+}
+
+#[inline(always)]
+fn sum(x: &Quad) -> f64 {
+    (x[0] + x[2]) + (x[1] + x[3])
+}
+
+/// Eliminates the columns of a panel from one another: A = L D Lᵀ for the own rows, L for those below.
+///
+/// In `front`, whose columns are of full height, they become L D; `l` becomes L, zero on and above the diagonal; `inverse`
+/// D⁻¹. Returns whether all pivots are such: finite, their inverse too, and not just the rounding error of what was subtracted
+/// from them, the largest part of which is kept in `sizes` (quads of its own rows).
+#[inline(always)]
+pub(crate) fn eliminate(
+    shape: Shape,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
+    let mut good = true;
+    sizes.fill([0.0; LANES]);
+    for four in 0..shape.own() {
+        let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[LANES * four..]);
+        let front_of = &mut front[LANES * four * shape.height..];
+        good &= match shape.columns - LANES * four {
+            4.. => eliminate_columns::<4>(shape, four, front_of, own, inverse, sizes),
+            3 => eliminate_columns::<3>(shape, four, front_of, own, inverse, sizes),
+            2 => eliminate_columns::<2>(shape, four, front_of, own, inverse, sizes),
+            _ => eliminate_columns::<1>(shape, four, front_of, own, inverse, sizes),
+        };
+        for later in four + 1..shape.own() {
+            let columns = LANES.min(shape.columns - LANES * later);
+            let mut row = later;
+            while row + 2 <= shape.height {
+                subtract_from_own::<2>(shape, front, l, four, later, columns, row);
+                row += 2;
+            }
+            if row < shape.height {
+                subtract_from_own::<1>(shape, front, l, four, later, columns, row);
+            }
+        }
+    }
+    good
+}
+
+/// Eliminates up to four columns from one another.
+#[inline(always)]
+fn eliminate_columns<const N: usize>(
+    shape: Shape,
+    four: usize,
+    front: &mut [Quad],
+    l: &mut [Quad],
+    inverse: &mut [f64],
+    sizes: &mut [Quad],
+) -> bool {
+    let (height, length, mut good) = (shape.height, shape.height - four, true);
+    let (mut pivots, mut by) = ([0.0; N], [0.0; N]);
+    // The factors of each column with those before, from the quad of the diagonals.
+    let mut factors = [[0.0; LANES]; N];
+    let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four]);
+    for c in 0..N {
+        for k in 0..c {
+            let before = x[k];
+            add_product(&mut x[c], -factors[k][c], &before);
+        }
+        pivots[c] = x[c][c];
+        by[c] = 1.0 / pivots[c];
+        let is_number = pivots[c].is_finite() && by[c].is_finite();
+        good &= is_number && pivots[c].abs() >= f64::EPSILON * sizes[four][c];
+        let quotient = quotient(&x[c], pivots[c], by[c]);
+        for lane in 0..LANES {
+            factors[c][lane] = if lane > c { quotient[lane] } else { 0.0 };
+        }
+        raise(&mut sizes[four], &factors[c], &x[c]);
+        l[c * length] = factors[c];
+        front[c * height + four] = x[c];
+    }
+    inverse[..N].copy_from_slice(&by);
+    for row in 1..length {
+        let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four + row]);
+        for c in 0..N {
+            for k in 0..c {
+                let before = x[k];
+                add_product(&mut x[c], -factors[k][c], &before);
+            }
+            let quotient = quotient(&x[c], pivots[c], by[c]);
+            l[c * length + row] = quotient;
+            front[c * height + four + row] = x[c];
+            if let Some(size) = sizes.get_mut(four + row) {
+                raise(size, &quotient, &x[c]);
+            }
+        }
+    }
+    good
+}
+
+/// x/d for 1/d, as exact as a division: rows that are equal stay equal, and their difference zero.
+///
+/// Source: Markstein (1990).
+#[inline(always)]
+fn quotient(x: &Quad, d: f64, by: f64) -> Quad {
+    let mut quotient = [0.0; LANES];
+    for lane in 0..LANES {
+        let near = by * x[lane];
+        quotient[lane] = (-near).mul_add(d, x[lane]).mul_add(by, near);
+    }
+    quotient
+}
+
+/// Raises sizes to those of a product.
+#[inline(always)]
+fn raise(sizes: &mut Quad, x: &Quad, y: &Quad) {
+    for lane in 0..LANES {
+        let size = (x[lane] * y[lane]).abs();
+        sizes[lane] = if size > sizes[lane] { size } else { sizes[lane] };
+    }
+}
+
+/// Subtracts what four columns make of some quads of rows of four columns: L D of the rows times L of the columns, which is in
+/// the quad of rows `at`.
+#[inline(always)]
+fn subtract<const N: usize>(
+    shape: Shape,
+    front: &[Quad],
+    l: &[Quad],
+    four: usize,
+    at: usize,
+    row: usize,
+    sums: &mut [[Quad; N]; LANES],
+) {
+    let length = shape.height - four;
+    let l = &l[shape.columns_of(four)];
+    for k in 0..LANES.min(shape.columns - LANES * four) {
+        let factors = l[k * length + at - four];
+        let from = (LANES * four + k) * shape.height + row;
+        let rows = &front[from..from + N];
+        for c in 0..LANES {
+            for n in 0..N {
+                add_product(&mut sums[c][n], -factors[c], &rows[n]);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn subtract_from_own<const N: usize>(
+    shape: Shape,
+    front: &mut [Quad],
+    l: &[Quad],
+    four: usize,
+    later: usize,
+    columns: usize,
+    row: usize,
+) {
+    let mut sums = [[[0.0; LANES]; N]; LANES];
+    let place = |c: usize| (LANES * later + c) * shape.height + row;
+    for c in 0..columns {
+        sums[c].copy_from_slice(&front[place(c)..place(c) + N]);
+    }
+    subtract(shape, front, l, four, later, row, &mut sums);
+    for c in 0..columns {
+        front[place(c)..place(c) + N].copy_from_slice(&sums[c]);
+    }
+}
+
+/// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.
+#[inline(always)]
+pub(crate) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
+    let (own, below) = (shape.own(), shape.below());
+    let mut update = update;
+    for four in 0..below {
+        let (columns, rest) = update.split_at_mut(LANES * (below - four));
+        update = rest;
+        let mut row = own + four;
+        while row + 2 <= shape.height {
+            leave::<2>(shape, front, l, columns, own + four, row);
+            row += 2;
+        }
+        if row < shape.height {
+            leave::<1>(shape, front, l, columns, own + four, row);
+        }
+    }
+}
+
+/// Four columns and some quads of rows of it.
+#[inline(always)]
+fn leave<const N: usize>(
+    shape: Shape,
+    front: &[Quad],
+    l: &[Quad],
+    update: &mut [Quad],
+    at: usize,
+    row: usize,
+) {
+    let mut sums = [[[0.0; LANES]; N]; LANES];
+    for c in 0..LANES {
+        let from = (shape.columns + LANES * (at - shape.own()) + c) * shape.height + row;
+        sums[c].copy_from_slice(&front[from..from + N]);
+    }
+    for four in 0..shape.own() {
+        subtract(shape, front, l, four, at, row, &mut sums);
+    }
+    let length = shape.height - at;
+    for c in 0..LANES {
+        let to = c * length + row - at;
+        update[to..to + N].copy_from_slice(&sums[c]);
+    }
+}
+
+/// Solves L y = x for the own rows and takes what they make of those below: x is of full height.
+#[inline(always)]
+pub(crate) fn forward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
+    for four in 0..shape.own() {
+        let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => forward_columns::<4>(length, l, x),
+            3 => forward_columns::<3>(length, l, x),
+            2 => forward_columns::<2>(length, l, x),
+            _ => forward_columns::<1>(length, l, x),
+        }
+    }
+}
+
+#[inline(always)]
+fn forward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
+    let columns: [&[Quad]; N] = std::array::from_fn(|c| &l[c * length..(c + 1) * length]);
+    let mut own = x[0];
+    for c in 0..N {
+        let s = own[c];
+        add_product(&mut own, -s, &columns[c][0]);
+    }
+    x[0] = own;
+    for q in 1..length {
+        let mut rows = x[q];
+        for c in 0..N {
+            add_product(&mut rows, -own[c], &columns[c][q]);
+        }
+        x[q] = rows;
+    }
+}
+
+/// Solves Lᵀ y = x for the own rows, those below being known: x is of full height.
+#[inline(always)]
+pub(crate) fn backward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
+    for four in (0..shape.own()).rev() {
+        let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => backward_columns::<4>(length, l, x),
+            3 => backward_columns::<3>(length, l, x),
+            2 => backward_columns::<2>(length, l, x),
+            _ => backward_columns::<1>(length, l, x),
+        }
+    }
+}
+
+#[inline(always)]
+fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
+    let columns: [&[Quad]; N] = std::array::from_fn(|c| &l[c * length..(c + 1) * length]);
+    let mut sums = [[0.0; LANES]; N];
+    for q in 1..length {
+        for c in 0..N {
+            add_products(&mut sums[c], &columns[c][q], &x[q]);
+        }
+    }
+    let mut own = x[0];
+    for c in (0..N).rev() {
+        let mut rest = own[c] - sum(&sums[c]);
+        for i in c + 1..N {
+            rest = (-columns[c][0][i]).mul_add(own[i], rest);
+        }
+        own[c] = rest;
+    }
+    x[0] = own;
+}
+
+/// y += A x of a symmetric panel: x and y are of full height.
+#[inline(always)]
+pub(crate) fn multiply(shape: Shape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
+    for four in 0..shape.own() {
+        let (length, a) = (shape.height - four, &a[shape.columns_of(four)]);
+        let (x, y) = (&x[four..shape.height], &mut y[four..shape.height]);
+        match shape.columns - LANES * four {
+            4.. => multiply_columns::<4>(length, a, x, y),
+            3 => multiply_columns::<3>(length, a, x, y),
+            2 => multiply_columns::<2>(length, a, x, y),
+            _ => multiply_columns::<1>(length, a, x, y),
+        }
+    }
+}
+
+#[inline(always)]
+fn multiply_columns<const N: usize>(length: usize, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
+    let columns: [&[Quad]; N] = std::array::from_fn(|c| &a[c * length..(c + 1) * length]);
+    let (own, mut sums) = (x[0], [[0.0; LANES]; N]);
+    for q in 1..length {
+        let mut rows = y[q];
+        for c in 0..N {
+            add_product(&mut rows, own[c], &columns[c][q]);
+            add_products(&mut sums[c], &columns[c][q], &x[q]);
+        }
+        y[q] = rows;
+    }
+    for c in 0..N {
+        y[0][c] += sum(&sums[c]) + columns[c][0][c] * own[c];
+        for i in c + 1..N {
+            y[0][i] = columns[c][0][i].mul_add(own[c], y[0][i]);
+            y[0][c] = columns[c][0][i].mul_add(own[i], y[0][c]);
+        }
+    }
+}

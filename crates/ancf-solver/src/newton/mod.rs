@@ -1,0 +1,16 @@
+//! Newton's method: stopping rules, line search, reuse of the tangent.
+
+mod active_set;
+mod error;
+mod interrupt;
+mod iteration;
+mod line_search;
+mod rounding_floor;
+mod tangent;
+
+pub(crate) use active_set::Current;
+pub use error::{EquilibriumError, Failure, SolveError};
+pub use interrupt::Interrupt;
+pub(crate) use iteration::NewtonMemory;
+pub use iteration::{Newton, Report, Stop};
+pub(crate) use line_search::{LineSearch, Linear, Mover, Whole, dot};

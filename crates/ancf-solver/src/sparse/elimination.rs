@@ -1,0 +1,199 @@
+use super::index_lists::Lists;
+use super::ordering::Ranks;
+use super::supernodes::{Panel, Panels, Run};
+
+/// The unknowns in the order of elimination and the panels that it gives.
+pub(crate) struct Elimination {
+    /// The unknown at each position.
+    pub(crate) order: Vec<u32>,
+    pub(crate) panels: Panels,
+}
+
+/// No parent.
+const NONE: u32 = u32::MAX;
+
+impl Elimination {
+    /// Eliminates ranks of unknowns from a sum of dense blocks, each rank at once. Panels are ordered such that a subtree of
+    /// the elimination tree is one piece.
+    ///
+    /// Source: Liu (1990), the elimination tree and its postorder; Duff & Reid (1983), the multifrontal method.
+    pub(crate) fn new(ranks: &Ranks, blocks: &Lists) -> Self {
+        let segments = Segments::new(ranks);
+        let (rows, parent) = fill(&segments, first_touched(&segments, blocks));
+        let places = postorder(&parent);
+        let mut turn = vec![0; parent.len()];
+        places.iter().enumerate().for_each(|(panel, place)| turn[place.at as usize] = panel as u32);
+        let mut order = Vec::with_capacity(segments.order.len());
+        let mut position = vec![0; segments.count()];
+        for &old in &turn {
+            for segment in segments.of_panel(old) {
+                position[segment as usize] = order.len() as u32;
+                order.extend_from_slice(segments.unknowns(segment));
+            }
+        }
+        let mut panels = Panels::default();
+        for (&old, new) in turn.iter().zip(0..) {
+            let own = segments.of_panel(old);
+            let below = &rows[old as usize];
+            let last = panels.panels.last();
+            let panel = Panel {
+                first: last.map_or(0, |last| last.first + last.columns),
+                columns: own.map(|segment| segments.length(segment)).sum(),
+                below: below.iter().map(|&segment| segments.length(segment)).sum(),
+                runs: panels.runs.len() as u32,
+                subtree: new + 1 - places[old as usize].subtree,
+                start: last.map_or(0, |last| last.values().end),
+            };
+            panels.panels.push(panel);
+            for (i, &segment) in below.iter().enumerate() {
+                let (first, length) = (position[segment as usize], segments.length(segment));
+                let follows =
+                    i > 0 && segments.panel[segment as usize] == segments.panel[below[i - 1] as usize];
+                match panels.runs.last_mut() {
+                    Some(run) if follows && run.first + run.length == first => run.length += length,
+                    _ => panels.runs.push(Run { first, length, into: 0 }),
+                }
+            }
+        }
+        let parents = turn.iter().map(|&old| parent[old as usize]);
+        let parents: Vec<_> = parents.map(|p| (p != NONE).then(|| places[p as usize].at)).collect();
+        tell_parents(&mut panels, &parents);
+        Self { order, panels }
+    }
+}
+
+/// Says where in their parents the runs of all panels are: a parent has all rows of its children but its own.
+fn tell_parents(panels: &mut Panels, parents: &[Option<u32>]) {
+    for (child, parent) in parents.iter().enumerate() {
+        let first = panels.panels[child].runs as usize;
+        for at in first..first + panels.runs(child).len() {
+            let row = parent.and_then(|parent| panels.row(parent as usize, panels.runs[at].first as usize));
+            panels.runs[at].into = row.unwrap_or_default() as u32;
+        }
+    }
+}
+
+/// Unknowns of a rank that are adjacent to the same others: the rows of a panel consist of such.
+struct Segments {
+    order: Vec<u32>,
+    /// Where each begins in the order, and the end.
+    starts: Vec<u32>,
+    /// The panel of each.
+    panel: Vec<u32>,
+    /// The first segment of each panel, and the end.
+    of_panels: Vec<u32>,
+    /// The segment of each unknown.
+    of: Vec<u32>,
+}
+
+impl Segments {
+    fn new(ranks: &Ranks) -> Self {
+        let mut order = Vec::with_capacity(ranks.labels.len());
+        let (mut starts, mut panel, mut of_panels) = (Vec::new(), Vec::new(), Vec::new());
+        let mut of = vec![0; ranks.labels.len()];
+        for unknowns in ranks.unknowns.iter().filter(|unknowns| !unknowns.is_empty()) {
+            of_panels.push(panel.len() as u32);
+            for alike in unknowns.chunk_by(|&a, &b| ranks.labels[a as usize] == ranks.labels[b as usize]) {
+                alike.iter().for_each(|&unknown| of[unknown as usize] = panel.len() as u32);
+                starts.push(order.len() as u32);
+                panel.push(of_panels.len() as u32 - 1);
+                order.extend_from_slice(alike);
+            }
+        }
+        starts.push(order.len() as u32);
+        of_panels.push(panel.len() as u32);
+        Self { order, starts, panel, of_panels, of }
+    }
+
+    fn count(&self) -> usize {
+        self.panel.len()
+    }
+
+    fn length(&self, segment: u32) -> u32 {
+        self.starts[segment as usize + 1] - self.starts[segment as usize]
+    }
+
+    fn unknowns(&self, segment: u32) -> &[u32] {
+        &self.order[self.starts[segment as usize] as usize..self.starts[segment as usize + 1] as usize]
+    }
+
+    fn of_panel(&self, panel: u32) -> std::ops::Range<u32> {
+        self.of_panels[panel as usize]..self.of_panels[panel as usize + 1]
+    }
+}
+
+/// For each panel the later segments of the blocks of which it is the first: what these tie besides, elimination ties too.
+fn first_touched(segments: &Segments, blocks: &Lists) -> Lists {
+    let mut pairs = Vec::new();
+    let mut touched = Vec::new();
+    for block in blocks.iter().filter(|block| !block.is_empty()) {
+        touched.clear();
+        touched.extend(block.iter().map(|&unknown| segments.of[unknown as usize]));
+        touched.sort_unstable();
+        touched.dedup();
+        let first = segments.panel[touched[0] as usize];
+        let later = touched.iter().filter(|&&segment| segments.panel[segment as usize] != first);
+        pairs.extend(later.map(|&segment| (first, segment)));
+    }
+    Lists::by_key(segments.of_panels.len() - 1, pairs.iter().copied())
+}
+
+/// The rows of each panel in segments, ascending, those of its children included, and its parent: the panel of the first.
+fn fill(segments: &Segments, touched: Lists) -> (Lists, Vec<u32>) {
+    let count = touched.len();
+    let (mut rows, mut parent) = (Lists::new(), Vec::with_capacity(count));
+    // Children as linked lists: the first of each panel, the next of each child.
+    let (mut children, mut next) = (vec![NONE; count], vec![NONE; count]);
+    let mut seen = vec![NONE; segments.count()];
+    let mut own: Vec<u32> = Vec::new();
+    for panel in 0..count as u32 {
+        own.clear();
+        let mut see = |segment: u32| {
+            if seen[segment as usize] != panel && segments.panel[segment as usize] != panel {
+                seen[segment as usize] = panel;
+                own.push(segment);
+            }
+        };
+        touched[panel as usize].iter().for_each(|&segment| see(segment));
+        let mut child = children[panel as usize];
+        while child != NONE {
+            rows[child as usize].iter().for_each(|&segment| see(segment));
+            child = next[child as usize];
+        }
+        own.sort_unstable();
+        let up = own.first().map_or(NONE, |&segment| segments.panel[segment as usize]);
+        if up != NONE {
+            next[panel as usize] = children[up as usize];
+            children[up as usize] = panel;
+        }
+        parent.push(up);
+        rows.push(own.iter().copied());
+    }
+    (rows, parent)
+}
+
+/// Where a panel comes in the postorder, and of how many panels its subtree is.
+struct Place {
+    at: u32,
+    subtree: u32,
+}
+
+/// The postorder of a tree in which parents come after their children: each subtree becomes one piece.
+fn postorder(parent: &[u32]) -> Vec<Place> {
+    let mut places: Vec<Place> = parent.iter().map(|_| Place { at: 0, subtree: 1 }).collect();
+    for (child, &parent) in parent.iter().enumerate().filter(|(_, parent)| **parent != NONE) {
+        places[parent as usize].subtree += places[child].subtree;
+    }
+    // The end of what is still free, of each subtree and of the whole.
+    let (mut free, mut end) = (vec![0; parent.len()], parent.len() as u32);
+    for panel in (0..parent.len()).rev() {
+        let end = match parent[panel] {
+            NONE => &mut end,
+            parent => &mut free[parent as usize],
+        };
+        let at = *end - 1;
+        *end -= places[panel].subtree;
+        (places[panel].at, free[panel]) = (at, at);
+    }
+    places
+}

@@ -1,0 +1,118 @@
+use std::sync::Arc;
+
+use super::pattern::Pattern;
+use super::supernodes::{LANES, Run};
+
+/// A symmetric sparse matrix: the lower triangle in the panels of its pattern.
+#[derive(Clone, Debug)]
+pub struct SparseMatrix {
+    pattern: Arc<Pattern>,
+    values: Vec<f64>,
+}
+
+impl SparseMatrix {
+    pub(crate) fn zero(pattern: Arc<Pattern>) -> Self {
+        let values = vec![0.0; pattern.entries()];
+        Self { pattern, values }
+    }
+
+    /// Its pattern.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
+    }
+
+    /// The values of the lower triangle, zeros that fill up panels included.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values of the lower triangle, to be changed.
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions; entries may be zeros that fill up panels.
+    pub(crate) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
+        let panels = self.pattern.panels();
+        for (at, panel) in panels.panels.iter().enumerate() {
+            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+            for (column, j) in panel.own().enumerate() {
+                let own = shape.at(column, column);
+                panel.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
+                let below = panels.runs(at).iter().flat_map(Run::positions);
+                below
+                    .zip(&values[shape.at(LANES * shape.own(), column)..])
+                    .for_each(|(i, &value)| visit(i, j, value));
+            }
+        }
+    }
+
+    /// The entry of an unknown with itself.
+    pub fn diagonal_of(&self, unknown: usize) -> f64 {
+        self.values[self.pattern.diagonal(self.pattern.position(unknown))]
+    }
+
+    /// The entries of Φ_q: multiplier (counted after the coordinates), coordinate, value.
+    pub fn constraints(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let unknown = |at: usize| self.pattern.unknown(at);
+        let border = self.pattern.border().iter();
+        border.map(move |b| (unknown(b.multiplier), unknown(b.coordinate), self.values[b.slot]))
+    }
+
+    /// y = A x, in the order of the unknowns.
+    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        self.visit(|i, j, value| {
+            let (i, j) = (self.pattern.unknown(i), self.pattern.unknown(j));
+            y[i] += value * x[j];
+            if i != j {
+                y[j] += value * x[i];
+            }
+        });
+    }
+
+    /// The diagonal, in positions.
+    pub(crate) fn diagonal(&self) -> impl Iterator<Item = f64> {
+        self.pattern.panels().panels.iter().flat_map(|panel| {
+            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+            (0..shape.columns).map(move |j| values[shape.at(j, j)])
+        })
+    }
+
+    /// A x, in the order of the unknowns.
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; x.len()];
+        self.multiply(x, &mut product);
+        product
+    }
+
+    /// |A| |x|, in the order of the unknowns: ε times this bounds the rounding errors of A x.
+    pub fn magnitudes(&self, x: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; x.len()];
+        self.visit(|i, j, value| {
+            let (i, j) = (self.pattern.unknown(i), self.pattern.unknown(j));
+            sums[i] += (value * x[j]).abs();
+            if i != j {
+                sums[j] += (value * x[i]).abs();
+            }
+        });
+        sums
+    }
+
+    /// |x|ᵀ |A| |x|: ε times this bounds the rounding error of xᵀ A x.
+    pub fn magnitude(&self, x: &[f64]) -> f64 {
+        self.magnitudes(x).iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()
+    }
+
+    /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
+    pub fn dense(&self) -> Vec<Vec<f64>> {
+        let size = self.pattern.size();
+        let mut dense = vec![vec![0.0; size]; size];
+        self.visit(|i, j, value| {
+            let (i, j) = (self.pattern.unknown(i), self.pattern.unknown(j));
+            dense[i][j] = value;
+            dense[j][i] = value;
+        });
+        dense
+    }
+}

@@ -1,0 +1,242 @@
+use std::cmp::Reverse;
+use std::iter;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::amd;
+
+use super::index_lists::Lists;
+
+/// Coordinates without mass and the multipliers that determine them, of each term that has such.
+pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
+
+/// The unknowns in ranks, the order of elimination: a group of coordinates, then what has to follow it.
+pub(crate) struct Ranks {
+    /// The unknowns of each rank, in order; multipliers count after coordinates.
+    pub(crate) unknowns: Lists,
+    /// A number for each unknown: those next to each other that have the same one are adjacent to the same others.
+    pub(crate) labels: Vec<u32>,
+}
+
+impl Ranks {
+    /// Ranks the unknowns of a sum of dense blocks.
+    pub(crate) fn new(coordinates: usize, multipliers: usize, blocks: &Lists, massless: &[Massless]) -> Self {
+        let groups = ordered_groups(coordinates, blocks);
+        let mut rank = vec![None; coordinates];
+        groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
+        let all_massless = || massless.iter().flat_map(|(late, _)| late.iter().copied());
+        let mut is_massless = vec![false; coordinates];
+        all_massless().for_each(|c| (is_massless[c], rank[c]) = (true, None));
+        // What touches nothing comes last.
+        let end = coordinates as u32;
+        let before = last_coordinates(multipliers, blocks, &rank);
+        let mut defines = vec![false; multipliers];
+        for (late, defining) in massless.iter().filter(|(late, _)| !late.is_empty()) {
+            defining.clone().for_each(|m| defines[m] = true);
+            let last = defining.clone().map(|m| before[m].unwrap_or(end)).max();
+            late.iter().for_each(|&c| rank[c] = rank[c].max(last));
+        }
+        let after = last_coordinates(multipliers, blocks, &rank);
+        let rank_of = |m: usize| if defines[m] { before[m] } else { after[m] };
+        rank.extend((0..multipliers).map(rank_of));
+        let of = |kind: bool| (0..multipliers).filter(move |&m| defines[m] == kind).map(|m| coordinates + m);
+        // What is at one rank comes in this order.
+        let (defining, other) = (of.clone()(true), of(false));
+        let regular = (0..coordinates).filter(|&c| !is_massless[c]);
+        let late = (0..coordinates).filter(|&c| is_massless[c]);
+        let sequence = regular.chain(defining).chain(late).chain(other);
+        let pairs = sequence.map(|unknown| (rank[unknown].unwrap_or(end), unknown as u32));
+        let labels = labels(coordinates, multipliers, blocks, &is_massless);
+        let placed = Lists::by_key(coordinates + 1, pairs);
+        let mut places = placed.iter();
+        let of_groups = groups.iter().map(|group| group.len()).chain(iter::once(1));
+        let mut unknowns = Lists::new();
+        of_groups.for_each(|places_of| unknowns.push(places.by_ref().take(places_of).flatten().copied()));
+        Self { unknowns, labels }
+    }
+}
+
+/// Zero for coordinates with mass, a number of the first block for whatever else.
+fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &[bool]) -> Vec<u32> {
+    let mut labels = vec![0; coordinates + multipliers];
+    for (b, block) in blocks.iter().enumerate() {
+        let special = |u: usize| u >= coordinates || is_massless[u];
+        for unknown in block.iter().map(|&u| u as usize).filter(|&u| special(u)) {
+            if labels[unknown] == 0 {
+                labels[unknown] = b as u32 + 1;
+            }
+        }
+    }
+    labels
+}
+
+/// For each multiplier the last place among the coordinates that it touches, of those that have one.
+fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
+    let mut last: Vec<Option<u32>> = vec![None; multipliers];
+    let coordinates = rank.len();
+    for block in blocks.iter().filter(|block| !is_free(block, coordinates)) {
+        let touched = block.iter().filter(|&&u| (u as usize) < coordinates);
+        let latest = touched.filter_map(|&c| rank[c as usize]).max();
+        for &unknown in block.iter().filter(|&&u| u as usize >= coordinates) {
+            let last = &mut last[unknown as usize - coordinates];
+            *last = (*last).max(latest);
+        }
+    }
+    last
+}
+
+/// The groups of coordinates in the order of elimination.
+fn ordered_groups(coordinates: usize, blocks: &Lists) -> Lists {
+    let (group_of, count) = groups(coordinates, blocks);
+    let mut turn = vec![0; count];
+    for (group, at) in elimination(&graph(&group_of, count, blocks)).into_iter().zip(0..) {
+        turn[group as usize] = at;
+    }
+    Lists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
+}
+
+/// Whether a block has no multipliers.
+fn is_free(block: &[u32], coordinates: usize) -> bool {
+    block.iter().all(|&u| (u as usize) < coordinates)
+}
+
+/// Coordinates grouped by the set of blocks that they belong to: group of each coordinate, number of groups.
+///
+/// Blocks with multipliers do not count, nor do those within another: a joint or a load does not part a node.
+fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
+    let free = || blocks.iter().zip(0..).filter(|(block, _)| is_free(block, coordinates));
+    let of =
+        Lists::by_key(coordinates, free().flat_map(|(block, b)| block.iter().copied().zip(iter::repeat(b))));
+    let is_within_another = |block: &[u32], b: u32| {
+        let fewest = block.iter().map(|&c| &of[c as usize]).min_by_key(|of| of.len());
+        fewest.into_iter().flatten().any(|&other| {
+            let larger = &blocks[other as usize];
+            (larger.len(), Reverse(other)) > (block.len(), Reverse(b))
+                && block.iter().all(|c| larger.contains(c))
+        })
+    };
+    let mut classes = Classes { class: vec![0; coordinates], split: vec![(u32::MAX, 0)] };
+    for (block, b) in free().filter(|(block, b)| !is_within_another(block, *b)) {
+        classes.part(b, block.iter().map(|&c| c as usize));
+    }
+    // Coordinates of blocks with multipliers only.
+    let alone: Vec<bool> = classes.class.iter().map(|&class| class == 0).collect();
+    for (block, b) in blocks.iter().zip(0..).filter(|(block, _)| !is_free(block, coordinates)) {
+        let own = block.iter().map(|&c| c as usize);
+        classes.part(b, own.filter(|&c| c < coordinates && alone[c]));
+    }
+    classes.numbered()
+}
+
+/// A partition that blocks refine.
+struct Classes {
+    /// Class of each coordinate; zero before any block.
+    class: Vec<u32>,
+    /// For each class, the block that split it last and the class that this made.
+    split: Vec<(u32, u32)>,
+}
+
+impl Classes {
+    /// Parts the members of a block from those that are not.
+    fn part(&mut self, block: u32, members: impl Iterator<Item = usize>) {
+        for c in members {
+            let class = self.class[c] as usize;
+            if self.split[class].0 != block {
+                self.split[class] = (block, self.split.len() as u32);
+                self.split.push((u32::MAX, 0));
+            }
+            self.class[c] = self.split[class].1;
+        }
+    }
+
+    /// Classes numbered as they come, and their number; what no block has touched is a class of its own.
+    fn numbered(mut self) -> (Vec<u32>, usize) {
+        let mut number: Vec<Option<u32>> = vec![None; self.split.len()];
+        let mut count = 0;
+        for class in &mut self.class {
+            let mut new = || {
+                count += 1;
+                count - 1
+            };
+            *class = if *class == 0 { new() } else { *number[*class as usize].get_or_insert_with(new) };
+        }
+        (self.class, count as usize)
+    }
+}
+
+/// The other groups with which each group shares a block, ascending.
+fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
+    let clusters: Lists = blocks
+        .iter()
+        .map(|block| {
+            let own = block.iter().filter_map(|&c| group_of.get(c as usize));
+            let mut groups: Vec<u32> = own.copied().collect();
+            groups.sort_unstable();
+            groups.dedup();
+            groups
+        })
+        .collect();
+    let pairs = clusters.iter().flat_map(|cluster| {
+        cluster.iter().flat_map(move |&g| cluster.iter().filter(move |&&h| h != g).map(move |&h| (g, h)))
+    });
+    let all = Lists::by_key(count, pairs);
+    all.iter()
+        .map(|others| {
+            let mut others = others.to_vec();
+            others.sort_unstable();
+            others.dedup();
+            others
+        })
+        .collect()
+}
+
+/// The order of elimination of a graph: leaves from all sides at once, so that trees end in their middle; what is left by
+/// minimum degree.
+fn elimination(graph: &Lists) -> Vec<u32> {
+    let mut degree: Vec<usize> = graph.iter().map(<[u32]>::len).collect();
+    let (mut order, mut is_out) = (Vec::with_capacity(graph.len()), vec![false; graph.len()]);
+    let mut leaves: Vec<u32> = (0..graph.len() as u32).filter(|&g| degree[g as usize] <= 1).collect();
+    while !leaves.is_empty() {
+        let mut next = Vec::new();
+        for leaf in leaves {
+            order.push(leaf);
+            is_out[leaf as usize] = true;
+            for &other in graph[leaf as usize].iter().filter(|&&other| !is_out[other as usize]) {
+                degree[other as usize] -= 1;
+                if degree[other as usize] == 1 {
+                    next.push(other);
+                }
+            }
+        }
+        leaves = next;
+    }
+    let core: Vec<u32> = (0..graph.len() as u32).filter(|&g| !is_out[g as usize]).collect();
+    order.extend(minimum_degree(graph, &core).into_iter().map(|at| core[at]));
+    order
+}
+
+/// Approximate minimum degree order of a part of a graph.
+fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
+    let count = part.len();
+    if count == 0 {
+        return Vec::new();
+    }
+    let mut place = vec![usize::MAX; graph.len()];
+    part.iter().enumerate().for_each(|(at, &g)| place[g as usize] = at);
+    let (mut columns, mut rows) = (vec![0], Vec::new());
+    for (at, &g) in part.iter().enumerate() {
+        let others = graph[g as usize].iter().map(|&other| place[other as usize]);
+        let start = rows.len();
+        rows.push(at);
+        rows.extend(others.filter(|&other| other != usize::MAX));
+        rows[start..].sort_unstable();
+        columns.push(rows.len());
+    }
+    let graph = SymbolicSparseColMatRef::new_checked(count, count, &columns, None, &rows);
+    let (mut order, mut inverse) = (vec![0; count], vec![0; count]);
+    let mut memory = MemBuffer::new(amd::order_scratch::<usize>(count, rows.len()));
+    let done =
+        amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
+    // AMD fails only when indices overflow; the natural order is then as good as any.
+    if done.is_ok() { order } else { (0..count).collect() }
+}

@@ -1,0 +1,14 @@
+//! Static equilibrium: load increments and paths by arc length.
+
+mod arc;
+mod equilibrium;
+mod load_stepper;
+mod path;
+mod settle;
+mod waypoint;
+
+pub use equilibrium::Equilibrium;
+pub use load_stepper::{Increments, Statics};
+pub use path::Path;
+pub use settle::settle;
+pub use waypoint::{ArcSteps, Left, Limit, PathPoint, Until};

@@ -1,0 +1,87 @@
+//! Bodies of a model as coordinates and terms.
+
+use ancf_mechanics::bodies::{BeamMesh, Blueprint};
+use ancf_mechanics::elements::{Medium, RigidBody};
+use nalgebra::Vector3;
+
+use crate::model::Model;
+use crate::model::{Beam, Body, Formulation, MaterialLaw};
+
+impl Model {
+    /// The bodies, coordinates and multipliers counted on from body to body.
+    pub(crate) fn meshes(&self) -> Vec<(String, ancf_mechanics::bodies::Body)> {
+        let mut first = [0, 0];
+        let meshes = self.bodies.iter().map(|body| {
+            let mesh = self.body(body, first);
+            first = [first[0] + mesh.coordinates(), first[1] + mesh.multipliers()];
+            (body.name().to_owned(), mesh)
+        });
+        meshes.collect()
+    }
+
+    fn body(&self, body: &Body, first: [usize; 2]) -> ancf_mechanics::bodies::Body {
+        let (centre, gravity) = (Vector3::from(body.span()[0]), Vector3::from(self.gravity));
+        match body {
+            Body::Rigid(rigid) => {
+                let rigid = RigidBody::new(first, centre, rigid.mass, rigid.tensor(), gravity);
+                ancf_mechanics::bodies::Body::Rigid(rigid)
+            }
+            Body::Mass(point) => {
+                ancf_mechanics::bodies::Body::Rigid(RigidBody::point(first[0], centre, point.mass, gravity))
+            }
+            Body::Beam(_) | Body::Cable(_) => {
+                ancf_mechanics::bodies::Body::Flexible(self.mesh(body, first[0]))
+            }
+        }
+    }
+
+    fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
+        let (_, material) = body.stuff().expect("a flexible body has a section and a material");
+        let material = &self.materials[material];
+        let medium = Medium {
+            lame: material.lame(),
+            neo_hookean: material.law == MaterialLaw::NeoHookean,
+            density: material.density,
+            retardation: material.damping.strain,
+            drag: material.damping.mass,
+            gravity: Vector3::from(self.gravity),
+        };
+        let elements = body.elements() as usize;
+        let curve = body.curve().expect("a checked body has an axis");
+        let (total, up) = (curve.length(), body.up().expect("a checked body has a direction `up`"));
+        let nodes = |parts: usize, twist: f64| {
+            let at: Vec<f64> = (0..=parts).map(|k| total * k as f64 / parts as f64).collect();
+            curve.nodes(up, twist, &at)
+        };
+        let (length, slope) = (total / elements as f64, body.slope_length());
+        let section = |s: f64| {
+            let section = self.section_at(body, s / total).expect("a flexible body has a section");
+            section.cross_section(material.poisson)
+        };
+        let prismatic = !matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
+        let origin = Vector3::from(body.span()[0]);
+        let blueprint =
+            Blueprint { first, origin, length, slope, medium: &medium, section: &section, prismatic };
+        match body {
+            Body::Beam(beam) => match beam.formulation.two_node() {
+                Some(formulation) => {
+                    BeamMesh::two_node(&blueprint, &nodes(elements, beam.twist), formulation)
+                }
+                None => BeamMesh::three_node(&blueprint, &nodes(2 * elements, beam.twist)),
+            },
+            _ => BeamMesh::cable(&blueprint, &nodes(elements, 0.0)),
+        }
+    }
+}
+
+impl Formulation {
+    /// The formulation of the two-node element, if it is one.
+    const fn two_node(self) -> Option<ancf_mechanics::elements::Formulation> {
+        match self {
+            Self::Continuum => Some(ancf_mechanics::elements::Formulation::Continuum),
+            Self::Enhanced => Some(ancf_mechanics::elements::Formulation::Enhanced),
+            Self::Linked => Some(ancf_mechanics::elements::Formulation::Linked),
+            Self::Quadratic => None,
+        }
+    }
+}

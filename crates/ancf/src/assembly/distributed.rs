@@ -1,0 +1,120 @@
+//! Loads that act along bodies or on all of them, as terms.
+
+use ancf_mechanics::bodies::BeamMesh;
+use ancf_mechanics::forces::{FollowerForce, Force, Moment, Piece};
+use ancf_mechanics::functions::Function;
+use ancf_solver::equations::Term;
+use nalgebra::Vector3;
+
+use crate::model::Model;
+use crate::model::{Beam, Body, Clock, Fluid, Load, Section, Stretch};
+
+type Terms = Vec<Box<dyn Term>>;
+
+impl Model {
+    /// A load that acts at no single place.
+    pub(crate) fn spread_load(
+        &self,
+        load: &Load,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        clock: Clock,
+    ) -> Terms {
+        let function = load.function(clock);
+        match load {
+            Load::Force { .. } | Load::Moment { .. } | Load::External { .. } => Terms::new(),
+            Load::DistributedForce { .. } | Load::DistributedMoment { .. } => {
+                load.stretch().map_or_else(Terms::new, |on| self.along(load, &on, bodies, &function))
+            }
+            Load::BaseAcceleration { acceleration, .. } => {
+                let inertia = -Vector3::from(*acceleration);
+                let markers = bodies.iter().flat_map(|(_, body)| body.mass_markers());
+                let term = |marker| Box::new(Force::varying(&marker, inertia, function.clone())) as _;
+                markers.map(term).collect()
+            }
+            Load::Fluid(fluid) => self.immersed(fluid, bodies, clock),
+        }
+    }
+
+    /// A load per length.
+    fn along(
+        &self,
+        load: &Load,
+        on: &Stretch<'_>,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        function: &Function,
+    ) -> Terms {
+        let pairs =
+            self.bodies.iter().zip(bodies).filter_map(|(body, (_, built))| Some((body, built.mesh()?)));
+        let Some((body, mesh)) = pairs.into_iter().find(|(body, _)| body.name() == on.body) else {
+            return Terms::new();
+        };
+        let [from, to] = [on.from, on.to].map(|at| body.arc_length(at));
+        let [first, last] = on.loads.map(Vector3::from);
+        let part = |s: f64| (s - from) / (to - from);
+        let mut terms = Terms::new();
+        for piece in mesh.pieces(from..to) {
+            if !load.is_follower() && !load.is_moment() {
+                terms.extend(dead(mesh, &piece, [first, last], &part, function));
+                continue;
+            }
+            for (s, length) in piece.points() {
+                let now = (first + (last - first) * part(s)) * length;
+                let ([_, d, e], function) = (mesh.axes(s), function.clone());
+                terms.push(match (load.is_moment(), load.is_follower()) {
+                    (false, _) => {
+                        Box::new(FollowerForce::in_section(&mesh.point(s), [&d, &e], now, function))
+                    }
+                    (true, true) => Box::new(Moment::in_section([&d, &e], now, function)),
+                    (true, false) => Box::new(Moment::new([&d, &e], now, function)),
+                });
+            }
+        }
+        terms
+    }
+
+    /// A fluid around bodies.
+    fn immersed(
+        &self,
+        fluid: &Fluid,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        clock: Clock,
+    ) -> Terms {
+        let medium = fluid.medium(self.gravity, clock);
+        let around = |(body, mesh): (&Body, &BeamMesh)| {
+            let hull = |s: f64| {
+                let hull = self.section_at(body, s / mesh.length()).and_then(|section| fluid.hull(&section));
+                hull.expect("a checked model says the diameters of its bodies in fluids")
+            };
+            mesh.immersed(&medium, hull)
+        };
+        let wet = self.bodies.iter().zip(bodies).filter_map(|(body, (_, built))| Some((body, built.mesh()?)));
+        let wet = wet.filter(|(body, _)| fluid.bodies.iter().any(|name| name == body.name()));
+        wet.flat_map(around).map(|term| Box::new(term) as _).collect()
+    }
+
+    /// The section of a flexible body of a valid model at a part of its length, from 0 to 1.
+    pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
+        let start = self.sections[body.stuff()?.0];
+        Some(match body {
+            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
+            _ => start,
+        })
+    }
+}
+
+/// A load per length that stays, on a piece: exactly the forces that do its work on a cubic axis.
+fn dead(
+    mesh: &BeamMesh,
+    piece: &Piece,
+    [first, last]: [Vector3<f64>; 2],
+    part: &dyn Fn(f64) -> f64,
+    function: &Function,
+) -> Terms {
+    let force = |p: &dyn Fn(f64) -> f64, force: Vector3<f64>| {
+        Box::new(Force::varying(&mesh.spread(piece, p), force, function.clone())) as Box<dyn Term>
+    };
+    if first == last {
+        return vec![force(&|_| 1.0, first)];
+    }
+    vec![force(&|s| 1.0 - part(s), first), force(part, last)]
+}

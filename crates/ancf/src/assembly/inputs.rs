@@ -1,0 +1,69 @@
+//! Functions of the user at one instant: which of them is no number.
+
+use ancf_mechanics::functions::{ForceFunction, Function};
+use ancf_mechanics::kinematics::Marker;
+use ancf_solver::equations::State;
+
+use super::assemble::Assembly;
+use crate::checking::loads_of;
+use crate::model::Model;
+use crate::model::{Clock, Load};
+
+/// The functions of a model, with the paths of their keys.
+#[derive(Debug, Default)]
+pub(crate) struct Inputs {
+    /// Functions of time; of those that drive joints, rates count too.
+    times: Vec<(String, Function, bool)>,
+    /// Forces that the program computes, and where they act.
+    forces: Vec<(String, Marker, ForceFunction)>,
+}
+
+/// A function that is no number.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NoNumber {
+    /// The path of its key, such as `loads[0].time`.
+    pub(crate) path: String,
+    /// What of it is none: "value", "rate" or "acceleration".
+    pub(crate) what: &'static str,
+    /// What it is instead.
+    pub(crate) value: f64,
+}
+
+impl Model {
+    /// The functions of an assembly of this model by a clock.
+    pub(crate) fn inputs(&self, bodies: &[(String, ancf_mechanics::bodies::Body)], clock: Clock) -> Inputs {
+        let times = self.time_functions().into_iter();
+        let times = times.map(|(path, time)| {
+            let drives = path.starts_with("joints");
+            (path, clock.function(time), drives)
+        });
+        let forces = loads_of(self).filter_map(|(path, load)| {
+            let Load::External { on, units, supplied, .. } = load else { return None };
+            let own = supplied.as_ref()?;
+            let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
+            let force = own.in_units(units.length, units.time, units.force);
+            Some((path, self.attachment(bodies, on).point, force))
+        });
+        Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
+    }
+}
+
+impl Assembly {
+    /// The first of the user's functions that is no number at the time of a state, if there is one.
+    pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
+        let of_time = |(path, function, drives): &(String, Function, bool)| {
+            let now = function.at(s.t);
+            let all = [("value", now.value), ("rate", now.rate), ("acceleration", now.acceleration)];
+            let counted = if *drives { &all[..] } else { &all[..1] };
+            let (what, value) = counted.iter().copied().find(|(_, x)| !x.is_finite())?;
+            Some(NoNumber { path: path.clone(), what, value })
+        };
+        let of_force = |(path, point, force): &(String, Marker, ForceFunction)| {
+            let (x, v) = (point.value(s), point.sum(&s.v));
+            let value = force.at(s.t, x.into(), v.into()).into_iter().find(|f| !f.is_finite())?;
+            Some(NoNumber { path: path.clone(), what: "value", value })
+        };
+        let Inputs { times, forces } = &self.inputs;
+        times.iter().find_map(of_time).or_else(|| forces.iter().find_map(of_force))
+    }
+}

@@ -1,0 +1,177 @@
+//! The rules of bodies that the schema cannot say.
+
+use ancf_mechanics::elements::is_inertia;
+use nalgebra::Vector3;
+
+use super::rules::{COINCIDENT, beams_of, bodies_of, finding, is_direction, no_direction, unknown};
+use crate::model::Model;
+use crate::model::{Beam, Body, Formulation, MaterialLaw, Shape};
+use crate::schema::{Finding, number};
+
+/// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
+pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, body) in bodies_of(model) {
+        let sections = || model.sections.keys().map(String::as_str).collect();
+        let materials = || model.materials.keys().map(String::as_str).collect();
+        let Some((section, material)) = body.stuff() else {
+            findings.extend(rule_of_inertia(&path, body));
+            continue;
+        };
+        if !model.sections.contains_key(section) {
+            let error = unknown(format!("{path}.section"), "section", section, sections());
+            findings.push(error.rests_on(["sections".into()]));
+        }
+        if let Body::Beam(Beam { section_end: Some(end), .. }) = body
+            && !model.sections.contains_key(end)
+        {
+            let error = unknown(format!("{path}.section_end"), "section", end, sections());
+            findings.push(error.rests_on(["sections".into()]));
+        }
+        if !model.materials.contains_key(material) {
+            let error = unknown(format!("{path}.material"), "material", material, materials());
+            findings.push(error.rests_on(["materials".into()]));
+        }
+        findings.extend(rule_of_axis(&path, body));
+    }
+    findings
+}
+
+/// Moments of inertia are those of matter: none exceeds the sum of the others.
+fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
+    let Body::Rigid(rigid) = body else { return None };
+    (!is_inertia(&rigid.tensor())).then(|| {
+        let wanted = "principal moments above 0, none larger than the sum of the other two";
+        let listed = rigid.inertia.map(number).join(", ");
+        finding(format!("{path}.inertia"), format!("[{listed}]"), wanted)
+            .rests_on([format!("{path}.products")])
+    })
+}
+
+fn rule_of_axis(path: &str, body: &Body) -> Option<Finding> {
+    let axis = [format!("{path}.from"), format!("{path}.to"), format!("{path}.shape")];
+    let [from, to] = body.span().map(Vector3::from);
+    let (straight, shape) = match body {
+        Body::Beam(beam) => (beam.shape.is_straight(), Some(&beam.shape)),
+        Body::Cable(_) | Body::Rigid(_) | Body::Mass(_) => (true, None),
+    };
+    let up = if let Body::Beam(beam) = body { beam.up } else { None };
+    match (body.curve(), up) {
+        (None, _) if straight && from == to => {
+            let error =
+                finding(format!("{path}.to"), "a beam of length 0", "an end of the axis away from its start");
+            Some(error.rests_on(axis))
+        }
+        (None, _) if straight => Some(
+            finding(format!("{path}.to"), "an axis too long for its length to be a number", "a shorter one")
+                .rests_on(axis),
+        ),
+        (None, _) => Some(no_curve(path, shape?).rests_on(axis)),
+        (Some(curve), _) if !curve.length().is_finite() => Some(
+            finding(
+                format!("{path}.shape"),
+                "an axis too long for its length to be a number",
+                "a shorter one",
+            )
+            .rests_on(axis),
+        ),
+        (Some(_), Some(up)) if !is_direction(up) => Some(no_direction(format!("{path}.up"), up)),
+        (Some(_), Some(_)) if body.up().is_none() => {
+            Some(finding(format!("{path}.up"), "a direction along the axis", "one across it").rests_on(axis))
+        }
+        (Some(curve), _) => rule_of_end(path, &(from + curve.at(curve.length()).0), &to, curve.length())
+            .map(|e| e.rests_on(axis)),
+    }
+}
+
+fn no_curve(path: &str, shape: &Shape) -> Finding {
+    match shape {
+        Shape::Arc { .. } => finding(
+            format!("{path}.shape.through"),
+            "three points on a line",
+            "a point off the line from start to end",
+        ),
+        Shape::Helix { .. } => finding(
+            format!("{path}.shape"),
+            "a helix without radius or axis",
+            "a start away from the axis, and a direction",
+        ),
+        Shape::Spline { .. } | Shape::Straight => {
+            finding(format!("{path}.shape.through"), "a point twice in a row", "points away from each other")
+        }
+    }
+}
+
+/// A helix ends where the body is said to end.
+fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -> Option<Finding> {
+    ((end - to).norm() > COINCIDENT * length).then(|| {
+        let at = |r: &Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
+        finding(format!("{path}.to"), at(to), format!("{}, where the helix ends", at(end)))
+    })
+}
+
+/// A cable bends equally about every axis across.
+pub(crate) fn cables(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, body) in bodies_of(model) {
+        let Body::Cable(cable) = body else { continue };
+        let Some(section) = model.sections.get(&cable.section) else { continue };
+        let m = section.moments();
+        if (m.yy - m.zz).abs() > 1e-9 * m.yy.max(m.zz) {
+            let error = finding(
+                format!("{path}.section"),
+                "a section that bends differently about y and z",
+                "a circle, a tube, a square or a general section with iy = iz",
+            );
+            findings.push(error.rests_on(["sections".into()]));
+        }
+        if model
+            .materials
+            .get(&cable.material)
+            .is_some_and(|material| material.law == MaterialLaw::NeoHookean)
+        {
+            let error = finding(
+                format!("{path}.material"),
+                "a neo-Hookean material of a cable",
+                "one whose law is \"st_venant_kirchhoff\"",
+            );
+            findings.push(error.rests_on(["materials".into()]));
+        }
+    }
+    findings
+}
+
+/// What a formulation cannot do, it is not asked to.
+pub(crate) fn formulations(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, beam) in beams_of(model) {
+        let material = model.materials.get(&beam.material);
+        if beam.formulation != Formulation::Continuum
+            && material.is_some_and(|m| m.law == MaterialLaw::NeoHookean)
+        {
+            let wanted = "\"continuum\", which alone integrates a neo-Hookean law over the section";
+            let error = finding(
+                format!("{path}.formulation"),
+                "a rod's elasticity of a neo-Hookean material",
+                wanted,
+            );
+            findings.push(Finding {
+                absence: true,
+                ..error.rests_on([format!("{path}.material"), "materials".into()])
+            });
+        }
+        if let (Some(start), Some(end)) = (
+            model.sections.get(&beam.section),
+            beam.section_end.as_ref().and_then(|end| model.sections.get(end)),
+        ) && std::mem::discriminant(start) != std::mem::discriminant(end)
+        {
+            let error = finding(
+                format!("{path}.section_end"),
+                "a section of another kind",
+                "one of the kind of `section`",
+            );
+            findings.push(error.rests_on([format!("{path}.section"), "sections".into()]));
+        }
+    }
+    findings
+}

@@ -1,0 +1,214 @@
+//! The rules of joints, of what acts on them and of couplings.
+
+use ancf_solver::equations::LOCAL;
+use nalgebra::Vector3;
+
+use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, unknown};
+use super::time_functions::is_dynamic;
+use crate::model::Model;
+use crate::model::{Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, TimeFunction, Varying};
+use crate::schema::{Finding, number, quoted};
+
+/// Axes whose sine is less than this are parallel.
+const PARALLEL: f64 = 1e-3;
+
+/// Axes are directions, and those of a universal joint are two.
+pub(crate) fn axes(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let axes = match joint {
+            Joint::Revolute { axis, .. } => vec![("axis", *axis)],
+            Joint::Cylindrical(joint) => vec![("axis", joint.axis)],
+            Joint::Prismatic(joint) => vec![("axis", joint.axis)],
+            Joint::PointOnLine(joint) => vec![("axis", joint.axis)],
+            Joint::Planar(joint) => vec![("normal", joint.normal)],
+            Joint::Universal(joint) => vec![("axis_a", joint.axis_a), ("axis_b", joint.axis_b)],
+            _ => Vec::new(),
+        };
+        let wrong = axes.iter().filter(|(_, axis)| !is_direction(*axis));
+        let wrong: Vec<_> = wrong.map(|(key, axis)| no_direction(format!("{path}.{key}"), *axis)).collect();
+        if let (Joint::Universal(joint), true) = (joint, wrong.is_empty()) {
+            let [a, b] = [joint.axis_a, joint.axis_b].map(|axis| Vector3::from(axis).normalize());
+            if a.cross(&b).norm() < PARALLEL {
+                let key = format!("{path}.axis_b");
+                let error = finding(key, "a direction along `axis_a`", "an arm of the cross of its own");
+                findings.push(error.rests_on([format!("{path}.axis_a")]));
+            }
+        }
+        findings.extend(wrong);
+    }
+    findings
+}
+
+/// What spans two points has two; the ground has a point for nothing else that is new.
+pub(crate) fn spans(model: &Model) -> Vec<Finding> {
+    let rule = |(path, joint): (String, &Joint)| {
+        let (a, b) = joint.ends();
+        let key = format!("{path}.b");
+        let drawn = matches!(
+            joint,
+            Joint::Clamp { .. } | Joint::Revolute { .. } | Joint::Spherical { .. } | Joint::Drive { .. }
+        );
+        let wanted = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
+        match (joint.spans(), b) {
+            (true, End::Ground) => Some(finding(key, "\"ground\"", wanted)),
+            (true, b) => {
+                let (_, body) = body(model, a)?;
+                let there = match b {
+                    End::Place(place) => model.point(place)?,
+                    End::Point(ground) => Vector3::from(ground.point),
+                    End::Ground => return None,
+                };
+                let length = if body.is_flexible() { body.length() } else { model.length() };
+                let apart = (model.point(a)? - there).norm();
+                let rests_on = ["bodies".to_owned(), format!("{path}.a")];
+                let wanted = "one that is elsewhere; \"bushing\" is a spring between points that coincide";
+                (apart <= COINCIDENT * length)
+                    .then(|| finding(key, "the point of `a`", wanted).rests_on(rests_on))
+            }
+            (false, End::Point(_)) if !drawn => {
+                let wanted = "\"ground\" or a place on a body";
+                Some(finding(key, "a point of the ground", wanted))
+            }
+            _ => None,
+        }
+    };
+    joints_of(model).filter_map(rule).collect()
+}
+
+/// Points slide along beams whose tangent is continuous.
+pub(crate) fn slides(model: &Model) -> Vec<Finding> {
+    let wanted = "a place on a cable or on a beam of two-node elements";
+    let rule = |(path, joint): (String, &Joint)| {
+        let Joint::Slide(slide) = joint else { return None };
+        let End::Place(place) = &slide.b else {
+            return Some(finding(format!("{path}.b"), "the ground", wanted));
+        };
+        let quadratic = "a beam of formulation \"quadratic\", whose tangent has kinks";
+        let found = match body(model, place)?.1 {
+            Body::Beam(Beam { formulation: Formulation::Quadratic, .. }) => quadratic,
+            Body::Beam(_) | Body::Cable(_) if place.offset == [0.0; 3] => return None,
+            Body::Beam(_) | Body::Cable(_) => {
+                let wanted = "none: points slide along the axis";
+                return Some(finding(format!("{path}.b.offset"), "an arm", wanted));
+            }
+            Body::Rigid(_) => "a rigid body",
+            Body::Mass(_) => "a point mass",
+        };
+        Some(finding(format!("{path}.b.body"), found, wanted).rests_on(["bodies".into()]))
+    };
+    joints_of(model).filter_map(rule).collect()
+}
+
+/// Drives state one amount, start at the undeformed state and do not jump; rates have integrals.
+pub(crate) fn acting(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let linear = if matches!(joint, Joint::Cylindrical(_)) { "feed" } else { "drive" };
+        let turning = (joint.turning(), "drive", ["angle", "rate"]);
+        for (acting, key, names) in [turning, (joint.moving(), linear, ["displacement", "speed"])] {
+            findings.extend(rule_of_drive(model, &format!("{path}.{key}"), &acting, names));
+        }
+    }
+    findings
+}
+
+fn rule_of_drive(model: &Model, path: &str, acting: &Acting<'_>, [own, rate]: [&str; 2]) -> Option<Finding> {
+    let drive = acting.drive?;
+    let wanted = || format!("either `{own}` or `{rate}`");
+    match drive.amounts {
+        [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), wanted())),
+        [None, None] => Some(finding(path.into(), format!("neither `{own}` nor `{rate}`"), wanted())),
+        [None, Some(_)] => {
+            let open = drive.time.compile().is_ok_and(|function| function.integral().is_none());
+            let what = match drive.time {
+                TimeFunction::Varying(Varying::External { .. }) => "an external function",
+                _ => "a formula",
+            };
+            let wanted = format!("a function with an integral in closed form, or {what} of the `{own}`");
+            open.then(|| finding(format!("{path}.time"), format!("{what} of a rate"), wanted))
+        }
+        [Some(amount), None] => {
+            let function = drive.time.compile().ok()?;
+            let key = format!("{path}.time");
+            if drive.time.jumps() {
+                return Some(finding(key, "a function that jumps", "one that bodies can follow"));
+            }
+            let start = amount * function.value(0.0);
+            (is_dynamic(model) && start.abs() > 1e-6 * scale(model, own)).then(|| {
+                let found = format!("{own} {} at t = 0", number(start));
+                let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
+                Finding { absence: true, ..error.rests_on([format!("{path}.{own}")]) }
+            })
+        }
+    }
+}
+
+/// What is large of an angle or a displacement.
+fn scale(model: &Model, own: &str) -> f64 {
+    if own == "angle" { 1.0 } else { model.length() }
+}
+
+/// Rods whose lengths are led start from what they are, and stay lengths.
+pub(crate) fn distances(model: &Model) -> Vec<Finding> {
+    let rule = |(path, joint): (String, &Joint)| {
+        let Joint::Distance(distance) = joint else { return None };
+        let key = format!("{path}.time");
+        if distance.change != 0.0 && distance.time.jumps() {
+            return Some(finding(key, "a function that jumps", "one that bodies can follow"));
+        }
+        let start = distance.change * distance.time.compile().ok()?.value(0.0);
+        (is_dynamic(model) && start.abs() > 1e-6 * model.length()).then(|| {
+            let found = format!("a change of {} at t = 0", number(start));
+            let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
+            Finding { absence: true, ..error.rests_on([format!("{path}.change")]) }
+        })
+    };
+    joints_of(model).filter_map(rule).collect()
+}
+
+/// Couplings name freedoms that are there, each once, with factors.
+pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (i, coupling) in model.couplings.iter().enumerate() {
+        let (count, most) = (coupling.joints.len(), LOCAL - 1);
+        if count > most {
+            let (found, wanted) =
+                (format!("{count} joints"), format!("at most {most}, or several couplings"));
+            findings.push(finding(format!("couplings[{i}].joints"), found, wanted));
+        }
+        for (k, part) in coupling.joints.iter().enumerate() {
+            let path = format!("couplings[{i}].joints[{k}]");
+            findings.extend(rule_of_part(model, &path, part, &coupling.joints[..k]));
+        }
+    }
+    findings
+}
+
+fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -> Option<Finding> {
+    let key = format!("{path}.joint");
+    let Some(joint) = model.joints.iter().find(|joint| joint.name() == part.joint) else {
+        let names = model.joints.iter().map(Joint::name).collect();
+        return Some(unknown(key, "joint", &part.joint, names).rests_on(["joints".into()]));
+    };
+    let listed = match joint.freedoms() {
+        [] => None,
+        [Freed::Angle] => Some("\"angle\""),
+        [Freed::Displacement] => Some("\"displacement\""),
+        _ => Some("\"angle\" or \"displacement\""),
+    };
+    let Some(listed) = listed else {
+        let found = format!("{}, which has no single angle or displacement", quoted(&part.joint));
+        let wanted = "a \"revolute\", \"cylindrical\", \"prismatic\" or \"slide\" joint";
+        return Some(finding(key, found, wanted).rests_on(["joints".into()]));
+    };
+    if model.coupled(part).is_none() {
+        let found = "a freedom that the joint does not have";
+        return Some(finding(format!("{path}.of"), found, listed).rests_on(["joints".into(), key]));
+    }
+    if part.factor == 0.0 {
+        return Some(finding(format!("{path}.factor"), "0", "a factor that is not 0"));
+    }
+    let again = before.iter().any(|other| model.coupled(other) == model.coupled(part));
+    again.then(|| finding(key.clone(), format!("{} a second time", quoted(&part.joint)), "each freedom once"))
+}

@@ -1,0 +1,318 @@
+//! The rules of a model that its schema cannot say.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use nalgebra::Vector3;
+
+use super::bodies::{bodies, cables, formulations};
+use super::capabilities::abilities;
+use super::contacts::contacts;
+use super::scheme::{scheme, time};
+use super::time_functions::loads_of;
+use crate::model::Model;
+use crate::model::{At, Beam, Body, End, Joint, ModelError, Named, Place, Section};
+use crate::schema::{Finding, did_you_mean, join, listed, nearest, number, quoted};
+use crate::units::ScaleChoice;
+
+/// Elements beyond which a model is taken for a slip of the pen.
+const MAX_ELEMENTS: u64 = 10_000_000;
+/// Memory that a run needs for an element.
+const BYTES_PER_ELEMENT: f64 = 12e3;
+/// Rounding of a position along an axis, relative to its length.
+pub(crate) const ON_AXIS: f64 = 1e-9;
+/// How far apart, relative to the longer body, two places may be that a joint connects.
+pub(crate) const COINCIDENT: f64 = 1e-6;
+
+/// The rules that a model breaks.
+pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
+    let rules =
+        [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
+    let of_times = [
+        super::time_functions::functions,
+        super::time_functions::drives,
+        super::time_functions::ground_points,
+        abilities,
+    ];
+    let of_loads = [contacts, super::loads::stretches, super::loads::fluids, super::loads::bases];
+    let of_joints = [
+        super::joints::axes,
+        super::joints::spans,
+        super::joints::slides,
+        super::joints::acting,
+        super::joints::distances,
+        super::joints::couplings,
+    ];
+    let special = of_times.iter().chain(&of_loads).chain(&of_joints);
+    rules.iter().chain(special).flat_map(|rule| rule(model)).collect()
+}
+
+pub(crate) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+    ModelError::new(path, found, wanted).into()
+}
+
+impl Finding {
+    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.error = self.error.hint(hint);
+        self
+    }
+
+    pub(crate) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+        Self { rests_on: paths.into_iter().collect(), ..self }
+    }
+}
+
+pub(crate) fn bodies_of(model: &Model) -> impl Iterator<Item = (String, &Body)> {
+    model.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}]"), body))
+}
+
+pub(crate) fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
+    bodies_of(model)
+        .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
+}
+
+pub(crate) fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
+    model.joints.iter().enumerate().map(|(i, joint)| (format!("joints[{i}]"), joint))
+}
+
+/// Every body has a name of its own.
+fn names(model: &Model) -> Vec<Finding> {
+    rule_of_names(bodies_of(model).map(|(path, body)| (path, body.name())).collect())
+}
+
+/// Joints and probes make columns of the outputs by their names.
+fn columns(model: &Model) -> Vec<Finding> {
+    let joints = joints_of(model).map(|(path, joint)| (path, joint.name()));
+    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
+    let couplings = model.couplings.iter().enumerate();
+    let couplings = couplings.map(|(i, coupling)| (format!("couplings[{i}]"), &*coupling.name));
+    rule_of_names(joints.chain(probes).chain(couplings).collect())
+}
+
+fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
+    let unfit =
+        |name: &str| name.trim() != name || name.contains(|c: char| c.is_control() || ",.'\"".contains(c));
+    let spaced = names.iter().filter(|(_, name)| unfit(name)).map(|(path, name)| {
+        finding(
+            format!("{path}.name"),
+            quoted(name),
+            "a name without dot, comma, quotes or outer spaces, for use in columns",
+        )
+    });
+    let mut first: HashMap<&str, &String> = HashMap::new();
+    let twice = names.iter().filter_map(|(path, name)| {
+        let first = match first.entry(name) {
+            Entry::Vacant(place) => {
+                place.insert(path);
+                return None;
+            }
+            Entry::Occupied(first) => *first.get(),
+        };
+        let found = format!("{} a second time", quoted(name));
+        let wanted = format!("a name of its own; `{first}` has this one");
+        Some(finding(format!("{path}.name"), found, wanted).rests_on([format!("{first}.name")]))
+    });
+    spaced.chain(twice).collect()
+}
+
+/// The hole of a tube is narrower than the tube.
+fn sections(model: &Model) -> Vec<Finding> {
+    let rule = |(name, section): (&String, &Section)| {
+        let Section::Tube { outer, inner } = *section else { return None };
+        let path = join("sections", name);
+        (inner >= outer).then(|| {
+            let wanted = format!("less than the outer diameter, {}", number(outer));
+            finding(format!("{path}.inner"), number(inner), wanted).rests_on([format!("{path}.outer")])
+        })
+    };
+    model.sections.iter().filter_map(rule).collect()
+}
+
+/// Whether a vector has a direction, as numbers go.
+pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
+    Vector3::from(vector).norm().is_normal()
+}
+
+pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
+    finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
+}
+
+/// A reference to something that the model does not have.
+pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
+    let wanted = match names.len() {
+        0 => format!("the name of a {noun}, but there is none"),
+        1..=8 => format!("the name of a {noun}: {}", listed(names.iter().map(|name| quoted(name)), "or")),
+        n => format!("the name of one of the {n} {noun}s"),
+    };
+    let error = ModelError::new(path, quoted(name), wanted);
+    Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
+}
+
+/// The mesh fits into the memory of a computer.
+fn size(model: &Model) -> Vec<Finding> {
+    let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
+    let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
+    let error = largest.map(|(path, _)| {
+        let wanted = format!("at most {MAX_ELEMENTS} over all bodies");
+        finding(format!("{path}.elements"), format!("{total} elements in all"), wanted)
+            .hint(memory(total as f64))
+            .rests_on(bodies_of(model).map(|(path, _)| format!("{path}.elements")))
+    });
+    error.into_iter().collect()
+}
+
+/// What so many elements need.
+pub(crate) fn memory(elements: f64) -> String {
+    format!("they would need about {} GB of memory", number((elements * BYTES_PER_ELEMENT / 1e9).round()))
+}
+
+/// Says of numbers of elements that are no integers of the model what memory they would need.
+pub(crate) fn with_memory(finding: Finding) -> Finding {
+    let elements = finding.error.path.ends_with(".elements").then(|| finding.error.found.parse::<f64>());
+    match elements {
+        Some(Ok(elements)) if elements > MAX_ELEMENTS as f64 && finding.error.hint.is_none() => {
+            finding.hint(memory(elements))
+        }
+        _ => finding,
+    }
+}
+
+/// Places are on bodies that are there.
+fn places(model: &Model) -> Vec<Finding> {
+    places_of(model).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
+}
+
+/// All places of joints, loads and probes.
+pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
+    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
+    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
+    let ends = joints_of(model).flat_map(|(path, joint)| {
+        let (a, b) = joint.ends();
+        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
+        [(format!("{path}.a"), a)].into_iter().chain(b)
+    });
+    ends.chain(loads).chain(probes)
+}
+
+pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
+    let Some((owner, body)) = body(model, place) else {
+        return Some(unknown_body(model, format!("{path}.body"), &place.body));
+    };
+    let rests_on = |keys: [&str; 3]| {
+        let keys = keys.map(|key| format!("{owner}.{key}"));
+        keys.into_iter().chain([format!("{path}.body")]).collect::<Vec<_>>()
+    };
+    let name = quoted(body.name());
+    match (body, place.at) {
+        (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
+            let wanted =
+                format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
+            Some(finding(format!("{path}.at"), "a point", wanted).rests_on(rests_on(["kind"; 3])))
+        }
+        (Body::Beam(_) | Body::Cable(_), at) => {
+            let (s, length) = (body.arc_length(at), body.length());
+            let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
+            beyond.then(|| {
+                let wanted = format!("at most {}, the length of {name}", number(length));
+                finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
+            })
+        }
+        (Body::Rigid(_), At::Point(_)) | (_, At::Named(Named::Center)) => None,
+        (_, at) => {
+            let found = match at {
+                At::Named(Named::Start) => "\"start\"".into(),
+                At::Named(_) => "\"end\"".into(),
+                At::Length(s) => number(s),
+                At::Point(_) => "a point".into(),
+            };
+            let wanted = match body {
+                Body::Mass(_) => format!("\"center\": {name} is a point mass"),
+                _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
+            };
+            Some(finding(format!("{path}.at"), found, wanted).rests_on(rests_on(["kind"; 3])))
+        }
+    }
+}
+
+/// The body of a place.
+pub(crate) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
+    named(model, &place.body)
+}
+
+/// The first body of a name; that there is only one is another rule.
+pub(crate) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
+    bodies_of(model).find(|(_, body)| body.name() == name)
+}
+
+/// A name that no body has.
+pub(crate) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
+    let names = model.bodies.iter().map(Body::name).collect();
+    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
+}
+
+/// Joints connect two places that coincide in the undeformed state.
+fn joints(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        if let ((a, End::Place(b)), false) = (joint.ends(), joint.spans()) {
+            findings.extend(rule_of_joint(model, &path, joint, [a, b]));
+        }
+    }
+    findings
+}
+
+fn rule_of_joint(model: &Model, path: &str, joint: &Joint, [a, b]: [&Place; 2]) -> Option<Finding> {
+    let ((path_a, body_a), (path_b, body_b)) = (body(model, a)?, body(model, b)?);
+    let (r_a, r_b) = (model.point(a)?, model.point(b)?);
+    let length = body_a.length().max(body_b.length());
+    let length = if length > 0.0 { length } else { model.length() };
+    let near = (body_a.arc_length(a.at) - body_b.arc_length(b.at)).abs() <= ON_AXIS * length;
+    if path_a == path_b && near && (r_a - r_b).norm() <= ON_AXIS * length {
+        let wanted = "a place on another body, or \"ground\"";
+        return Some(
+            finding(format!("{path}.b"), "the same place as `a`", wanted)
+                .rests_on(ends(path, &path_a, &path_b)),
+        );
+    }
+    let (apart, closes) = ((r_a - r_b).norm(), joint.closes());
+    (!(model.assemble && closes) && apart > COINCIDENT * length).then(|| {
+        let found = format!("a place that is {} away from `a`", number(apart));
+        let at = |r: Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
+        let who = if closes { "the gap" } else { "gaps of clamps, hinges and ball joints only" };
+        finding(format!("{path}.b"), found, "places that coincide in the undeformed state")
+            .hint(format!("`a` is at {}, `b` at {}; `assemble = true` closes {who}", at(r_a), at(r_b)))
+            .rests_on(ends(path, &path_a, &path_b))
+    })
+}
+
+/// What the places of a joint rest on.
+fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
+    let places = ["a.body", "a.at", "b.body", "b.at"].map(|key| format!("{path}.{key}"));
+    let axes = [body_a, body_b];
+    let axes = axes.into_iter().flat_map(|body| ["from", "to", "shape"].map(|key| format!("{body}.{key}")));
+    places.into_iter().chain(axes).collect()
+}
+
+/// The scales of the paper are for its model.
+fn scales(model: &Model) -> Vec<Finding> {
+    let path = || "scales.kind".to_owned();
+    let hint = "\"auto\" and \"given\" suit any model";
+    let mut findings = Vec::new();
+    if model.scales == ScaleChoice::Paper && model.bodies.len() != 1 {
+        let found = format!("\"paper\" in a model of {} bodies", model.bodies.len());
+        findings.push(finding(path(), found, "a model of one body").hint(hint).rests_on(["bodies".into()]));
+    }
+    if model.scales == ScaleChoice::Paper && model.bodies.iter().any(|body| !body.is_flexible()) {
+        let found = "\"paper\" in a model with a rigid body";
+        findings.push(finding(path(), found, "a model of one beam").hint(hint).rests_on(["bodies".into()]));
+    }
+    if model.scales == ScaleChoice::Paper && model.gravity == [0.0; 3] {
+        let error = finding(
+            path(),
+            "\"paper\" in a model without gravity",
+            "gravity, whose weight is the unit of force",
+        );
+        findings.push(error.hint(hint).rests_on(["gravity".into()]));
+    }
+    findings.into_iter().map(|error| Finding { absence: true, ..error }).collect()
+}

@@ -1,0 +1,90 @@
+//! The rules of an analysis in time: its steps and its scheme fit each other and the model.
+
+use super::rules::finding;
+use crate::model::Model;
+use crate::model::{Dynamics, Scheme, Step};
+use crate::schema::{Finding, number};
+
+/// Steps beyond which an analysis is taken for a slip of the pen.
+const MAX_STEPS: f64 = 1e9;
+
+/// The analysis has at least one step, and an end.
+pub(crate) fn time(model: &Model) -> Vec<Finding> {
+    let Some(Dynamics { duration, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
+    let sizes = match *step {
+        Step::Fixed(step) => [("analysis.step", Some(step)), ("analysis.step.largest", None)],
+        Step::Adaptive { initial, largest, .. } => {
+            [("analysis.step.initial", initial), ("analysis.step.largest", largest)]
+        }
+    };
+    let intervals = [("output.interval", model.output.interval)];
+    let of = |(path, size): (&str, Option<f64>)| rule_of_time(path, size?, *duration);
+    sizes.into_iter().chain(intervals).filter_map(of).collect()
+}
+
+fn rule_of_time(path: &str, size: f64, duration: f64) -> Option<Finding> {
+    let error = if size > duration {
+        finding(path.into(), number(size), format!("at most the duration, {}", number(duration)))
+    } else if duration / size > MAX_STEPS {
+        let found = format!("{:.1e} steps", duration / size);
+        finding(path.into(), found, format!("at most {MAX_STEPS:e} steps"))
+    } else {
+        return None;
+    };
+    Some(error.rests_on(["analysis.duration".into()]))
+}
+
+/// The scheme is implicit, stable with the joints that there are, and of second order if steps go by its error.
+pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
+    let Some(Dynamics { scheme, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
+    let numbers = scheme.numbers();
+    let (path, key) = path_and_found(*scheme);
+    let joints = !model.joints.is_empty();
+    let found = |what: &str| if key == "0" { key.clone() } else { format!("{key}, which has {what}") };
+    let error = |found: String, wanted: &str, hint: &str| finding(path.into(), found, wanted).hint(hint);
+    let rule = if numbers.beta == 0.0 {
+        let reason = "an explicit scheme leaves the reactions of joints undetermined, since their rows β h² Φ_q vanish";
+        error(found("β = 0"), "β > 0, as in \"average_acceleration\" or \"adams\"", reason)
+    } else if numbers.is_newmark() && numbers.gamma < 0.5 {
+        let found = number(numbers.gamma);
+        finding("analysis.scheme.gamma".into(), found, "γ ≥ 1/2")
+            .hint("with less, every vibration grows from step to step, however small the step is")
+    } else if joints && 2.0 * numbers.beta < numbers.gamma * (1.0 - 1e-12) {
+        let reason = "with less, the reactions of joints grow from step to step, by a factor of \
+                      3.7 for γ = 1/2, β = 1/6";
+        error(found("2β < γ"), "2β ≥ γ in a model with joints", reason).rests_on(["joints".into()])
+    } else if step.fixed().is_none() && !numbers.is_second_order() {
+        let wanted = "a scheme of second order, such as { spectral_radius = 0.8 }";
+        error(key, wanted, "adaptive steps go by an error that is of third order in the step")
+            .rests_on(["analysis.step".into()])
+    } else if step.fixed().is_none() && joints && numbers.gamma <= 0.5 {
+        let wanted = "a scheme that damps, such as { spectral_radius = 0.8 }";
+        error(key, wanted, "without damping every change of the step makes the reactions of joints alternate")
+            .rests_on(["analysis.step".into(), "joints".into()])
+    } else {
+        return Vec::new();
+    };
+    let numbers = ["alpha", "beta", "gamma", "spectral_radius"];
+    let numbers = numbers.map(|key| format!("analysis.scheme.{key}"));
+    let rests_on = [rule.rests_on.clone(), numbers.to_vec()].concat();
+    vec![rule.rests_on(rests_on)]
+}
+
+/// Where a scheme is at fault and what is found there.
+fn path_and_found(scheme: Scheme) -> (&'static str, String) {
+    let name = |name: &str| ("analysis.scheme", format!("\"{name}\""));
+    match scheme {
+        Scheme::Adams => name("adams"),
+        Scheme::AverageAcceleration => name("average_acceleration"),
+        Scheme::LinearAcceleration => name("linear_acceleration"),
+        Scheme::CentralDifference => name("central_difference"),
+        Scheme::Pair { beta: 0.0, .. } => ("analysis.scheme.beta", "0".into()),
+        Scheme::Pair { gamma, beta } => {
+            ("analysis.scheme", format!("γ = {}, β = {}", number(gamma), number(beta)))
+        }
+        Scheme::GeneralizedAlpha { spectral_radius } => {
+            ("analysis.scheme", format!("a spectral radius of {}", number(spectral_radius)))
+        }
+        Scheme::Hht { alpha } => ("analysis.scheme", format!("α = {}", number(alpha))),
+    }
+}

@@ -1,0 +1,128 @@
+//! The rules of functions of time, of the loads and joints that have them, and of points on the ground.
+
+use nalgebra::Vector3;
+
+use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction};
+use crate::model::Model;
+use crate::model::{Analysis, End, Joint, TimeFunction, Varying};
+use crate::schema::{Finding, number};
+
+/// An angle that is none, in radians.
+const TURNED: f64 = 1e-6;
+/// What is wanted of a prescribed motion.
+const STARTS: &str = "a motion that starts from the undeformed state, at 0";
+
+/// Loads with their paths.
+pub(crate) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &crate::model::Load)> {
+    model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
+}
+
+/// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
+pub(crate) fn functions(model: &Model) -> Vec<Finding> {
+    model.time_functions().into_iter().filter_map(|(path, time)| rule_of_function(&path, time)).collect()
+}
+
+fn rule_of_function(path: &str, time: &TimeFunction) -> Option<Finding> {
+    let TimeFunction::Varying(varying) = time else { return None };
+    let key = |key: &str| format!("{path}.{key}");
+    match varying {
+        Varying::Table { times, values } if times.len() != values.len() => {
+            let found = format!("{} for {} times", values.len(), times.len());
+            Some(finding(key("values"), found, "as many values as times").rests_on([key("times")]))
+        }
+        Varying::Table { times, .. } => {
+            let at = times.windows(2).position(|pair| pair[0] > pair[1])?;
+            let found = format!("{} after {}", number(times[at + 1]), number(times[at]));
+            Some(finding(format!("{}[{}]", key("times"), at + 1), found, "times in order"))
+        }
+        Varying::Ramp { start, end } => (start >= end).then(|| {
+            let wanted = format!("a time after the start, {}", number(*start));
+            finding(key("end"), number(*end), wanted).rests_on([key("start")])
+        }),
+        Varying::Step { at, until: Some(until) } => (at >= until).then(|| {
+            let wanted = format!("a time after `at`, {}", number(*at));
+            finding(key("until"), number(*until), wanted).rests_on([key("at")])
+        }),
+        Varying::Step { until: None, .. } | Varying::Sine { .. } => None,
+        Varying::Expression { text, .. } => rule_of_formula(key("text"), text, time),
+        Varying::External { .. } => {
+            let value = time.compile().ok()?.value(0.0);
+            let found = format!("a function that is {value} at t = 0");
+            (!value.is_finite()).then(|| finding(key("name"), found, "one that is a number"))
+        }
+    }
+}
+
+fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Finding> {
+    match time.compile() {
+        Err(error) => {
+            let rest: String = text.chars().skip(error.at).collect();
+            let found = match rest.as_str() {
+                "" => "its end".to_owned(),
+                rest => crate::schema::quoted(rest),
+            };
+            let found = format!("{found} at character {}", error.at + 1);
+            Some(finding(path, found, error.wanted))
+        }
+        Ok(function) => {
+            let value = function.value(0.0);
+            let found = || format!("a formula that is {value} at t = 0");
+            (!value.is_finite()).then(|| finding(path, found(), "one that is a number"))
+        }
+    }
+}
+
+/// Drives have an axis and start from the undeformed state, without jumps.
+pub(crate) fn drives(model: &Model) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (path, joint) in joints_of(model) {
+        let Joint::Drive { axis, angle, displacement, time, .. } = joint else { continue };
+        if let Some(axis) = axis.filter(|axis| !is_direction(*axis)) {
+            findings.push(no_direction(format!("{path}.axis"), axis));
+        }
+        let key = format!("{path}.time");
+        let jumps = time.jumps();
+        let start = time.compile().map_or(0.0, |function| function.value(0.0));
+        let turned = if axis.is_some() { angle * start } else { 0.0 };
+        let moved = Vector3::from(*displacement).norm() * start;
+        if jumps {
+            findings.push(finding(key, "a function that jumps", "one that bodies can follow"));
+        } else if is_dynamic(model) && turned.abs() > TURNED {
+            let found = format!("an angle of {} at t = 0", number(turned));
+            let error = finding(key, found, STARTS);
+            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.angle")]) });
+        } else if is_dynamic(model) && moved.abs() > COINCIDENT * model.length() {
+            let found = format!("a displacement of {} at t = 0", number(moved));
+            let error = finding(key, found, STARTS);
+            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.displacement")]) });
+        }
+    }
+    findings
+}
+
+pub(crate) fn is_dynamic(model: &Model) -> bool {
+    matches!(model.analysis, Analysis::Dynamics(_))
+}
+
+/// In dynamics a joint to a point on the ground starts there.
+pub(crate) fn ground_points(model: &Model) -> Vec<Finding> {
+    let rule = |(path, joint): (String, &Joint)| {
+        let (a, End::Point(b)) = joint.ends() else { return None };
+        if joint.spans() {
+            return None;
+        }
+        let (owner, body) = body(model, a)?;
+        let apart = (model.point(a)? - Vector3::from(b.point)).norm();
+        let length = if body.is_flexible() { body.length() } else { model.length() };
+        (is_dynamic(model) && !model.assemble && apart > COINCIDENT * length).then(|| {
+            let found = format!("a point that is {} away from `a`", number(apart));
+            let wanted = "in dynamics, the point of `a` in the undeformed state";
+            let rests_on = ["from", "to", "shape"].map(|key| format!("{owner}.{key}"));
+            let rests_on = rests_on.into_iter().chain(["a.body", "a.at"].map(|key| format!("{path}.{key}")));
+            finding(format!("{path}.b.point"), found, wanted)
+                .hint("`assemble = true` closes the gap")
+                .rests_on(rests_on)
+        })
+    };
+    joints_of(model).filter_map(rule).collect()
+}

@@ -1,0 +1,372 @@
+use std::fmt;
+
+use ancf_mechanics::bodies::NodalVector;
+use ancf_solver::equations::{EquationsOfMotion, State, Term, Weights, constraint_rows};
+use ancf_solver::factor::{Kernel, Sparse};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+
+use crate::assembly::Assembly;
+
+/// What a rigid body does in a free motion. Points in the units of the assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// It moves in a direction, a unit vector.
+    Translation {
+        /// The direction.
+        along: [f64; 3],
+    },
+    /// It turns about an axis.
+    Rotation {
+        /// A point of the axis.
+        through: [f64; 3],
+        /// Its direction, a unit vector.
+        along: [f64; 3],
+    },
+    /// It turns about an axis and moves along it.
+    Screw {
+        /// A point of the axis.
+        through: [f64; 3],
+        /// Its direction, a unit vector.
+        along: [f64; 3],
+        /// Length moved per angle turned.
+        pitch: f64,
+    },
+}
+
+/// A motion of rigid bodies that neither joints nor stiffness hold.
+///
+/// In words: "body `a` can rotate about the axis through (0, 0, 0) along z; with it body `b` translates along y".
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeMotion {
+    /// Names and motions of all bodies that take part, the leading one first.
+    pub moves: Vec<(String, Motion)>,
+}
+
+/// Singular rows and motions are told from others by this, relative to what they are sums of.
+const SMALL: f64 = 1e-9;
+/// A stiffness within this many rounding errors is none.
+const ROUNDING: f64 = 8.0;
+
+impl Assembly {
+    /// All independent motions that nothing holds in a state: bodies as rigid, velocities that all joints admit, without
+    /// stiffness.
+    ///
+    /// x = Σ (translation + ω × arm) over the bodies, in the kernel of Φ_q, and xᵀ K x = 0 but for rounding. Motions that
+    /// move no coordinate, such as the spin of a straight cable, do not count. In a state under load a pendulum has stiffness
+    /// and is held; in the reference state at λ = 0 it is not. Elastic bodies move freely in no other way.
+    pub fn free_motions(&self, s: &State) -> Vec<FreeMotion> {
+        let rigid = Rigid::new(self, s);
+        let unknowns = 6 * rigid.bodies.len() + rigid.own.len();
+        let motions: Vec<(usize, Sparse)> = rigid.kernel(self, s).vectors(unknowns).into_iter().collect();
+        let free = self.without_stiffness(s, &rigid, &motions);
+        let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
+        moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
+    }
+
+    /// Those combinations of motions that cost no force.
+    fn without_stiffness(
+        &self,
+        s: &State,
+        rigid: &Rigid,
+        motions: &[(usize, Sparse)],
+    ) -> Vec<(usize, Sparse)> {
+        let mut stiffness = self.system.matrix();
+        self.system.tangent(s, Weights::STIFFNESS, &mut stiffness);
+        let size = stiffness.pattern().size();
+        let mut rows = vec![Sparse::new(); motions.len()];
+        // By coordinate: the motions that move it, and how far.
+        let mut movers = vec![Vec::new(); size];
+        for (i, (_, y)) in motions.iter().enumerate() {
+            rigid.moved(y).into_iter().for_each(|(c, x)| movers[c].push((i, x)));
+        }
+        let mut scale = Vec::with_capacity(motions.len());
+        for (j, (_, y)) in motions.iter().enumerate() {
+            let mut full = vec![0.0; size];
+            rigid.moved(y).into_iter().for_each(|(c, x)| full[c] = x);
+            let (force, sizes) = (stiffness.times(&full), stiffness.magnitudes(&full));
+            let rounding = |c: usize| ROUNDING * f64::EPSILON * sizes[c];
+            let of_all: f64 = (0..size).map(|c| rounding(c) * full[c].abs()).sum();
+            scale.push(if of_all > 0.0 { 1.0 / of_all.sqrt() } else { 0.0 });
+            // Bodies that turn without stress exert rounding errors only: not to be multiplied out.
+            for c in (0..size).filter(|&c| force[c].abs() > rounding(c)) {
+                for &(i, x) in &movers[c] {
+                    *rows[i].entry(j).or_default() += x * force[c];
+                }
+            }
+        }
+        let mut kernel = Kernel::default();
+        for (i, mut row) in rows.into_iter().enumerate() {
+            row.iter_mut().for_each(|(&j, x)| *x *= scale[i] * scale[j]);
+            kernel.restrict(row, 1.0, |_| false);
+        }
+        let combine = |(leader, parts): (usize, Sparse)| {
+            let mut sum = Sparse::new();
+            for (k, part) in parts {
+                // Parts were scaled for their products to be compared.
+                let part = if scale[leader] > 0.0 { part * scale[k] / scale[leader] } else { part };
+                motions[k].1.iter().for_each(|(&at, y)| *sum.entry(at).or_default() += part * y);
+            }
+            (motions[leader].0, sum)
+        };
+        kernel.vectors(motions.len()).into_iter().map(combine).collect()
+    }
+}
+
+/// The bodies of an assembly as rigid ones. Unknowns of body b: 6 b + 0, 1, 2 translations, 3, 4, 5 rotations about the
+/// global axes through the origin times its length. Coordinates of joints, which no body owns, are the unknowns after these.
+struct Rigid {
+    bodies: Vec<RigidBody>,
+    /// Coordinates of joints.
+    own: Vec<usize>,
+    /// Body and vector that each coordinate belongs to.
+    owner: Vec<Option<(usize, usize)>>,
+}
+
+struct RigidBody {
+    vectors: Vec<NodalVector>,
+    /// A node near its first joint, else its centre.
+    origin: Vector3<f64>,
+    length: f64,
+}
+
+impl Rigid {
+    fn new(assembly: &Assembly, s: &State) -> Self {
+        let mut owner = vec![None; s.q.len()];
+        let mut bodies = Vec::new();
+        for (b, (_, body)) in assembly.bodies().enumerate() {
+            let vectors = body.vectors(s);
+            for (k, vector) in vectors.iter().enumerate() {
+                owner[vector.first..vector.first + 3].fill(Some((b, k)));
+            }
+            bodies.push(RigidBody { vectors, origin: Vector3::zeros(), length: 1.0 });
+        }
+        let mut joint = vec![None; bodies.len()];
+        for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
+            for (b, k) in term.coordinates().iter().filter_map(|&c| owner[c]) {
+                let vector = bodies[b].vectors[k];
+                if vector.is_position() {
+                    joint[b].get_or_insert(vector.value);
+                }
+            }
+        }
+        for (body, joint) in bodies.iter_mut().zip(joint) {
+            body.locate(joint);
+        }
+        let own = (0..owner.len()).filter(|&c| owner[c].is_none()).collect();
+        Self { bodies, own, owner }
+    }
+
+    /// The velocities that all joints admit and that move something.
+    fn kernel(&self, assembly: &Assembly, s: &State) -> Kernel {
+        let mut kernel = Kernel::default();
+        let translation = |unknown: usize| unknown >= 6 * self.bodies.len() || unknown % 6 < 3;
+        for (b, body) in self.bodies.iter().enumerate() {
+            for spin in body.idle_spins() {
+                let row = (0..3).map(|k| (6 * b + 3 + k, spin[k])).collect();
+                kernel.restrict(row, SMALL, translation);
+            }
+        }
+        for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
+            for row in self.rows(term.as_ref(), s) {
+                kernel.restrict(row, SMALL, translation);
+            }
+        }
+        kernel
+    }
+
+    /// The rows Φ_q of one term on rigid motions, relative to the magnitudes that they are sums of.
+    fn rows(&self, term: &dyn Term, s: &State) -> Vec<Sparse> {
+        let on_rigid = |of_term: Sparse| {
+            let (mut row, mut magnitude) = (Sparse::new(), Sparse::new());
+            for (c, entry) in of_term {
+                for (unknown, x) in self.motions_of(c) {
+                    let product = entry * x;
+                    *row.entry(unknown).or_default() += product;
+                    *magnitude.entry(unknown).or_default() += product.abs();
+                }
+            }
+            let size = magnitude.values().fold(0.0, |max: f64, x| max.max(*x));
+            row.values_mut().for_each(|x| *x /= if size > 0.0 { size } else { 1.0 });
+            row
+        };
+        constraint_rows(term, s).into_iter().map(on_rigid).collect()
+    }
+
+    /// What the six motions of its body do to a coordinate.
+    fn motions_of(&self, coordinate: usize) -> impl Iterator<Item = (usize, f64)> {
+        let motions = self.owner[coordinate].map(|(b, k)| {
+            let (body, vector) = (&self.bodies[b], self.bodies[b].vectors[k]);
+            let component = coordinate - vector.first;
+            body.motions(&vector)
+                .map(|x| x[component])
+                .into_iter()
+                .enumerate()
+                .map(move |(j, x)| (6 * b + j, x))
+        });
+        let own = self.own.binary_search(&coordinate).ok().map(|k| (6 * self.bodies.len() + k, 1.0));
+        motions.into_iter().flatten().chain(own)
+    }
+
+    /// Whether a motion, told by a free unknown, is one of bodies.
+    fn moves_bodies(&self, leader: usize, motion: &Sparse) -> bool {
+        let bodies = 6 * self.bodies.len();
+        leader < bodies || motion.keys().any(|&unknown| unknown < bodies)
+    }
+
+    /// The coordinates that a motion moves, and how far.
+    fn moved(&self, motion: &Sparse) -> Vec<(usize, f64)> {
+        let mut moved = Vec::new();
+        for (b, body) in self.bodies.iter().enumerate() {
+            let part: Vec<(usize, f64)> = motion.range(6 * b..6 * b + 6).map(|(j, y)| (j % 6, *y)).collect();
+            for vector in body.vectors.iter().filter(|_| !part.is_empty()) {
+                let motions = body.motions(vector);
+                let sum: Vector3<f64> = part.iter().map(|&(j, y)| motions[j] * y).sum();
+                moved.extend((0..3).map(|k| (vector.first + k, sum[k])));
+            }
+        }
+        let joints = motion.range(6 * self.bodies.len()..);
+        moved.extend(joints.map(|(unknown, y)| (self.own[unknown - 6 * self.bodies.len()], *y)));
+        moved
+    }
+
+    /// A motion in words, beginning with one body.
+    fn describe(&self, assembly: &Assembly, leader: usize, motion: &Sparse) -> FreeMotion {
+        let mut moves: Vec<(bool, (String, Motion))> = Vec::new();
+        let largest = motion.values().fold(0.0, |max: f64, y| max.max(y.abs()));
+        for (b, ((name, _), body)) in assembly.bodies().zip(&self.bodies).enumerate() {
+            let of = |j: usize| motion.get(&(6 * b + j)).copied().unwrap_or(0.0);
+            let (move_, turn) = (Vector3::from_fn(|k, _| of(k)), Vector3::from_fn(|k, _| of(3 + k)));
+            if move_.amax().max(turn.amax()) > SMALL * largest {
+                moves.push((b != leader, (name.to_owned(), body.motion(move_, turn))));
+            }
+        }
+        moves.sort_by_key(|(follows, _)| *follows);
+        FreeMotion { moves: moves.into_iter().map(|(_, part)| part).collect() }
+    }
+}
+
+impl RigidBody {
+    fn positions(&self) -> impl Iterator<Item = Vector3<f64>> {
+        self.vectors.iter().filter(|vector| vector.is_position()).map(|vector| vector.value)
+    }
+
+    /// Sets origin and length.
+    fn locate(&mut self, joint: Option<Vector3<f64>>) {
+        let centre = self.positions().sum::<Vector3<f64>>() / self.positions().count().max(1) as f64;
+        self.origin = joint.unwrap_or(centre);
+        let reach = self.positions().map(|r| (r - self.origin).norm()).fold(0.0, f64::max);
+        let vector =
+            self.vectors.iter().filter(|v| !v.is_position()).map(|v| v.value.norm()).fold(0.0, f64::max);
+        self.length = [reach, vector, 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0);
+    }
+
+    /// What rotations act on: r from the origin, or the direction itself.
+    fn arm(&self, vector: &NodalVector) -> Vector3<f64> {
+        if vector.is_position() { vector.value - self.origin } else { vector.value }
+    }
+
+    /// What the six motions do to a vector.
+    fn motions(&self, vector: &NodalVector) -> [Vector3<f64>; 6] {
+        let arm = self.arm(vector) / self.length;
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        std::array::from_fn(|j| match j {
+            3.. => axes[j - 3].cross(&arm),
+            _ if vector.is_position() => axes[j],
+            _ => Vector3::zeros(),
+        })
+    }
+
+    /// Axes about which a rotation moves nothing.
+    fn idle_spins(&self) -> Vec<Vector3<f64>> {
+        let arms = self.vectors.iter().map(|vector| {
+            let (arm, size) = (self.arm(vector), if vector.is_position() { self.length } else { 1.0 });
+            if vector.is_position() { arm / size } else { arm.try_normalize(0.0).unwrap_or(arm) }
+        });
+        let inertia: Matrix3<f64> =
+            arms.map(|arm| Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()).sum();
+        let eigen = SymmetricEigen::new(inertia);
+        // Squares of angles: a thousandth of a thousandth.
+        let idle = |k: &usize| eigen.eigenvalues[*k] <= 1e-12 * eigen.eigenvalues.amax();
+        (0..3).filter(idle).map(|k| eigen.eigenvectors.column(k).into()).collect()
+    }
+
+    /// The motion of a velocity of the origin and a rotation times length.
+    fn motion(&self, velocity: Vector3<f64>, turn: Vector3<f64>) -> Motion {
+        let clean = |x: Vector3<f64>, size: f64| x.map(|x| if x.abs() > SMALL * size { x } else { 0.0 });
+        let upwards = |x: Vector3<f64>| if x[x.iamax()] < 0.0 { -x } else { x };
+        if turn.norm() <= SMALL * velocity.norm() {
+            let along = upwards(clean(velocity.normalize(), 1.0)).into();
+            return Motion::Translation { along };
+        }
+        let rate = turn / self.length;
+        let through = self.origin + rate.cross(&velocity) / rate.norm_squared();
+        let through: [f64; 3] = clean(through, self.length + self.origin.norm()).into();
+        let pitch = rate.dot(&velocity) / rate.norm_squared();
+        let along = upwards(clean(rate.normalize(), 1.0)).into();
+        if pitch.abs() > SMALL * (self.length + velocity.norm() / rate.norm()) {
+            Motion::Screw { through, along, pitch }
+        } else {
+            Motion::Rotation { through, along }
+        }
+    }
+}
+
+impl FreeMotion {
+    /// The same with points in other units: multiplied by a length.
+    pub fn scaled(mut self, length: f64) -> Self {
+        for (_, motion) in &mut self.moves {
+            match motion {
+                Motion::Translation { .. } => {}
+                Motion::Rotation { through, .. } => *through = through.map(|x| x * length),
+                Motion::Screw { through, pitch, .. } => {
+                    (*through, *pitch) = (through.map(|x| x * length), *pitch * length);
+                }
+            }
+        }
+        self
+    }
+}
+
+impl fmt::Display for FreeMotion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, (name, motion)) in self.moves.iter().enumerate() {
+            match k {
+                0 => write!(f, "body `{name}` can {}", words(motion, ""))?,
+                1 => write!(f, "; with it body `{name}` {}", words(motion, "s"))?,
+                _ => write!(f, ", body `{name}` {}", words(motion, "s"))?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A motion as the end of a sentence; `s` is the ending of its verb.
+fn words(motion: &Motion, s: &str) -> String {
+    match motion {
+        Motion::Translation { along } => format!("translate{s} along {}", direction(along)),
+        Motion::Rotation { through, along } => {
+            format!("rotate{s} about the axis through {} along {}", triple(through), direction(along))
+        }
+        Motion::Screw { through, along, pitch } => {
+            let (point, along, pitch) = (triple(through), direction(along), number(*pitch));
+            format!(
+                "rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian"
+            )
+        }
+    }
+}
+
+/// x, y or z, or the components.
+fn direction(along: &[f64; 3]) -> String {
+    let axis = (0..3).find(|&k| (0..3).all(|j| along[j] == if j == k { 1.0 } else { 0.0 }));
+    axis.map_or_else(|| triple(along), |axis| ["x", "y", "z"][axis].to_owned())
+}
+
+fn triple(x: &[f64; 3]) -> String {
+    format!("({}, {}, {})", number(x[0]), number(x[1]), number(x[2]))
+}
+
+/// Four digits.
+pub(crate) fn number(x: f64) -> String {
+    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
+}

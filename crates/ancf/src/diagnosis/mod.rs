@@ -1,0 +1,7 @@
+//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions.
+
+mod mechanism;
+mod summary;
+
+pub use mechanism::{FreeMotion, Motion};
+pub use summary::Diagnosis;

@@ -1,0 +1,274 @@
+use std::collections::BTreeMap;
+use std::fmt;
+
+use ancf_solver::dynamics::consistent_velocities;
+use ancf_solver::equations::{EquationsOfMotion, State};
+use serde::Serialize;
+
+use super::mechanism::number;
+use crate::assembly::{Assembly, Redundant};
+use crate::model::Model;
+use crate::model::{Body, End, Joint, Load, ModelErrors};
+
+/// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Diagnosis {
+    /// Bodies by kind.
+    pub bodies: BTreeMap<&'static str, usize>,
+    /// Joints by kind.
+    pub joints: BTreeMap<&'static str, usize>,
+    /// Loads by kind, gravity and contacts among them.
+    pub loads: BTreeMap<&'static str, usize>,
+    /// Number of coordinates n.
+    pub coordinates: usize,
+    /// Number of constraint equations m.
+    pub equations: usize,
+    /// Those of joints that follow from others.
+    pub redundant: Vec<Redundant>,
+    /// n less the rank of the constraints: what bodies can do that deform.
+    pub freedoms: usize,
+    /// The classical count of Grübler and Kutzbach: 6 for each body, taken as rigid, 3 for a point mass, less what each joint ties.
+    pub gruebler: isize,
+    /// Motions of rigid bodies that nothing holds, in words; their number is the mobility by rank.
+    pub motions: Vec<String>,
+    /// Bodies that no joint connects to anything.
+    pub unconnected: Vec<String>,
+    /// Bodies that are connected, but by no chain of joints to the ground.
+    pub unreached: Vec<String>,
+    /// Joints whose gaps were closed, and how far their places were apart.
+    pub gaps: Vec<(String, f64)>,
+    /// Bodies that moved for it, and how far.
+    pub moved: Vec<(String, f64)>,
+    /// Kinetic energy of the change by which stated velocities become those that joints admit, relative to their own; `None`
+    /// if nothing moves at the start.
+    pub projection: Option<f64>,
+}
+
+/// Changes of velocities that are rounding.
+const PROJECTED: f64 = 1e-12;
+
+impl Model {
+    /// Assembles the model and says what it consists of, what its joints tie and what they leave free.
+    ///
+    /// # Errors
+    /// If the model is not valid, or its gaps do not close.
+    pub fn diagnose(&self) -> Result<Diagnosis, ModelErrors> {
+        self.check()?;
+        let scales = self.scales().scales;
+        let model = self.scaled(&scales);
+        let dynamic = model.analysis.dynamics().is_some();
+        let assembly = if dynamic { model.assemble()? } else { model.assemble_static()? };
+        let system = &assembly.system;
+        let load = if dynamic { 1.0 } else { 0.0 };
+        let motions = assembly.free_motions(&State { load, ..assembly.rest() });
+        let all_redundant = assembly.rank_deficiency();
+        let (unconnected, unreached) = self.loose();
+        let lengths = |of: &[(String, f64)]| {
+            of.iter().map(|(name, x)| (name.clone(), x * scales.length)).collect::<Vec<_>>()
+        };
+        let closed = assembly.closed();
+        Ok(Diagnosis {
+            bodies: count(self.bodies.iter().map(Body::kind)),
+            joints: count(self.joints.iter().map(Joint::kind)),
+            loads: self.count_loads(),
+            coordinates: system.coordinates(),
+            equations: system.multipliers(),
+            redundant: assembly.redundant().to_vec(),
+            freedoms: (system.coordinates() + all_redundant).saturating_sub(system.multipliers()),
+            gruebler: self.gruebler(),
+            motions: motions.into_iter().map(|motion| motion.scaled(scales.length).to_string()).collect(),
+            unconnected,
+            unreached,
+            gaps: closed.map(|closed| lengths(&closed.gaps)).unwrap_or_default(),
+            moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
+            projection: if dynamic { assembly.projection(&model) } else { None },
+        })
+    }
+
+    fn count_loads(&self) -> BTreeMap<&'static str, usize> {
+        let loads = self.loads.iter().map(|load| match load {
+            Load::Force { .. } => "force",
+            Load::Moment { .. } => "moment",
+            Load::DistributedForce { .. } => "force per length",
+            Load::DistributedMoment { .. } => "moment per length",
+            Load::BaseAcceleration { .. } => "base acceleration",
+            Load::Fluid(_) => "fluid",
+            Load::External { .. } => "external force",
+        });
+        let gravity = (self.gravity != [0.0; 3]).then_some("gravity");
+        count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))
+    }
+
+    /// 6 for each body, a cable too, and 3 for a point mass, less what each joint ties of two rigid bodies, and one for
+    /// each coupling.
+    fn gruebler(&self) -> isize {
+        let tied = self.joints.iter().map(Joint::ties).sum::<usize>() + self.couplings.len();
+        let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
+        free.sum::<isize>() - tied as isize
+    }
+
+    /// Bodies without joints, and those that joints do not connect to the ground.
+    fn loose(&self) -> (Vec<String>, Vec<String>) {
+        let index = |name: &str| self.bodies.iter().position(|body| body.name() == name);
+        let ground = self.bodies.len();
+        let mut neighbours = vec![Vec::new(); ground + 1];
+        for joint in &self.joints {
+            let (a, b) = joint.ends();
+            let b = if let End::Place(b) = b { index(&b.body) } else { Some(ground) };
+            if let (Some(a), Some(b)) = (index(&a.body), b) {
+                neighbours[a].push(b);
+                neighbours[b].push(a);
+            }
+        }
+        let (mut reached, mut open) = (vec![false; ground + 1], vec![ground]);
+        while let Some(at) = open.pop() {
+            if !std::mem::replace(&mut reached[at], true) {
+                open.extend(&neighbours[at]);
+            }
+        }
+        let names = |of: &dyn Fn(usize) -> bool| {
+            (0..ground).filter(|&b| of(b)).map(|b| self.bodies[b].name().to_owned()).collect()
+        };
+        let alone = |b: usize| neighbours[b].is_empty();
+        (names(&alone), names(&|b| !reached[b] && !alone(b)))
+    }
+}
+
+impl Assembly {
+    /// T(v' − v) / T(v) of the velocities v that a model states and the v' nearest to them that joints admit.
+    fn projection(&self, model: &Model) -> Option<f64> {
+        let start = self.start(model);
+        let kinetic = |v: Vec<f64>| self.system.energy(&State { v, ..start.clone() }).kinetic;
+        let stated = kinetic(start.v.clone());
+        let mut projected = start.clone();
+        consistent_velocities(&self.system, &mut self.system.matrix(), &mut projected).ok()?;
+        let change = projected.v.iter().zip(&start.v).map(|(after, before)| after - before).collect();
+        (stated > 0.0).then(|| kinetic(change) / stated)
+    }
+}
+
+impl Body {
+    const fn kind(&self) -> &'static str {
+        match self {
+            Self::Beam(_) => "beam",
+            Self::Cable(_) => "cable",
+            Self::Rigid(_) => "rigid body",
+            Self::Mass(_) => "point mass",
+        }
+    }
+}
+
+impl Joint {
+    const fn kind(&self) -> &'static str {
+        match self {
+            Self::Clamp { .. } => "clamp",
+            Self::Revolute { .. } => "revolute",
+            Self::Spherical { .. } => "spherical",
+            Self::Drive { .. } => "drive",
+            Self::Universal(_) => "universal joint",
+            Self::Cylindrical(_) => "cylindrical joint",
+            Self::Prismatic(_) => "prismatic joint",
+            Self::Planar(_) => "planar joint",
+            Self::PointOnLine(_) => "point on a line",
+            Self::Distance(_) => "rod",
+            Self::Slide(_) => "slide",
+            Self::Bushing(_) => "bushing",
+            Self::Spring(_) => "spring",
+        }
+    }
+
+    /// How many motions it takes from two rigid bodies, those that it drives among them.
+    fn ties(&self) -> usize {
+        let drives = self.times().iter().filter(|(key, _)| !key.is_empty()).count();
+        drives
+            + match self {
+                Self::Clamp { .. } | Self::Drive { .. } => 6,
+                Self::Revolute { .. } | Self::Prismatic(_) => 5,
+                Self::Universal(_) | Self::Cylindrical(_) => 4,
+                Self::Spherical { .. } | Self::Planar(_) => 3,
+                Self::PointOnLine(_) | Self::Slide(_) => 2,
+                Self::Distance(_) => 1,
+                Self::Bushing(_) | Self::Spring(_) => 0,
+            }
+    }
+}
+
+fn count(kinds: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    kinds.for_each(|kind| *counts.entry(kind).or_default() += 1);
+    counts
+}
+
+/// "2 beams, 1 cable".
+fn counted(counts: &BTreeMap<&'static str, usize>) -> String {
+    let one = |(kind, count): (&&str, &usize)| match (*kind, *count) {
+        ("gravity", _) => "gravity".to_owned(),
+        (kind, 1) => format!("1 {kind}"),
+        (kind, count) => format!("{count} {}", plural(kind)),
+    };
+    let all: Vec<String> = counts.iter().map(one).collect();
+    if all.is_empty() { "none".to_owned() } else { all.join(", ") }
+}
+
+fn plural(kind: &str) -> String {
+    match kind {
+        "rigid body" => "rigid bodies".into(),
+        "point mass" => "point masses".into(),
+        "force per length" => "forces per length".into(),
+        "moment per length" => "moments per length".into(),
+        "point on a line" => "points on lines".into(),
+        kind => format!("{kind}s"),
+    }
+}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+impl Diagnosis {
+    /// What its user should know before a run, each in a sentence.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings: Vec<String> =
+            self.redundant.iter().map(|one| format!("redundant: {one}; they share its force")).collect();
+        if let Some(change) = self.projection.filter(|change| *change > PROJECTED) {
+            let percent = number(100.0 * change);
+            warnings.push(format!(
+                "joints contradict the velocities at the start: they are changed by {percent} % in kinetic energy"
+            ));
+        }
+        warnings
+    }
+}
+
+impl fmt::Display for Diagnosis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "bodies:    {}", counted(&self.bodies))?;
+        writeln!(f, "joints:    {}", counted(&self.joints))?;
+        writeln!(f, "loads:     {}", counted(&self.loads))?;
+        let Self { coordinates, equations, freedoms, gruebler, .. } = self;
+        let redundant = self.redundant.len();
+        writeln!(
+            f,
+            "equations: {coordinates} coordinates, {equations} constraints, {redundant} of them redundant"
+        )?;
+        writeln!(f, "mobility:  {gruebler} by Grübler's count, rigid bodies")?;
+        writeln!(f, "           {} by rank, rigid bodies", self.motions.len())?;
+        writeln!(f, "           {freedoms} by rank, bodies that deform")?;
+        for motion in &self.motions {
+            writeln!(f, "free:      {motion}")?;
+        }
+        if !self.unconnected.is_empty() {
+            writeln!(f, "loose:     no joint connects {}", quoted(&self.unconnected))?;
+        }
+        if !self.unreached.is_empty() {
+            writeln!(f, "loose:     no joints lead from the ground to {}", quoted(&self.unreached))?;
+        }
+        for (joint, apart) in &self.gaps {
+            writeln!(f, "closed:    joint `{joint}`, whose places are {} apart", number(*apart))?;
+        }
+        for (body, by) in &self.moved {
+            writeln!(f, "moved:     body `{body}`, by up to {}", number(*by))?;
+        }
+        self.warnings().iter().try_for_each(|warning| writeln!(f, "warning:   {warning}"))
+    }
+}

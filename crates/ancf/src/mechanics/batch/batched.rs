@@ -1,7 +1,0 @@
-use crate::system::Batch;
-
-/// Elements that can be evaluated side by side.
-pub(super) trait Batched: Sized {
-    /// Batches of elements, each with the number of its first one.
-    fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)>;
-}

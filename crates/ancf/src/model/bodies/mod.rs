@@ -1,0 +1,11 @@
+//! Bodies of a model: beams, cables, rigid bodies, their shape and initial motion.
+
+mod body;
+mod motion;
+mod rigid;
+mod shape;
+
+pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
+pub use motion::InitialMotion;
+pub use rigid::{PointMass, Rigid};
+pub use shape::Shape;

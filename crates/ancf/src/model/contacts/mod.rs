@@ -1,0 +1,5 @@
+//! Contact pairs of a model.
+
+mod surface;
+
+pub use surface::{Against, Contact};

@@ -1,0 +1,85 @@
+use std::sync::Arc;
+
+use ancf_mechanics::fluid::Hull;
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::time_function::{Clock, TimeFunction};
+use crate::model::sections::Section;
+
+/// A fluid around bodies: drag, added mass and buoyancy by Morison's formula, with the coefficients of MoorDyn.
+///
+/// Source: Morison et al. (1950); Hall & Goupee (2015).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fluid {
+    /// Names of the bodies in the fluid.
+    #[schemars(length(min = 1))]
+    pub bodies: Vec<String>,
+    /// Mass per volume of the fluid, ρ.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: f64,
+    /// Velocity of the fluid, the same everywhere; at rest by default.
+    #[serde(default)]
+    pub current: [f64; 3],
+    /// Function of time by which the current is multiplied; statics ignores it.
+    #[serde(default)]
+    pub time: TimeFunction,
+    /// Diameter d that meets the flow, length; the outer one of circles and tubes by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub diameter: Option<f64>,
+    /// Area A of the fluid that a section displaces, length²; that of a circle of the diameter by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub area: Option<f64>,
+    /// Coefficients of drag across and along the axis: ½ρ d C_n |w_n| w_n and ½ρ π d C_t |w_t| w_t per length.
+    #[schemars(inner(range(min = 0)))]
+    pub drag: [f64; 2],
+    /// Coefficients of added mass across and along the axis, in multiples of ρ A per length.
+    #[serde(default = "cylinder")]
+    #[schemars(inner(range(min = 0)))]
+    pub added_mass: [f64; 2],
+}
+
+/// A circular cylinder in an ideal fluid.
+fn cylinder() -> [f64; 2] {
+    [1.0, 0.0]
+}
+
+impl Fluid {
+    /// Water or air at rest around bodies, with coefficients of drag across and along the axis.
+    pub fn still(bodies: &[&str], density: f64, drag: [f64; 2]) -> Self {
+        Self {
+            bodies: bodies.iter().map(|&name| name.to_owned()).collect(),
+            density,
+            current: [0.0; 3],
+            time: TimeFunction::default(),
+            diameter: None,
+            area: None,
+            drag,
+            added_mass: cylinder(),
+        }
+    }
+
+    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::Fluid> {
+        Arc::new(ancf_mechanics::fluid::Fluid {
+            density: self.density,
+            gravity: Vector3::from(gravity),
+            current: Vector3::from(self.current),
+            function: clock.function(&self.time),
+        })
+    }
+
+    /// What of a section matters, if it says its diameter or is round.
+    pub(crate) fn hull(&self, section: &Section) -> Option<Hull> {
+        let diameter = self.diameter.or(match *section {
+            Section::Circle { diameter } => Some(diameter),
+            Section::Tube { outer, .. } => Some(outer),
+            _ => None,
+        })?;
+        let area = self.area.unwrap_or_else(|| Section::Circle { diameter }.moments().area);
+        Some(Hull { diameter, area, drag: self.drag, added_mass: self.added_mass })
+    }
+}

@@ -1,0 +1,64 @@
+use ancf_mechanics::sections::Lame;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// An isotropic elastic material with damping.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Density ρ, mass/volume.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: f64,
+    /// Young's modulus E, force/area.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub young: f64,
+    /// Poisson's ratio ν, −1 < ν < 0.5; 0 by default.
+    #[serde(default)]
+    #[schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5))]
+    pub poisson: f64,
+    /// How stress follows strain.
+    #[serde(default)]
+    pub law: MaterialLaw,
+    /// What dissipates.
+    #[serde(default)]
+    pub damping: Damping,
+}
+
+/// How stress follows strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MaterialLaw {
+    /// St. Venant and Kirchhoff: ½(λ tr² E + 2G E:E) of Green's strain.
+    #[default]
+    StVenantKirchhoff,
+    /// Compressible neo-Hookean: ½G (tr C − 3) − G ln J + ½λ ln² J; for the continuum formulation.
+    NeoHookean,
+}
+
+/// What dissipates in a material.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Damping {
+    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt. Time.
+    #[schemars(extend("minimum" = 0))]
+    pub strain: f64,
+    /// Rate α of the mass-proportional damping, the force −α v per mass. 1/time.
+    #[schemars(extend("minimum" = 0))]
+    pub mass: f64,
+}
+
+impl Material {
+    /// An elastic material without damping.
+    pub const fn elastic(density: f64, young: f64, poisson: f64) -> Self {
+        let damping = Damping { strain: 0.0, mass: 0.0 };
+        Self { density, young, poisson, law: MaterialLaw::StVenantKirchhoff, damping }
+    }
+
+    /// Lamé's constants λ = Eν/((1+ν)(1−2ν)) and G = E/(2(1+ν)).
+    pub fn lame(&self) -> Lame {
+        Lame {
+            lambda: self.young * self.poisson / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson)),
+            shear: self.young / (2.0 * (1.0 + self.poisson)),
+        }
+    }
+}

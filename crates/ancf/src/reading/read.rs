@@ -1,0 +1,188 @@
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+use std::{fs, io};
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value as Json;
+use toml::Value;
+
+use crate::assembly::contradictions;
+use crate::checking::{broken_rules, with_memory};
+use crate::model::Model;
+use crate::model::{ModelError, ModelErrors};
+use crate::schema::{Document, Finding, SCHEMA, Survey, position};
+
+/// Bytes beyond which a file is taken for something else than a model.
+const LARGEST: u64 = 100_000_000;
+
+impl Model {
+    /// Reads a model file and checks the model.
+    ///
+    /// # Errors
+    /// All that is wrong, in the order of the text; or why the file cannot be read.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelErrors> {
+        Self::parse(&Self::read_text(path)?)
+    }
+
+    /// Reads the text of a model file, for [`Model::parse`].
+    ///
+    /// # Errors
+    /// Why the file cannot be read.
+    pub fn read_text(path: impl AsRef<Path>) -> Result<String, ModelErrors> {
+        let bytes = bytes_of(path.as_ref()).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        if bytes.len() as u64 > LARGEST {
+            return Err(ModelErrors(vec![too_large()]));
+        }
+        String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))
+    }
+
+    /// Reads the text of a model file and checks the model.
+    ///
+    /// # Errors
+    /// All that is wrong, in the order of the text.
+    ///
+    /// ```
+    /// let errors = ancf::model::Model::parse("gravity = [0, -9.81]").unwrap_err();
+    /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
+    /// ```
+    pub fn parse(text: &str) -> Result<Self, ModelErrors> {
+        judged(text, judge)
+    }
+
+    /// Makes a model of data such as a table of another language, and checks it.
+    ///
+    /// # Errors
+    /// All that is wrong, without positions.
+    pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
+        let (model, findings) = judge(data);
+        model.filter(|_| findings.is_empty()).ok_or_else(|| ModelErrors(errors(findings)))
+    }
+
+    /// Checks a model that was built in Rust by the rules for model files, and functions that are supplied by those for functions
+    /// of time.
+    ///
+    /// # Errors
+    /// All that is wrong, without positions.
+    pub fn check(&self) -> Result<(), ModelErrors> {
+        let data = Value::try_from(self)
+            .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
+        Self::from_value(&data)?;
+        // Data have no functions: with what is supplied the rules may be broken yet.
+        let findings = if self.has_functions(true) { broken(self) } else { Vec::new() };
+        if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
+    }
+}
+
+fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
+    findings.into_iter().map(|finding| finding.error).collect()
+}
+
+/// The rules that a model of the right form breaks; only if there is none, what its joints contradict.
+fn broken(model: &Model) -> Vec<Finding> {
+    let findings = broken_rules(model);
+    if findings.is_empty() { contradictions(model) } else { findings }
+}
+
+/// Reads a TOML text of another type by the rules for model files: `schema` says what it may have, `rules` what else must hold.
+///
+/// The schema is that of the type by schemars, with all it consists of in place (`SchemaSettings::inline_subschemas`).
+///
+/// # Errors
+/// All that is wrong, in the order of the text; broken rules only where the text has the form of the schema.
+pub fn parse_as<T: DeserializeOwned>(
+    text: &str,
+    schema: &'static Json,
+    rules: impl FnOnce(&T) -> Vec<ModelError>,
+) -> Result<T, ModelErrors> {
+    judged(text, |data| {
+        let (survey, mended) = Survey::of(schema, data);
+        let mut findings = survey.findings;
+        match T::deserialize(mended) {
+            Ok(value) if findings.is_empty() => {
+                findings.extend(rules(&value).into_iter().map(Finding::from));
+                (Some(value), findings)
+            }
+            Err(error) if findings.is_empty() => {
+                (None, vec![ModelError::new("", error.to_string(), "the form of the schema").into()])
+            }
+            _ => (None, findings),
+        }
+    })
+}
+
+/// Reads a text, has its data judged, and puts what was found in its place.
+fn judged<T>(text: &str, judge: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>)) -> Result<T, ModelErrors> {
+    let mut document = Document::parse(text);
+    let (value, findings) = judge(&Value::Table(std::mem::take(&mut document.data)));
+    let is_hidden = |finding: &Finding| finding.absence || document.is_spoilt(&finding.error.path);
+    let findings = findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
+    let mut errors: Vec<_> = findings.map(|finding| placed(finding, &document, text)).collect();
+    errors.extend(document.errors);
+    errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
+    value.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
+}
+
+/// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
+fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
+    let (mut survey, mended) = Survey::of(&SCHEMA, data);
+    let mut findings = std::mem::take(&mut survey.findings);
+    let model = Model::deserialize(mended);
+    let broken = model.as_ref().map(broken_rules).unwrap_or_default();
+    findings = findings.into_iter().map(with_memory).collect();
+    findings.extend(broken.into_iter().map(|finding| spelt(finding, &survey)).filter(|finding| {
+        !survey.has_mended(&finding.error.path)
+            && !finding.rests_on.iter().any(|path| survey.has_mended(path))
+    }));
+    match &model {
+        Ok(model) if findings.is_empty() => findings.extend(contradictions(model)),
+        Err(error) if findings.is_empty() => {
+            findings.push(ModelError::new("", error.to_string(), "a model").into());
+        }
+        _ => {}
+    }
+    (model.ok(), findings)
+}
+
+/// The finding with its paths as the file spells them.
+fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
+    finding.error.path = survey.spelt(&finding.error.path);
+    finding.rests_on.iter_mut().for_each(|path| *path = survey.spelt(path));
+    finding
+}
+
+fn placed(finding: Finding, document: &Document, text: &str) -> ModelError {
+    let bytes = document.find(&finding.error.path, finding.at_key);
+    ModelError { at: Some(position(text, bytes)), ..finding.error }
+}
+
+/// The bytes of a file, no more than one beyond the largest number, be it a pipe that never ends.
+fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn too_large() -> ModelError {
+    let (found, wanted) = ("more than 100 MB", "a model file of at most 100 MB");
+    ModelError::new("", found, wanted)
+        .hint("long bodies are one entry with many `elements`; series are `table`s of time")
+}
+
+fn unreadable(error: &io::Error) -> ModelError {
+    let found = match error.kind() {
+        ErrorKind::NotFound => "no such file".into(),
+        ErrorKind::IsADirectory => "a directory".into(),
+        ErrorKind::PermissionDenied => "a file that may not be read".into(),
+        _ => error.to_string(),
+    };
+    ModelError::new("", found, "a model file")
+}
+
+fn not_utf8(bytes: &[u8]) -> ModelError {
+    let valid = bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let at = valid.len();
+    let byte = bytes.get(at).copied().unwrap_or_default();
+    let error = ModelError::new("", format!("the byte 0x{byte:02X}"), "a text in UTF-8");
+    ModelError { at: Some(position(valid, at..at + 1)), ..error }
+}

@@ -1,0 +1,139 @@
+use ancf_mechanics::bodies::Body;
+use ancf_mechanics::constraints::Wrench;
+use ancf_mechanics::kinematics::Attachment;
+use ancf_solver::equations::State;
+use nalgebra::Vector3;
+
+use crate::assembly::Assembly;
+use crate::units::{Dimension, Scales};
+
+/// A quantity along the bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// Position x, y, z.
+    Position,
+    /// Displacement from the reference configuration, x, y, z.
+    Displacement,
+    /// Velocity x, y, z.
+    Velocity,
+    /// Acceleration x, y, z.
+    Acceleration,
+    /// The orthonormal frame of a section or a rigid body: its normal or first axis, then y and z of the section or the second
+    /// and third axis, each with three global components. Of a cable, the tangent and any two directions across; of a point
+    /// mass, the global axes.
+    Directors,
+    /// N, Qy, Qz, T, My, Mz in the frame of the section, as the part beyond exerts them on the part before; of rigid bodies
+    /// not a number.
+    SectionForces,
+}
+
+impl Field {
+    /// All of them, with their names.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("position", Self::Position),
+        ("displacement", Self::Displacement),
+        ("velocity", Self::Velocity),
+        ("acceleration", Self::Acceleration),
+        ("directors", Self::Directors),
+        ("section_forces", Self::SectionForces),
+    ];
+
+    /// Its numbers at each station.
+    pub const fn width(self) -> usize {
+        match self {
+            Self::Position | Self::Displacement | Self::Velocity | Self::Acceleration => 3,
+            Self::Directors => 9,
+            Self::SectionForces => 6,
+        }
+    }
+}
+
+/// A place along a body where fields are read.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// Number of the body.
+    pub body: usize,
+    /// Arc length of the undeformed axis, in the user's units; 0 of a rigid body.
+    pub s: f64,
+    arc_length: f64,
+    place: Attachment,
+}
+
+/// What reads fields of states: the nodes of flexible bodies, or more places, and the centres of rigid ones, in the order of
+/// the bodies.
+#[derive(Debug)]
+pub struct Fields<'a> {
+    assembly: &'a Assembly,
+    scales: Scales,
+    stations: Vec<Station>,
+}
+
+impl<'a> Fields<'a> {
+    /// Stations at the ends of elements and at `parts` − 1 places between, evenly spaced by arc length.
+    pub fn new(assembly: &'a Assembly, scales: Scales, parts: u32) -> Self {
+        let along = |(number, (_, body)): (usize, (&str, &'a Body))| {
+            stations_of(body, parts.max(1)).into_iter().map(move |(arc_length, place)| {
+                let s = arc_length * scales.unit(Dimension::LENGTH);
+                Station { body: number, s, arc_length, place }
+            })
+        };
+        let stations = assembly.bodies().enumerate().flat_map(along).collect();
+        Self { assembly, scales, stations }
+    }
+
+    /// The places, in order.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// Appends the numbers of a field in a state, station by station, in the user's units.
+    pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
+        for station in &self.stations {
+            self.read(field, station, s, to);
+        }
+    }
+
+    fn read(&self, field: Field, station: &Station, s: &State, to: &mut Vec<f64>) {
+        let point = &station.place.point;
+        let mut push = |x: Vector3<f64>, of| to.extend((x * self.scales.unit(of)).iter());
+        match field {
+            Field::Position => push(point.value(s), Dimension::LENGTH),
+            Field::Displacement => push(point.sum(&s.q), Dimension::LENGTH),
+            Field::Velocity => push(point.sum(&s.v), Dimension::VELOCITY),
+            Field::Acceleration => push(point.sum(&s.a), Dimension::ACCELERATION),
+            Field::Directors => {
+                for axis in self.frame(station, s) {
+                    push(axis, Dimension::NUMBER);
+                }
+            }
+            Field::SectionForces => match self.assembly.body_of(station.body).mesh() {
+                Some(mesh) => {
+                    let Wrench { force, moment } = mesh.section_forces(s, station.arc_length);
+                    push(force, Dimension::FORCE);
+                    push(moment, Dimension::ENERGY);
+                }
+                None => to.extend([f64::NAN; 6]),
+            },
+        }
+    }
+
+    fn frame(&self, station: &Station, s: &State) -> [Vector3<f64>; 3] {
+        match (self.assembly.body_of(station.body).mesh(), station.place.axes()) {
+            (Some(mesh), _) => mesh.section_frame(s, station.arc_length),
+            (None, Some(axes)) => axes.each_ref().map(|axis| axis.value(s)),
+            (None, None) => [Vector3::x(), Vector3::y(), Vector3::z()],
+        }
+    }
+}
+
+/// Arc lengths and places of the stations of a body.
+fn stations_of(body: &Body, parts: u32) -> Vec<(f64, Attachment)> {
+    match body {
+        Body::Flexible(mesh) => {
+            let count = mesh.count() * parts as usize;
+            let at = |i: usize| mesh.length() * (i as f64 / count as f64);
+            (0..=count).map(|i| (at(i), mesh.attachment(at(i)))).collect()
+        }
+        Body::Rigid(body) => vec![(0.0, body.attachment(body.centre()))],
+    }
+}

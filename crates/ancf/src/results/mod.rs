@@ -1,0 +1,8 @@
+//! Result columns and fields of states.
+
+mod fields;
+mod rows;
+
+pub use fields::{Field, Fields, Station};
+pub use rows::{Column, Rows};
+pub(crate) use rows::{LOAD, Past, TIME, columns};

@@ -1,0 +1,6 @@
+//! Models in other units.
+
+mod joints;
+mod model;
+
+pub(crate) use model::number;

@@ -1,0 +1,199 @@
+//! The JSON Schema of a model file, and the words in which it speaks to a user.
+
+use std::sync::LazyLock;
+
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use serde_json::Value as Json;
+use toml::Value;
+
+use crate::model::Model;
+
+/// The schema as the reader of models uses it.
+pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| schema().to_value());
+
+/// The JSON Schema (draft 2020-12) of a model file, generated from [`Model`].
+pub fn schema() -> Schema {
+    SchemaSettings::draft2020_12()
+        .with_transform(RecursiveTransform(without_links))
+        .into_generator()
+        .into_root_schema_for::<Model>()
+}
+
+/// The text of `docs/model.schema.json`, by which an editor completes and checks model files.
+pub fn schema_text() -> String {
+    let text = serde_json::to_string_pretty(&schema());
+    text.expect("a schema has text keys and finite numbers only") + "\n"
+}
+
+/// Links between Rust items mean nothing to the reader of a schema.
+fn without_links(schema: &mut Schema) {
+    if let Some(Json::String(text)) = schema.get_mut("description") {
+        *text = text.replace("[`", "`").replace("`]", "`");
+    }
+}
+
+/// The forms a schema allows, with references and alternatives resolved.
+pub(crate) fn forms(schema: &'static Json) -> Vec<&'static Json> {
+    let name = schema["$ref"].as_str().and_then(|name| name.strip_prefix("#/$defs/"));
+    if let Some(name) = name {
+        return forms(&SCHEMA["$defs"][name]);
+    }
+    match ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array()) {
+        // That a key may be left out is no form of its value.
+        Some(forms_of) => forms_of.iter().flat_map(forms).filter(|form| form["type"] != "null").collect(),
+        None => vec![schema],
+    }
+}
+
+/// Whether a form admits anything.
+pub(crate) fn is_free(form: &Json) -> bool {
+    form["type"].is_null() && form["const"].is_null()
+}
+
+/// The type of a form; that a key may be left out (`null`) is said by `required`.
+pub(crate) fn kind(form: &Json) -> &str {
+    let first = |types: &'_ Vec<Json>| types.iter().position(|kind| kind != "null");
+    match &form["type"] {
+        Json::Array(types) => first(types).and_then(|at| types[at].as_str()).unwrap_or_default(),
+        kind => kind.as_str().unwrap_or_default(),
+    }
+}
+
+/// The key that tells the forms of a table apart, and its value in this form.
+pub(crate) fn tag(form: &'static Json) -> Option<(&'static str, &'static str)> {
+    let keys = form["properties"].as_object()?;
+    keys.iter().find_map(|(key, schema)| Some((key.as_str(), schema["const"].as_str()?)))
+}
+
+/// The keys of a table, in alphabetical order.
+pub(crate) fn keys(form: &'static Json) -> Vec<&'static str> {
+    let mut keys: Vec<_> =
+        form["properties"].as_object().into_iter().flatten().map(|(key, _)| &**key).collect();
+    keys.sort_unstable();
+    keys
+}
+
+/// The keys that a table must have, in the order of the type.
+pub(crate) fn required(form: &'static Json) -> impl Iterator<Item = &'static str> {
+    form["required"].as_array().into_iter().flatten().filter_map(Json::as_str)
+}
+
+/// Whether a number is within the limits of a form.
+pub(crate) fn allows(form: &Json, x: f64) -> bool {
+    let holds = |key: &str, test: fn(f64, f64) -> bool| form[key].as_f64().is_none_or(|limit| test(x, limit));
+    x.is_finite()
+        && holds("minimum", |x, limit| x >= limit)
+        && holds("exclusiveMinimum", |x, limit| x > limit)
+        && holds("maximum", |x, limit| x <= limit)
+        && holds("exclusiveMaximum", |x, limit| x < limit)
+        && (form["format"] != "uint32" || x <= f64::from(u32::MAX))
+}
+
+/// What a form wants, in words.
+pub(crate) fn wanted(form: &'static Json) -> String {
+    match kind(form) {
+        "number" => format!("a number{}", limits(form)),
+        "integer" => format!("an integer{}", limits(form)),
+        "boolean" => "true or false".into(),
+        "array" => wanted_array(form),
+        "object" => wanted_table(form),
+        _ => match form["const"].as_str() {
+            Some(word) => format!("{word:?}"),
+            None if form["minLength"].as_u64() > Some(0) => "a text that is not empty".into(),
+            None => "a text".into(),
+        },
+    }
+}
+
+fn limits(form: &Json) -> String {
+    let signs = [("exclusiveMinimum", ">"), ("minimum", ">="), ("exclusiveMaximum", "<"), ("maximum", "<=")];
+    let limits: Vec<_> = signs
+        .iter()
+        .filter(|(key, _)| !form[*key].is_null())
+        .map(|(key, sign)| format!(" {sign} {}", form[*key]))
+        .collect();
+    limits.join(" and")
+}
+
+fn wanted_array(form: &'static Json) -> String {
+    let items = match forms(&form["items"]).first().map(|item| kind(item)) {
+        Some("number") => "number",
+        Some("object") => "table",
+        _ => "value",
+    };
+    match (form["minItems"].as_u64(), form["maxItems"].as_u64()) {
+        (Some(min), Some(max)) if min == max => format!("an array of {min} {items}s"),
+        (Some(1), None) => format!("an array of at least one {items}"),
+        _ => format!("an array of {items}s"),
+    }
+}
+
+fn wanted_table(form: &'static Json) -> String {
+    match listed(required(form).map(|key| format!("`{key}`")), "and") {
+        keys if keys.is_empty() => "a table".into(),
+        keys => format!("a table with {keys}"),
+    }
+}
+
+/// What any of several forms wants, in words.
+pub(crate) fn wanted_of(forms: &[&'static Json]) -> String {
+    let tags: Vec<_> = forms.iter().filter_map(|form| tag(form)).collect();
+    match tags.first() {
+        Some((key, _)) if tags.len() > 1 => {
+            let tagged = listed(tags.iter().map(|(_, word)| quoted(word)), "or");
+            let others = forms.iter().filter(|form| tag(form).is_none()).map(|form| wanted(form));
+            listed(others.chain([format!("a table with `{key}` = {tagged}")]), "or")
+        }
+        _ => listed(forms.iter().map(|form| wanted(form)), "or"),
+    }
+}
+
+/// A value as it would be written in a model file, if it is short.
+pub(crate) fn found(value: &Value) -> String {
+    match value {
+        Value::String(text) => quoted(text),
+        Value::Integer(n) => n.to_string(),
+        Value::Float(x) if x.is_nan() => "nan".into(),
+        Value::Float(x) => format!("{x:?}"),
+        Value::Boolean(yes) => yes.to_string(),
+        Value::Datetime(date) => format!("the date {date}"),
+        Value::Array(items) if items.is_empty() => "an empty array".into(),
+        Value::Array(items) => format!("an array of {}", items.len()),
+        Value::Table(_) => "a table".into(),
+    }
+}
+
+/// A number in as few digits as tell it from others.
+pub(crate) fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 || !x.is_finite() || (1e-4..1e7).contains(&size) { x.to_string() } else { format!("{x:e}") }
+}
+
+/// A text in quotes, shortened if it is long.
+pub(crate) fn quoted(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{:?}", format!("{}…", &text[..end])),
+        None => format!("{text:?}"),
+    }
+}
+
+/// `a, b or c`.
+pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> String {
+    let mut words: Vec<_> = words.into_iter().collect();
+    match words.pop() {
+        Some(end) if !words.is_empty() => format!("{} {last} {end}", words.join(", ")),
+        end => end.unwrap_or_default(),
+    }
+}
+
+/// The candidate that was probably meant by a word, if at most a third of the letters differ.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
+    let near = candidates.into_iter().map(|candidate| (distance(candidate), candidate));
+    let (distance, candidate) = near.min_by_key(|(distance, _)| *distance)?;
+    let (length, own) = (word.chars().count(), candidate.chars().count());
+    (distance < own && distance <= 1.max(length.max(own) / 3)).then_some(candidate)
+}

@@ -1,0 +1,13 @@
+//! JSON Schema of the model file, and checks of values against it.
+
+mod address;
+mod generate;
+mod schema_check;
+mod syntax;
+
+pub(crate) use address::{Step, segments, spelt};
+pub(crate) use generate::{SCHEMA, forms, found, keys, kind, listed, number, quoted, tag};
+pub use generate::{nearest, schema, schema_text};
+pub use schema_check::join;
+pub(crate) use schema_check::{Finding, Survey, did_you_mean};
+pub(crate) use syntax::{Document, position};

@@ -1,0 +1,332 @@
+//! Compares data with a schema, such as that of a model, collects all that is wrong, and mends a copy.
+//!
+//! The mended copy has the form of the schema, so that the rules of `check` can be applied to the rest of it.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+use super::generate::{
+    allows, forms, found, is_free, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
+};
+use crate::model::ModelError;
+
+/// An error and what decides whether and where it is reported.
+#[derive(Debug)]
+pub(crate) struct Finding {
+    pub(crate) error: ModelError,
+    /// Other paths it rests on: if one of them had to be mended, the finding means nothing.
+    pub(crate) rests_on: Vec<String>,
+    /// Whether something is not there, which an error of syntax may have hidden.
+    pub(crate) absence: bool,
+    /// Whether it is the key that is wrong, not its value.
+    pub(crate) at_key: bool,
+}
+
+impl From<ModelError> for Finding {
+    fn from(error: ModelError) -> Self {
+        Self { error, rests_on: Vec::new(), absence: false, at_key: false }
+    }
+}
+
+/// What a comparison with the schema brought to light.
+#[derive(Debug, Default)]
+pub(crate) struct Survey {
+    pub(crate) findings: Vec<Finding>,
+    /// Paths whose values were replaced by something of the right type.
+    mended: Vec<String>,
+    /// Paths as meant and as spelt.
+    misspelt: Vec<(String, String)>,
+}
+
+/// A table with the keys as meant; each goes with the key as spelt.
+type Entries<'a> = BTreeMap<&'a str, (&'a str, &'a Value)>;
+
+impl Survey {
+    /// Compares data with a schema; returns a copy of the data that has its form.
+    pub(crate) fn of(schema: &'static Json, data: &Value) -> (Self, Value) {
+        let mut survey = Self::default();
+        let mended = survey.value(schema, data, "");
+        (survey, mended)
+    }
+
+    /// The path in the file of a path in the model: the same but for misspelt keys.
+    pub(crate) fn spelt(&self, path: &str) -> String {
+        self.misspelt.iter().fold(path.to_owned(), |path, (meant, spelt)| match path.strip_prefix(&**meant) {
+            Some(rest) if within(&path, meant) => format!("{spelt}{rest}"),
+            _ => path,
+        })
+    }
+
+    /// Whether the value at this path of the file was mended.
+    pub(crate) fn has_mended(&self, path: &str) -> bool {
+        self.mended.iter().any(|mended| within(path, mended))
+    }
+
+    fn value(&mut self, schema: &'static Json, value: &Value, path: &str) -> Value {
+        let forms = forms(schema);
+        if forms.iter().any(|form| is_free(form)) {
+            return value.clone();
+        }
+        let of = |kinds: &[&str]| {
+            forms.iter().copied().filter(|form| kinds.contains(&kind(form))).collect::<Vec<_>>()
+        };
+        match value {
+            Value::Table(table) if !of(&["object"]).is_empty() => self.table(&of(&["object"]), table, path),
+            Value::Array(items) if !of(&["array"]).is_empty() => self.array(of(&["array"])[0], items, path),
+            Value::Integer(_) | Value::Float(_) if !of(&["number", "integer"]).is_empty() => {
+                self.number(of(&["number", "integer"])[0], value, path)
+            }
+            Value::Boolean(_) if !of(&["boolean"]).is_empty() => value.clone(),
+            Value::String(text) if !of(&["string"]).is_empty() => self.text(&forms, text, path),
+            _ => self.wrong(&forms, value, path),
+        }
+    }
+
+    fn number(&mut self, form: &'static Json, value: &Value, path: &str) -> Value {
+        let x = match *value {
+            Value::Float(x) if kind(form) == "number" => x,
+            // Beyond 2⁵³ this rounds, as reading the same digits with a decimal point would.
+            Value::Integer(n) => n as f64,
+            _ => return self.wrong(&[form], value, path),
+        };
+        if !x.is_finite() {
+            self.report(path, value, wanted(form).replacen("a number", "a finite number", 1));
+        } else if !allows(form, x) {
+            let too_large = kind(form) == "integer" && x > f64::from(u32::MAX);
+            self.report(path, value, if too_large { "an integer < 2³²".into() } else { wanted(form) });
+        } else {
+            return value.clone();
+        }
+        self.replace(form, path)
+    }
+
+    fn text(&mut self, forms: &[&'static Json], text: &str, path: &str) -> Value {
+        let words = || forms.iter().filter_map(|form| form["const"].as_str());
+        let free = |form: &&Json| kind(form) == "string" && form["const"].is_null();
+        let value = Value::String(text.to_owned());
+        match forms.iter().find(|form| free(form)) {
+            _ if words().any(|word| word == text) => return value,
+            Some(form) if !text.is_empty() || form["minLength"].as_u64().unwrap_or(0) == 0 => return value,
+            _ => {}
+        }
+        let error = ModelError::new(path, found(&value), wanted_of(forms));
+        self.findings.push(did_you_mean(error, nearest(text, words()).map(quoted)).into());
+        self.replace(forms[0], path)
+    }
+
+    fn array(&mut self, form: &'static Json, items: &[Value], path: &str) -> Value {
+        let count = |key: &str| form[key].as_u64().and_then(|count| usize::try_from(count).ok());
+        let (min, max) = (count("minItems").unwrap_or(0), count("maxItems").unwrap_or(usize::MAX));
+        let before = self.mended.len();
+        let item = |(i, item)| self.value(&form["items"], item, &format!("{path}[{i}]"));
+        let mut mended: Vec<_> = items.iter().enumerate().map(item).collect();
+        // Whoever uses a vector uses all of it.
+        if min == max && self.mended.len() > before {
+            self.mended.push(path.to_owned());
+        }
+        if !(min..=max).contains(&items.len()) {
+            self.report(path, &Value::Array(items.to_vec()), wanted(form));
+            self.mended.push(path.to_owned());
+            mended.resize_with(mended.len().clamp(min, max), || placeholder(&form["items"]));
+        }
+        Value::Array(mended)
+    }
+
+    fn table(&mut self, forms: &[&'static Json], table: &Table, path: &str) -> Value {
+        let any_key = &forms[0]["additionalProperties"];
+        if any_key.is_object() {
+            let entry =
+                |(key, value): (&String, _)| (key.clone(), self.value(any_key, value, &join(path, key)));
+            return Value::Table(table.iter().map(entry).collect());
+        }
+        let mut entries: Entries = table.iter().map(|(key, value)| (&**key, (&**key, value))).collect();
+        let (form, sure) = self.form(forms, &mut entries, path);
+        if sure {
+            self.correct(form, &mut entries, path);
+        }
+        self.properties(form, &entries, sure, path)
+    }
+
+    /// Which of several forms a table has by its tag, and whether that is sure; takes out the tag.
+    fn form(&mut self, forms: &[&'static Json], entries: &mut Entries, path: &str) -> (&'static Json, bool) {
+        let Some((key, _)) = tag(forms[0]) else { return (nearest_form(forms, entries), true) };
+        self.correct_tag(key, forms, entries, path);
+        let words = || forms.iter().filter_map(|form| Some(tag(form)?.1));
+        let named = |word| forms.iter().copied().find(|form| tag(form).is_some_and(|(_, own)| own == word));
+        let said = entries.remove(key);
+        let word = said.and_then(|(_, value)| value.as_str());
+        if let Some(form) = word.and_then(named) {
+            return (form, true);
+        }
+        let near = word.and_then(|word| nearest(word, words()));
+        let wanted = listed(words().map(quoted), "or");
+        match said {
+            Some((spelt, value)) => {
+                let error = ModelError::new(join(path, spelt), found(value), wanted);
+                self.findings.push(did_you_mean(error, near.map(quoted)).into());
+            }
+            None => self.missing(key, wanted, &Json::Null, path),
+        }
+        self.mended.push(join(path, key));
+        near.and_then(named).map_or_else(|| (closest(forms, entries), forms.len() == 1), |form| (form, true))
+    }
+
+    /// Finds the tag under a misspelt key.
+    fn correct_tag<'a>(
+        &mut self,
+        tag: &'a str,
+        forms: &[&'static Json],
+        entries: &mut Entries<'a>,
+        path: &str,
+    ) {
+        let known = |key: &str| forms.iter().any(|form| !form["properties"][key].is_null());
+        let spelt = entries.keys().copied().find(|key| !known(key) && nearest(key, [tag]).is_some());
+        if let Some(spelt) = spelt.filter(|_| !entries.contains_key(tag)) {
+            self.unknown(spelt, Some(tag), format!("`{tag}`"), path);
+            self.rename(spelt, tag, entries, path);
+        }
+    }
+
+    /// Reports keys that the form has not, and reads those that are misspelt as they were meant.
+    fn correct(&mut self, form: &'static Json, entries: &mut Entries, path: &str) {
+        let keys = keys(form);
+        let unknown: Vec<_> = entries.keys().copied().filter(|key| !keys.contains(key)).collect();
+        for spelt in unknown {
+            let near = nearest(spelt, keys.iter().copied());
+            self.unknown(spelt, near, listed(keys.iter().map(|key| format!("`{key}`")), "or"), path);
+            match near.filter(|meant| {
+                !entries.contains_key(meant) && tag(form).is_none_or(|(tag, _)| tag != *meant)
+            }) {
+                Some(meant) => self.rename(spelt, meant, entries, path),
+                None => _ = entries.remove(spelt),
+            }
+        }
+    }
+
+    fn rename<'a>(&mut self, spelt: &'a str, meant: &'a str, entries: &mut Entries<'a>, path: &str) {
+        self.misspelt.push((join(path, meant), join(path, spelt)));
+        if let Some(entry) = entries.remove(spelt) {
+            entries.insert(meant, entry);
+        }
+    }
+
+    /// The table's properties as the form wants them; what is missing is reported if the form is sure.
+    fn properties(&mut self, form: &'static Json, entries: &Entries, sure: bool, path: &str) -> Value {
+        let mut mended = Table::new();
+        for key in keys(form) {
+            let schema = &form["properties"][key];
+            if let Some((_, word)) = tag(form).filter(|(tag, _)| *tag == key) {
+                mended.insert(key.into(), word.into());
+            } else if let Some((spelt, value)) = entries.get(key) {
+                mended.insert(key.into(), self.value(schema, value, &join(path, spelt)));
+            } else if required(form).any(|required| required == key) {
+                if sure {
+                    self.missing(key, wanted_of(&forms(schema)), &schema["description"], path);
+                }
+                mended.insert(key.into(), self.replace(schema, &join(path, key)));
+            }
+        }
+        Value::Table(mended)
+    }
+
+    fn replace(&mut self, schema: &'static Json, path: &str) -> Value {
+        self.mended.push(path.to_owned());
+        placeholder(schema)
+    }
+
+    fn wrong(&mut self, forms: &[&'static Json], value: &Value, path: &str) -> Value {
+        let mut error = ModelError::new(path, found(value), wanted_of(forms));
+        let is_list = |form: &&&Json| kind(form) == "array" && kind(&form["items"]) != "number";
+        error.hint =
+            forms.iter().find(is_list).filter(|_| value.is_table()).map(|_| format!("write `[[{path}]]`"));
+        self.findings.push(error.into());
+        self.replace(forms[0], path)
+    }
+
+    fn report(&mut self, path: &str, value: &Value, wanted: String) {
+        self.findings.push(ModelError::new(path, found(value), wanted).into());
+    }
+
+    fn unknown(&mut self, key: &str, near: Option<&str>, wanted: String, path: &str) {
+        let error = ModelError::new(join(path, key), format!("unknown key `{key}`"), wanted);
+        let error = did_you_mean(error, near.map(|near| format!("`{near}`")));
+        self.findings.push(Finding { at_key: true, ..error.into() });
+    }
+
+    fn missing(&mut self, key: &str, wanted: String, description: &Json, path: &str) {
+        let mut error = ModelError::new(join(path, key), format!("no key `{key}`"), wanted);
+        let description = description.as_str().unwrap_or_default().replace('\n', " ");
+        error.hint = description.split(". ").next().map(|text| text.trim_end_matches('.').to_owned());
+        error.hint = error.hint.filter(|hint| !hint.is_empty());
+        self.findings.push(Finding { absence: true, ..error.into() });
+    }
+}
+
+/// The first of the forms that have the most keys of a table.
+fn closest(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+    let common = |form: &&Json| entries.keys().filter(|key| !form["properties"][**key].is_null()).count();
+    forms.iter().copied().rev().max_by_key(common).unwrap_or(forms[0])
+}
+
+/// The error with the suggestion, if there is one.
+pub(crate) fn did_you_mean(error: ModelError, meant: Option<String>) -> ModelError {
+    match meant {
+        Some(meant) => error.hint(format!("did you mean {meant}?")),
+        None => error,
+    }
+}
+
+/// The form without a tag to which most keys belong, as spelt or as probably meant; the first of equals.
+fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+    let known = |form: &Json, key: &str| !form["properties"][key].is_null();
+    let meant = |form: &'static Json, key: &str| known(form, key) || nearest(key, keys(form)).is_some();
+    let fit = |form: &'static Json| {
+        let count = |test: &dyn Fn(&str) -> bool| entries.keys().filter(|key| test(key)).count();
+        (count(&|key| known(form, key)), count(&|key| meant(form, key)))
+    };
+    forms.iter().copied().rev().max_by_key(|form| fit(form)).unwrap_or(forms[0])
+}
+
+/// The path of a key in a table, as TOML spells it: in quotes if it has other signs than letters, digits, `_` and `-`,
+/// with a backslash before quotes and backslashes, and `\uXXXX` for what controls.
+pub fn join(path: &str, key: &str) -> String {
+    let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+    let key = if bare { key.to_owned() } else { format!("\"{}\"", escaped(key)) };
+    if path.is_empty() { key } else { format!("{path}.{key}") }
+}
+
+fn escaped(key: &str) -> String {
+    key.chars().fold(String::new(), |text, c| match c {
+        '"' | '\\' => format!("{text}\\{c}"),
+        _ if c.is_control() => format!("{text}\\u{:04X}", u32::from(c)),
+        _ => format!("{text}{c}"),
+    })
+}
+
+/// Whether a path is another or lies below it.
+fn within(path: &str, above: &str) -> bool {
+    path.strip_prefix(above).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// A value of the right type.
+fn placeholder(schema: &'static Json) -> Value {
+    if let Some(default) = schema.get("default").and_then(|default| Value::try_from(default).ok()) {
+        return default;
+    }
+    let form = forms(schema)[0];
+    match kind(form) {
+        "number" => Value::Float(1.0),
+        "integer" => Value::Integer(1),
+        "boolean" => Value::Boolean(false),
+        "array" => {
+            let count = form["minItems"].as_u64().unwrap_or(0);
+            Value::Array((0..count).map(|_| placeholder(&form["items"])).collect())
+        }
+        "object" => Value::Table(
+            required(form).map(|key| (key.to_owned(), placeholder(&form["properties"][key]))).collect(),
+        ),
+        _ => form["const"].as_str().unwrap_or_default().into(),
+    }
+}

@@ -1,0 +1,21 @@
+//! Runs of an analysis, from a model to rows.
+
+mod checkpoint;
+mod dynamics;
+mod eigen;
+mod equilibria;
+mod error;
+mod execute;
+mod observer;
+mod outcome;
+mod run;
+mod simulation;
+mod step_control;
+mod summary;
+
+pub use checkpoint::{Checkpoint, Mismatch};
+pub use error::Error;
+pub use execute::simulate;
+pub use observer::Observer;
+pub use simulation::Simulation;
+pub use summary::{Outcome, Summary};

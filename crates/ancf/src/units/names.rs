@@ -1,0 +1,81 @@
+use std::fmt::Write;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::scales::Dimension;
+
+/// What the units of the model's numbers are called. Nothing is converted: these are names for axes, legends and result files.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Units {
+    /// The unit of length, such as `"m"`.
+    #[schemars(length(min = 1))]
+    pub length: String,
+    /// The unit of time, such as `"s"`.
+    #[schemars(length(min = 1))]
+    pub time: String,
+    /// The unit of force, such as `"N"`.
+    #[schemars(length(min = 1))]
+    pub force: String,
+}
+
+impl Units {
+    /// Names that say what the units are of.
+    pub fn in_words() -> Self {
+        let [length, time, force] = ["length", "time", "force"].map(str::to_owned);
+        Self { length, time, force }
+    }
+
+    /// The unit of a dimension, such as `N/m²`; empty of a number.
+    pub fn of(&self, dimension: Dimension) -> String {
+        let Dimension { length, time, force } = dimension;
+        let powers = [(&self.force, force), (&self.length, length), (&self.time, time)];
+        let product = |sign: i32| {
+            let factors = powers.iter().filter(|(_, power)| power * sign > 0);
+            factors.map(|(unit, power)| power_of(unit, power.unsigned_abs())).collect::<Vec<_>>()
+        };
+        let (above, below) = (product(1), product(-1));
+        let mut text = if above.is_empty() && !below.is_empty() { "1".to_owned() } else { above.join(" ") };
+        let (open, close) = if below.len() > 1 { ("(", ")") } else { ("", "") };
+        if !below.is_empty() {
+            write!(text, "/{open}{}{close}", below.join(" ")).expect("a String takes any text");
+        }
+        text
+    }
+}
+
+fn power_of(unit: &str, power: u32) -> String {
+    match power {
+        1 => unit.to_owned(),
+        2 => format!("{unit}²"),
+        3 => format!("{unit}³"),
+        4 => format!("{unit}⁴"),
+        _ => format!("{unit}^{power}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_read_as_engineers_write_them() {
+        let [length, time, force] = ["mm", "s", "N"].map(str::to_owned);
+        let units = Units { length, time, force };
+        for (dimension, text) in [
+            (Dimension::NUMBER, ""),
+            (Dimension::LENGTH, "mm"),
+            (Dimension::ACCELERATION, "mm/s²"),
+            (Dimension::RATE, "1/s"),
+            (Dimension::ENERGY, "N mm"),
+            (Dimension::STRESS, "N/mm²"),
+            (Dimension::DENSITY, "N s²/mm⁴"),
+            (Dimension::new(-1, -1, 1), "N/(mm s)"),
+            (Dimension::new(12, 0, 0), "mm^12"),
+        ] {
+            assert_eq!(units.of(dimension), text);
+        }
+        assert_eq!(Units::in_words().of(Dimension::VELOCITY), "length/time");
+    }
+}

@@ -2,8 +2,9 @@
 
 use std::process::Command;
 
-use crate::environment::Environment;
-use crate::{Done, debian, root, run, say};
+use crate::system::debian;
+use crate::system::environment::Environment;
+use crate::system::shell::{Done, root, run, say};
 
 /// Installs the package with all that its tests and its documentation need, and runs them.
 pub(crate) fn test() -> Done {

@@ -2,8 +2,8 @@
 
 use std::process::Command;
 
-use crate::tools::Tool;
-use crate::{Done, root, run, say};
+use crate::system::shell::{Done, root, run, say};
+use crate::system::tools::Tool;
 
 const FUZZ: Tool = Tool { name: "cargo-fuzz", version: "0.13.2" };
 

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{Done, cargo, debian, root, run, say};
+use crate::system::debian;
+use crate::system::shell::{Done, cargo, root, run, say};
 
 /// Names under which a Chromium may be found.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];

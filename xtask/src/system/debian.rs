@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::say;
+use crate::system::shell::say;
 
 /// Whether a program is there.
 pub(crate) fn has(program: &str) -> bool {

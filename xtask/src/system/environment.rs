@@ -5,7 +5,8 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Done, debian, run};
+use crate::system::debian;
+use crate::system::shell::{Done, run};
 
 /// An environment of Python in a folder of its own.
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{root, run};
+use crate::system::shell::{root, run};
 
 /// A subcommand of cargo from crates.io, of one version.
 #[derive(Debug)]

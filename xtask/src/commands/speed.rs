@@ -5,9 +5,10 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::debian::has;
-use crate::environment::Environment;
-use crate::{Done, cargo, debian, root, run, say};
+use crate::system::debian;
+use crate::system::debian::has;
+use crate::system::environment::Environment;
+use crate::system::shell::{Done, cargo, root, run, say};
 
 /// Builds what measures and runs it with one thread; by its path, since `cargo run` would build it alone.
 fn measure(chore: &str, options: &[String]) -> Done {

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value as Json;
 
-use crate::Done;
+use crate::system::shell::Done;
 use class::Code;
 use form::{definition, referred};
 
@@ -193,6 +193,9 @@ mod tests {
                 (name, fs::read_to_string(&path).unwrap_or_default())
             })
             .collect();
-        assert!(found == wanted, "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`");
+        assert!(
+            found == wanted,
+            "crates/ancf-py/python/ancf/model is stale: refresh it by `cargo xtask schema`"
+        );
     }
 }

@@ -2,8 +2,8 @@
 
 use std::process::Command;
 
-use crate::tools::Tool;
-use crate::{Done, root, run, say};
+use crate::system::shell::{Done, root, run, say};
+use crate::system::tools::Tool;
 
 const DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2" };
 

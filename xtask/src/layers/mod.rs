@@ -6,7 +6,6 @@ mod config;
 mod cycles;
 mod import;
 mod python;
-mod python_text;
 mod rules;
 mod rust;
 mod source;

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::config::{Config, Language};
-use super::import::Import;
-use super::source::{self, SourceFile};
-use super::violation::Violation;
-use super::{python, rules, rust, typescript};
+use super::workspace::config::{Config, Language};
+use super::workspace::import::Import;
+use super::workspace::source::{self, SourceFile};
+use super::workspace::violation::Violation;
+use super::{members, python, rules, rust, typescript};
 use crate::system::shell::{Done, root, say};
 
 /// Checks the module structure. Options: `--tree PATH` reports on one tree only, `--root DIR` checks another checkout.
@@ -29,6 +29,7 @@ pub(crate) fn check(options: &[String]) -> Done {
     }
     let mut files = source::read(&root, &config.trees)?;
     let (imports, mut violations) = imports(&root, &config, &mut files)?;
+    violations.extend(members::missing(&root, &config)?);
     violations.extend(rules::folders(&config, &files));
     violations.extend(rules::lengths(&root, &config, &files)?);
     violations.extend(rules::upward_imports(&config, &files, &imports));

@@ -2,14 +2,12 @@
 //! no cycle of files, limits on files and lines.
 
 mod command;
-mod config;
 mod cycles;
-mod import;
+mod members;
 mod python;
 mod rules;
 mod rust;
-mod source;
 mod typescript;
-mod violation;
+mod workspace;
 
 pub(crate) use command::check;

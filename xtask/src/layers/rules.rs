@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use super::config::{Config, FILE, Language, Limits};
 use super::cycles;
-use super::import::{FileId, Import};
-use super::source::{self, SourceFile};
-use super::violation::Violation;
+use super::workspace::config::{Config, FILE, Language, Limits};
+use super::workspace::import::{FileId, Import};
+use super::workspace::source::{self, SourceFile};
+use super::workspace::violation::Violation;
 
 /// Applies the rules on folders: each is listed once, none is empty, none has too many files.
 pub(super) fn folders(config: &Config, files: &[SourceFile]) -> Vec<Violation> {
@@ -80,27 +80,47 @@ fn is_generated(limits: &Limits, path: &str) -> bool {
     limits.generated.iter().any(covers)
 }
 
+/// Imported names of a pair of files, and the first line on which one is imported.
+type Ties<'a> = BTreeMap<(FileId, FileId), (usize, BTreeSet<&'a str>)>;
+
+/// Collects the imports between pairs of files.
+fn ties<'a>(imports: impl Iterator<Item = &'a Import>) -> Ties<'a> {
+    let mut ties = Ties::new();
+    for import in imports {
+        let (line, names) = ties.entry((import.from, import.to)).or_insert((import.line, BTreeSet::new()));
+        *line = import.line.min(*line);
+        names.insert(&import.name);
+    }
+    ties
+}
+
+/// Joins names for a message.
+fn listed(names: &BTreeSet<&str>) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
 /// Finds imports from a layer above.
 pub(super) fn upward_imports(config: &Config, files: &[SourceFile], imports: &[Import]) -> Vec<Violation> {
-    let mut found = Vec::new();
-    for import in imports {
+    let points_up = |import: &&Import| {
         let (from, to) = (&files[import.from], &files[import.to]);
-        if from.tree != to.tree {
-            continue;
-        }
-        let rule = &config.trees[from.tree];
-        let level = |file: &SourceFile| rule.layers.iter().position(|layer| *layer == file.folder);
-        let (Some(above), Some(below)) = (level(to), level(from)) else { continue };
-        if above < below {
-            let text = format!(
-                "{}:{}: imports `{}` of {}, upwards from layer \"{}\" to \"{}\"; move the name into \"{}\" or \
-                 below, or move the importing code up",
-                from.path, import.line, import.name, to.inner, from.folder, to.folder, from.folder
-            );
-            found.push(Violation::new(from.tree, text));
-        }
-    }
-    found
+        let layers = &config.trees[from.tree].layers;
+        let level = |file: &SourceFile| layers.iter().position(|layer| *layer == file.folder);
+        from.tree == to.tree && level(to).is_some_and(|to| level(from).is_some_and(|from| to < from))
+    };
+    let describe = |((from, to), (line, names)): ((FileId, FileId), (usize, BTreeSet<&str>))| {
+        let (from, to) = (&files[from], &files[to]);
+        let text = format!(
+            "{}:{line}: imports {} of {}, upwards from layer \"{}\" to \"{}\"; move the names down or the \
+             importing code up",
+            from.path,
+            listed(&names),
+            to.inner,
+            from.folder,
+            to.folder
+        );
+        Violation::new(from.tree, text)
+    };
+    ties(imports.iter().filter(points_up)).into_iter().map(describe).collect()
 }
 
 /// Finds cycles of files.
@@ -117,22 +137,15 @@ pub(super) fn cycles(files: &[SourceFile], imports: &[Import]) -> Vec<Violation>
 
 /// Describes a cycle by its imports.
 fn cycle(files: &[SourceFile], imports: &[Import], component: &[FileId]) -> String {
-    let mut ties: BTreeMap<(FileId, FileId), (usize, BTreeSet<&str>)> = BTreeMap::new();
-    for import in imports.iter().filter(|import| {
-        component.binary_search(&import.from).is_ok() && component.binary_search(&import.to).is_ok()
-    }) {
-        let tie = ties.entry((import.from, import.to)).or_insert((import.line, BTreeSet::new()));
-        tie.0 = tie.0.min(import.line);
-        tie.1.insert(&import.name);
-    }
+    let is_inside = |file: FileId| component.binary_search(&file).is_ok();
+    let inside = imports.iter().filter(|import| is_inside(import.from) && is_inside(import.to));
     let mut text = format!(
         "{}: cycle of {} files; move the names that tie them into a file of their own:",
         files[component[0]].path,
         component.len()
     );
-    for ((from, to), (line, names)) in ties {
-        let names: Vec<_> = names.into_iter().collect();
-        text += &format!("\n    {}:{line} -> {}: {}", files[from].path, files[to].inner, names.join(", "));
+    for ((from, to), (line, names)) in ties(inside) {
+        text += &format!("\n    {}:{line} -> {}: {}", files[from].path, files[to].inner, listed(&names));
     }
     text
 }

@@ -2,9 +2,9 @@
 
 use super::module::{Binding, Module};
 use super::names::{self, Meaning, Modules};
-use crate::layers::config::TreeConfig;
-use crate::layers::import::{FileId, Import};
-use crate::layers::source::SourceFile;
+use crate::layers::workspace::config::TreeConfig;
+use crate::layers::workspace::import::{FileId, Import};
+use crate::layers::workspace::source::SourceFile;
 
 /// Collects the imports of a package and marks the `__init__.py` that only re-export. Imports inside functions and
 /// under `TYPE_CHECKING` count like others.

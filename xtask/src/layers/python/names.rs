@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::module::Module;
-use crate::layers::import::FileId;
+use crate::layers::workspace::import::FileId;
 
 /// Meaning of a name.
 #[derive(Debug, Clone, PartialEq, Eq)]

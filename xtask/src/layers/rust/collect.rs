@@ -5,15 +5,15 @@ use std::path::Path;
 
 use syn::Item;
 
-use super::crates;
 use super::methods::Methods;
 use super::modules::Modules;
 use super::resolve::Resolver;
 use super::visit::{self, Tables};
-use crate::layers::config::{Language, TreeConfig};
-use crate::layers::import::{FileId, Import};
-use crate::layers::source::SourceFile;
-use crate::layers::violation::Violation;
+use super::{attributes, crates};
+use crate::layers::workspace::config::{Language, TreeConfig};
+use crate::layers::workspace::import::{FileId, Import};
+use crate::layers::workspace::source::SourceFile;
+use crate::layers::workspace::violation::Violation;
 
 /// Collects the imports of the Rust trees, marks files that only declare and re-export, and reports files outside
 /// the modules of their crate.
@@ -41,7 +41,10 @@ pub(in crate::layers) fn imports(
 fn facades(modules: &Modules) -> BTreeMap<FileId, bool> {
     let mut found = BTreeMap::new();
     for module in &modules.all {
-        let declares = |item: &Item| matches!(item, Item::Mod(_) | Item::Use(_) | Item::ExternCrate(_));
+        let declares = |item: &Item| {
+            matches!(item, Item::Mod(_) | Item::Use(_) | Item::ExternCrate(_))
+                || attributes::is_test(attributes::of_item(item))
+        };
         let own = module.syntax.iter().all(declares);
         let is_inline = found.contains_key(&module.file);
         *found.entry(module.file).or_insert(true) &= own && (module.is_folder || is_inline);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::layers::source::SourceFile;
+use crate::layers::workspace::source::SourceFile;
 
 /// A crate: a library or one binary. A package with both has two entries.
 #[derive(Debug)]

@@ -8,7 +8,7 @@ use super::attributes;
 use super::crates::{self, Crate};
 use super::modules::{ModuleId, Modules};
 use super::resolve::{Resolver, Target};
-use crate::layers::import::FileId;
+use crate::layers::workspace::import::FileId;
 
 /// A type by the module that defines it and its name.
 pub(super) type TypeId = (ModuleId, String);

@@ -7,8 +7,8 @@ use syn::Item;
 use super::attributes;
 use super::crates::Crate;
 use super::uses::{self, Use};
-use crate::layers::import::FileId;
-use crate::layers::source::SourceFile;
+use crate::layers::workspace::import::FileId;
+use crate::layers::workspace::source::SourceFile;
 
 /// Index of a module.
 pub(super) type ModuleId = usize;

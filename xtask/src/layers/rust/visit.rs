@@ -16,7 +16,7 @@ use super::modules::{ModuleId, Modules};
 use super::resolve::{Resolver, Target};
 use super::uses::{self, Use};
 use super::{attributes, locals, tokens};
-use crate::layers::import::{FileId, Import};
+use crate::layers::workspace::import::{FileId, Import};
 
 /// Crate-wide tables.
 #[derive(Clone, Copy)]

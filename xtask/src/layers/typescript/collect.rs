@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::declarations::{self, Declaration};
-use crate::layers::import::{FileId, Import};
-use crate::layers::source::{self, SourceFile};
+use crate::layers::workspace::import::{FileId, Import};
+use crate::layers::workspace::source::{self, SourceFile};
 
 /// Declarations by file.
 type Declarations = BTreeMap<FileId, Vec<Declaration>>;

@@ -8,30 +8,30 @@ use super::config::{Language, TreeConfig};
 
 /// A file of a tree.
 #[derive(Debug)]
-pub(super) struct SourceFile {
+pub(in crate::layers) struct SourceFile {
     /// Index of the tree.
-    pub(super) tree: usize,
+    pub(in crate::layers) tree: usize,
     /// Path relative to the root of the workspace, with `/`.
-    pub(super) path: String,
+    pub(in crate::layers) path: String,
     /// Path relative to the tree, with `/`.
-    pub(super) inner: String,
+    pub(in crate::layers) inner: String,
     /// Folder relative to the tree, `.` for the tree itself. A Rust file `a.rs` beside a folder `a` belongs to `a`.
-    pub(super) folder: String,
+    pub(in crate::layers) folder: String,
     /// Contents.
-    pub(super) text: String,
+    pub(in crate::layers) text: String,
     /// True if the file only declares modules and re-exports names.
-    pub(super) is_facade: bool,
+    pub(in crate::layers) is_facade: bool,
 }
 
 impl SourceFile {
     /// Returns the number of lines.
-    pub(super) fn lines(&self) -> usize {
+    pub(in crate::layers) fn lines(&self) -> usize {
         self.text.lines().count()
     }
 }
 
 /// Reads the files of all trees.
-pub(super) fn read(root: &Path, trees: &[TreeConfig]) -> Result<Vec<SourceFile>, String> {
+pub(in crate::layers) fn read(root: &Path, trees: &[TreeConfig]) -> Result<Vec<SourceFile>, String> {
     let mut files = Vec::new();
     for (tree, config) in trees.iter().enumerate() {
         let inner = list(&root.join(&config.path), config.language)?;
@@ -48,7 +48,7 @@ pub(super) fn read(root: &Path, trees: &[TreeConfig]) -> Result<Vec<SourceFile>,
 }
 
 /// Lists the files of a language below a folder, relative to it and sorted.
-pub(super) fn list(folder: &Path, language: Language) -> Result<Vec<String>, String> {
+pub(in crate::layers) fn list(folder: &Path, language: Language) -> Result<Vec<String>, String> {
     let mut found = Vec::new();
     collect(folder, "", &mut |inner| {
         if Language::of(Path::new(&inner)) == Some(language) {
@@ -60,7 +60,11 @@ pub(super) fn list(folder: &Path, language: Language) -> Result<Vec<String>, Str
 }
 
 /// Visits all files below a folder by their paths relative to it. Hidden folders and build output are left out.
-pub(super) fn collect(folder: &Path, inner: &str, visit: &mut impl FnMut(String)) -> Result<(), String> {
+pub(in crate::layers) fn collect(
+    folder: &Path,
+    inner: &str,
+    visit: &mut impl FnMut(String),
+) -> Result<(), String> {
     let wrong = |error| format!("{}: {error}", folder.display());
     for entry in fs::read_dir(folder).map_err(wrong)? {
         let path = entry.map_err(wrong)?.path();
@@ -77,6 +81,6 @@ pub(super) fn collect(folder: &Path, inner: &str, visit: &mut impl FnMut(String)
 }
 
 /// Returns the folder of a relative path, `.` at its root.
-pub(super) fn parent(path: &str) -> &str {
+pub(in crate::layers) fn parent(path: &str) -> &str {
     path.rsplit_once('/').map_or(".", |(folder, _)| folder)
 }

@@ -2,15 +2,15 @@
 
 /// A violation: location, finding, and what to do.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Violation {
+pub(in crate::layers) struct Violation {
     /// Tree in which it was found, by index.
-    pub(super) tree: usize,
+    pub(in crate::layers) tree: usize,
     /// Location (`path` or `path:line`), finding and remedy.
-    pub(super) text: String,
+    pub(in crate::layers) text: String,
 }
 
 impl Violation {
-    pub(super) fn new(tree: usize, text: String) -> Self {
+    pub(in crate::layers) fn new(tree: usize, text: String) -> Self {
         Self { tree, text }
     }
 }

@@ -42,7 +42,12 @@ pub(crate) fn check(options: &[String]) -> Done {
         return Ok(());
     }
     violations.iter().for_each(|violation| say(&violation.text));
-    Err(format!("layers: {} violations", violations.len()))
+    Err(format!("layers: {}", counted(violations.len(), "violation")))
+}
+
+/// Writes a number with its noun.
+fn counted(number: usize, noun: &str) -> String {
+    if number == 1 { format!("1 {noun}") } else { format!("{number} {noun}s") }
 }
 
 /// Collects the imports of all trees.
@@ -76,9 +81,10 @@ fn summary(config: &Config, tree: usize, files: &[SourceFile], imports: &[Import
         .collect();
     arrows.dedup();
     say(&format!(
-        "{}: {} layers, {own} files, {} imports between files",
+        "{}: {}, {}, {} between files",
         rule.path,
-        rule.layers.len(),
-        arrows.len()
+        counted(rule.layers.len(), "layer"),
+        counted(own, "file"),
+        counted(arrows.len(), "import")
     ));
 }

@@ -83,9 +83,10 @@ impl Reader {
         while let Some(sign) = self.next() {
             if sign == '\\' {
                 self.next();
-            } else if sign == quote && !is_triple || sign == '\n' && !is_triple {
+            } else if !is_triple && (sign == quote || sign == '\n') {
                 return;
-            } else if sign == quote && self.peek(0) == Some(quote) && self.peek(1) == Some(quote) {
+            } else if is_triple && sign == quote && self.peek(0) == Some(quote) && self.peek(1) == Some(quote)
+            {
                 self.at += 2;
                 return;
             }

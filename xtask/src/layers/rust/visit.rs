@@ -180,7 +180,7 @@ impl<'ast> Visit<'ast> for Visitor<'_> {
 
     fn visit_impl_item_fn(&mut self, item: &'ast ImplItemFn) {
         self.function(locals::bound(&item.sig, &item.block), |visitor| {
-            visit::visit_impl_item_fn(visitor, item)
+            visit::visit_impl_item_fn(visitor, item);
         });
     }
 

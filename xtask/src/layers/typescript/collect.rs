@@ -24,7 +24,7 @@ pub(in crate::layers) fn imports(tree: usize, files: &mut [SourceFile]) -> Vec<I
         {
             let Some(to) = file_of(files, from, &declaration.source) else { continue };
             let mut add = |to, name: &str| {
-                found.push(Import { from, to, name: name.to_owned(), line: declaration.line })
+                found.push(Import { from, to, name: name.to_owned(), line: declaration.line });
             };
             if declaration.names.is_empty() {
                 add(to, &declaration.source);

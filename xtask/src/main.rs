@@ -8,7 +8,7 @@ mod system;
 use std::env;
 use std::process::ExitCode;
 
-use commands::{fuzz, package, schema, speed, supply, test, viewer};
+use commands::{benchmark, dependencies, fuzz, package, schema, test, viewer};
 use system::shell::say;
 
 const HELP: &str = "\
@@ -36,12 +36,12 @@ fn main() -> ExitCode {
         "python" => package::test(),
         "docs" => package::docs(),
         "schema" => schema::refresh(),
-        "deny" => supply::deny(),
+        "deny" => dependencies::deny(),
         "fuzz" => fuzz::fuzz(options),
-        "bench" => speed::bench(options),
-        "instructions" => speed::instructions(options),
+        "bench" => benchmark::bench(options),
+        "instructions" => benchmark::instructions(options),
         "viewer" => viewer::build(),
-        "peers" => speed::peers(),
+        "peers" => benchmark::peers(),
         "" => Err(format!("expected a command\n\n{HELP}")),
         unknown => Err(format!("unknown command `{unknown}`\n\n{HELP}")),
     };

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use super::{package, speed, supply, viewer};
+use super::{benchmark, dependencies, package, viewer};
 use crate::layers;
 use crate::system::shell::{Done, cargo, say};
 
@@ -10,7 +10,7 @@ use crate::system::shell::{Done, cargo, say};
 pub(crate) fn all() -> Done {
     component("fmt", "rustfmt")?;
     component("clippy", "clippy")?;
-    supply::locked()?;
+    dependencies::locked()?;
     cargo("format", &["fmt", "--all", "--check"], &[])?;
     say("\n== layers");
     layers::check(&[])?;
@@ -18,8 +18,8 @@ pub(crate) fn all() -> Done {
     cargo("tests", &["test", "--workspace"], &[])?;
     let doc = ["doc", "--workspace", "--no-deps"];
     cargo("documentation", &doc, &[("RUSTDOCFLAGS", "-D warnings")])?;
-    speed::instructions(&[])?;
-    supply::deny()?;
+    benchmark::instructions(&[])?;
+    dependencies::deny()?;
     viewer::test()?;
     package::test()?;
     say("all tests passed");

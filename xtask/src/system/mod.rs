@@ -1,4 +1,4 @@
-//! Programs outside the workspace: how they are found, installed and run.
+//! Programs outside the workspace: search, installation, execution.
 
 pub(crate) mod debian;
 pub(crate) mod environment;

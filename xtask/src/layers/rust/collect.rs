@@ -5,11 +5,11 @@ use std::path::Path;
 
 use syn::Item;
 
+use super::importer::Tables;
 use super::methods::Methods;
 use super::modules::Modules;
 use super::resolve::Resolver;
-use super::visit::{self, Tables};
-use super::{attributes, crates};
+use super::{attributes, crates, visit};
 use crate::layers::workspace::config::{Language, TreeConfig};
 use crate::layers::workspace::import::{FileId, Import};
 use crate::layers::workspace::source::SourceFile;

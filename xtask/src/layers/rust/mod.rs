@@ -3,6 +3,7 @@
 mod attributes;
 mod collect;
 mod crates;
+mod importer;
 mod locals;
 mod methods;
 mod modules;

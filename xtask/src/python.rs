@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value as Json;
 
-use crate::Done;
+use crate::system::shell::Done;
 use class::Code;
 use form::{definition, referred};
 

@@ -1,21 +1,21 @@
-//! Packages of Debian and its kin, where there are such.
+//! Packages of Debian and its derivatives.
 
 use std::process::Command;
 
-use crate::say;
+use crate::system::shell::say;
 
-/// Whether a program is there.
+/// True if a program is installed.
 pub(crate) fn has(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
-/// Whether a shared library is there.
+/// True if a shared library is installed.
 pub(crate) fn has_library(name: &str) -> bool {
     let known = Command::new("/sbin/ldconfig").arg("-p").output();
     known.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains(name))
 }
 
-/// Installs a package, as root or without a password; whether that went well.
+/// Installs a package as root or by `sudo` without a password. Returns true on success.
 pub(crate) fn install(package: &str) -> bool {
     let run = |program: &str, arguments: &[&str]| {
         say(&format!("\n== {package}: {program} {}", arguments.join(" ")));

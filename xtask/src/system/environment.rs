@@ -1,21 +1,22 @@
-//! Environments of Python, each with what it needs and nothing else.
+//! Virtual environments of Python.
 
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Done, debian, run};
+use crate::system::debian;
+use crate::system::shell::{Done, run};
 
-/// An environment of Python in a folder of its own.
+/// Virtual environment in a folder of its own.
 #[derive(Debug)]
 pub(crate) struct Environment {
     folder: PathBuf,
 }
 
 impl Environment {
-    /// The environment in a folder below the workspace; made by the interpreter of the system, or the one that the
-    /// variable `PYTHON` names, if it is not there.
+    /// Opens the environment in a folder. If it does not exist, it is made by `python3` or by the interpreter in the
+    /// variable `PYTHON`.
     pub(crate) fn at(folder: &Path) -> Result<Self, String> {
         let environment = Self { folder: folder.to_owned() };
         if !environment.program("python").exists() {
@@ -24,13 +25,13 @@ impl Environment {
                 let mut command = Command::new(&system);
                 run("environment of Python", command.args(["-m", "venv"]).arg(folder))
             };
-            // Debian's Python comes without what makes environments.
+            // Debian packages the `venv` module separately.
             make().or_else(|why| debian::install("python3-venv").then(make).unwrap_or(Err(why)))?;
         }
         Ok(environment)
     }
 
-    /// A program of it.
+    /// Returns the path of a program in the environment.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         let folder = self.folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
         folder.join(format!("{name}{}", env::consts::EXE_SUFFIX))

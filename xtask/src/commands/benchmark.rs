@@ -1,40 +1,43 @@
-//! What measures speed.
+//! Benchmarks: times, instruction counts, comparison with EXUDYN.
 
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::debian::has;
-use crate::environment::Environment;
-use crate::{Done, cargo, debian, root, run, say};
+use crate::system::debian;
+use crate::system::debian::has;
+use crate::system::environment::Environment;
+use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Builds what measures and runs it with one thread; by its path, since `cargo run` would build it alone.
-fn measure(chore: &str, options: &[String]) -> Done {
+/// Builds the benchmark program and runs it with one thread. It is run by its path: `cargo run` would build it with
+/// other features.
+fn measure(command: &str, options: &[String]) -> Done {
     build()?;
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     let program = target.join("release").join(format!("ancf-bench{}", env::consts::EXE_SUFFIX));
     let arguments: Vec<&OsStr> =
-        [chore].into_iter().chain(options.iter().map(String::as_str)).map(OsStr::new).collect();
+        [command].into_iter().chain(options.iter().map(String::as_str)).map(OsStr::new).collect();
     alone(&program, &arguments)
 }
 
-/// What measures and the program `ancf`, together: alone, either has other features of its dependencies, and builds them all anew.
+/// Builds the benchmark program and `ancf` together. Separately, each has other features of its dependencies and
+/// rebuilds all of them.
 fn build() -> Done {
     cargo("build", &["build", "--release", "--package", "ancf-cli", "--package", "ancf-bench"], &[])
 }
 
-/// Times beside their goals.
+/// Prints times beside their targets.
 pub(crate) fn bench(options: &[String]) -> Done {
     measure("table", options)
 }
 
-/// Counts of instructions; without valgrind they are left out, and that is said.
+/// Compares instruction counts with the recorded ones. Without valgrind they are skipped with a message.
 pub(crate) fn instructions(options: &[String]) -> Done {
     if has("valgrind") || debian::install("valgrind") && has("valgrind") {
         return measure("instructions", options);
     }
-    let why = "valgrind is missing and cannot be installed: instructions are NOT counted";
+    let why = "valgrind is missing and cannot be installed: instruction counts were NOT checked";
     if options.is_empty() {
         say(why);
         return Ok(());
@@ -42,7 +45,7 @@ pub(crate) fn instructions(options: &[String]) -> Done {
     Err(why.to_owned())
 }
 
-/// EXUDYN beside `ancf`, in an environment of its own.
+/// Runs EXUDYN beside `ancf`, in a Python environment of its own.
 pub(crate) fn peers() -> Done {
     let scripts = root().join("bench/peers");
     let environment = Environment::at(&root().join("target/peers"))?;

@@ -1,21 +1,21 @@
-//! Programs of others that are built into `target/tools` when they are wanted first.
+//! Cargo subcommands from crates.io, built into `target/tools` on first use.
 
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{root, run};
+use crate::system::shell::{root, run};
 
-/// A subcommand of cargo from crates.io, of one version.
+/// Subcommand of cargo from crates.io, of a fixed version.
 #[derive(Debug)]
 pub(crate) struct Tool {
-    /// The name of the crate and of its program.
+    /// Name of the crate and of its program.
     pub(crate) name: &'static str,
-    /// The version.
+    /// Version.
     pub(crate) version: &'static str,
 }
 
 impl Tool {
-    /// The program, which is compiled if it is not there: a minute or so.
+    /// Returns the path of the program. Compiles it if it is missing, which takes about a minute.
     pub(crate) fn program(&self) -> Result<PathBuf, String> {
         let Self { name, version } = self;
         let folder = root().join("target/tools").join(format!("{name}-{version}"));

@@ -1,16 +1,16 @@
-//! What the workspace takes in from others: licences, sources, known weaknesses, the lock file.
+//! Dependencies: licences, sources, known vulnerabilities, lock files.
 
 use std::process::Command;
 
-use crate::tools::Tool;
-use crate::{Done, root, run, say};
+use crate::system::shell::{Done, root, run, say};
+use crate::system::tools::Tool;
 
 const DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2" };
 
-/// What cargo-deny says where it cannot get at the database of weaknesses.
+/// Message of cargo-deny if the database of vulnerabilities cannot be reached.
 const UNREACHABLE: &str = "failed to fetch advisory database";
 
-/// The lock file is that of the manifests: all that follows builds what it says.
+/// Checks that the lock files agree with the manifests.
 pub(crate) fn locked() -> Done {
     for manifest in ["Cargo.toml", "fuzz/Cargo.toml"] {
         let mut command = Command::new(env!("CARGO"));
@@ -20,13 +20,15 @@ pub(crate) fn locked() -> Done {
         let output = command.output().map_err(|error| format!("cannot run cargo: {error}"))?;
         if !output.status.success() {
             let why = String::from_utf8_lossy(&output.stderr).into_owned();
-            return Err(format!("the lock file of {manifest} is stale, or its crates cannot be had:\n{why}"));
+            return Err(format!(
+                "the lock file of {manifest} is stale, or its crates cannot be downloaded:\n{why}"
+            ));
         }
     }
     Ok(())
 }
 
-/// Checks licences, bans and sources by `deny.toml`, and known weaknesses if their database can be reached.
+/// Checks licences, bans and sources by `deny.toml`, and known vulnerabilities if their database can be reached.
 pub(crate) fn deny() -> Done {
     let program = DENY.program()?;
     let check = |what: &[&str]| {
@@ -38,14 +40,14 @@ pub(crate) fn deny() -> Done {
     run("dependencies", &mut check(&["licenses", "bans", "sources"]))?;
     let advisories =
         check(&["advisories"]).output().map_err(|error| format!("cannot run cargo-deny: {error}"))?;
-    let said = String::from_utf8_lossy(&advisories.stderr);
+    let message = String::from_utf8_lossy(&advisories.stderr);
     if advisories.status.success() {
-        say("no known weaknesses");
+        say("no known vulnerabilities");
         return Ok(());
     }
-    if said.contains(UNREACHABLE) {
-        say("known weaknesses were NOT checked: the database of RustSec cannot be reached");
+    if message.contains(UNREACHABLE) {
+        say("known vulnerabilities were NOT checked: the RustSec database cannot be reached");
         return Ok(());
     }
-    Err(format!("known weaknesses:\n{said}"))
+    Err(format!("known vulnerabilities:\n{message}"))
 }

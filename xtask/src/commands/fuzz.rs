@@ -1,23 +1,24 @@
-//! Fuzzing: bytes of any kind for the readers of the library.
+//! Fuzzing: random bytes for the readers of the library.
 
 use std::process::Command;
 
-use crate::tools::Tool;
-use crate::{Done, root, run, say};
+use crate::system::shell::{Done, root, run, say};
+use crate::system::tools::Tool;
 
 const FUZZ: Tool = Tool { name: "cargo-fuzz", version: "0.13.2" };
 
-/// Seconds for each target, if nothing else is said.
+/// Default duration of each target in seconds.
 const SECONDS: &str = "600";
 
-/// Runs all targets one after the other, so many seconds each; what they find new is kept in `fuzz/corpus`.
+/// Runs all targets one after the other, each for the given seconds. New inputs are kept in `fuzz/corpus`.
 pub(crate) fn fuzz(options: &[String]) -> Done {
     let seconds = options.first().map_or(SECONDS, String::as_str);
-    seconds.parse::<u32>().map_err(|_| format!("`{seconds}` is no number of seconds"))?;
+    seconds.parse::<u32>().map_err(|_| format!("`{seconds}` is not a whole number of seconds"))?;
     let program = FUZZ.program()?;
     let command = |arguments: &[&str]| {
         let mut command = Command::new(&program);
-        // libFuzzer wants flags of the compiler that stable ones have under this name only. The code is safe: no sanitizer.
+        // libFuzzer needs compiler flags that a stable compiler accepts with this variable only. The code is safe Rust:
+        // no sanitizer.
         command.current_dir(root()).env("RUSTC_BOOTSTRAP", "1").args(arguments);
         command
     };

@@ -1,11 +1,12 @@
-//! The viewer of results: what a browser runs, and its tests in one.
+//! The viewer of results: build, checks and browser tests.
 
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{Done, cargo, debian, root, run, say};
+use crate::system::debian;
+use crate::system::shell::{Done, cargo, root, run, say};
 
-/// Names under which a Chromium may be found.
+/// Program names of Chromium.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// Checks and tests the viewer: types, format, lints, the committed bundle, and reports in a browser.
@@ -16,7 +17,7 @@ pub(crate) fn test() -> Done {
         && !BROWSERS.iter().any(|name| debian::has(name))
         && !debian::install("chromium")
     {
-        return Err("a Chromium is missing; install one, or name it in the variable CHROMIUM".to_owned());
+        return Err("Chromium is missing; install it, or set the variable CHROMIUM to its path".to_owned());
     }
     cargo("program", &["build", "--workspace"], &[])?;
     npm("tests of the viewer", &["test", "--silent"])

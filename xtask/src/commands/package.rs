@@ -1,11 +1,12 @@
-//! The Python package: installed as a user would, then checked and tested.
+//! Installation, checks and tests of the Python package.
 
 use std::process::Command;
 
-use crate::environment::Environment;
-use crate::{Done, debian, root, run, say};
+use crate::system::debian;
+use crate::system::environment::Environment;
+use crate::system::shell::{Done, root, run, say};
 
-/// Installs the package with all that its tests and its documentation need, and runs them.
+/// Installs the package with the dependencies of its tests and documentation, and runs both.
 pub(crate) fn test() -> Done {
     let environment = installed()?;
     let checks: [(&str, &str, &[&str]); 6] = [
@@ -19,7 +20,7 @@ pub(crate) fn test() -> Done {
     checks.iter().try_for_each(|(what, program, arguments)| step(&environment, what, program, arguments))
 }
 
-/// Builds the documentation, into `target/site`.
+/// Builds the documentation site into `target/site`.
 pub(crate) fn docs() -> Done {
     step(&installed()?, "site", "sphinx-build", &["-W", "--keep-going", "docs", "target/site"])?;
     say("the site is in target/site/index.html");
@@ -28,7 +29,7 @@ pub(crate) fn docs() -> Done {
 
 fn installed() -> Result<Environment, String> {
     if cfg!(target_os = "linux") && !debian::has_library("libEGL.so.1") {
-        // What draws without a screen; whether it is there is seen by the tests of scenes.
+        // Libraries for drawing without a screen. The tests of scenes fail if they cannot be installed.
         let _ = ["libegl1", "libgl1-mesa-dri"].iter().all(|package| debian::install(package));
     }
     let environment = Environment::at(&root().join("target/python"))?;
@@ -40,7 +41,7 @@ fn step(environment: &Environment, what: &str, program: &str, arguments: &[&str]
     say(&format!("\n== {what}: {program} {}", arguments.join(" ")));
     let mut command = Command::new(environment.program(program));
     command.args(arguments).current_dir(root());
-    // Pictures are drawn without a screen.
+    // Plots are drawn without a screen.
     command.env("MPLBACKEND", "Agg").env("PYVISTA_OFF_SCREEN", "true");
     if cfg!(target_os = "linux") {
         command.env("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow");

@@ -1,0 +1,9 @@
+//! The commands of `cargo xtask`.
+
+pub(crate) mod benchmark;
+pub(crate) mod dependencies;
+pub(crate) mod fuzz;
+pub(crate) mod package;
+pub(crate) mod schema;
+pub(crate) mod test;
+pub(crate) mod viewer;

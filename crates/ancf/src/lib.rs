@@ -180,7 +180,7 @@ pub mod mechanics {
     pub use ancf_mechanics::bodies::BeamMesh;
     pub use ancf_mechanics::bodies::Blueprint;
     pub use ancf_mechanics::bodies::Body;
-    pub use ancf_mechanics::bodies::NodalVector;
+    pub use ancf_mechanics::bodies::Piece;
     pub use ancf_mechanics::bodies::across;
     pub use ancf_mechanics::constraints::Angle;
     pub use ancf_mechanics::constraints::Coincide;
@@ -224,7 +224,6 @@ pub mod mechanics {
     pub use ancf_mechanics::forces::Force;
     pub use ancf_mechanics::forces::Friction;
     pub use ancf_mechanics::forces::Moment;
-    pub use ancf_mechanics::forces::Piece;
     pub use ancf_mechanics::forces::Spring;
     pub use ancf_mechanics::forces::Strut;
     pub use ancf_mechanics::kinematics::Attachment;
@@ -235,6 +234,7 @@ pub mod mechanics {
     pub use ancf_mechanics::kinematics::Interpolation;
     pub use ancf_mechanics::kinematics::Kind;
     pub use ancf_mechanics::kinematics::Marker;
+    pub use ancf_mechanics::kinematics::NodalVector;
     pub use ancf_mechanics::kinematics::Node;
     pub use ancf_mechanics::kinematics::QuadraticShape;
     pub use ancf_mechanics::kinematics::Spline;

@@ -1,9 +1,9 @@
 use ancf_solver::equations::{Batch, State, Term};
 use nalgebra::Vector3;
 
-use super::mesh::{BeamMesh, NodalVector};
+use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
-use crate::kinematics::{Attachment, Kind, Marker};
+use crate::kinematics::{Attachment, Kind, Marker, NodalVector};
 
 /// A body as coordinates and terms.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use crate::elements::{
     Profile, StrainEnergy,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, Node, QuadraticShape, clean,
+    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape, clean,
 };
 use crate::sections::{CrossSection, Lame};
 
@@ -55,17 +55,6 @@ pub struct BeamMesh {
     pub(crate) elasticity: Elasticity,
 }
 
-/// A vector among the coordinates of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NodalVector {
-    /// The first of its three coordinates.
-    pub first: usize,
-    /// What it is.
-    pub kind: Kind,
-    /// Its value in a state.
-    pub value: Vector3<f64>,
-}
-
 /// What all elements of a mesh have in common.
 pub struct Blueprint<'a> {
     /// First coordinate.
@@ -90,13 +79,6 @@ impl fmt::Debug for Blueprint<'_> {
             .field("first", &self.first)
             .field("length", &self.length)
             .finish_non_exhaustive()
-    }
-}
-
-impl NodalVector {
-    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
-    pub fn is_position(&self) -> bool {
-        self.kind == Kind::Position
     }
 }
 

@@ -1,10 +1,12 @@
 //! Bodies: meshes of elements and rigid bodies, with their coordinates, terms and attachments.
 
 mod body;
+mod distributed;
+mod element_axes;
 mod mesh;
 mod resultants;
 
 pub use body::Body;
-pub(crate) use mesh::Elements;
-pub use mesh::{BeamMesh, Blueprint, NodalVector};
+pub use distributed::Piece;
+pub use mesh::{BeamMesh, Blueprint};
 pub use resultants::across;

@@ -1,9 +1,8 @@
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
-use crate::bodies::NodalVector;
 use crate::constraints::Perpendicular;
-use crate::kinematics::{Attachment, Directions, Kind, Marker};
+use crate::kinematics::{Attachment, Directions, Kind, Marker, NodalVector};
 
 /// A rigid body in natural coordinates: its centre of mass r and three directors d₁, d₂, d₃, at first the global axes.
 ///

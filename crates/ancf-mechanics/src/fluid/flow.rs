@@ -1,9 +1,5 @@
-use std::sync::Arc;
-
 use nalgebra::{Matrix3, Vector3};
 
-use super::morison::Morison;
-use crate::bodies::BeamMesh;
 use crate::functions::Function;
 
 /// A fluid that fills all space and moves as one, u = U f(t): a uniform current.
@@ -153,20 +149,5 @@ impl Flow {
     fn parts(&self, x: &Vector3<f64>) -> (f64, Vector3<f64>) {
         let along = self.tangent.dot(x);
         (along, x - self.tangent * along)
-    }
-}
-
-impl BeamMesh {
-    /// What a fluid does to each element, given the section at an arc length.
-    pub fn immersed(&self, fluid: &Arc<Fluid>, hull: impl Fn(f64) -> Hull) -> Vec<Morison> {
-        let pieces = self.pieces(0.0..self.length()).zip(self.element_axes());
-        let of = |(piece, axis): (crate::forces::Piece, crate::kinematics::ElementAxis)| {
-            let points = piece.many_points().map(|(s, w)| {
-                let tangent = self.axes(s)[0].reference();
-                (axis.weights(s), tangent, Wetted::new(fluid, &hull(s), w))
-            });
-            Morison::new(&axis, Arc::clone(fluid), points)
-        };
-        pieces.map(of).collect()
     }
 }

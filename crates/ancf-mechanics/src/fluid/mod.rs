@@ -1,6 +1,7 @@
 //! Hydrodynamic loads: drag, added mass, buoyancy.
 
 mod flow;
+mod immersed;
 mod morison;
 
 pub use flow::{Fluid, Hull};

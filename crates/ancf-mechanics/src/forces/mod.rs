@@ -1,6 +1,5 @@
 //! Applied forces and moments, springs, friction.
 
-mod distributed;
 mod external;
 mod follower;
 mod force;
@@ -9,7 +8,6 @@ mod moment;
 mod spring;
 mod strut;
 
-pub use distributed::Piece;
 pub use external::ExternalForce;
 pub use follower::FollowerForce;
 pub use force::Force;

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::varying::Instant;
+use super::instant::Instant;
 
 /// A function of time that the program supplies.
 ///

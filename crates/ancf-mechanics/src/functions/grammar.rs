@@ -7,7 +7,7 @@ use winnow::stream::Stream as _;
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
-use super::expression::{Node, power};
+use super::node::{Node, power};
 
 /// Characters of a formula; beyond that it is taken for a slip, and its depth would be that of the stack.
 const LENGTH: usize = 1000;

@@ -3,15 +3,16 @@
 mod expression;
 mod external;
 mod force;
+mod function;
 mod grammar;
-mod integral;
+mod instant;
+mod node;
 mod table;
-mod varying;
 
 pub use expression::Expression;
 pub use external::External;
 pub use force::ForceFunction;
+pub use function::{Function, Integral};
 pub use grammar::ExpressionError;
-pub use integral::Integral;
+pub use instant::Instant;
 pub use table::Table;
-pub use varying::{Function, Instant};

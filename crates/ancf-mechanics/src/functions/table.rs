@@ -1,4 +1,4 @@
-use super::varying::Instant;
+use super::instant::Instant;
 
 /// Points in time, linear between them, held before the first and after the last.
 ///

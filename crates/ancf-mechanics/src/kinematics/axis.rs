@@ -2,8 +2,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::shape::{BeamShape, Kind, QuadraticShape};
-use crate::bodies::BeamMesh;
+use super::shape::{BeamShape, QuadraticShape};
 
 /// The axis of one element as a curve, r(s) = Σᵢ Nᵢ(s) rᵢ, by the arc length s of the undeformed body.
 ///
@@ -24,6 +23,22 @@ enum Shape {
 }
 
 impl ElementAxis {
+    /// An axis that begins at an arc length, by the coordinates and reference values of its positions and slopes.
+    ///
+    /// Three vectors are interpolated by quadratic polynomials, four by cubic ones.
+    pub fn new(
+        vectors: Vec<usize>,
+        reference: Vec<Vector3<f64>>,
+        [length, slope]: [f64; 2],
+        start: f64,
+    ) -> Self {
+        let shape = match vectors.len() {
+            3 => Shape::Quadratic(QuadraticShape { length, slope }),
+            _ => Shape::Cubic(BeamShape { length, slope }),
+        };
+        Self { vectors, reference, shape, start }
+    }
+
     /// Arc lengths at which the element starts and ends.
     pub fn span(&self) -> Range<f64> {
         let length = match self.shape {
@@ -105,26 +120,4 @@ impl ElementAxis {
 
 fn vector(x: &[f64], first: usize) -> Vector3<f64> {
     Vector3::new(x[first], x[first + 1], x[first + 2])
-}
-
-impl BeamMesh {
-    /// The axis of each element.
-    pub fn element_axes(&self) -> impl Iterator<Item = ElementAxis> + '_ {
-        (0..self.count()).map(|element| {
-            let offset = element * self.stride();
-            let kinds = self.weights(0.0).into_iter().map(|(kind, ..)| kind).enumerate();
-            let (mut vectors, mut reference) = (Vec::new(), Vec::new());
-            for (i, kind) in kinds.filter(|(_, kind)| matches!(kind, Kind::Position | Kind::Slope)) {
-                let origin = if kind == Kind::Position { self.origin } else { Vector3::zeros() };
-                vectors.push(self.first + 3 * (offset + i));
-                reference.push(self.reference[offset + i] + origin);
-            }
-            let (length, slope) = (self.length, self.slope);
-            let shape = match vectors.len() {
-                3 => Shape::Quadratic(QuadraticShape { length, slope }),
-                _ => Shape::Cubic(BeamShape { length, slope }),
-            };
-            ElementAxis { vectors, reference, shape, start: element as f64 * length }
-        })
-    }
 }

@@ -6,6 +6,7 @@ mod curve;
 mod frame;
 mod line;
 mod marker;
+mod nodal_vector;
 mod quadrature;
 mod shape;
 
@@ -16,6 +17,7 @@ pub use curve::{Curve, Node, Spline};
 pub(crate) use frame::{Real, add_symmetric, components, constant, turned};
 pub(crate) use line::{Bend, Blocks, Stretch};
 pub use marker::Marker;
+pub use nodal_vector::NodalVector;
 pub use quadrature::{gauss, gauss2, gauss3};
 pub(crate) use quadrature::{gauss4, lobatto3};
 pub use shape::{BeamShape, Interpolation, Kind, QuadraticShape};

@@ -2,7 +2,8 @@ use serde::{Deserialize, Serialize};
 
 use super::estimate::{Estimate, Past};
 use super::motion::Unknown;
-use super::time_stepper::{Dynamics, StepReport};
+use super::step_report::StepReport;
+use super::time_stepper::Dynamics;
 use crate::equations::EquationsOfMotion;
 use crate::newton::{Failure, SolveError};
 

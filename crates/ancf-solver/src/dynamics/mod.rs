@@ -7,10 +7,12 @@ mod initial_conditions;
 mod motion;
 mod predictor;
 mod scheme;
+mod step_report;
 mod time_stepper;
 
 pub use adaptive::{Adaptive, AdaptiveMemory, Control};
 pub use initial_conditions::{consistent_start, consistent_velocities};
 pub use motion::{DynamicsMemory, Unknown};
 pub use scheme::Scheme;
-pub use time_stepper::{Dynamics, StepReport};
+pub use step_report::StepReport;
+pub use time_stepper::Dynamics;

@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::predictor::Trend;
-use super::time_stepper::StepReport;
+use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
 use crate::newton::NewtonMemory;
 

@@ -1,7 +1,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::motion_equations::{Energy, Power};
+use super::energy::{Energy, Power};
 use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::term::Term;

@@ -3,6 +3,7 @@
 mod batch;
 mod contact_pairs;
 mod dependence;
+mod energy;
 mod motion_equations;
 mod scatter;
 mod state;
@@ -13,7 +14,8 @@ mod thread_parts;
 pub use batch::{Batch, LANES, Lanes, LocalLanes};
 pub use contact_pairs::{Encounters, Met, Pair};
 pub use dependence::{Dependence, INDEPENDENT, all_constraint_rows, constraint_rows, dependences};
-pub use motion_equations::{Energy, EquationsOfMotion, Level, Power};
+pub use energy::{Energy, Level, Power};
+pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use state::{State, Weights};
 pub use system::System;

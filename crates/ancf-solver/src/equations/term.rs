@@ -1,6 +1,6 @@
 use std::ops::Range;
 
-use super::motion_equations::{Energy, Level, Power};
+use super::energy::{Energy, Level, Power};
 use super::state::Weights;
 
 /// The largest number of unknowns (coordinates and multipliers) of one term: local arrays live on the stack.

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use super::iteration::Report;
+use super::report::Report;
 
 /// Why a Newton iteration failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

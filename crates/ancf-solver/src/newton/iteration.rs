@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{Failure, SolveError};
 use super::interrupt::Interrupt;
 use super::line_search::{Linear, Mover, Whole, dot};
+use super::report::Report;
 use super::rounding_floor::raise_to_achievable;
 use super::tangent::{Tangent, TangentMemory};
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -25,19 +26,6 @@ pub enum Stop {
     Residual(f64),
     /// |Δq|₂ is at most this number. Depends on units.
     Increment(f64),
-}
-
-/// How an iteration went.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Report {
-    /// Number of linear solutions.
-    pub iterations: u32,
-    /// Euclidean norm of the last residual that was evaluated.
-    pub residual: f64,
-    /// Euclidean norm of the last increment of the coordinates.
-    pub increment: f64,
-    /// Whether the rounding error of the residual ended it.
-    pub floor: bool,
 }
 
 /// Newton's method with the exact tangent for equations of motion, with its working storage.

@@ -5,6 +5,7 @@ mod error;
 mod interrupt;
 mod iteration;
 mod line_search;
+mod report;
 mod rounding_floor;
 mod tangent;
 
@@ -12,5 +13,6 @@ pub(crate) use active_set::Current;
 pub use error::{EquilibriumError, Failure, SolveError};
 pub use interrupt::Interrupt;
 pub(crate) use iteration::NewtonMemory;
-pub use iteration::{Newton, Report, Stop};
+pub use iteration::{Newton, Stop};
 pub(crate) use line_search::{LineSearch, Linear, Mover, Whole, dot};
+pub use report::Report;

@@ -153,8 +153,8 @@ pub(crate) fn fork<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::index_lists::Lists;
-    use super::pattern::Pattern;
+    use super::super::index_lists::Lists;
+    use super::super::pattern::Pattern;
     use super::*;
 
     /// Branches and trunk are all panels, once; nothing in a branch touches anything outside but rows of its root.

@@ -12,9 +12,8 @@ use super::gap_closing::Closed;
 use super::inputs::Inputs;
 use super::joint_builder::{Holds, JointEquations};
 use super::redundant::Redundant;
-use crate::model::Model;
 use crate::model::{
-    Beam, Body, Clock, Coupled, Coupling, Formulation, Joint, ModelErrors, Place, Probe, Quantity,
+    Beam, Body, Clock, Coupled, Coupling, Formulation, Joint, Model, ModelErrors, Place, Probe, Quantity,
 };
 
 /// A model as equations of motion, with what is needed to read their solution.

@@ -4,8 +4,7 @@ use ancf_mechanics::bodies::{BeamMesh, Blueprint};
 use ancf_mechanics::elements::{Medium, RigidBody};
 use nalgebra::Vector3;
 
-use crate::model::Model;
-use crate::model::{Beam, Body, Formulation, MaterialLaw};
+use crate::model::{Beam, Body, Formulation, MaterialLaw, Model};
 
 impl Model {
     /// The bodies, coordinates and multipliers counted on from body to body.

@@ -1,13 +1,13 @@
 //! Loads that act along bodies or on all of them, as terms.
 
 use ancf_mechanics::bodies::BeamMesh;
-use ancf_mechanics::forces::{FollowerForce, Force, Moment, Piece};
+use ancf_mechanics::bodies::Piece;
+use ancf_mechanics::forces::{FollowerForce, Force, Moment};
 use ancf_mechanics::functions::Function;
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
-use crate::model::Model;
-use crate::model::{Beam, Body, Clock, Fluid, Load, Section, Stretch};
+use crate::model::{Beam, Body, Clock, Fluid, Load, Model, Section, Stretch};
 
 type Terms = Vec<Box<dyn Term>>;
 

@@ -6,8 +6,7 @@ use ancf_solver::newton::{Failure, Newton, SolveError, Stop};
 
 use super::assemble::Assembly;
 use super::joint_builder::JointEquations;
-use crate::model::Model;
-use crate::model::{Clock, End, Joint, ModelError, ModelErrors};
+use crate::model::{Clock, End, Joint, Model, ModelError, ModelErrors};
 
 /// A model whose gaps were closed, in the units of the assembly.
 #[derive(Clone, Debug)]

@@ -6,8 +6,7 @@ use ancf_solver::equations::State;
 
 use super::assemble::Assembly;
 use crate::checking::loads_of;
-use crate::model::Model;
-use crate::model::{Clock, Load};
+use crate::model::{Clock, Load, Model};
 
 /// The functions of a model, with the paths of their keys.
 #[derive(Debug, Default)]

@@ -10,8 +10,7 @@ use ancf_solver::factor::Sparse;
 
 use super::assemble::Assembly;
 use super::joint_builder::JointEquations;
-use crate::model::Model;
-use crate::model::{Analysis, Clock, ModelError};
+use crate::model::{Analysis, Clock, Model, ModelError};
 use crate::schema::Finding;
 
 /// Redundant equations agree if no more than this part of what they say is left over.

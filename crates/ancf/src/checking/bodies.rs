@@ -4,8 +4,7 @@ use ancf_mechanics::elements::is_inertia;
 use nalgebra::Vector3;
 
 use super::rules::{COINCIDENT, beams_of, bodies_of, finding, is_direction, no_direction, unknown};
-use crate::model::Model;
-use crate::model::{Beam, Body, Formulation, MaterialLaw, Shape};
+use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Shape};
 use crate::schema::{Finding, number};
 
 /// Sections and materials are there; the axis is a curve and the direction `up` is not along it.

@@ -2,8 +2,7 @@
 
 use super::rules::{body, finding, joints_of, named, places_of};
 use super::time_functions::loads_of;
-use crate::model::Model;
-use crate::model::{Body, End, Joint, Quantity};
+use crate::model::{Body, End, Joint, Model, Quantity};
 use crate::schema::{Finding, quoted};
 
 /// What is asked of a place.

@@ -1,8 +1,7 @@
 //! The rules of contacts that the schema cannot say.
 
 use super::rules::{body, finding, is_direction, named, no_direction, rule_of_place, unknown_body};
-use crate::model::Model;
-use crate::model::{Against, Body, Contact};
+use crate::model::{Against, Body, Contact, Model};
 use crate::schema::{Finding, quoted};
 
 /// Bodies are there and have a radius; obstacles have a direction and something with directions that carries them.

@@ -5,8 +5,9 @@ use nalgebra::Vector3;
 
 use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, unknown};
 use super::time_functions::is_dynamic;
-use crate::model::Model;
-use crate::model::{Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, TimeFunction, Varying};
+use crate::model::{
+    Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, Model, TimeFunction, Varying,
+};
 use crate::schema::{Finding, number, quoted};
 
 /// Axes whose sine is less than this are parallel.

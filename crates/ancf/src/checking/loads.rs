@@ -2,8 +2,7 @@
 
 use super::rules::{ON_AXIS, finding, named, unknown_body};
 use super::time_functions::loads_of;
-use crate::model::Model;
-use crate::model::{At, Beam, Body, Load};
+use crate::model::{At, Beam, Body, Load, Model};
 use crate::schema::{Finding, number, quoted};
 
 /// Loads per length are on bodies that are there, on a part of them that has a length.

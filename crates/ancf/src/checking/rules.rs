@@ -10,8 +10,7 @@ use super::capabilities::abilities;
 use super::contacts::contacts;
 use super::scheme::{scheme, time};
 use super::time_functions::loads_of;
-use crate::model::Model;
-use crate::model::{At, Beam, Body, End, Joint, ModelError, Named, Place, Section};
+use crate::model::{At, Beam, Body, End, Joint, Model, ModelError, Named, Place, Section};
 use crate::schema::{Finding, did_you_mean, join, listed, nearest, number, quoted};
 use crate::units::ScaleChoice;
 

@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 
 use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction};
-use crate::model::Model;
-use crate::model::{Analysis, End, Joint, TimeFunction, Varying};
+use crate::model::{Analysis, End, Joint, Model, TimeFunction, Varying};
 use crate::schema::{Finding, number};
 
 /// An angle that is none, in radians.

@@ -1,6 +1,6 @@
 use std::fmt;
 
-use ancf_mechanics::bodies::NodalVector;
+use ancf_mechanics::kinematics::NodalVector;
 use ancf_solver::equations::{EquationsOfMotion, State, Term, Weights, constraint_rows};
 use ancf_solver::factor::{Kernel, Sparse};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};

@@ -7,8 +7,7 @@ use serde::Serialize;
 
 use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
-use crate::model::Model;
-use crate::model::{Body, End, Joint, Load, ModelErrors};
+use crate::model::{Body, End, Joint, Load, Model, ModelErrors};
 
 /// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]

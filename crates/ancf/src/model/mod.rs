@@ -8,6 +8,11 @@ mod joints;
 mod loads;
 mod sections;
 
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
     Start, Statics, Step, Stop,
@@ -17,40 +22,24 @@ pub use bodies::{
 };
 pub use contacts::{Against, Contact};
 pub use error::{ModelError, ModelErrors, Position};
-pub(crate) use joints::Acting;
 pub use joints::{
     AngularDrive, AngularFriction, AngularSpring, Bushing, Clamped, Coupled, Coupling, Cylindrical, Distance,
     End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar, PointOnLine, PointSpring,
     Prismatic, Slide, Universal,
 };
-pub(crate) use loads::{Clock, Stretch};
 pub use loads::{Fluid, Load, TimeFunction, Varying};
 pub use sections::{Damping, Material, MaterialLaw, Section};
 
+pub use crate::assembly::{Assembly, Closed, Freedom, Measure, Redundant};
+pub use crate::diagnosis::{Diagnosis, FreeMotion, Motion};
+pub use crate::reading::{check_part, parse_as, substitute};
+pub use crate::schema::{join, nearest, schema, schema_text};
+pub use crate::units::{Chosen, ScaleChoice, Units};
+pub(crate) use joints::Acting;
+pub(crate) use loads::{Clock, Stretch};
+
 // TEMPORARY FACADE
-pub use crate::assembly::Assembly;
-pub use crate::assembly::Closed;
-pub use crate::assembly::Freedom;
-pub use crate::assembly::Measure;
-pub use crate::assembly::Redundant;
-pub use crate::diagnosis::Diagnosis;
-pub use crate::diagnosis::FreeMotion;
-pub use crate::diagnosis::Motion;
-pub use crate::reading::check_part;
-pub use crate::reading::parse_as;
-pub use crate::reading::substitute;
-pub use crate::schema::join;
-pub use crate::schema::nearest;
-pub use crate::schema::schema;
-pub use crate::schema::schema_text;
-pub use crate::units::Chosen;
 // END
-use std::collections::BTreeMap;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-pub use crate::units::{ScaleChoice, Units};
 
 /// A flexible multibody model as its user states it.
 ///

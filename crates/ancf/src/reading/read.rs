@@ -9,8 +9,7 @@ use toml::Value;
 
 use crate::assembly::contradictions;
 use crate::checking::{broken_rules, with_memory};
-use crate::model::Model;
-use crate::model::{ModelError, ModelErrors};
+use crate::model::{Model, ModelError, ModelErrors};
 use crate::schema::{Document, Finding, SCHEMA, Survey, position};
 
 /// Bytes beyond which a file is taken for something else than a model.

@@ -3,8 +3,7 @@
 use ancf_mechanics::functions::{External, ForceFunction};
 
 use crate::checking::{joints_of, loads_of};
-use crate::model::Model;
-use crate::model::{Joint, Load, ModelError, ModelErrors, TimeFunction, Varying};
+use crate::model::{Joint, Load, Model, ModelError, ModelErrors, TimeFunction, Varying};
 use crate::schema::quoted;
 
 impl Model {

@@ -4,12 +4,12 @@ mod csv;
 mod every;
 mod series;
 
+use std::io;
+use std::ops::ControlFlow;
+
 pub use csv::Csv;
 pub use every::Every;
 pub use series::Series;
-
-use std::io;
-use std::ops::ControlFlow;
 
 /// Whoever receives the rows of a run: a file, memory, a progress bar.
 ///

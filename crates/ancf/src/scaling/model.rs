@@ -1,7 +1,6 @@
-use crate::model::Model;
 use crate::model::{
-    Against, Analysis, At, Beam, Body, Cable, Contact, Damping, Dynamics, Fluid, Load, Material, Output,
-    Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
+    Against, Analysis, At, Beam, Body, Cable, Contact, Damping, Dynamics, Fluid, Load, Material, Model,
+    Output, Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
 use crate::units::{Dimension, ScaleChoice, Scales};
 

@@ -6,8 +6,7 @@ use ancf_solver::newton::{Interrupt, Newton, SolveError};
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
-use crate::model::Model;
-use crate::model::{NewtonMethod, Start, Step};
+use crate::model::{Model, NewtonMethod, Start, Step};
 
 /// Steps through a dynamic analysis from one recorded instant to the next.
 pub(crate) struct Pace<'a> {

@@ -3,8 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::scales::Scales;
-use crate::model::Model;
-use crate::model::{Body, Place, PointMass, Rigid};
+use crate::model::{Body, Model, Place, PointMass, Rigid};
 
 /// How the units of the equations are chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

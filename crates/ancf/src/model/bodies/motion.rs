@@ -1,4 +1,4 @@
-use ancf_mechanics::bodies::NodalVector;
+use ancf_mechanics::kinematics::NodalVector;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 use schemars::JsonSchema;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::bodies::{BeamMesh, Elements};
+use super::mesh::{BeamMesh, Elements};
 use crate::kinematics::{Marker, gauss, gauss3};
 
 /// One element within a span.

@@ -2,9 +2,10 @@
 
 use ancf_mechanics::bodies::{BeamMesh, Blueprint};
 use ancf_mechanics::elements::{Medium, RigidBody};
+use ancf_mechanics::kinematics::Attachment;
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, Formulation, MaterialLaw, Model};
+use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Place};
 
 impl Model {
     /// The bodies, coordinates and multipliers counted on from body to body.
@@ -70,6 +71,25 @@ impl Model {
             },
             _ => BeamMesh::cable(&blueprint, &nodes(elements, 0.0)),
         }
+    }
+
+    /// Number of the body of a place.
+    pub(crate) fn body_of(&self, place: &Place) -> usize {
+        let index = self.bodies.iter().position(|body| body.name() == place.body);
+        index.expect("a checked model names bodies that are there")
+    }
+
+    /// What a place holds on to.
+    pub(crate) fn attachment(
+        &self,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        place: &Place,
+    ) -> Attachment {
+        let index = self.body_of(place);
+        let body = &self.bodies[index];
+        let point = body.point(place.at).expect("a checked place is on its body");
+        let attachment = bodies[index].1.attachment(body.arc_length(place.at), point);
+        if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
     }
 }
 

@@ -4,31 +4,9 @@ use ancf_mechanics::bodies::Body;
 use ancf_solver::equations::{EquationsOfMotion, State, System, Weights};
 use ancf_solver::newton::{Failure, Newton, SolveError, Stop};
 
-use super::assemble::Assembly;
-use super::joint_builder::JointEquations;
-use crate::model::{Clock, End, Joint, Model, ModelError, ModelErrors};
-
-/// A model whose gaps were closed, in the units of the assembly.
-#[derive(Clone, Debug)]
-pub struct Closed {
-    /// The closed state, at rest and without loads.
-    pub state: State,
-    /// Name and distance of the places of each joint that was open.
-    pub gaps: Vec<(String, f64)>,
-    /// Name of each body that moved, and the largest displacement of its nodes.
-    pub moved: Vec<(String, f64)>,
-}
-
-/// What a joint does with the gap between its places.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Gap {
-    /// It stays.
-    Kept,
-    /// It closes with the load factor.
-    Drawn,
-    /// It is closed.
-    Closed,
-}
+use super::assembled::Assembly;
+use crate::assembly::joint_equations::{Closed, Gap, JointEquations};
+use crate::model::{Clock, Model, ModelError, ModelErrors};
 
 /// Gaps that are none, relative to the length of the model.
 const GAP: f64 = 1e-12;
@@ -46,17 +24,6 @@ const RATE: (f64, f64) = (1e-2, 1e-2);
 const SETTLE: u32 = 4;
 
 impl Model {
-    /// What a joint does with its gap in the analysis.
-    pub(crate) fn gap(&self, joint: &Joint) -> Gap {
-        let moves = self.analysis.dynamics().is_some();
-        let is_drawn = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
-        match () {
-            () if is_drawn => Gap::Drawn,
-            () if self.assemble => Gap::Closed,
-            () => Gap::Kept,
-        }
-    }
-
     /// Closes all gaps of an assembly of this model: min U(q) + |q − q₀|²_M / 2τ² subject to Φ(q) = 0.
     ///
     /// Without loads and with all drives at zero. The gaps close in increments, each by Newton's method; then τ grows and q₀
@@ -166,17 +133,4 @@ fn slowest(system: &System, s: &State) -> f64 {
     let ratios = (0..system.coordinates()).map(|i| stiffness.diagonal_of(i) / mass.diagonal_of(i));
     let lowest = ratios.filter(|ratio| ratio.is_normal() && *ratio > 0.0).fold(f64::INFINITY, f64::min);
     if lowest.is_finite() { lowest } else { 1.0 }
-}
-
-impl Assembly {
-    /// The state in which analyses begin, at rest: the reference configuration or, if the model is to be assembled, that in
-    /// which its gaps are closed.
-    pub fn initial(&self) -> State {
-        self.closed.as_ref().map_or_else(|| self.rest(), |closed| State { load: 1.0, ..closed.state.clone() })
-    }
-
-    /// How gaps were closed, if the model asks for it.
-    pub fn closed(&self) -> Option<&Closed> {
-        self.closed.as_ref()
-    }
 }

@@ -4,9 +4,7 @@ use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 
-use super::assemble::Assembly;
-use crate::checking::loads_of;
-use crate::model::{Clock, Load, Model};
+use crate::model::{Clock, Load, Model, loads_of};
 
 /// The functions of a model, with the paths of their keys.
 #[derive(Debug, Default)]
@@ -28,6 +26,25 @@ pub(crate) struct NoNumber {
     pub(crate) value: f64,
 }
 
+impl Inputs {
+    /// The first of the user's functions that is no number at the time of a state, if there is one.
+    pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
+        let of_time = |(path, function, drives): &(String, Function, bool)| {
+            let now = function.at(s.t);
+            let all = [("value", now.value), ("rate", now.rate), ("acceleration", now.acceleration)];
+            let counted = if *drives { &all[..] } else { &all[..1] };
+            let (what, value) = counted.iter().copied().find(|(_, x)| !x.is_finite())?;
+            Some(NoNumber { path: path.clone(), what, value })
+        };
+        let of_force = |(path, point, force): &(String, Marker, ForceFunction)| {
+            let (x, v) = (point.value(s), point.sum(&s.v));
+            let value = force.at(s.t, x.into(), v.into()).into_iter().find(|f| !f.is_finite())?;
+            Some(NoNumber { path: path.clone(), what: "value", value })
+        };
+        self.times.iter().find_map(of_time).or_else(|| self.forces.iter().find_map(of_force))
+    }
+}
+
 impl Model {
     /// The functions of an assembly of this model by a clock.
     pub(crate) fn inputs(&self, bodies: &[(String, ancf_mechanics::bodies::Body)], clock: Clock) -> Inputs {
@@ -45,24 +62,13 @@ impl Model {
         });
         Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
     }
-}
 
-impl Assembly {
-    /// The first of the user's functions that is no number at the time of a state, if there is one.
-    pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
-        let of_time = |(path, function, drives): &(String, Function, bool)| {
-            let now = function.at(s.t);
-            let all = [("value", now.value), ("rate", now.rate), ("acceleration", now.acceleration)];
-            let counted = if *drives { &all[..] } else { &all[..1] };
-            let (what, value) = counted.iter().copied().find(|(_, x)| !x.is_finite())?;
-            Some(NoNumber { path: path.clone(), what, value })
-        };
-        let of_force = |(path, point, force): &(String, Marker, ForceFunction)| {
-            let (x, v) = (point.value(s), point.sum(&s.v));
-            let value = force.at(s.t, x.into(), v.into()).into_iter().find(|f| !f.is_finite())?;
-            Some(NoNumber { path: path.clone(), what: "value", value })
-        };
-        let Inputs { times, forces } = &self.inputs;
-        times.iter().find_map(of_time).or_else(|| forces.iter().find_map(of_force))
+    /// Breaks of all functions of time, in order.
+    pub(crate) fn breaks(&self, clock: Clock) -> Vec<f64> {
+        let functions = self.time_functions().into_iter();
+        let mut breaks: Vec<f64> = functions.flat_map(|(_, time)| clock.function(time).breaks()).collect();
+        breaks.sort_unstable_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
     }
 }

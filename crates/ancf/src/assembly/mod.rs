@@ -1,18 +1,20 @@
 //! Assembly of a model into equations of motion.
 
 mod assemble;
+mod assembled;
 mod bodies;
-mod distributed;
-mod freedom;
+mod contacts;
+mod contradictions;
 mod gap_closing;
 mod inputs;
-mod joint_builder;
-mod joint_links;
-mod measures;
+mod joint_equations;
+mod joints;
+mod loads;
 mod redundant;
+mod sharing;
+mod start;
 
-pub use assemble::{Assembly, Measure};
-pub use freedom::Freedom;
-pub use gap_closing::Closed;
+pub use assembled::{Assembly, Measure};
+pub(crate) use contradictions::contradictions;
+pub use joint_equations::{Closed, Freedom};
 pub use redundant::Redundant;
-pub(crate) use redundant::contradictions;

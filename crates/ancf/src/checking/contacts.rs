@@ -1,6 +1,6 @@
 //! The rules of contacts that the schema cannot say.
 
-use super::rules::{body, finding, is_direction, named, no_direction, rule_of_place, unknown_body};
+use super::findings::{body, finding, is_direction, named, no_direction, rule_of_place, unknown_body};
 use crate::model::{Against, Body, Contact, Model};
 use crate::schema::{Finding, quoted};
 

@@ -3,10 +3,10 @@
 use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
 
-use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction, unknown};
+use super::findings::{COINCIDENT, body, finding, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
 use crate::model::{
-    Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, Model, TimeFunction, Varying,
+    Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, Model, TimeFunction, Varying, joints_of,
 };
 use crate::schema::{Finding, number, quoted};
 

@@ -3,11 +3,11 @@
 mod bodies;
 mod capabilities;
 mod contacts;
+mod findings;
 mod joints;
 mod loads;
 mod rules;
 mod scheme;
 mod time_functions;
 
-pub(crate) use rules::{ON_AXIS, broken_rules, joints_of, with_memory};
-pub(crate) use time_functions::loads_of;
+pub(crate) use rules::{broken_rules, with_memory};

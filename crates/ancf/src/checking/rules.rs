@@ -8,21 +8,16 @@ use nalgebra::Vector3;
 use super::bodies::{bodies, cables, formulations};
 use super::capabilities::abilities;
 use super::contacts::contacts;
+use super::findings::{COINCIDENT, body, finding, places_of, rule_of_place};
 use super::scheme::{scheme, time};
-use super::time_functions::loads_of;
-use crate::model::{At, Beam, Body, End, Joint, Model, ModelError, Named, Place, Section};
-use crate::schema::{Finding, did_you_mean, join, listed, nearest, number, quoted};
+use crate::model::{End, Joint, Model, ON_AXIS, Place, Section, bodies_of, joints_of};
+use crate::schema::{Finding, join, number, quoted};
 use crate::units::ScaleChoice;
 
 /// Elements beyond which a model is taken for a slip of the pen.
 const MAX_ELEMENTS: u64 = 10_000_000;
 /// Memory that a run needs for an element.
 const BYTES_PER_ELEMENT: f64 = 12e3;
-/// Rounding of a position along an axis, relative to its length.
-pub(crate) const ON_AXIS: f64 = 1e-9;
-/// How far apart, relative to the longer body, two places may be that a joint connects.
-pub(crate) const COINCIDENT: f64 = 1e-6;
-
 /// The rules that a model breaks.
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
@@ -44,34 +39,6 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     ];
     let special = of_times.iter().chain(&of_loads).chain(&of_joints);
     rules.iter().chain(special).flat_map(|rule| rule(model)).collect()
-}
-
-pub(crate) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
-    ModelError::new(path, found, wanted).into()
-}
-
-impl Finding {
-    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.error = self.error.hint(hint);
-        self
-    }
-
-    pub(crate) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
-        Self { rests_on: paths.into_iter().collect(), ..self }
-    }
-}
-
-pub(crate) fn bodies_of(model: &Model) -> impl Iterator<Item = (String, &Body)> {
-    model.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}]"), body))
-}
-
-pub(crate) fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
-    bodies_of(model)
-        .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
-}
-
-pub(crate) fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
-    model.joints.iter().enumerate().map(|(i, joint)| (format!("joints[{i}]"), joint))
 }
 
 /// Every body has a name of its own.
@@ -127,26 +94,6 @@ fn sections(model: &Model) -> Vec<Finding> {
     model.sections.iter().filter_map(rule).collect()
 }
 
-/// Whether a vector has a direction, as numbers go.
-pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
-    Vector3::from(vector).norm().is_normal()
-}
-
-pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
-    finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
-}
-
-/// A reference to something that the model does not have.
-pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
-    let wanted = match names.len() {
-        0 => format!("the name of a {noun}, but there is none"),
-        1..=8 => format!("the name of a {noun}: {}", listed(names.iter().map(|name| quoted(name)), "or")),
-        n => format!("the name of one of the {n} {noun}s"),
-    };
-    let error = ModelError::new(path, quoted(name), wanted);
-    Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
-}
-
 /// The mesh fits into the memory of a computer.
 fn size(model: &Model) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
@@ -179,74 +126,6 @@ pub(crate) fn with_memory(finding: Finding) -> Finding {
 /// Places are on bodies that are there.
 fn places(model: &Model) -> Vec<Finding> {
     places_of(model).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
-}
-
-/// All places of joints, loads and probes.
-pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
-    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
-    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
-    let ends = joints_of(model).flat_map(|(path, joint)| {
-        let (a, b) = joint.ends();
-        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
-        [(format!("{path}.a"), a)].into_iter().chain(b)
-    });
-    ends.chain(loads).chain(probes)
-}
-
-pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
-    let Some((owner, body)) = body(model, place) else {
-        return Some(unknown_body(model, format!("{path}.body"), &place.body));
-    };
-    let rests_on = |keys: [&str; 3]| {
-        let keys = keys.map(|key| format!("{owner}.{key}"));
-        keys.into_iter().chain([format!("{path}.body")]).collect::<Vec<_>>()
-    };
-    let name = quoted(body.name());
-    match (body, place.at) {
-        (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
-            let wanted =
-                format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
-            Some(finding(format!("{path}.at"), "a point", wanted).rests_on(rests_on(["kind"; 3])))
-        }
-        (Body::Beam(_) | Body::Cable(_), at) => {
-            let (s, length) = (body.arc_length(at), body.length());
-            let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
-            beyond.then(|| {
-                let wanted = format!("at most {}, the length of {name}", number(length));
-                finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
-            })
-        }
-        (Body::Rigid(_), At::Point(_)) | (_, At::Named(Named::Center)) => None,
-        (_, at) => {
-            let found = match at {
-                At::Named(Named::Start) => "\"start\"".into(),
-                At::Named(_) => "\"end\"".into(),
-                At::Length(s) => number(s),
-                At::Point(_) => "a point".into(),
-            };
-            let wanted = match body {
-                Body::Mass(_) => format!("\"center\": {name} is a point mass"),
-                _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
-            };
-            Some(finding(format!("{path}.at"), found, wanted).rests_on(rests_on(["kind"; 3])))
-        }
-    }
-}
-
-/// The body of a place.
-pub(crate) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
-    named(model, &place.body)
-}
-
-/// The first body of a name; that there is only one is another rule.
-pub(crate) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
-    bodies_of(model).find(|(_, body)| body.name() == name)
-}
-
-/// A name that no body has.
-pub(crate) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
-    let names = model.bodies.iter().map(Body::name).collect();
-    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
 }
 
 /// Joints connect two places that coincide in the undeformed state.

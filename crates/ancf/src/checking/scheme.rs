@@ -1,6 +1,6 @@
 //! The rules of an analysis in time: its steps and its scheme fit each other and the model.
 
-use super::rules::finding;
+use super::findings::finding;
 use crate::model::{Dynamics, Model, Scheme, Step};
 use crate::schema::{Finding, number};
 

@@ -2,19 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::rules::{COINCIDENT, body, finding, is_direction, joints_of, no_direction};
-use crate::model::{Analysis, End, Joint, Model, TimeFunction, Varying};
+use super::findings::{COINCIDENT, body, finding, is_direction, no_direction};
+use crate::model::{Analysis, End, Joint, Model, TimeFunction, Varying, joints_of};
 use crate::schema::{Finding, number};
 
 /// An angle that is none, in radians.
 const TURNED: f64 = 1e-6;
 /// What is wanted of a prescribed motion.
 const STARTS: &str = "a motion that starts from the undeformed state, at 0";
-
-/// Loads with their paths.
-pub(crate) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &crate::model::Load)> {
-    model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
-}
 
 /// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
 pub(crate) fn functions(model: &Model) -> Vec<Finding> {

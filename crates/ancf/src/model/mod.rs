@@ -4,8 +4,10 @@ mod analyses;
 mod bodies;
 mod contacts;
 mod error;
+mod functions;
 mod joints;
 mod loads;
+mod queries;
 mod sections;
 
 use std::collections::BTreeMap;
@@ -13,30 +15,30 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::units::{ScaleChoice, Units};
+
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
     Start, Statics, Step, Stop,
 };
+pub(crate) use bodies::ON_AXIS;
 pub use bodies::{
     At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Against, Contact};
 pub use error::{ModelError, ModelErrors, Position};
+pub(crate) use functions::Clock;
+pub use functions::{TimeFunction, Varying};
+pub(crate) use joints::Acting;
 pub use joints::{
     AngularDrive, AngularFriction, AngularSpring, Bushing, Clamped, Coupled, Coupling, Cylindrical, Distance,
     End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar, PointOnLine, PointSpring,
     Prismatic, Slide, Universal,
 };
-pub use loads::{Fluid, Load, TimeFunction, Varying};
+pub(crate) use loads::Stretch;
+pub use loads::{Fluid, Load};
+pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 pub use sections::{Damping, Material, MaterialLaw, Section};
-
-pub use crate::assembly::{Assembly, Closed, Freedom, Measure, Redundant};
-pub use crate::diagnosis::{Diagnosis, FreeMotion, Motion};
-pub use crate::reading::{check_part, parse_as, substitute};
-pub use crate::schema::{join, nearest, schema, schema_text};
-pub use crate::units::{Chosen, ScaleChoice, Units};
-pub(crate) use joints::Acting;
-pub(crate) use loads::{Clock, Stretch};
 
 // TEMPORARY FACADE
 // END

@@ -1,5 +1,6 @@
 //! Models from text, from parts, and with supplied functions.
 
+mod check;
 mod part;
 mod read;
 mod substitute;

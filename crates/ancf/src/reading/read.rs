@@ -7,10 +7,9 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::Value;
 
-use crate::assembly::contradictions;
-use crate::checking::{broken_rules, with_memory};
+use super::check::judge;
 use crate::model::{Model, ModelError, ModelErrors};
-use crate::schema::{Document, Finding, SCHEMA, Survey, position};
+use crate::schema::{Document, Finding, Survey, position};
 
 /// Bytes beyond which a file is taken for something else than a model.
 const LARGEST: u64 = 100_000_000;
@@ -48,39 +47,6 @@ impl Model {
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
         judged(text, judge)
     }
-
-    /// Makes a model of data such as a table of another language, and checks it.
-    ///
-    /// # Errors
-    /// All that is wrong, without positions.
-    pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
-        let (model, findings) = judge(data);
-        model.filter(|_| findings.is_empty()).ok_or_else(|| ModelErrors(errors(findings)))
-    }
-
-    /// Checks a model that was built in Rust by the rules for model files, and functions that are supplied by those for functions
-    /// of time.
-    ///
-    /// # Errors
-    /// All that is wrong, without positions.
-    pub fn check(&self) -> Result<(), ModelErrors> {
-        let data = Value::try_from(self)
-            .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
-        Self::from_value(&data)?;
-        // Data have no functions: with what is supplied the rules may be broken yet.
-        let findings = if self.has_functions(true) { broken(self) } else { Vec::new() };
-        if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
-    }
-}
-
-fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
-    findings.into_iter().map(|finding| finding.error).collect()
-}
-
-/// The rules that a model of the right form breaks; only if there is none, what its joints contradict.
-fn broken(model: &Model) -> Vec<Finding> {
-    let findings = broken_rules(model);
-    if findings.is_empty() { contradictions(model) } else { findings }
 }
 
 /// Reads a TOML text of another type by the rules for model files: `schema` says what it may have, `rules` what else must hold.
@@ -120,34 +86,6 @@ fn judged<T>(text: &str, judge: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>)
     errors.extend(document.errors);
     errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
     value.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
-}
-
-/// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
-fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut survey, mended) = Survey::of(&SCHEMA, data);
-    let mut findings = std::mem::take(&mut survey.findings);
-    let model = Model::deserialize(mended);
-    let broken = model.as_ref().map(broken_rules).unwrap_or_default();
-    findings = findings.into_iter().map(with_memory).collect();
-    findings.extend(broken.into_iter().map(|finding| spelt(finding, &survey)).filter(|finding| {
-        !survey.has_mended(&finding.error.path)
-            && !finding.rests_on.iter().any(|path| survey.has_mended(path))
-    }));
-    match &model {
-        Ok(model) if findings.is_empty() => findings.extend(contradictions(model)),
-        Err(error) if findings.is_empty() => {
-            findings.push(ModelError::new("", error.to_string(), "a model").into());
-        }
-        _ => {}
-    }
-    (model.ok(), findings)
-}
-
-/// The finding with its paths as the file spells them.
-fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
-    finding.error.path = survey.spelt(&finding.error.path);
-    finding.rests_on.iter_mut().for_each(|path| *path = survey.spelt(path));
-    finding
 }
 
 fn placed(finding: Finding, document: &Document, text: &str) -> ModelError {

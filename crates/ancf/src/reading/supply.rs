@@ -2,9 +2,7 @@
 
 use ancf_mechanics::functions::{External, ForceFunction};
 
-use crate::checking::{joints_of, loads_of};
-use crate::model::{Joint, Load, Model, ModelError, ModelErrors, TimeFunction, Varying};
-use crate::schema::quoted;
+use crate::model::{Load, Model, TimeFunction, Varying};
 
 impl Model {
     /// Supplies a function of time wherever the model asks for one of this name; returns whether it does anywhere.
@@ -91,58 +89,5 @@ impl Model {
             }
         }
         asked
-    }
-
-    /// Checks that the program has supplied all functions that the model asks for.
-    ///
-    /// # Errors
-    /// Each place that waits for one.
-    pub fn check_supplies(&self) -> Result<(), ModelErrors> {
-        let missing = |path: String, what: &str, name: &str| {
-            let found = format!("the external {what} {}", quoted(name));
-            ModelError::new(
-                format!("{path}.name"),
-                found,
-                "a function that the program supplies under this name",
-            )
-        };
-        let times = self.time_functions().into_iter().filter_map(|(path, time)| match time {
-            TimeFunction::Varying(Varying::External { name, supplied: None, .. }) => {
-                Some(missing(path, "function", name))
-            }
-            _ => None,
-        });
-        let forces = loads_of(self).filter_map(|(path, load)| match load {
-            Load::External { name, supplied: None, .. } => Some(missing(path, "force", name)),
-            _ => None,
-        });
-        let errors: Vec<ModelError> = times.chain(forces).collect();
-        if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
-    }
-
-    /// Whether there are functions of time for the program to supply that are supplied already, or are not yet.
-    pub(crate) fn has_functions(&self, already: bool) -> bool {
-        let is_one = |time: &TimeFunction| match time {
-            TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == already,
-            _ => false,
-        };
-        self.time_functions().iter().any(|(_, time)| is_one(time))
-    }
-
-    /// All functions of time with their paths.
-    pub(crate) fn time_functions(&self) -> Vec<(String, &TimeFunction)> {
-        let of_loads =
-            loads_of(self).filter_map(|(path, load)| load.time().map(|time| (format!("{path}.time"), time)));
-        let of_joints = joints_of(self).flat_map(|(path, joint)| {
-            let times = joint.times().into_iter();
-            times.map(|(table, time)| (format!("{path}{table}.time"), time)).collect::<Vec<_>>()
-        });
-        of_loads.chain(of_joints).collect()
-    }
-
-    /// The same, to be changed.
-    fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
-        let of_loads = self.loads.iter_mut().filter_map(Load::time_mut);
-        of_loads.chain(self.joints.iter_mut().flat_map(Joint::times_mut))
     }
 }

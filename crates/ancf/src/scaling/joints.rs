@@ -1,8 +1,7 @@
 //! Joints in other units.
 
-use super::model::vector;
 use crate::model::{End, Ground, Joint};
-use crate::units::{Dimension, Scales};
+use crate::units::{Dimension, Scales, vector};
 
 impl End {
     pub(crate) fn scaled(self, s: &Scales) -> Self {

@@ -1,6 +1,6 @@
 //! Models in other units.
 
+mod choice_rule;
+mod couplings;
 mod joints;
 mod model;
-
-pub(crate) use model::number;

@@ -2,7 +2,7 @@ use crate::model::{
     Against, Analysis, At, Beam, Body, Cable, Contact, Damping, Dynamics, Fluid, Load, Material, Model,
     Output, Place, PointMass, Probe, Rigid, Section, Shape, Step, TimeFunction, Varying,
 };
-use crate::units::{Dimension, ScaleChoice, Scales};
+use crate::units::{Dimension, ScaleChoice, Scales, number, vector};
 
 impl Model {
     /// The same model in other units: what comes out is a model like any other, whose own scales are none.
@@ -52,14 +52,6 @@ impl Model {
             output: output.scaled(scales),
         }
     }
-}
-
-pub(crate) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
-    x / scales.unit(of)
-}
-
-pub(crate) fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
-    x.map(|x| number(x, of, scales))
 }
 
 // Each part is taken apart field by field, so that a new field cannot be forgotten here.

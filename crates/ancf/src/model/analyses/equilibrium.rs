@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::analysis::Stop;
+use super::solver_settings::Stop;
 
 /// Settings of an equilibrium under growing loads: all of them, gravity among them, act `load` times.
 ///

@@ -3,7 +3,9 @@
 mod analysis;
 mod equilibrium;
 mod output;
+mod solver_settings;
 
-pub use analysis::{Analysis, Dynamics, NewtonMethod, Scheme, Start, Step, Stop};
+pub use analysis::{Analysis, Dynamics, Scheme, Start, Step};
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics};
 pub use output::{Output, Probe, Quantity};
+pub use solver_settings::{NewtonMethod, Stop};

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use super::motion::InitialMotion;
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
-use crate::checking::ON_AXIS;
+
+/// Rounding of a position along an axis, relative to its length.
+pub(crate) const ON_AXIS: f64 = 1e-9;
 
 /// A body of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -45,6 +47,16 @@ impl Body {
     /// Whether it is a beam or a cable.
     pub const fn is_flexible(&self) -> bool {
         matches!(self, Self::Beam(_) | Self::Cable(_))
+    }
+
+    /// How it moves at the start.
+    pub const fn motion(&self) -> &InitialMotion {
+        match self {
+            Self::Beam(beam) => &beam.motion,
+            Self::Cable(cable) => &cable.motion,
+            Self::Rigid(rigid) => &rigid.motion,
+            Self::Mass(mass) => &mass.motion,
+        }
     }
 
     /// Number of elements; none of a rigid body.

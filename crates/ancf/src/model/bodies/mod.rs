@@ -5,6 +5,7 @@ mod motion;
 mod rigid;
 mod shape;
 
+pub(crate) use body::ON_AXIS;
 pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};

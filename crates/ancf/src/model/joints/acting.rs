@@ -5,9 +5,8 @@ use ancf_mechanics::functions::Function;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::loads::{Clock, TimeFunction};
-use crate::scaling::number;
-use crate::units::{Dimension, Scales};
+use crate::model::functions::{Clock, TimeFunction};
+use crate::units::{Dimension, Scales, number};
 
 /// Prescribes the angle of a joint: by `angle` or by `rate`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -2,9 +2,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::joint::Joint;
-use crate::model::Model;
-use crate::scaling::number;
-use crate::units::{Dimension, Scales};
 
 /// Joints that move together: the sum of their angles and displacements, times factors, stays zero. Gears, racks, belts, screws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -50,34 +47,5 @@ impl Joint {
             Self::Prismatic(_) | Self::Slide(_) => &[Freed::Displacement],
             _ => &[],
         }
-    }
-}
-
-impl Model {
-    /// The joint and the freedom that a part of a coupling names, if they are there.
-    pub(crate) fn coupled(&self, part: &Coupled) -> Option<(usize, Freed)> {
-        let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
-        let freedoms = self.joints[joint].freedoms();
-        let freed = part.of.or_else(|| freedoms.first().copied())?;
-        freedoms.contains(&freed).then_some((joint, freed))
-    }
-
-    /// Whether couplings name a freedom of a joint.
-    pub(crate) fn is_coupled(&self, joint: usize, freed: Freed) -> bool {
-        let mut parts = self.couplings.iter().flat_map(|coupling| &coupling.joints);
-        parts.any(|part| self.coupled(part) == Some((joint, freed)))
-    }
-
-    /// The couplings in other units.
-    pub(crate) fn scaled_couplings(&self, s: &Scales) -> Vec<Coupling> {
-        let part = |part: &Coupled| {
-            let of = match self.coupled(part) {
-                Some((_, Freed::Displacement)) => Dimension::new(-1, 0, 0),
-                _ => Dimension::NUMBER,
-            };
-            Coupled { factor: number(part.factor, of, s), ..part.clone() }
-        };
-        let joints = |coupling: &Coupling| coupling.joints.iter().map(part).collect();
-        self.couplings.iter().map(|c| Coupling { name: c.name.clone(), joints: joints(c) }).collect()
     }
 }

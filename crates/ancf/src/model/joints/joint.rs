@@ -2,11 +2,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::acting::{Acting, AngularDrive, AngularFriction, AngularSpring};
+use super::end::End;
 use super::joint_kinds::{
     Bushing, Cylindrical, Distance, Planar, PointOnLine, PointSpring, Prismatic, Slide, Universal,
 };
 use crate::model::bodies::Place;
-use crate::model::loads::TimeFunction;
+use crate::model::functions::TimeFunction;
 
 /// A joint between a body and the ground or another body.
 ///
@@ -220,29 +221,6 @@ impl Joint {
     pub(crate) const fn spans(&self) -> bool {
         matches!(self, Self::Distance(_) | Self::Spring(_))
     }
-}
-
-/// What a joint ties its first end to.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum End {
-    /// The fixed frame: `"ground"`.
-    #[default]
-    Ground,
-    /// A place on another body.
-    #[serde(untagged)]
-    Place(Place),
-    /// A point of the fixed frame, to which statics draws the first end by the load.
-    #[serde(untagged)]
-    Point(Ground),
-}
-
-/// A point of the fixed frame.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ground {
-    /// The point, length.
-    pub point: [f64; 3],
 }
 
 /// Which gradients a clamp ties besides the position.

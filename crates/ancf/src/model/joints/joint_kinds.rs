@@ -4,11 +4,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::acting::{AngularDrive, AngularSpring, LinearDrive, LinearFriction, LinearSpring};
-use super::joint::End;
+use super::end::End;
 use crate::model::bodies::Place;
-use crate::model::loads::TimeFunction;
-use crate::scaling::number;
-use crate::units::{Dimension, Scales};
+use crate::model::functions::TimeFunction;
+use crate::units::{Dimension, Scales, number};
 
 /// Two shafts that meet: ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

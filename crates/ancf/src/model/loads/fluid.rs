@@ -1,11 +1,8 @@
-use std::sync::Arc;
-
 use ancf_mechanics::fluid::Hull;
-use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::time_function::{Clock, TimeFunction};
+use crate::model::functions::TimeFunction;
 use crate::model::sections::Section;
 
 /// A fluid around bodies: drag, added mass and buoyancy by Morison's formula, with the coefficients of MoorDyn.
@@ -61,15 +58,6 @@ impl Fluid {
             drag,
             added_mass: cylinder(),
         }
-    }
-
-    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::Fluid> {
-        Arc::new(ancf_mechanics::fluid::Fluid {
-            density: self.density,
-            gravity: Vector3::from(gravity),
-            current: Vector3::from(self.current),
-            function: clock.function(&self.time),
-        })
     }
 
     /// What of a section matters, if it says its diameter or is round.

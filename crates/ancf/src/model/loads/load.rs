@@ -1,14 +1,10 @@
-use ancf_mechanics::forces::{ExternalForce, FollowerForce, Force, Moment};
-use ancf_mechanics::functions::{ForceFunction, Function};
-use ancf_mechanics::kinematics::Attachment;
-use ancf_solver::equations::Term;
-use nalgebra::Vector3;
+use ancf_mechanics::functions::ForceFunction;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::fluid::Fluid;
-use super::time_function::{Clock, TimeFunction};
 use crate::model::bodies::{At, Named, Place};
+use crate::model::functions::TimeFunction;
 use crate::units::Scales;
 
 /// A load on bodies. Gravity is a property of the model.
@@ -209,37 +205,5 @@ impl Load {
             | Self::Fluid(Fluid { time, .. }) => Some(time),
             Self::External { .. } => None,
         }
-    }
-
-    /// What its function of time is in an analysis; 1 if it has none.
-    pub(crate) fn function(&self, clock: Clock) -> Function {
-        self.time().map_or(Function::ONE, |time| clock.function(time))
-    }
-
-    /// The load at a place of a model of a length, if it acts at one and the body has what it holds on to there.
-    pub(crate) fn term(&self, on: &Attachment, clock: Clock, length: f64) -> Option<Box<dyn Term>> {
-        let function = self.function(clock);
-        let directors = on.axes().map(|[_, d, e]| [d, e]);
-        Some(match self {
-            Self::Force { force, follower: false, .. } => {
-                Box::new(Force::varying(&on.point, Vector3::from(*force), function))
-            }
-            Self::Force { force, follower: true, .. } => {
-                Box::new(FollowerForce::new(&on.point, directors?, Vector3::from(*force), function))
-            }
-            Self::Moment { moment, follower: false, .. } => {
-                Box::new(Moment::new(directors?, Vector3::from(*moment), function))
-            }
-            Self::Moment { moment, follower: true, .. } => {
-                Box::new(Moment::follower(directors?, Vector3::from(*moment), function))
-            }
-            Self::External { units, supplied, .. } => {
-                let own = supplied.as_ref()?;
-                let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
-                let function = own.in_units(units.length, units.time, units.force);
-                Box::new(ExternalForce::new(&on.point, function, length))
-            }
-            _ => return None,
-        })
     }
 }

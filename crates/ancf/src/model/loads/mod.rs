@@ -2,10 +2,7 @@
 
 mod fluid;
 mod load;
-mod time_function;
 
 pub use fluid::Fluid;
 pub use load::Load;
 pub(crate) use load::Stretch;
-pub(crate) use time_function::Clock;
-pub use time_function::{TimeFunction, Varying};

@@ -184,3 +184,13 @@ fn elliptic(area: f64, yy: f64, zz: f64) -> Moments {
         yyzz: fourth(yy, zz) / 1.5,
     }
 }
+
+impl Section {
+    /// The radius of a section that is round outside.
+    pub(crate) const fn radius(&self) -> Option<f64> {
+        match *self {
+            Self::Circle { diameter: d } | Self::Tube { outer: d, .. } => Some(0.5 * d),
+            _ => None,
+        }
+    }
+}

@@ -1,13 +1,15 @@
 //! Loads that act along bodies or on all of them, as terms.
 
-use ancf_mechanics::bodies::BeamMesh;
-use ancf_mechanics::bodies::Piece;
-use ancf_mechanics::forces::{FollowerForce, Force, Moment};
+use std::sync::Arc;
+
+use ancf_mechanics::bodies::{BeamMesh, Piece};
+use ancf_mechanics::forces::{ExternalForce, FollowerForce, Force, Moment};
 use ancf_mechanics::functions::Function;
+use ancf_mechanics::kinematics::Attachment;
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, Clock, Fluid, Load, Model, Section, Stretch};
+use crate::model::{Body, Clock, Fluid, Load, Model, Stretch};
 
 type Terms = Vec<Box<dyn Term>>;
 
@@ -91,15 +93,6 @@ impl Model {
         let wet = wet.filter(|(body, _)| fluid.bodies.iter().any(|name| name == body.name()));
         wet.flat_map(around).map(|term| Box::new(term) as _).collect()
     }
-
-    /// The section of a flexible body of a valid model at a part of its length, from 0 to 1.
-    pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
-        let start = self.sections[body.stuff()?.0];
-        Some(match body {
-            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
-            _ => start,
-        })
-    }
 }
 
 /// A load per length that stays, on a piece: exactly the forces that do its work on a cubic axis.
@@ -117,4 +110,49 @@ fn dead(
         return vec![force(&|_| 1.0, first)];
     }
     vec![force(&|s| 1.0 - part(s), first), force(part, last)]
+}
+
+impl Load {
+    /// What its function of time is in an analysis; 1 if it has none.
+    pub(crate) fn function(&self, clock: Clock) -> Function {
+        self.time().map_or(Function::ONE, |time| clock.function(time))
+    }
+
+    /// The load at a place of a model of a length, if it acts at one and the body has what it holds on to there.
+    pub(crate) fn term(&self, on: &Attachment, clock: Clock, length: f64) -> Option<Box<dyn Term>> {
+        let function = self.function(clock);
+        let directors = on.axes().map(|[_, d, e]| [d, e]);
+        Some(match self {
+            Self::Force { force, follower: false, .. } => {
+                Box::new(Force::varying(&on.point, Vector3::from(*force), function))
+            }
+            Self::Force { force, follower: true, .. } => {
+                Box::new(FollowerForce::new(&on.point, directors?, Vector3::from(*force), function))
+            }
+            Self::Moment { moment, follower: false, .. } => {
+                Box::new(Moment::new(directors?, Vector3::from(*moment), function))
+            }
+            Self::Moment { moment, follower: true, .. } => {
+                Box::new(Moment::follower(directors?, Vector3::from(*moment), function))
+            }
+            Self::External { units, supplied, .. } => {
+                let own = supplied.as_ref()?;
+                let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
+                let function = own.in_units(units.length, units.time, units.force);
+                Box::new(ExternalForce::new(&on.point, function, length))
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl Fluid {
+    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::Fluid> {
+        Arc::new(ancf_mechanics::fluid::Fluid {
+            density: self.density,
+            gravity: Vector3::from(gravity),
+            current: Vector3::from(self.current),
+            function: clock.function(&self.time),
+        })
+    }
 }

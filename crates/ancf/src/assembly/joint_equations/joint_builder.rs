@@ -7,7 +7,7 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use super::freedom::Freedom;
-use super::gap_closing::Gap;
+use super::gap::Gap;
 use super::joint_links::{Ends, Links};
 use crate::model::{Clamped, Clock, End, Freed, Ground, Joint, Place};
 
@@ -269,5 +269,27 @@ impl Clamped {
             Self::All => axes,
             Self::Section => &axes[1..],
         }
+    }
+}
+
+impl JointEquations {
+    /// What each of its equations ties, in words; those that tie the same are counted.
+    pub(crate) fn ties(&self) -> Vec<String> {
+        let mut terms: Vec<Box<dyn Term>> = self.terms().collect();
+        terms.retain(|term| !term.multipliers().is_empty());
+        terms.sort_by_key(|term| term.multipliers().start);
+        // The terms of a slide share multipliers.
+        terms.dedup_by_key(|term| term.multipliers().start);
+        let names = terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.tie(k)));
+        let names: Vec<String> = names.collect();
+        let number = |i: usize| {
+            let same = |range: &[String]| range.iter().filter(|name| **name == names[i]).count();
+            let ordinals = ["first", "second", "third", "fourth", "fifth", "sixth"];
+            match (same(&names), ordinals.get(same(&names[..i]))) {
+                (2.., Some(ordinal)) => format!("{}, {ordinal} equation", names[i]),
+                _ => names[i].clone(),
+            }
+        };
+        (0..names.len()).map(number).collect()
     }
 }

@@ -4,8 +4,6 @@ use ancf_mechanics::functions::{Expression, ExpressionError, External, Function,
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::Model;
-
 /// A function of time by which a load or an angle is multiplied: a number, or a table that says how it varies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -139,13 +137,6 @@ pub(crate) enum Clock {
     Waits,
     /// 1, for statics: loads have their full values and grow by the load factor.
     Stands,
-}
-
-impl Model {
-    /// What functions of time are in the analysis of a model.
-    pub(crate) const fn clock(&self) -> Clock {
-        if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
-    }
 }
 
 impl Clock {

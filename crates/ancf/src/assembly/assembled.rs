@@ -1,0 +1,185 @@
+use std::collections::BTreeSet;
+
+use ancf_mechanics::bodies::BeamMesh;
+use ancf_mechanics::constraints::Wrench;
+use ancf_mechanics::kinematics::{Attachment, Kind, Marker};
+use ancf_solver::equations::{EquationsOfMotion, State, System, Term};
+use ancf_solver::newton::SolveError;
+
+use super::inputs::{Inputs, NoNumber};
+use super::redundant::Redundant;
+use crate::assembly::joint_equations::{Closed, Freedom, JointEquations};
+use crate::model::Quantity;
+
+/// A model as equations of motion, with what is needed to read their solution.
+#[derive(Debug)]
+pub struct Assembly {
+    /// The equations of motion.
+    pub system: System,
+    /// Names and points of the probes.
+    pub probes: Vec<(String, Marker)>,
+    /// What the probes record.
+    pub measures: Vec<Measure>,
+    /// Whether strain energies of bodies are recorded by part.
+    pub energy_parts: bool,
+    pub(crate) bodies: Vec<(String, ancf_mechanics::bodies::Body)>,
+    pub(crate) joints: Vec<JointEquations>,
+    pub(crate) couplings: Vec<String>,
+    pub(crate) redundant: Vec<Redundant>,
+    pub(crate) undetermined: BTreeSet<usize>,
+    pub(crate) closed: Option<Closed>,
+    pub(crate) breaks: Vec<f64>,
+    pub(crate) inputs: Inputs,
+}
+
+/// One quantity that a probe records.
+#[derive(Debug)]
+pub struct Measure {
+    /// Name of the probe.
+    pub name: String,
+    /// What it records.
+    pub quantity: Quantity,
+    /// The point, and the directions there.
+    pub place: Attachment,
+    /// Number of the body.
+    pub body: usize,
+    /// Arc length.
+    pub s: f64,
+    /// (y, z) in the section.
+    pub offset: [f64; 2],
+}
+
+impl Assembly {
+    /// The reference configuration at rest.
+    pub fn rest(&self) -> State {
+        State::rest(self.system.coordinates(), self.system.multipliers())
+    }
+
+    /// Names of the joints.
+    pub fn joints(&self) -> impl Iterator<Item = &str> {
+        self.joints.iter().map(|joint| joint.name.as_str())
+    }
+
+    /// What each joint exerts on its end `a` in a state.
+    pub fn reactions<'a>(&'a self, s: &'a State) -> impl Iterator<Item = Wrench> + 'a {
+        self.joints.iter().map(|joint| joint.reaction(s))
+    }
+
+    /// The angles and displacements by which joints move, with the names of the joints.
+    pub fn freedoms(&self) -> impl Iterator<Item = (&str, &Freedom)> {
+        self.joints
+            .iter()
+            .flat_map(|joint| joint.freedoms().iter().map(|freedom| (joint.name.as_str(), freedom)))
+    }
+
+    /// The bodies and their names.
+    pub fn bodies(&self) -> impl Iterator<Item = (&str, &ancf_mechanics::bodies::Body)> {
+        self.bodies.iter().map(|(name, body)| (name.as_str(), body))
+    }
+
+    /// The body of a number, as [`Measure`] has it.
+    pub fn body_of(&self, number: usize) -> &ancf_mechanics::bodies::Body {
+        &self.bodies[number].1
+    }
+
+    /// Times at which loads and drives or their rates jump, in order: steps are best ended there.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    /// The mesh of a flexible body.
+    pub fn mesh(&self, body: &str) -> Option<&BeamMesh> {
+        self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.mesh())
+    }
+
+    /// What an equation belongs to, in words: a node of a body, or a joint.
+    pub fn name_of(&self, equation: usize) -> String {
+        self.name_in(equation, 1.0)
+    }
+
+    /// Where an iteration failed, in words, with arc lengths as in [`name_in`](Self::name_in).
+    pub(crate) fn place_of(&self, error: &SolveError, length: f64) -> String {
+        error.worst.map_or_else(|| "the whole system".into(), |worst| self.name_in(worst, length))
+    }
+
+    /// The same, with arc lengths of nodes in units of which a length of the assembly has so many.
+    pub(crate) fn name_in(&self, equation: usize, length: f64) -> String {
+        let mut first = 0;
+        for (name, body) in &self.bodies {
+            if let Some((node, kind)) = body.place_of(equation) {
+                let axis = ["x", "y", "z"][(equation - first) % 3];
+                return match node {
+                    Some(node) => {
+                        let s = short(length * body.arc_length(node));
+                        format!("body `{name}`, node {node} (s = {s}), {} along {axis}", word(kind))
+                    }
+                    None => format!("body `{name}`, {} along {axis}", director(kind)),
+                };
+            }
+            first += body.coordinates();
+        }
+        for joint in &self.joints {
+            if equation < first + joint.coordinates() {
+                return format!("joint `{}`, its freedom", joint.name);
+            }
+            first += joint.coordinates();
+        }
+        for (name, body) in &self.bodies {
+            if equation < first + body.multipliers() {
+                return format!("body `{name}`, what keeps it rigid");
+            }
+            first += body.multipliers();
+        }
+        for joint in &self.joints {
+            if equation < first + joint.multipliers() {
+                return format!("joint `{}`, {}", joint.name, joint.ties()[equation - first]);
+            }
+            first += joint.multipliers();
+        }
+        match self.couplings.get(equation.wrapping_sub(first)) {
+            Some(name) => format!("coupling `{name}`"),
+            None => format!("equation {equation}"),
+        }
+    }
+
+    /// The state in which analyses begin, at rest: the reference configuration or, if the model is to be assembled, that in
+    /// which its gaps are closed.
+    pub fn initial(&self) -> State {
+        self.closed.as_ref().map_or_else(|| self.rest(), |closed| State { load: 1.0, ..closed.state.clone() })
+    }
+
+    /// How gaps were closed, if the model asks for it.
+    pub fn closed(&self) -> Option<&Closed> {
+        self.closed.as_ref()
+    }
+
+    /// The first of the user's functions that is no number at the time of a state, if there is one.
+    pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
+        self.inputs.no_number(s)
+    }
+}
+
+/// At most four digits, without trailing zeros.
+fn short(x: f64) -> String {
+    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
+}
+
+/// A vector of a node.
+const fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Position => "r",
+        Kind::Slope => "r_x",
+        Kind::Y => "r_y",
+        Kind::Z => "r_z",
+    }
+}
+
+/// A vector of a rigid body.
+const fn director(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Position => "its centre",
+        Kind::Slope => "its first director",
+        Kind::Y => "its second director",
+        Kind::Z => "its third director",
+    }
+}

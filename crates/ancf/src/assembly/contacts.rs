@@ -1,0 +1,96 @@
+//! Contact pairs of a model as searches for contact.
+
+use std::sync::Arc;
+
+use ancf_mechanics::bodies::BeamMesh;
+use ancf_mechanics::contact::{BeamContacts, ContactLaw, Form, Obstacle, ObstacleContacts, Skin};
+use ancf_mechanics::kinematics::Attachment;
+use ancf_solver::equations::{Encounters, State};
+use nalgebra::Vector3;
+
+use crate::model::{Against, Contact, Model};
+
+/// Depth of the transition as a part of the smallest radius.
+const TRANSITION: f64 = 0.02;
+/// Slip speed as a part of length over duration.
+const SLIP: f64 = 1e-3;
+/// Fewest points of an element, and most by default.
+const POINTS: [f64; 2] = [4.0, 1e4];
+
+impl Against {
+    /// The form, the point and the axis of an obstacle.
+    fn obstacle(&self) -> Option<(Form, Vector3<f64>, Vector3<f64>)> {
+        Some(match *self {
+            Self::Plane { point, normal, .. } => (Form::Plane, point.into(), normal.into()),
+            Self::Sphere { center, radius, inside, .. } => {
+                (Form::Sphere { radius, inside }, center.into(), Vector3::x())
+            }
+            Self::Cylinder { point, axis, radius, inside, .. } => {
+                (Form::Cylinder { radius, inside }, point.into(), axis.into())
+            }
+            Self::Bodies => return None,
+        })
+    }
+}
+
+impl Contact {
+    /// Points of each element of a length of a body of a radius.
+    fn points(&self, length: f64, radius: f64) -> usize {
+        let spacing = match self.with {
+            Against::Plane { .. } => f64::INFINITY,
+            Against::Sphere { radius: r, .. } | Against::Cylinder { radius: r, .. } => 0.25 * (r + radius),
+            Against::Bodies => 0.5 * radius,
+        };
+        self.points.map_or_else(
+            || (length / spacing).ceil().clamp(POINTS[0], POINTS[1]) as usize,
+            |points| points as usize,
+        )
+    }
+
+    /// The law of bodies of which the thinnest has a radius.
+    fn law(&self, model: &Model, radius: f64) -> ContactLaw {
+        let creep = model.analysis.dynamics().map_or(1.0, |d| SLIP * model.length() / d.duration);
+        ContactLaw {
+            stiffness: self.stiffness,
+            transition: self.transition.unwrap_or(TRANSITION * radius),
+            damping: self.damping,
+            friction: self.friction,
+            slip_speed: self.slip_speed.unwrap_or(creep),
+        }
+    }
+}
+
+impl Model {
+    /// The contacts of a valid model; what overlaps in the state in which analyses begin is joined.
+    pub(crate) fn encounters(
+        &self,
+        built: &[(String, ancf_mechanics::bodies::Body)],
+        begin: &State,
+    ) -> Vec<Arc<dyn Encounters>> {
+        let of = |contact: &Contact| -> Option<Arc<dyn Encounters>> {
+            let bodies = contact.bodies(self).into_iter();
+            let sized: Vec<_> = bodies
+                .filter_map(|i| Some((built[i].1.mesh()?, contact.radius(self, &self.bodies[i])?)))
+                .collect();
+            let thinnest = sized.iter().map(|(_, radius)| *radius).fold(f64::INFINITY, f64::min);
+            let skin = |&(mesh, radius): &(&BeamMesh, f64)| {
+                let length = mesh.length() / mesh.count() as f64;
+                Skin::new(mesh, radius, contact.points(length, radius))
+            };
+            let (skins, law) = (sized.iter().map(skin).collect::<Vec<_>>(), contact.law(self, thinnest));
+            let Some((form, point, axis)) = contact.with.obstacle() else {
+                return Some(Arc::new(BeamContacts::new(skins, law).joined_in(begin)));
+            };
+            let place = contact.with.on().map_or_else(
+                || Attachment::ground(point),
+                |place| {
+                    let held = self.attachment(built, place);
+                    let arm = point - held.point.reference();
+                    held.offset(arm)
+                },
+            );
+            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(form, place, axis)?, &skins, law)))
+        };
+        self.contacts.iter().filter_map(of).collect()
+    }
+}

@@ -1,0 +1,28 @@
+//! Velocities with which a motion starts.
+
+use ancf_solver::equations::State;
+use nalgebra::Vector3;
+
+use super::assembled::Assembly;
+use crate::model::Model;
+
+impl Assembly {
+    /// The state in which a motion starts, with the velocities that the model states; joints may contradict them
+    /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the one that was assembled.
+    pub fn start(&self, model: &Model) -> State {
+        let mut s = self.initial();
+        for (body, (_, built)) in model.bodies.iter().zip(self.bodies()) {
+            if body.motion().is_rest() {
+                continue;
+            }
+            let vectors = built.vectors(&s);
+            // The first vector is where the axis starts, or the centre.
+            let start = vectors.first().map_or_else(Vector3::zeros, |vector| vector.value);
+            for vector in &vectors {
+                let velocity = body.motion().of(vector, start);
+                s.v[vector.first..vector.first + 3].copy_from_slice(velocity.as_slice());
+            }
+        }
+        s
+    }
+}

@@ -1,0 +1,112 @@
+//! Findings: what is wrong with a key, and what it is compared with.
+
+use nalgebra::Vector3;
+
+use crate::model::{At, Body, End, Model, ModelError, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
+use crate::schema::{Finding, did_you_mean, listed, nearest, number, quoted};
+
+/// How far apart, relative to the longer body, two places may be that a joint connects.
+pub(crate) const COINCIDENT: f64 = 1e-6;
+
+pub(crate) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+    ModelError::new(path, found, wanted).into()
+}
+
+impl Finding {
+    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.error = self.error.hint(hint);
+        self
+    }
+
+    pub(crate) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+        Self { rests_on: paths.into_iter().collect(), ..self }
+    }
+}
+
+/// Whether a vector has a direction, as numbers go.
+pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
+    Vector3::from(vector).norm().is_normal()
+}
+
+pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
+    finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
+}
+
+/// A reference to something that the model does not have.
+pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
+    let wanted = match names.len() {
+        0 => format!("the name of a {noun}, but there is none"),
+        1..=8 => format!("the name of a {noun}: {}", listed(names.iter().map(|name| quoted(name)), "or")),
+        n => format!("the name of one of the {n} {noun}s"),
+    };
+    let error = ModelError::new(path, quoted(name), wanted);
+    Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
+}
+
+/// All places of joints, loads and probes.
+pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
+    let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
+    let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
+    let ends = joints_of(model).flat_map(|(path, joint)| {
+        let (a, b) = joint.ends();
+        let b = if let End::Place(b) = b { Some((format!("{path}.b"), b)) } else { None };
+        [(format!("{path}.a"), a)].into_iter().chain(b)
+    });
+    ends.chain(loads).chain(probes)
+}
+
+pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
+    let Some((owner, body)) = body(model, place) else {
+        return Some(unknown_body(model, format!("{path}.body"), &place.body));
+    };
+    let rests_on = |keys: [&str; 3]| {
+        let keys = keys.map(|key| format!("{owner}.{key}"));
+        keys.into_iter().chain([format!("{path}.body")]).collect::<Vec<_>>()
+    };
+    let name = quoted(body.name());
+    match (body, place.at) {
+        (Body::Beam(_) | Body::Cable(_), At::Point(_)) => {
+            let wanted =
+                format!("\"start\", \"center\", \"end\" or an arc length of {name}, which is flexible");
+            Some(finding(format!("{path}.at"), "a point", wanted).rests_on(rests_on(["kind"; 3])))
+        }
+        (Body::Beam(_) | Body::Cable(_), at) => {
+            let (s, length) = (body.arc_length(at), body.length());
+            let beyond = length > 0.0 && s > length * (1.0 + ON_AXIS);
+            beyond.then(|| {
+                let wanted = format!("at most {}, the length of {name}", number(length));
+                finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
+            })
+        }
+        (Body::Rigid(_), At::Point(_)) | (_, At::Named(Named::Center)) => None,
+        (_, at) => {
+            let found = match at {
+                At::Named(Named::Start) => "\"start\"".into(),
+                At::Named(_) => "\"end\"".into(),
+                At::Length(s) => number(s),
+                At::Point(_) => "a point".into(),
+            };
+            let wanted = match body {
+                Body::Mass(_) => format!("\"center\": {name} is a point mass"),
+                _ => format!("\"center\" or a point [x, y, z]: {name} is rigid"),
+            };
+            Some(finding(format!("{path}.at"), found, wanted).rests_on(rests_on(["kind"; 3])))
+        }
+    }
+}
+
+/// The body of a place.
+pub(crate) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
+    named(model, &place.body)
+}
+
+/// The first body of a name; that there is only one is another rule.
+pub(crate) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
+    bodies_of(model).find(|(_, body)| body.name() == name)
+}
+
+/// A name that no body has.
+pub(crate) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
+    let names = model.bodies.iter().map(Body::name).collect();
+    unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
+}

@@ -1,0 +1,148 @@
+//! Queries on a model: derived quantities, and parts with the paths of their keys.
+
+use nalgebra::Vector3;
+
+use crate::model::Model;
+use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
+use crate::model::contacts::Contact;
+use crate::model::functions::{Clock, TimeFunction, Varying};
+use crate::model::joints::{Coupled, Freed, Joint};
+use crate::model::loads::Load;
+use crate::model::sections::Section;
+
+impl Model {
+    /// The mass of all bodies.
+    pub fn mass(&self) -> f64 {
+        let mass = |body: &Body| match body {
+            Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
+            Body::Beam(_) | Body::Cable(_) => self.line(body).0 * body.length(),
+        };
+        self.bodies.iter().map(mass).sum()
+    }
+
+    /// The length of the longest body; of rigid ones only, the largest of their distances and radii of gyration.
+    pub fn length(&self) -> f64 {
+        let longest = self.bodies.iter().map(Body::length).fold(0.0, f64::max);
+        if longest > 0.0 {
+            return longest;
+        }
+        let centres = self.bodies.iter().map(|body| Vector3::from(body.span()[0]));
+        let joints = self.joints.iter().filter_map(|joint| self.point(joint.ends().0));
+        let points: Vec<Vector3<f64>> = centres.chain(joints).collect();
+        let gyration = self.bodies.iter().filter_map(|body| match body {
+            Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
+            _ => None,
+        });
+        let reach = points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
+        if reach > 0.0 { reach } else { 1.0 }
+    }
+
+    /// The point of a place in the reference state, if there is one.
+    pub(crate) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
+        let body = self.bodies.iter().find(|body| body.name() == place.body)?;
+        Some(body.point(place.at)? + Vector3::from(place.offset))
+    }
+
+    /// ρA and the smaller E I of a flexible body.
+    pub(crate) fn line(&self, body: &Body) -> (f64, f64) {
+        let Some((section, material)) = body.stuff() else { return (0.0, 0.0) };
+        let (material, section) = (&self.materials[material], self.sections[section].moments());
+        (material.density * section.area, material.young * section.yy.min(section.zz))
+    }
+
+    /// The section of a flexible body of a valid model at a part of its length, from 0 to 1.
+    pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
+        let start = self.sections[body.stuff()?.0];
+        Some(match body {
+            Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
+            _ => start,
+        })
+    }
+
+    /// The joint and the freedom that a part of a coupling names, if they are there.
+    pub(crate) fn coupled(&self, part: &Coupled) -> Option<(usize, Freed)> {
+        let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
+        let freedoms = self.joints[joint].freedoms();
+        let freed = part.of.or_else(|| freedoms.first().copied())?;
+        freedoms.contains(&freed).then_some((joint, freed))
+    }
+
+    /// Whether couplings name a freedom of a joint.
+    pub(crate) fn is_coupled(&self, joint: usize, freed: Freed) -> bool {
+        let mut parts = self.couplings.iter().flat_map(|coupling| &coupling.joints);
+        parts.any(|part| self.coupled(part) == Some((joint, freed)))
+    }
+
+    /// What functions of time are in the analysis of a model.
+    pub(crate) const fn clock(&self) -> Clock {
+        if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
+    }
+
+    /// Whether there are functions of time for the program to supply that are supplied already, or are not yet.
+    pub(crate) fn has_functions(&self, already: bool) -> bool {
+        let is_one = |time: &TimeFunction| match time {
+            TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == already,
+            _ => false,
+        };
+        self.time_functions().iter().any(|(_, time)| is_one(time))
+    }
+
+    /// All functions of time with their paths.
+    pub(crate) fn time_functions(&self) -> Vec<(String, &TimeFunction)> {
+        let of_loads =
+            loads_of(self).filter_map(|(path, load)| load.time().map(|time| (format!("{path}.time"), time)));
+        let of_joints = joints_of(self).flat_map(|(path, joint)| {
+            let times = joint.times().into_iter();
+            times.map(|(table, time)| (format!("{path}{table}.time"), time)).collect::<Vec<_>>()
+        });
+        of_loads.chain(of_joints).collect()
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
+        let of_loads = self.loads.iter_mut().filter_map(Load::time_mut);
+        of_loads.chain(self.joints.iter_mut().flat_map(Joint::times_mut))
+    }
+}
+
+impl Contact {
+    /// Numbers of the bodies of a model that are meant.
+    pub(crate) fn bodies(&self, model: &Model) -> Vec<usize> {
+        let carrier = self.with.on().map(|place| place.body.as_str());
+        let meant = |name: &str| match self.bodies.is_empty() {
+            true => Some(name) != carrier,
+            false => self.bodies.iter().any(|body| body == name),
+        };
+        (0..model.bodies.len())
+            .filter(|&i| model.bodies[i].is_flexible() && meant(model.bodies[i].name()))
+            .collect()
+    }
+
+    /// The radius of a body, if there is one: that of a section which is round and everywhere the same.
+    pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
+        let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
+        let own = || model.sections.get(body.stuff()?.0).filter(|_| !tapered)?.radius();
+        self.radius.or_else(own)
+    }
+}
+
+/// Loads with their paths.
+pub(crate) fn loads_of(model: &Model) -> impl Iterator<Item = (String, &Load)> {
+    model.loads.iter().enumerate().map(|(i, load)| (format!("loads[{i}]"), load))
+}
+
+/// Bodies with their paths.
+pub(crate) fn bodies_of(model: &Model) -> impl Iterator<Item = (String, &Body)> {
+    model.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}]"), body))
+}
+
+/// Beams with their paths.
+pub(crate) fn beams_of(model: &Model) -> impl Iterator<Item = (String, &Beam)> {
+    bodies_of(model)
+        .filter_map(|(path, body)| if let Body::Beam(beam) = body { Some((path, beam)) } else { None })
+}
+
+/// Joints with their paths.
+pub(crate) fn joints_of(model: &Model) -> impl Iterator<Item = (String, &Joint)> {
+    model.joints.iter().enumerate().map(|(i, joint)| (format!("joints[{i}]"), joint))
+}

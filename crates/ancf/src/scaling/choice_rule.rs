@@ -1,0 +1,59 @@
+use nalgebra::Vector3;
+
+use crate::model::Model;
+use crate::units::{Chosen, ScaleChoice, Scales};
+
+/// What the units of a model are taken from.
+struct Largest {
+    name: String,
+    length: f64,
+    line_mass: f64,
+    /// The unit of force without gravity, and what it is.
+    force: f64,
+    of_force: &'static str,
+}
+
+impl Model {
+    /// The units in which the equations of this model are to be solved.
+    ///
+    /// The model must be a valid one (see [`Model::check`]).
+    pub fn scales(&self) -> Chosen {
+        if self.scales == ScaleChoice::None {
+            return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
+        }
+        let Largest { name, length, line_mass, force, of_force } = self.largest();
+        let weight = line_mass * length * Vector3::from(self.gravity).norm();
+        let (scales, reason) = match self.scales {
+            ScaleChoice::Given { length, force, time } => {
+                let by_eq_7 = Scales::from_force(length, force, line_mass);
+                (Scales { time: time.unwrap_or(by_eq_7.time), ..by_eq_7 }, "given".into())
+            }
+            ScaleChoice::Paper => (
+                Scales::from_force(length, weight / f64::from(self.bodies[0].elements()), line_mass),
+                format!("length of {name}, weight of one element, time by eq. (7)"),
+            ),
+            ScaleChoice::Auto | ScaleChoice::None if weight > 0.0 => (
+                Scales::from_force(length, weight, line_mass).rounded(),
+                format!("length and weight of {name}, time by eq. (7), as powers of two"),
+            ),
+            ScaleChoice::Auto | ScaleChoice::None => (
+                Scales::from_force(length, force, line_mass).rounded(),
+                format!("length L and {of_force} of {name}, time by eq. (7), as powers of two"),
+            ),
+        };
+        Chosen { scales, reason }
+    }
+
+    /// The longest flexible body; of rigid ones only, all of them.
+    fn largest(&self) -> Largest {
+        let flexible = self.bodies.iter().filter(|body| body.is_flexible());
+        if let Some(body) = flexible.max_by(|a, b| a.length().total_cmp(&b.length())) {
+            let (length, (line_mass, bending)) = (body.length(), self.line(body));
+            let (name, force) = (format!("the longest body, `{}`", body.name()), bending / length.powi(2));
+            return Largest { name, length, line_mass, force, of_force: "E I/L2" };
+        }
+        let (length, mass) = (self.length(), self.mass());
+        let name = "the whole model".into();
+        Largest { name, length, line_mass: mass / length, force: mass * length, of_force: "mass times L" }
+    }
+}

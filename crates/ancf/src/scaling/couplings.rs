@@ -1,0 +1,17 @@
+use crate::model::{Coupled, Coupling, Freed, Model};
+use crate::units::{Dimension, Scales, number};
+
+impl Model {
+    /// The couplings in other units.
+    pub(crate) fn scaled_couplings(&self, s: &Scales) -> Vec<Coupling> {
+        let part = |part: &Coupled| {
+            let of = match self.coupled(part) {
+                Some((_, Freed::Displacement)) => Dimension::new(-1, 0, 0),
+                _ => Dimension::NUMBER,
+            };
+            Coupled { factor: number(part.factor, of, s), ..part.clone() }
+        };
+        let joints = |coupling: &Coupling| coupling.joints.iter().map(part).collect();
+        self.couplings.iter().map(|c| Coupling { name: c.name.clone(), joints: joints(c) }).collect()
+    }
+}

@@ -4,7 +4,7 @@ use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, Measure};
-use crate::assembly::joint_equations::{Holds, JointEquations};
+use crate::assembly::joint_equations::JointEquations;
 use crate::model::{Clock, Model, ModelErrors, Probe};
 
 impl Model {

@@ -3,7 +3,7 @@ use std::collections::BTreeSet;
 use ancf_mechanics::bodies::BeamMesh;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, Kind, Marker};
-use ancf_solver::equations::{EquationsOfMotion, State, System, Term};
+use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};

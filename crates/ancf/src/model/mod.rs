@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::units::{ScaleChoice, Units};
+pub use crate::units::{ScaleChoice, Units};
 
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
@@ -41,6 +41,8 @@ pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 pub use sections::{Damping, Material, MaterialLaw, Section};
 
 // TEMPORARY FACADE
+#[doc(hidden)]
+pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
 // END
 
 /// A flexible multibody model as its user states it.

@@ -2,7 +2,6 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::{fs, io};
 
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::Value;

@@ -69,6 +69,7 @@
 pub mod assembly;
 mod checking;
 pub mod diagnosis;
+mod errors;
 mod failure;
 pub mod model;
 pub mod reading;
@@ -80,7 +81,8 @@ mod simulate;
 pub mod units;
 
 pub use ancf_solver as solver;
-pub use model::{Model, ModelError, ModelErrors};
+pub use errors::{ModelError, ModelErrors};
+pub use model::Model;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{Checkpoint, Error, Mismatch, Observer, Outcome, Simulation, Summary, simulate};
 pub use units::Scales;

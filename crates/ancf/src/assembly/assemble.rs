@@ -5,7 +5,8 @@ use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, Measure};
 use crate::assembly::joint_equations::JointEquations;
-use crate::model::{Clock, Model, ModelErrors, Probe};
+use crate::errors::ModelErrors;
+use crate::model::{Clock, Model, Probe};
 
 impl Model {
     /// Assembles a valid model whose functions are supplied.

@@ -1,8 +1,8 @@
 //! What a body cannot do it is not asked to: a cable has a tangent only, a point mass no directions, a rigid body no strain.
 
-use super::findings::{body, finding, named, places_of};
+use super::findings::{body, named, places_of};
+use crate::errors::{Finding, finding, quoted};
 use crate::model::{Body, End, Joint, Model, Quantity, joints_of, loads_of};
-use crate::schema::{Finding, quoted};
 
 /// What is asked of a place.
 enum Ability {

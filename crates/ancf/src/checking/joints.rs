@@ -3,12 +3,12 @@
 use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, finding, is_direction, no_direction, unknown};
+use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{
     Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, Model, TimeFunction, Varying, joints_of,
 };
-use crate::schema::{Finding, number, quoted};
 
 /// Axes whose sine is less than this are parallel.
 const PARALLEL: f64 = 1e-3;

@@ -8,10 +8,11 @@ use nalgebra::Vector3;
 use super::bodies::{bodies, cables, formulations};
 use super::capabilities::abilities;
 use super::contacts::contacts;
-use super::findings::{COINCIDENT, body, finding, places_of, rule_of_place};
+use super::findings::{COINCIDENT, body, places_of, rule_of_place};
 use super::scheme::{scheme, time};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{End, Joint, Model, ON_AXIS, Place, Section, bodies_of, joints_of};
-use crate::schema::{Finding, join, number, quoted};
+use crate::schema::join;
 use crate::units::ScaleChoice;
 
 /// Elements beyond which a model is taken for a slip of the pen.

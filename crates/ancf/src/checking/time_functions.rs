@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, finding, is_direction, no_direction};
+use super::findings::{COINCIDENT, body, is_direction, no_direction};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{Analysis, End, Joint, Model, TimeFunction, Varying, joints_of};
-use crate::schema::{Finding, number};
 
 /// An angle that is none, in radians.
 const TURNED: f64 = 1e-6;
@@ -53,7 +53,7 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
             let rest: String = text.chars().skip(error.at).collect();
             let found = match rest.as_str() {
                 "" => "its end".to_owned(),
-                rest => crate::schema::quoted(rest),
+                rest => quoted(rest),
             };
             let found = format!("{found} at character {}", error.at + 1);
             Some(finding(path, found, error.wanted))

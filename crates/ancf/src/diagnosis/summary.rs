@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
-use crate::model::{Body, End, Joint, Load, Model, ModelErrors};
+use crate::errors::ModelErrors;
+use crate::model::{Body, End, Joint, Load, Model};
 
 /// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]

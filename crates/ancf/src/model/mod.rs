@@ -3,7 +3,6 @@
 mod analyses;
 mod bodies;
 mod contacts;
-mod error;
 mod functions;
 mod joints;
 mod loads;
@@ -15,8 +14,6 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use crate::units::{ScaleChoice, Units};
-
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
     Start, Statics, Step, Stop,
@@ -26,7 +23,6 @@ pub use bodies::{
     At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Against, Contact};
-pub use error::{ModelError, ModelErrors, Position};
 pub(crate) use functions::Clock;
 pub use functions::{TimeFunction, Varying};
 pub(crate) use joints::Acting;

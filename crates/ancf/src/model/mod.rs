@@ -38,7 +38,7 @@ pub use sections::{Damping, Material, MaterialLaw, Section};
 
 // TEMPORARY FACADE
 #[doc(hidden)]
-pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
+pub use crate::{assembly::*, diagnosis::*, errors::*, reading::*, schema::*, units::*};
 // END
 
 /// A flexible multibody model as its user states it.

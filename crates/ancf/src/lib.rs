@@ -69,8 +69,9 @@
 pub mod assembly;
 mod checking;
 pub mod diagnosis;
-mod errors;
+pub mod errors;
 mod failure;
+pub mod joints;
 pub mod model;
 pub mod reading;
 pub mod record;

@@ -4,8 +4,8 @@ use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, Measure};
-use crate::assembly::joint_equations::JointEquations;
 use crate::errors::ModelErrors;
+use crate::joints::JointEquations;
 use crate::model::{Clock, Model, Probe};
 
 impl Model {

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
-use crate::model::{At, Body, End, Model, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
+use crate::joints::End;
+use crate::model::{At, Body, Model, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
 use crate::schema::did_you_mean;
 
 /// How far apart, relative to the longer body, two places may be that a joint connects.

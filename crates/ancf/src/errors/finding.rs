@@ -1,15 +1,16 @@
 use super::error::ModelError;
 
-/// An error and what decides whether and where it is reported.
+/// An error of a model, with the conditions on which it is reported.
 #[derive(Debug)]
-pub(crate) struct Finding {
-    pub(crate) error: ModelError,
-    /// Other paths it rests on: if one of them had to be mended, the finding means nothing.
-    pub(crate) rests_on: Vec<String>,
-    /// Whether something is not there, which an error of syntax may have hidden.
-    pub(crate) absence: bool,
-    /// Whether it is the key that is wrong, not its value.
-    pub(crate) at_key: bool,
+pub struct Finding {
+    /// The error.
+    pub error: ModelError,
+    /// Paths on which the finding depends: if one of them is wrong itself, the finding is dropped.
+    pub rests_on: Vec<String>,
+    /// True if a part is missing, which an error of syntax may have hidden.
+    pub absence: bool,
+    /// True if the key is wrong, not its value.
+    pub at_key: bool,
 }
 
 impl From<ModelError> for Finding {
@@ -18,17 +19,22 @@ impl From<ModelError> for Finding {
     }
 }
 
-pub(crate) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+/// Finding at the path of a key: what was found there, and what is expected.
+pub fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
     ModelError::new(path, found, wanted).into()
 }
 
 impl Finding {
-    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
+    /// Adds a suggestion.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.error = self.error.hint(hint);
         self
     }
 
-    pub(crate) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+    /// Sets the paths on which the finding depends.
+    #[must_use]
+    pub fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
         Self { rests_on: paths.into_iter().collect(), ..self }
     }
 }

@@ -5,6 +5,6 @@ mod finding;
 mod words;
 
 pub use error::{ModelError, ModelErrors, Position};
-pub(crate) use finding::{Finding, finding};
+pub use finding::{Finding, finding};
 pub use words::nearest;
 pub(crate) use words::{listed, number, quoted};

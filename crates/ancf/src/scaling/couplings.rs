@@ -1,4 +1,5 @@
-use crate::model::{Coupled, Coupling, Freed, Model};
+use crate::joints::{Coupled, Coupling, Freed};
+use crate::model::Model;
 use crate::units::{Dimension, Scales, number};
 
 impl Model {

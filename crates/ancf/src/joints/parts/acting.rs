@@ -5,7 +5,7 @@ use ancf_mechanics::functions::Function;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::functions::{Clock, TimeFunction};
+use crate::model::{Clock, TimeFunction};
 use crate::units::{Dimension, Scales, number};
 
 /// Prescribes the angle of a joint: by `angle` or by `rate`.
@@ -98,7 +98,10 @@ pub struct LinearFriction {
 
 /// What acts along one freedom, whatever its dimension.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Acting<'a> {
+pub struct Acting<'a> {
+    /// Table that states the drive: `"drive"` or `"feed"`.
+    pub(crate) table: &'static str,
+    /// Prescribed motion.
     pub(crate) drive: Option<Led<'a>>,
     /// Stiffness, damping and set point.
     pub(crate) spring: Option<[f64; 3]>,
@@ -108,7 +111,7 @@ pub(crate) struct Acting<'a> {
 
 /// A prescribed freedom.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Led<'a> {
+pub struct Led<'a> {
     /// The freedom itself, or its rate.
     pub(crate) amounts: [Option<f64>; 2],
     pub(crate) time: &'a TimeFunction,
@@ -130,6 +133,7 @@ impl<'a> Acting<'a> {
     ) -> Self {
         let led = |d: &'a AngularDrive| Led { amounts: [d.angle, d.rate], time: &d.time };
         Self {
+            table: "drive",
             drive: drive.as_ref().map(led),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
             friction: friction.map(|f| [f.moment, f.rate]),
@@ -144,6 +148,7 @@ impl<'a> Acting<'a> {
     ) -> Self {
         let led = |d: &'a LinearDrive| Led { amounts: [d.displacement, d.speed], time: &d.time };
         Self {
+            table: "drive",
             drive: drive.as_ref().map(led),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
             friction: friction.map(|f| [f.force, f.speed]),

@@ -1,8 +1,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::joint::Joint;
-
 /// Joints that move together: the sum of their angles and displacements, times factors, stays zero. Gears, racks, belts, screws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -36,16 +34,4 @@ pub enum Freed {
     Angle,
     /// The displacement along the axis.
     Displacement,
-}
-
-impl Joint {
-    /// The freedoms by which it may be coupled.
-    pub(crate) const fn freedoms(&self) -> &'static [Freed] {
-        match self {
-            Self::Revolute { .. } => &[Freed::Angle],
-            Self::Cylindrical(_) => &[Freed::Angle, Freed::Displacement],
-            Self::Prismatic(_) | Self::Slide(_) => &[Freed::Displacement],
-            _ => &[],
-        }
-    }
 }

@@ -5,7 +5,7 @@
 #[path = "common/rod.rs"]
 mod rod;
 
-use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Spherical, Statics};
+use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Statics};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
@@ -44,7 +44,7 @@ fn counts_of_a_pendulum() {
 fn what_is_loose_is_named() {
     let mut model = beside(rod::cantilever(1), &["alone", "one", "two"]);
     let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
-    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b }));
+    model.joints.push(Joint::Spherical { name: "elbow".into(), a, b });
     let diagnosis = model.diagnose().unwrap();
     assert_eq!(diagnosis.unconnected, ["alone"]);
     assert_eq!(diagnosis.unreached, ["one", "two"]);

@@ -9,7 +9,7 @@ mod rod;
 
 use ancf::Model;
 use ancf::analysis::{Interrupt, modes};
-use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place, Revolute, Spherical};
+use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place};
 use ancf::system::State;
 
 use equilibrium::equilibrium;
@@ -40,7 +40,7 @@ fn second(end: Named) -> Place {
 
 fn elbow() -> Joint {
     let (a, b) = (second(Named::Start), End::Place(rod::end()));
-    Joint::Revolute(Revolute {
+    Joint::Revolute {
         name: "elbow".into(),
         a,
         b,
@@ -48,7 +48,7 @@ fn elbow() -> Joint {
         drive: None,
         spring: None,
         friction: None,
-    })
+    }
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn pendulums() {
     assert_eq!(words(&rod::revolute(2)), [about("z")]);
     let mut skew = rod::revolute(2);
     rod::beam(&mut skew).up = Some([0.0, 0.3, 1.0]);
-    let Joint::Revolute(Revolute { axis, .. }) = &mut skew.joints[0] else { panic!("a hinge") };
+    let Joint::Revolute { axis, .. } = &mut skew.joints[0] else { panic!("a hinge") };
     *axis = [0.0, 3.0, 4.0];
     assert_eq!(words(&skew), [about("(0, 0.6, 0.8)")]);
 }
@@ -83,7 +83,7 @@ fn pendulums() {
 fn between_two_balls() {
     let mut model = rod::spherical(3);
     rod::beam(&mut model).to = [2.0, -1.0, 2.0];
-    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    model.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
     let axis = "(0.6667, -0.3333, 0.6667)";
     assert_eq!(
         words(&model),
@@ -97,7 +97,7 @@ fn held_rods_have_none() {
         assert!(words(&rod::clamped(2, fix)).is_empty());
     }
     let mut propped = rod::revolute(2);
-    propped.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    propped.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
     assert!(words(&propped).is_empty());
 }
 
@@ -122,7 +122,7 @@ fn a_chain_names_all_that_moves() {
 /// with balls each rod can spin.
 #[test]
 fn a_truss_flaps_about_its_diagonal() {
-    let ball = |name: &str, a, b| Joint::Spherical(Spherical { name: name.into(), a, b });
+    let ball = |name: &str, a, b| Joint::Spherical { name: name.into(), a, b };
     let top = ball("top", second(Named::End), End::Ground);
     let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
@@ -189,7 +189,7 @@ fn a_long_chain() {
         model.bodies.push(Body::Beam(link));
         let a = Place::new(&name, At::Named(Named::Start));
         let b = End::Place(Place::new(&before, At::Named(Named::End)));
-        model.joints.push(Joint::Revolute(Revolute {
+        model.joints.push(Joint::Revolute {
             name: format!("hinge {k}"),
             a,
             b,
@@ -197,7 +197,7 @@ fn a_long_chain() {
             drive: None,
             spring: None,
             friction: None,
-        }));
+        });
     }
     let assembly = model.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());

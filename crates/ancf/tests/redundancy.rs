@@ -11,8 +11,8 @@ mod run;
 use std::time::Instant;
 
 use ancf::model::{
-    Analysis, At, Beam, Body, Buckling, Clamp, Clamped, DrivenClamp, End, Formulation, Ground, Joint, Load,
-    Modes, Named, Path, Place, Spherical, Statics, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Buckling, Clamped, End, Formulation, Ground, Joint, Load, Modes, Named, Path,
+    Place, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
 use ancf::system::{Sparse, dependences};
@@ -23,11 +23,11 @@ use proptest::prelude::*;
 use run::{Run, distance};
 
 fn ball(name: &str, a: Place) -> Joint {
-    Joint::Spherical(Spherical { name: name.into(), a, b: End::Ground })
+    Joint::Spherical { name: name.into(), a, b: End::Ground }
 }
 
 fn clamp(name: &str, a: Place, fix: Clamped) -> Joint {
-    Joint::Clamp(Clamp { name: name.into(), a, b: End::Ground, fix: Some(fix) })
+    Joint::Clamp { name: name.into(), a, b: End::Ground, fix: Some(fix) }
 }
 
 fn short(mut model: Model) -> Model {
@@ -176,7 +176,7 @@ fn in_other_units() {
 fn drive(name: &str, text: &str) -> Joint {
     let time = TimeFunction::Varying(Varying::Expression { text: text.into(), unit: 1.0 });
     let (axis, fix) = ([0.0, 0.0, 1.0], Some(Clamped::Section));
-    Joint::Drive(DrivenClamp {
+    Joint::Drive {
         name: name.into(),
         a: rod::start(),
         axis: Some(axis),
@@ -184,7 +184,7 @@ fn drive(name: &str, text: &str) -> Joint {
         displacement: [0.0; 3],
         time,
         fix,
-    })
+    }
 }
 
 /// Drives that say the same are redundant, drives that do not are refused, in words.
@@ -208,8 +208,7 @@ fn contradictions_are_refused() {
             .starts_with("equations that contradict `root`: driven direction y")
     );
     let point = |point| End::Point(Ground { point });
-    let pull =
-        |name: &str, to| Joint::Spherical(Spherical { name: name.into(), a: rod::end(), b: point(to) });
+    let pull = |name: &str, to| Joint::Spherical { name: name.into(), a: rod::end(), b: point(to) };
     let mut pulled =
         with(rod::cantilever(2), [pull("here", [0.9, 0.1, 0.0]), pull("there", [0.9, 0.2, 0.0])]);
     pulled.analysis = Analysis::Statics(Statics::default());

@@ -12,7 +12,7 @@
 use ancf::Model;
 use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
 use ancf::model::{
-    Assembly, At, Body, Cable, Clamp, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
+    Assembly, At, Body, Cable, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
 };
 use ancf::system::{State, Weights};
 
@@ -250,7 +250,7 @@ fn strip_bent_before() {
 #[test]
 fn clamped_in_the_middle() {
     let mut model = rod::cantilever(16);
-    let Joint::Clamp(Clamp { a, .. }) = &mut model.joints[0] else { panic!("a clamp") };
+    let Joint::Clamp { a, .. } = &mut model.joints[0] else { panic!("a clamp") };
     a.at = At::Length(0.5 * rod::LENGTH);
     let assembly = loaded(model, [-1.0, 0.0, 0.0]);
     let mut half = rod::cantilever(8);

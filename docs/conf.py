@@ -1,4 +1,4 @@
-"""Sphinx configuration. `cargo xtask docs` builds the site, runs all code cells and notebooks, and fails on any warning."""
+"""Sphinx configuration. `cargo xtask docs` builds the site, runs cells and notebooks, and fails on any warning."""
 
 import ast
 import inspect
@@ -63,7 +63,7 @@ def read(app: "Sphinx", name: str, source: list[str]) -> None:
 
 
 def led(link: re.Match[str], file: Path, page: Path) -> str:
-    """Return a link of a file rewritten for a page of the site. Links to folders without an index become plain text."""
+    """Return a link rewritten for a page of the site. Links to folders without an index become plain text."""
     words, path, anchor = link.group(1), link.group(2), link.group(3) or ""
     target = (file.parent / path).resolve()
     if not target.exists():

@@ -1,0 +1,5 @@
+//! Contact of bodies.
+
+mod forces;
+mod models;
+mod search;

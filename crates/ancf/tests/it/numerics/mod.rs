@@ -1,0 +1,5 @@
+//! Linear algebra and rounding.
+
+mod chain_cost;
+mod factorisation;
+mod rounding_floor;

@@ -1,0 +1,4 @@
+//! Eigenvalue problems.
+
+mod loaded_equilibria;
+mod modes;

@@ -1,0 +1,5 @@
+//! Static equilibria and their paths.
+
+mod load_increments;
+mod paths;
+mod truss;

@@ -1,0 +1,82 @@
+//! Cantilevers of cable elements under a dead load at the tip and under their own weight.
+
+use std::f64::consts::PI;
+
+use ancf::analysis::{Newton, Stop};
+use ancf::mechanics::{BeamShape, CableProfile, CableSection};
+use ancf::system::Weights;
+use nalgebra::Vector3;
+
+use super::cable_chain::{Chain, Root};
+use crate::common::assertions::assert_near;
+
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
+
+/// The rod of Kim et al. (2017): L = 1, d = 0.02, E = 193e9, ρ = 8030.
+fn rod() -> CableSection {
+    let (area, young) = (PI * 0.02 * 0.02 / 4.0, 193e9);
+    CableSection {
+        axial: young * area,
+        bending: young * PI * 0.02_f64.powi(4) / 64.0,
+        line_density: 8030.0 * area,
+    }
+}
+
+fn cantilever(
+    length: f64,
+    elements: u32,
+    section: CableSection,
+    gravity: Vector3<f64>,
+    force: Vector3<f64>,
+) -> Chain {
+    let shape = BeamShape { length: length / f64::from(elements), slope: 1.0 };
+    let profile = CableProfile::new(shape, section, gravity);
+    Chain::new(elements as usize, profile, force, Root::Direction)
+}
+
+/// L = 2, ρA = 78, EA = 1e6, EI = 833.333 under its own weight, ρAgL³/EI = 7.35.
+/// Source: EXUDYN's cable element, converged.
+#[test]
+fn heavy_cantilever() {
+    let section = CableSection { axial: 1e6, bending: 1e4 / 12.0, line_density: 78.0 };
+    let chain = cantilever(2.0, 64, section, GRAVITY, Vector3::zeros());
+    let (state, _) = chain.equilibrium(5);
+    let moved = chain.moved(&state);
+    assert_near("x", moved.x, -0.501_305_85, 1e-8);
+    assert_near("y", moved.y, -1.232_510_06, 1e-8);
+}
+
+/// PL²/EI = 10 on the rod: the elastica (0.445004402246249, 0.810609024880296) of Bisshopp & Drucker (1945), with
+/// the rod's stretch (0.445033517081, 0.810808827703) by shooting. The moment at the root is P x, and the axial force at
+/// the tip P sin θ.
+#[test]
+fn elastica() {
+    let section = rod();
+    let load = 10.0 * section.bending;
+    let chain = cantilever(1.0, 64, section, Vector3::zeros(), Vector3::new(0.0, load, 0.0));
+    let (state, _) = chain.equilibrium(4);
+    let tip = chain.tip.value(&state);
+    assert_near("x", tip.x, 0.445_033_517_081, 2e-8);
+    assert_near("y", tip.y, 0.810_808_827_703, 2e-8);
+
+    let (_, root) = chain.resultants(&state, 0, 0.0);
+    assert!((root - Vector3::z() * (load * tip.x)).norm() < 1e-2 * load * tip.x, "{root}");
+    let (force, moment) = chain.resultants(&state, 63, 1.0);
+    let slope = Vector3::x() + Vector3::from_column_slice(&state.q[6 * 64 + 3..]);
+    assert_near("axial force", force, load * slope.normalize().y, 1e-2 * load);
+    assert!(moment.norm() < 1e-3 * root.norm(), "{moment}");
+}
+
+/// The rod under its own weight in one step: EA is 4e4 EI/L², elements are 1/1000 of it long, and Newton's method
+/// ends after four iterations all the same. Limit without shear: 2.040778175 mm (inextensible, by shooting).
+#[test]
+fn own_weight_of_many_elements() {
+    for elements in [50, 300, 500, 700, 1000] {
+        let chain = cantilever(1.0, elements, rod(), GRAVITY, Vector3::zeros());
+        let mut state = chain.rest();
+        let mut newton = Newton::new(chain.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+        let report = newton.solve(&chain.system, &mut state, Weights::STIFFNESS).unwrap();
+        assert!(report.iterations <= 5, "{elements} elements: {} iterations", report.iterations);
+        assert_near("tip", chain.moved(&state).y, -0.002_040_778_175, 1e-11);
+    }
+}

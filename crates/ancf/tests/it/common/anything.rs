@@ -1,5 +1,7 @@
-//! What is done with bytes of any origin, by the fuzz targets (`fuzz/`) and by the test that replays their corpora.
-#![allow(dead_code, reason = "each target has one of these")]
+//! Checks of the parsers on arbitrary bytes, shared by the fuzz targets (`fuzz/`) and the test that replays their corpora.
+//!
+//! This file depends on no other file of the tests, because the fuzz targets include it.
+#![allow(dead_code, reason = "each fuzz target uses one of these functions")]
 
 use std::io;
 use std::ops::ControlFlow;
@@ -9,28 +11,27 @@ use ancf::model::{Analysis, Body, Step};
 use ancf::record::Sink;
 use ancf::{Model, Simulation};
 
-/// A text as a model file: nothing may panic, errors lie within the text, and a model that is accepted is accepted again,
-/// assembles and begins to run.
+/// Parses the bytes as a model file. Asserts that errors lie within the text and that a valid model starts to run.
 pub fn model(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     match Model::parse(text) {
         Ok(model) if is_small(&model) => {
             let mut model = model;
-            curb(&mut model.analysis);
-            let simulation = Simulation::new(&model).expect("a model that was accepted, of the same bodies");
-            simulation.run(&mut Few(5)).expect("a sink that does not fail");
+            limit(&mut model.analysis);
+            let simulation = Simulation::new(&model).expect("the model was validated by the parser");
+            simulation.run(&mut RowLimit(5)).expect("the sink returns no error");
         }
         Ok(_) => {}
         Err(errors) => {
             for error in errors {
-                let at = error.at.clone().expect("a place in the text");
+                let at = error.at.clone().expect("errors of a text have a position");
                 assert!(text.get(at.bytes).is_some(), "{error}");
             }
         }
     }
 }
 
-/// A text as a formula: it is read or refused at one of its characters, and has values.
+/// Parses the bytes as a formula. Evaluates it, or asserts that the position of the error lies within the text.
 pub fn expression(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     match Expression::parse(text) {
@@ -39,11 +40,11 @@ pub fn expression(bytes: &[u8]) {
     }
 }
 
-/// Whether a run takes no more than an instant.
+/// True if a run takes a fraction of a second.
 fn is_small(model: &Model) -> bool {
     let elements: u64 = model.bodies.iter().map(|body| u64::from(elements(body))).sum();
     let lists = [model.bodies.len(), model.joints.len(), model.loads.len(), model.contacts.len()];
-    elements <= 30 && lists.iter().all(|length| *length <= 10) && !wants_program(model)
+    elements <= 30 && lists.iter().all(|length| *length <= 10) && !needs_supplies(model)
 }
 
 const fn elements(body: &Body) -> u32 {
@@ -54,13 +55,13 @@ const fn elements(body: &Body) -> u32 {
     }
 }
 
-/// Whether functions are to be supplied.
-fn wants_program(model: &Model) -> bool {
+/// True if the model needs functions that a program supplies.
+fn needs_supplies(model: &Model) -> bool {
     model.check_supplies().is_err()
 }
 
-/// Few iterations, few steps.
-fn curb(analysis: &mut Analysis) {
+/// Limits the iterations and the number of results of an analysis.
+fn limit(analysis: &mut Analysis) {
     match analysis {
         Analysis::Dynamics(dynamics) => {
             dynamics.max_iterations = dynamics.max_iterations.min(10);
@@ -79,10 +80,10 @@ fn curb(analysis: &mut Analysis) {
     }
 }
 
-/// Stops a run after so many rows.
-struct Few(u32);
+/// Sink that stops a run after a number of rows.
+struct RowLimit(u32);
 
-impl Sink for Few {
+impl Sink for RowLimit {
     fn begin(&mut self, _: &[String]) -> io::Result<()> {
         Ok(())
     }

@@ -4,5 +4,6 @@ pub(crate) mod anything;
 pub(crate) mod assertions;
 pub(crate) mod continuum;
 pub(crate) mod models;
+pub(crate) mod random;
 pub(crate) mod sample;
 pub(crate) mod solutions;

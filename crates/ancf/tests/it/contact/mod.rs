@@ -1,4 +1,4 @@
-//! Contact of bodies.
+//! Contact of bodies with obstacles and with each other.
 
 mod forces;
 mod models;

@@ -1,28 +1,25 @@
-//! Models of bodies that touch, and the forces between them.
-
-use std::ops::ControlFlow;
+//! Models of bodies in contact, and the contact forces.
 
 use ancf::Model;
-use ancf::analysis::{Increments, Newton, Statics, Stop};
 use ancf::model::Assembly;
 use ancf::system::{EquationsOfMotion, Local, State, Term};
 use nalgebra::Vector3;
 
-/// A model of the given bodies in one contact, or none, without gravity.
-pub(crate) fn model(bodies: &str, contact: &str) -> Model {
+use crate::common::models::parse;
+
+/// Model of the given bodies with one contact or none, without gravity.
+pub(super) fn model(bodies: &str, contact: &str) -> Model {
     let contact = if contact.is_empty() { String::new() } else { format!("[[contacts]]\n{contact}\n\n") };
     let text = format!(
         "[materials]\nstiff = {{ density = 1000, young = 2e9 }}\nsoft = {{ density = 1000, young = 3e7, damping = {{ mass = \
          20, strain = 1e-3 }} }}\n\n[sections.round]\nkind = \"circle\"\ndiameter = 0.02\n\n{bodies}\n{contact}[analysis]\n\
          kind = \"dynamics\"\nduration = 1\nstep = 1e-3\n"
     );
-    Model::parse(&text).unwrap_or_else(|errors| {
-        panic!("{text}\n{}", errors.iter().map(|error| format!("{error}\n")).collect::<String>())
-    })
+    parse(&text)
 }
 
-/// The undeformed state with bodies that move at given velocities.
-pub(crate) fn pushed(assembly: &Assembly, velocities: &[(&str, Vector3<f64>)]) -> State {
+/// Undeformed state in which bodies translate with given velocities.
+pub(super) fn with_velocities(assembly: &Assembly, velocities: &[(&str, Vector3<f64>)]) -> State {
     let mut s = assembly.rest();
     for (body, velocity) in velocities {
         for vector in assembly.mesh(body).unwrap().vectors(&assembly.rest()).filter(|v| v.is_position()) {
@@ -32,18 +29,8 @@ pub(crate) fn pushed(assembly: &Assembly, velocities: &[(&str, Vector3<f64>)]) -
     s
 }
 
-/// The equilibrium under the whole load.
-pub(crate) fn equilibrium(assembly: &Assembly) -> State {
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 100).unwrap();
-    let start = State { load: 0.0, ..assembly.rest() };
-    let increments = Increments { first: 0.1, ..Increments::default() };
-    let mut statics = Statics::new(&assembly.system, newton, increments, start);
-    statics.advance(1.0, |_, _| ControlFlow::Continue(())).unwrap();
-    statics.state().clone()
-}
-
-/// What a term adds to the rows of all coordinates.
-pub(crate) fn rows(term: &dyn Term, s: &State) -> Vec<f64> {
+/// Residual of a term in the rows of all coordinates.
+pub(super) fn rows(term: &dyn Term, s: &State) -> Vec<f64> {
     let of = |x: &[f64]| term.coordinates().iter().map(|&c| x[c]).collect::<Vec<_>>();
     let (q, v, a) = (of(&s.q), of(&s.v), of(&s.a));
     let mut local = vec![0.0; q.len()];
@@ -53,12 +40,12 @@ pub(crate) fn rows(term: &dyn Term, s: &State) -> Vec<f64> {
     rows
 }
 
-/// The sum of all contact forces on a body.
-pub(crate) fn force(assembly: &Assembly, s: &State, body: &str) -> Vector3<f64> {
+/// Sum of all contact forces on a body.
+pub(super) fn force(assembly: &Assembly, s: &State, body: &str) -> Vector3<f64> {
     let Some((complete, _)) = assembly.system.completed(s) else { return Vector3::zeros() };
-    let lasting = assembly.system.terms().len();
+    let permanent = assembly.system.terms().len();
     let mut force = Vector3::zeros();
-    for term in &complete.terms()[lasting..] {
+    for term in &complete.terms()[permanent..] {
         let rows = rows(term.as_ref(), s);
         for vector in assembly.mesh(body).unwrap().vectors(s).filter(|vector| vector.is_position()) {
             force -= Vector3::from_column_slice(&rows[vector.first..vector.first + 3]);

@@ -1,13 +1,14 @@
-//! Which pairs are found, and what their forces keep.
+//! Search of contact pairs, and momenta of contact forces.
 
-use super::models::{model, rows};
-use crate::common::sample::Random;
 use ancf::mechanics::{BeamContacts, ContactLaw, Skin};
 use ancf::model::Assembly;
 use ancf::system::{Encounters, EquationsOfMotion, Local, State, Term};
 use nalgebra::Vector3;
 
-/// A beam, a cable and a beam of the three-node element that cross each other without touching.
+use super::models::{model, rows};
+use crate::common::random::Random;
+
+/// Two-node beam, three-node beam and cable that cross without contact.
 fn bodies(contact: &str) -> Assembly {
     let beam = |name: &str, from: &str, to: &str, formulation: &str| {
         format!(
@@ -22,8 +23,8 @@ fn bodies(contact: &str) -> Assembly {
     model(&text, contact).assemble().unwrap()
 }
 
-/// A state in which bodies are shifted and deformed at random.
-fn mixed(assembly: &Assembly, random: &mut Random) -> State {
+/// Random state: bodies are shifted and deformed.
+fn random_state(assembly: &Assembly, random: &mut Random) -> State {
     let mut s = assembly.rest();
     for (_, mesh) in assembly.bodies() {
         let shift = random.vector3() * 0.06;
@@ -42,9 +43,9 @@ fn energy(term: &dyn Term, s: &State) -> f64 {
     term.energy(&Local { q: &q, v: &zeros, a: &zeros, lambda: &[], t: 0.0, load: 1.0 }).strain
 }
 
-/// The search finds every pair that acts, in order, and the same pairs whatever it found before.
+/// All active pairs are found, in order.
 #[test]
-fn the_search_finds_what_all_pairs_would() {
+fn search_finds_all_active_pairs() {
     let assembly = bodies("");
     let law = ContactLaw { stiffness: 1e6, transition: 1e-4, damping: 0.0, friction: 0.0, slip_speed: 1.0 };
     let skins: Vec<Skin> =
@@ -53,12 +54,12 @@ fn the_search_finds_what_all_pairs_would() {
     let contacts = BeamContacts::new(skins, law);
     let (rest, mut random, mut acting) = (assembly.rest(), Random(7), 0);
     for _ in 0..20 {
-        let s = mixed(&assembly, &mut random);
+        let s = random_state(&assembly, &mut random);
         let near = contacts.near(&s);
         assert!(near.is_sorted_by(|a, b| a.0 < b.0));
         for pair in (0..7 * elements as u32).flat_map(|i| (0..elements as u32).map(move |k| [i, k])) {
             let term = contacts.term(pair);
-            // What overlaps at rest is joined: a point and its own element.
+            // Pairs that overlap at rest are a point and its own element.
             if energy(term.as_ref(), &s) > 0.0 && energy(term.as_ref(), &rest) == 0.0 {
                 acting += 1;
                 assert!(near.iter().any(|(found, d)| *found == pair && *d <= 0.0), "{pair:?}");
@@ -68,12 +69,12 @@ fn the_search_finds_what_all_pairs_would() {
     assert!(acting > 50, "{acting}");
 }
 
-/// Momentum of all contacts together, and angular momentum but of friction between bodies.
-fn keeps_momenta(contact: &str, angular: bool) {
+/// Asserts that contact forces have no resultant and, if `angular` is set, no moment.
+fn assert_momenta(contact: &str, angular: bool) {
     let assembly = bodies(contact);
     let (mut random, mut acting) = (Random(11), 0);
     for _ in 0..20 {
-        let s = mixed(&assembly, &mut random);
+        let s = random_state(&assembly, &mut random);
         let Some((complete, _)) = assembly.system.completed(&s) else { continue };
         for term in &complete.terms()[assembly.system.terms().len()..] {
             let rows = rows(term.as_ref(), &s);
@@ -96,18 +97,19 @@ fn keeps_momenta(contact: &str, angular: bool) {
     assert!(acting > 5, "{acting}");
 }
 
+/// Friction between bodies has a moment, since it acts at two points.
 #[test]
-fn contacts_keep_momentum_and_angular_momentum() {
+fn contact_forces_conserve_momenta() {
     let drum = "with = { kind = \"cylinder\", point = [0, 0, 0], axis = [0.3, 1, 0], radius = 0.04, on = { body = \"first\", \
                 at = 0.17 } }\nstiffness = 1e6\nfriction = 0.4\ndamping = 0.3";
-    keeps_momenta(drum, true);
-    keeps_momenta(
+    assert_momenta(drum, true);
+    assert_momenta(
         &drum.replace("cylinder", "sphere").replace("point", "center").replace("axis = [0.3, 1, 0], ", ""),
         true,
     );
     let plane = "with = { kind = \"plane\", point = [0, 0, 0.04], normal = [0.1, 0.2, 1], on = { body = \"first\", at = \"end\" \
                  } }\nstiffness = 1e6\nfriction = 0.4";
-    keeps_momenta(plane, true);
-    keeps_momenta("with = { kind = \"bodies\" }\nstiffness = 1e6\ndamping = 0.3", true);
-    keeps_momenta("with = { kind = \"bodies\" }\nstiffness = 1e6\nfriction = 0.3", false);
+    assert_momenta(plane, true);
+    assert_momenta("with = { kind = \"bodies\" }\nstiffness = 1e6\ndamping = 0.3", true);
+    assert_momenta("with = { kind = \"bodies\" }\nstiffness = 1e6\nfriction = 0.3", false);
 }

@@ -1,4 +1,4 @@
-//! Steps by error control: what a tolerance promises is kept, and not overdone.
+//! Step size control: errors are below the tolerance and of its order of magnitude.
 
 use ancf::Model;
 use ancf::analysis::{Adaptive, Control, Dynamics, Failure, Newton, Scheme, SolveError, Stop};
@@ -42,7 +42,7 @@ fn dynamics(system: &System, scheme: Scheme, start: State) -> Dynamics<'_, Syste
 /// Steps and rejected steps.
 type Count = [u32; 2];
 
-/// States at so many equal instants.
+/// Integrates adaptively. Returns states at equally spaced instants.
 fn integrate(
     dynamics: &mut Dynamics<'_, System>,
     control: Control,
@@ -56,20 +56,20 @@ fn integrate(
             let report = adaptive.step(dynamics, to)?;
             steps = [steps[0] + 1, steps[1] + report.rejected];
         }
-        assert_eq!(dynamics.state().t, to, "landed exactly");
+        assert_eq!(dynamics.state().t, to, "the instant is reached exactly");
         states.push(dynamics.state().clone());
     }
     Ok((states, steps))
 }
 
-/// The largest error over the instants, as a part of the length and of the tolerance.
+/// Largest error over the instants, relative to the length and to the tolerance.
 fn error(mass: &SparseMatrix, control: Control, states: &[State], exact: &[State]) -> f64 {
     assert_eq!(states.len(), exact.len());
     let errors = states.iter().zip(exact).map(|(a, b)| distance(mass, control.mass, a, b));
     errors.fold(0.0, f64::max) / control.length / control.tolerance
 }
 
-/// A rod under its weight: error by tolerance, the reference in steps of 50 μs.
+/// Errors of a rod under its weight for three tolerances, against steps of 50 μs.
 fn errors_of_the_rod(model: &Model, duration: f64) -> [f64; 3] {
     let assembly = model.assemble().unwrap();
     let (system, mass) = (&assembly.system, mass(&assembly.system, &assembly.rest()));
@@ -88,46 +88,45 @@ fn errors_of_the_rod(model: &Model, duration: f64) -> [f64; 3] {
     })
 }
 
-/// Below the tolerance, and not by more than a factor of ten.
-fn assert_kept(name: &str, errors: &[f64]) {
+/// Asserts that errors are below the tolerance by at most a factor of ten.
+fn assert_efficient(name: &str, errors: &[f64]) {
     for error in errors {
         assert!((0.1..=1.0).contains(error), "{name}: {errors:?} of the tolerances");
     }
 }
 
 #[test]
-fn tolerances_of_the_pendulum() {
-    for haul in [0.0, 0.3] {
-        let (system, exact) = (pendulum::system(haul), pendulum::exact(haul, 5.0, 20));
+fn pendulum_errors_are_below_the_tolerance() {
+    for stretch in [0.0, 0.3] {
+        let (system, exact) = (pendulum::system(stretch), pendulum::exact(stretch, 5.0, 20));
         let mass = mass(&system, &exact[0]);
         let errors = [1e-3, 1e-4, 1e-5].map(|tolerance| {
             let control = control(tolerance, pendulum::ROD, pendulum::MASS, 5.0);
-            let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), haul);
+            let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), stretch);
             let (states, steps) = integrate(&mut dynamics, control, 20).unwrap();
             assert!(steps[1] < 5, "{steps:?}");
             error(&mass, control, &states, &exact[1..])
         });
-        assert_kept(&format!("haul {haul}"), &errors);
+        assert_efficient(&format!("stretch {stretch}"), &errors);
     }
 }
 
-/// The stiff rod's bending is some 1e-3 of its length: whether it is resolved at that tolerance is for the
-/// filter to decide, and what it contributes dies out, while its estimated errors have been added up.
+/// Bending of the stiff rod is about 1e-3 of its length. At that tolerance the error filter may or may not resolve it.
 #[test]
-fn tolerances_of_the_rods() {
+fn rod_errors_are_below_the_tolerance() {
     let stiff = errors_of_the_rod(&rod::revolute(2), 1.0);
     assert!(stiff[0] > 0.01 && stiff[0] < 1.0, "{stiff:?}");
-    assert_kept("stiff pendulum", &stiff[1..]);
+    assert_efficient("stiff pendulum", &stiff[1..]);
     let mut soft = rod::revolute(2);
     rod::material(&mut soft).young /= 1e3;
-    assert_kept("soft pendulum", &errors_of_the_rod(&soft, 1.0));
-    assert_kept("cantilever", &errors_of_the_rod(&rod::cantilever(2), 0.5));
+    assert_efficient("soft pendulum", &errors_of_the_rod(&soft, 1.0));
+    assert_efficient("cantilever", &errors_of_the_rod(&rod::cantilever(2), 0.5));
 }
 
-/// A push that begins at t = 0.7.
-struct Push;
+/// Force that starts at t = 0.7.
+struct StepForce;
 
-impl Term for Push {
+impl Term for StepForce {
     fn coordinates(&self) -> &[usize] {
         &[0]
     }
@@ -143,10 +142,10 @@ impl Term for Push {
     fn tangent(&self, _: &Local<'_>, _: Weights, _: &mut LocalMatrix<'_>) {}
 }
 
-/// Where a load jumps, a step ends on the load before and the next begins with that after: second order all the same.
+/// Jump of a load at the end of a step: the next step starts with the right-hand limit.
 #[test]
-fn jumps_cost_no_order() {
-    let system = pendulum::system_with(0.0, vec![Box::new(Push)]);
+fn load_jumps_keep_second_order() {
+    let system = pendulum::system_with(0.0, vec![Box::new(StepForce)]);
     let end = |steps: u32| {
         let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.0);
         for i in 1..steps {
@@ -168,9 +167,9 @@ fn jumps_cost_no_order() {
     }
 }
 
-/// A tolerance that no step can keep is said to be one.
+/// The failure is reported if the tolerance needs steps below the smallest one.
 #[test]
-fn steps_that_get_too_small() {
+fn too_small_steps_are_a_failure() {
     let system = pendulum::system(0.0);
     let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.0);
     let control = Control { smallest: 1e-3, ..control(1e-9, pendulum::ROD, pendulum::MASS, 1.0) };
@@ -178,9 +177,9 @@ fn steps_that_get_too_small() {
     assert_eq!(error.failure, Failure::StepTooSmall);
 }
 
-/// Fixed steps of which Newton's method can do only a part go on in such parts, and grow again.
+/// Steps divided for Newton's method keep their size in the following steps and grow by a factor of two.
 #[test]
-fn divided_steps_grow_again() {
+fn divided_steps_grow_by_a_factor_of_two() {
     let system = pendulum::system(0.0);
     let newton = Newton::new(system.matrix(), Stop::Energy(1e-8), 3).unwrap();
     let start = pendulum::exact(0.0, 1.0, 1).swap_remove(0);
@@ -192,9 +191,9 @@ fn divided_steps_grow_again() {
     assert!(substeps.windows(2).all(|n| n[1] >= n[0] / 2), "by a factor of two at most: {substeps:?}");
 }
 
-/// A model by error control: the same motion as in small steps, recorded at intervals or at every step, whatever the units.
+/// Motion of a model as with small steps, recorded at intervals or at every step, independent of the scales.
 #[test]
-fn models_by_error_control() {
+fn adaptive_runs_agree_with_small_steps() {
     let model = |step: Step, interval: Option<f64>| {
         let mut model = rod::revolute(2);
         model.output.interval = interval;
@@ -211,8 +210,8 @@ fn models_by_error_control() {
     ];
     let times: Vec<f64> = (0..13).map(|i| f64::from(i) * 0.04).chain([0.5]).collect();
     for run in &runs {
-        let apart = run.column("t").iter().zip(&times).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(run.column("t").len() == times.len() && apart < 1e-15, "{:?}", run.column("t"));
+        let difference = run.column("t").iter().zip(&times).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(run.column("t").len() == times.len() && difference < 1e-15, "{:?}", run.column("t"));
         assert!(solutions::distance(&run.vectors("tip."), &fine.vectors("tip.")) < 2e-4);
     }
     assert_eq!(runs[0].summary.steps, runs[1].summary.steps);
@@ -221,9 +220,9 @@ fn models_by_error_control() {
     assert_eq!(all.column("t").last(), Some(&0.5));
 }
 
-/// A duration that is no multiple of the step ends with a shorter one.
+/// Duration that is no multiple of the step.
 #[test]
-fn the_last_step_may_be_shorter() {
+fn last_step_ends_at_the_duration() {
     let mut model = rod::cantilever(1);
     let settings = rod::settings(&mut model);
     (settings.duration, settings.step) = (0.01, Step::Fixed(3e-3));

@@ -1,6 +1,6 @@
-//! Observed orders: of the schemes in the step h, of the element in its length l.
+//! Observed orders of the schemes in the step h and of the element in its length l.
 //!
-//! A scheme of order p at steps h, h/2, h/4 gives differences in the ratio 2ᵖ.
+//! Differences of the results at h, h/2, h/4 have the ratio 2ᵖ for the order p.
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
@@ -12,7 +12,7 @@ use crate::common::models::rod;
 use crate::common::solutions::Run;
 use crate::common::solutions::equilibrium;
 
-/// A mass on a hardening spring: q'' + q + q³ = 0.
+/// Duffing oscillator with unit mass: q'' + q + q³ = 0.
 struct Oscillator;
 
 impl Term for Oscillator {
@@ -38,7 +38,7 @@ impl Term for Oscillator {
     }
 }
 
-/// Position at t = 2 of the oscillator released from q = 1.
+/// Position of the oscillator at t = 2 after release from q = 1.
 fn released(scheme: Scheme, steps: u32) -> f64 {
     let system = System::new(1, 0, vec![Box::new(Oscillator)]);
     let newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 20).unwrap();
@@ -50,7 +50,7 @@ fn released(scheme: Scheme, steps: u32) -> f64 {
     dynamics.state().q[0]
 }
 
-/// log₂ of the ratio of the two differences.
+/// Observed order: log₂ of the ratio of the differences.
 fn order(results: [Vector3<f64>; 3]) -> f64 {
     let [coarse, middle, fine] = results;
     ((coarse - middle).norm() / (middle - fine).norm()).log2()
@@ -72,7 +72,7 @@ fn schemes_without_constraints() {
     }
 }
 
-/// Tip of a rubber-like pendulum of one element after 0.4 s.
+/// Tip of a soft pendulum of one element at t = 0.4 s.
 fn swung(scheme: model::Scheme, steps: u32) -> Vector3<f64> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e5;
@@ -80,10 +80,10 @@ fn swung(scheme: model::Scheme, steps: u32) -> Vector3<f64> {
     (settings.scheme, settings.start) = (scheme, Start::Consistent);
     (settings.duration, settings.step) = (0.4, model::Step::Fixed(0.4 / f64::from(steps)));
     settings.stop = model::Stop::Energy { tolerance: 1e-10 };
-    *Run::of(&model).vectors("tip.").last().unwrap()
+    Run::of(&model).last_vector("tip.")
 }
 
-/// Of the pairs with γ = 1/2, only β = 1/4 is stable with constraints.
+/// With constraints only β = 1/4 is stable among the schemes with γ = 1/2.
 #[test]
 fn schemes_with_constraints() {
     for (name, scheme, expected) in [
@@ -95,7 +95,7 @@ fn schemes_with_constraints() {
     }
 }
 
-/// Static tip of the cantilever: Reissner's rod with k = 1 and ν = 0, by shooting (independent calculation).
+/// Static tip deflection of Reissner's rod with k = 1 and ν = 0, by shooting (independent calculation).
 const LIMIT: f64 = -2.041186330e-3;
 
 fn static_tip(model: &Model) -> Vector3<f64> {
@@ -103,9 +103,9 @@ fn static_tip(model: &Model) -> Vector3<f64> {
     assembly.probes[0].1.value(&state)
 }
 
-/// Tips under own weight lack 1/(3n²) of their limit: order two in the length of the elements.
+/// Tip deflections under own weight miss 1/(3n²) of their limit.
 #[test]
-fn elements_of_the_static_tip() {
+fn static_tip_converges_at_order_two() {
     for fix in [Clamped::All, Clamped::Section] {
         let tips = [8, 16, 32].map(|elements| static_tip(&rod::clamped(elements, fix)));
         assert_order(&format!("{fix:?}"), order(tips), 2.0);

@@ -1,4 +1,4 @@
-//! How motions start: with velocities of rigid bodies, and with gaps closed.
+//! Initial conditions: velocities of rigid-body motions, closed gaps.
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
@@ -6,11 +6,11 @@ use ancf::model::{
     Analysis, Assembly, At, Beam, Body, End, Ground, InitialMotion, Joint, Named, Place, Probe, Start,
     Statics,
 };
-use ancf::system::{EquationsOfMotion, State, Weights};
+use ancf::system::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;
-use crate::common::solutions::{Run, distance};
+use crate::common::solutions::{Run, distance, momenta};
 
 const VELOCITY: [f64; 3] = [1.0, -2.0, 0.5];
 const SPIN: [f64; 3] = [0.7, 3.0, -4.0];
@@ -25,30 +25,19 @@ fn weightless(model: Model) -> Model {
     Model { gravity: [0.0; 3], ..model }
 }
 
-/// ∑ M v and ∑ r × M v over the nodes: with g the coordinates of a translation, gᵀ M v.
-fn momenta(assembly: &Assembly, s: &State) -> [Vector3<f64>; 2] {
-    let (system, n) = (&assembly.system, s.q.len());
-    let mut mass = system.matrix();
-    system.tangent(s, Weights::MASS, &mut mass);
-    let mut v = s.v.clone();
-    v.resize(n + s.lambda.len(), 0.0);
-    let p = mass.times(&v);
-    let of = |vector: &ancf::mechanics::NodalVector| {
-        Vector3::from_column_slice(&p[vector.first..vector.first + 3])
-    };
-    let vectors: Vec<_> = assembly.bodies().flat_map(|(_, mesh)| mesh.vectors(s)).collect();
-    let linear = vectors.iter().filter(|vector| vector.is_position()).map(of).sum();
-    [linear, vectors.iter().map(|vector| vector.value.cross(&of(vector))).sum()]
+/// Linear and angular momentum about the origin.
+fn momenta_of(assembly: &Assembly, s: &State) -> [Vector3<f64>; 2] {
+    momenta(assembly, s, &s.v)
 }
 
-/// A free rod that flies and spins keeps its momenta, and its centre moves uniformly.
+/// Momenta of a free rod with initial velocity and spin: exact at the start, conserved in the motion.
 #[test]
-fn a_free_rod_keeps_its_momenta() {
+fn free_rod_conserves_its_momenta() {
     let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.5, 0.0, 0.0]) };
     let assembly = weightless(moving(rod::free(4), motion)).assemble().unwrap();
     let model = weightless(moving(rod::free(4), motion));
     let start = assembly.start(&model);
-    let [linear, angular] = momenta(&assembly, &start);
+    let [linear, angular] = momenta_of(&assembly, &start);
     let area = std::f64::consts::PI * 0.01_f64.powi(2);
     let mass = 8030.0 * area * rod::LENGTH;
     assert!((linear - Vector3::from(VELOCITY) * mass).norm() < 1e-12 * linear.norm());
@@ -56,17 +45,17 @@ fn a_free_rod_keeps_its_momenta() {
     let along = mass * 0.01_f64.powi(2) / 2.0;
     let centre = Vector3::new(0.5, 0.0, 0.0);
     let own = Vector3::new(along * SPIN[0], across * SPIN[1], across * SPIN[2]);
-    let wanted = own + centre.cross(&(Vector3::from(VELOCITY) * mass));
-    assert!((angular - wanted).norm() < 1e-12 * wanted.norm(), "{angular} {wanted}");
+    let expected = own + centre.cross(&(Vector3::from(VELOCITY) * mass));
+    assert!((angular - expected).norm() < 1e-12 * expected.norm(), "{angular} {expected}");
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
     let mut dynamics = Dynamics::new(&assembly.system, Scheme::AVERAGE_ACCELERATION, newton, 0, start);
     dynamics.restart(0.0).unwrap();
     for step in 1..=50 {
         dynamics.advance(1e-3 * f64::from(step)).unwrap();
-        let [p, _] = momenta(&assembly, dynamics.state());
+        let [p, _] = momenta_of(&assembly, dynamics.state());
         assert!((p - linear).norm() < 1e-9 * linear.norm(), "{}", (p - linear).norm() / linear.norm());
     }
-    let [_, turned] = momenta(&assembly, dynamics.state());
+    let [_, turned] = momenta_of(&assembly, dynamics.state());
     assert!(
         (turned - angular).norm() < 1e-3 * angular.norm(),
         "{}",
@@ -74,9 +63,9 @@ fn a_free_rod_keeps_its_momenta() {
     );
 }
 
-/// Without spin the motion is a translation, exactly; under gravity every point follows the parabola.
+/// Exact translation without spin; parabola under gravity.
 #[test]
-fn a_thrown_rod_follows_the_parabola() {
+fn thrown_rod_follows_the_parabola() {
     for start in [Start::Consistent, Start::Zero] {
         let motion = InitialMotion { velocity: VELOCITY, ..InitialMotion::default() };
         let mut model = moving(rod::free(3), motion);
@@ -87,18 +76,19 @@ fn a_thrown_rod_follows_the_parabola() {
         }
         let run = Run::of(&model);
         let g = Vector3::from(model.gravity);
-        let wanted = run
+        let expected = run
             .column("t")
             .iter()
             .map(|&t| Vector3::new(rod::LENGTH, 0.0, 0.0) + Vector3::from(VELOCITY) * t + g * (0.5 * t * t));
-        assert!(distance(&run.vectors("tip."), &wanted.collect::<Vec<_>>()) < 1e-9, "{start:?}");
+        assert!(distance(&run.vectors("tip."), &expected.collect::<Vec<_>>()) < 1e-9, "{start:?}");
     }
 }
 
-/// A rod on a ball that is given a translation: the impulse of the ball stops its point, has no moment about it, and takes away
-/// what the change of the velocities has in kinetic energy, as Carnot's theorem says.
+/// Rod on a spherical joint with a translational velocity: the impulse stops the joint and has no moment about it.
+///
+/// The lost kinetic energy is that of the velocity change (Carnot's theorem).
 #[test]
-fn a_pinned_rod_turns() {
+fn impulse_at_a_joint_obeys_carnots_theorem() {
     let motion = InitialMotion { velocity: [0.0, 2.0, 1.0], ..InitialMotion::default() };
     let model = weightless(moving(rod::spherical(4), motion));
     let assembly = model.assemble().unwrap();
@@ -106,28 +96,28 @@ fn a_pinned_rod_turns() {
     let mut s = start.clone();
     consistent_velocities(&assembly.system, &mut assembly.system.matrix(), &mut s).unwrap();
     assert!(assembly.mesh("rod").unwrap().point(0.0).sum(&s.v).norm() < 1e-14);
-    let [before, after] = [&start, &s].map(|s| momenta(&assembly, s)[1]);
+    let [before, after] = [&start, &s].map(|s| momenta_of(&assembly, s)[1]);
     assert!((after - before).norm() < 1e-12 * before.norm());
     let change = s.v.iter().zip(&start.v).map(|(after, before)| after - before).collect();
     let kinetic = |s: &State| assembly.system.energy(s).kinetic;
     let lost = kinetic(&State { v: change, ..s.clone() });
     assert!((kinetic(&start) - kinetic(&s) - lost).abs() < 1e-12 * kinetic(&start));
-    let told = model.diagnose().unwrap().projection.unwrap();
-    assert!((told - lost / kinetic(&start)).abs() < 1e-12 && told > 0.01, "{told}");
+    let reported = model.diagnose().unwrap().projection.unwrap();
+    assert!((reported - lost / kinetic(&start)).abs() < 1e-12 && reported > 0.01, "{reported}");
     let free = weightless(moving(rod::free(4), motion)).diagnose().unwrap();
     assert_eq!((free.projection, free.warnings().len()), (Some(0.0), 0));
 }
 
-/// A rod whose velocities agree with its hinge keeps them all.
+/// Consistent velocities are unchanged.
 #[test]
-fn a_turning_rod_is_left_as_it_is() {
+fn consistent_velocities_are_unchanged() {
     let motion = InitialMotion { spin: [0.0, 0.0, 3.0], ..InitialMotion::default() };
     let model = weightless(moving(rod::revolute(4), motion));
     assert!(model.diagnose().unwrap().projection.unwrap() < 1e-24);
 }
 
-/// A linked rod along x, clamped at its start, with its end tied to a point of the ground.
-fn tied(to: [f64; 3]) -> Model {
+/// Clamped rod of linked elements along x whose end is attached to a point of the ground.
+fn with_gap(to: [f64; 3]) -> Model {
     let mut model = weightless(rod::clamped(4, ancf::model::Clamped::Section));
     let beam = rod::beam(&mut model);
     beam.formulation = ancf::model::Formulation::Linked;
@@ -136,11 +126,11 @@ fn tied(to: [f64; 3]) -> Model {
     Model { assemble: true, ..model }
 }
 
-/// The end of a cantilever is drawn across by δ: it bends with 3EI/L³, and stays so.
+/// Closing a lateral gap δ at the end of a cantilever stores the energy of the stiffness 3EI/L³; the state is at rest.
 #[test]
-fn a_strained_assembly_rests() {
+fn closed_gap_of_a_cantilever_is_at_rest() {
     let delta = 1e-3;
-    let mut model = tied([rod::LENGTH, delta, 0.0]);
+    let mut model = with_gap([rod::LENGTH, delta, 0.0]);
     let assembly = model.assemble().unwrap();
     let closed = assembly.closed().unwrap();
     assert_eq!((closed.gaps.len(), &*closed.gaps[0].0), (1, "far"));
@@ -151,24 +141,24 @@ fn a_strained_assembly_rests() {
     assert!((tip - Vector3::new(rod::LENGTH, delta, 0.0)).norm() < 1e-12, "{tip}");
     // The axis is stretched by 0.6 δ²/L, and its tension N makes the rod stiffer by 1.2 N/L.
     let (stretch, axial) = (0.6 * delta * delta, 193e9 * std::f64::consts::PI * 1e-4);
-    let wanted = 0.5 * 3.0 * bending * delta * delta + 0.5 * axial * stretch * stretch;
+    let expected = 0.5 * 3.0 * bending * delta * delta + 0.5 * axial * stretch * stretch;
     let energy = assembly.system.energy(&initial).strain;
-    assert!((energy - wanted).abs() < 2e-3 * wanted, "{energy} instead of {wanted}");
-    let wanted = 3.0 * bending * delta + 1.2 * axial * stretch * delta;
+    assert!((energy - expected).abs() < 2e-3 * expected, "{energy} instead of {expected}");
+    let expected = 3.0 * bending * delta + 1.2 * axial * stretch * delta;
     for start in [Start::Consistent, Start::Zero] {
         rod::settings(&mut model).start = start;
         rod::settings(&mut model).duration = 0.05;
         let run = Run::of(&model);
-        let kinetic = run.column("kinetic").iter().copied().fold(0.0, f64::max);
+        let kinetic = run.largest("kinetic");
         assert!(kinetic < 1e-9 * energy, "{start:?}: {kinetic} of {energy}");
-        let force = run.vectors("far.f").last().unwrap().y;
-        assert!((force - wanted).abs() < 2e-3 * wanted, "{force} instead of {wanted}");
+        let force = run.last_vector("far.f").y;
+        assert!((force - expected).abs() < 2e-3 * expected, "{force} instead of {expected}");
     }
 }
 
-/// A body that can be moved into place is, without strain; what is clamped stays.
+/// A loose body is moved to close the gap without strain; clamped bodies stay.
 #[test]
-fn a_loose_body_is_moved() {
+fn loose_bodies_are_moved_without_strain() {
     let mut model = rod::cantilever(2);
     let (from, to) = ([1.0, 0.03, 0.0], [1.4, 0.03, 0.3]);
     let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
@@ -188,16 +178,16 @@ fn a_loose_body_is_moved() {
     let [end, start] = [("rod", 1.0), ("second", 0.0)]
         .map(|(body, s)| assembly.mesh(body).unwrap().point(s).value(&initial));
     assert!((end - start).norm() < 1e-12);
-    // Of the energy that it would take to bend the clamped rod as far, nothing.
+    // Compared with the energy of bending the clamped rod by the gap.
     let bent = 0.5 * 3.0 * 193e9 * std::f64::consts::PI * 0.01_f64.powi(4) / 4.0 * 0.03_f64.powi(2);
     let strain = assembly.system.energy(&initial).strain;
     assert!(strain < 1e-9 * bent, "{strain} of {bent}");
 }
 
-/// Statics draws points by the load, whether gaps are closed or not; it starts from closed places.
+/// Gaps of assembled joints are closed at the start; points of the ground are approached by the load factor.
 #[test]
-fn statics_starts_closed() {
-    let mut model = tied([rod::LENGTH, 0.01, 0.0]);
+fn statics_starts_with_closed_gaps() {
+    let mut model = with_gap([rod::LENGTH, 0.01, 0.0]);
     let a = Place::new("rod", At::Length(0.5));
     let hanger = Beam {
         name: "hanger".into(),
@@ -218,9 +208,9 @@ fn statics_starts_closed() {
     assert!((tip.last().unwrap() - Vector3::new(1.0, 0.01, 0.0)).norm() < 1e-12);
 }
 
-/// A slope is turned with the section, whatever the slope coordinates and the units.
+/// Initial velocities of slopes do not depend on slope coordinates and scales.
 #[test]
-fn units_of_a_start() {
+fn initial_velocities_do_not_depend_on_scales() {
     let motion = InitialMotion { velocity: VELOCITY, spin: SPIN, about: Some([0.2, 0.3, -0.1]) };
     let model = moving(rod::free(3), motion);
     let mut other = model.clone();
@@ -229,6 +219,6 @@ fn units_of_a_start() {
     let (a, b) = (Run::of(&model), Run::of(&other));
     assert!(distance(&a.vectors("tip."), &b.vectors("tip.")) < 1e-9);
     let v = a.vectors("tip.v")[0];
-    let wanted = Vector3::from(VELOCITY) + Vector3::from(SPIN).cross(&Vector3::new(0.8, -0.3, 0.1));
-    assert!((v - wanted).norm() < 1e-12 * wanted.norm(), "{v} {wanted}");
+    let expected = Vector3::from(VELOCITY) + Vector3::from(SPIN).cross(&Vector3::new(0.8, -0.3, 0.1));
+    assert!((v - expected).norm() < 1e-12 * expected.norm(), "{v} {expected}");
 }

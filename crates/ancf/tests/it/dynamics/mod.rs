@@ -1,4 +1,4 @@
-//! Time integration.
+//! Time integration: order, step control, initial conditions, Newton methods, rigid bodies.
 
 mod adaptive;
 mod convergence;

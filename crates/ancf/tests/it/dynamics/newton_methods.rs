@@ -1,15 +1,13 @@
-//! The modified and the full Newton method find the same motion.
+//! Modified and full Newton method.
 
-use std::path::Path;
-
-use crate::common::solutions::{Run, distance};
-use ancf::Model;
 use ancf::model::NewtonMethod;
 
-/// The first `steps` steps of a model.
+use crate::common::models::files::model;
+use crate::common::solutions::{Run, distance};
+
+/// Runs the first steps of a model.
 fn run_of(name: &str, method: NewtonMethod, steps: f64) -> Run {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../models/{name}.toml"));
-    let mut model = Model::read(&path).unwrap();
+    let mut model = model(name);
     let settings = model.analysis.dynamics_mut().unwrap();
     settings.newton = method;
     let step = settings.step.fixed().unwrap();
@@ -17,9 +15,9 @@ fn run_of(name: &str, method: NewtonMethod, steps: f64) -> Run {
     Run::of(&model)
 }
 
-/// Small vibrations, stiff ones on joints, a mechanism, a fast rotation.
+/// Small vibrations, pendulums and a fast rotation.
 #[test]
-fn same_motion() {
+fn newton_methods_find_the_same_motion() {
     for (name, probe) in [
         ("cantilever", "tip."),
         ("revolute_pendulum", "tip."),
@@ -28,15 +26,15 @@ fn same_motion() {
     ] {
         let [full, modified] =
             [NewtonMethod::Full, NewtonMethod::Modified].map(|method| run_of(name, method, 500.0));
-        let apart = distance(&full.vectors(probe), &modified.vectors(probe));
+        let error = distance(&full.vectors(probe), &modified.vectors(probe));
         let size = full.vectors(probe).iter().map(|x| x.norm()).fold(0.0, f64::max);
-        assert!(apart < 1e-8 * size, "{name}: {apart:e} of {size}");
+        assert!(error < 1e-8 * size, "{name}: {error:e} of {size}");
     }
 }
 
-/// Old tangents are to save time: small vibrations take no more than twice the iterations, each of a third of the cost.
+/// An iteration without a new tangent takes a third of the time, hence at most twice the iterations are acceptable.
 #[test]
-fn iterations() {
+fn modified_newton_needs_at_most_twice_the_iterations() {
     let [full, modified] =
         [NewtonMethod::Full, NewtonMethod::Modified].map(|m| run_of("cantilever", m, 500.0));
     assert!(modified.summary.iterations < 2 * full.summary.iterations);

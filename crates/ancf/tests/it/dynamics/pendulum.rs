@@ -1,4 +1,4 @@
-//! A point mass on a massless rod as two terms, and its motion by the differential equation of its angle.
+//! Mathematical pendulum of two terms, and its exact motion by the differential equation of its angle.
 
 use std::ops::Range;
 
@@ -6,13 +6,13 @@ use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 
 /// Mass.
-pub(crate) const MASS: f64 = 2.0;
+pub(super) const MASS: f64 = 2.0;
 /// Length of the rod.
-pub(crate) const ROD: f64 = 1.5;
+pub(super) const ROD: f64 = 1.5;
 /// Gravity along −y.
-pub(crate) const GRAVITY: f64 = 9.81;
+pub(super) const GRAVITY: f64 = 9.81;
 
-/// The mass and its weight; coordinates are its place.
+/// Point mass with its weight; the coordinates are its position.
 struct Mass;
 
 impl Term for Mass {
@@ -41,9 +41,9 @@ impl Term for Mass {
     }
 }
 
-/// ½ (x² + y² − ρ(t)²) = 0, ρ² = ROD² (1 + haul × sin t): a rod, or a rope that is hauled.
+/// Constraint ½ (x² + y² − ρ(t)²) = 0 with ρ² = ROD² (1 + stretch × sin t): rod of constant or prescribed length.
 struct Rod {
-    haul: f64,
+    stretch: f64,
 }
 
 impl Term for Rod {
@@ -58,7 +58,7 @@ impl Term for Rod {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         r[0] += at.lambda[0] * at.q[0];
         r[1] += at.lambda[0] * at.q[1];
-        let square = ROD.powi(2) * (1.0 + self.haul * at.t.sin());
+        let square = ROD.powi(2) * (1.0 + self.stretch * at.t.sin());
         r[2] += 0.5 * (at.q[0].powi(2) + at.q[1].powi(2) - square);
     }
 
@@ -76,47 +76,47 @@ impl Term for Rod {
     }
 
     fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {
-        rates[0] -= 0.5 * ROD.powi(2) * self.haul * t.cos();
-        accelerations[0] += 0.5 * ROD.powi(2) * self.haul * t.sin();
+        rates[0] -= 0.5 * ROD.powi(2) * self.stretch * t.cos();
+        accelerations[0] += 0.5 * ROD.powi(2) * self.stretch * t.sin();
     }
 }
 
-/// The equations of motion; with `haul` the rod changes its length.
-pub(crate) fn system(haul: f64) -> System {
-    system_with(haul, Vec::new())
+/// Equations of motion. The length of the rod varies by the factor `stretch`.
+pub(super) fn system(stretch: f64) -> System {
+    system_with(stretch, Vec::new())
 }
 
-/// The same with further terms.
-pub(crate) fn system_with(haul: f64, mut terms: Vec<Box<dyn Term>>) -> System {
-    terms.extend([Box::new(Mass) as Box<dyn Term>, Box::new(Rod { haul })]);
+/// Equations of motion with additional terms.
+pub(super) fn system_with(stretch: f64, mut terms: Vec<Box<dyn Term>>) -> System {
+    terms.extend([Box::new(Mass) as Box<dyn Term>, Box::new(Rod { stretch })]);
     System::new(2, 1, terms)
 }
 
-/// Exact place, velocity and multiplier at angle φ from the x-axis, rod length ρ and their rates.
-fn state(t: f64, [phi, omega]: [f64; 2], haul: f64) -> State {
-    let rho = ROD * (1.0 + haul * t.sin()).sqrt();
-    let rate = 0.5 * ROD.powi(2) * haul * t.cos() / rho;
+/// Exact state at the angle φ from the x-axis and its rate.
+fn state(t: f64, [phi, omega]: [f64; 2], stretch: f64) -> State {
+    let rho = ROD * (1.0 + stretch * t.sin()).sqrt();
+    let rate = 0.5 * ROD.powi(2) * stretch * t.cos() / rho;
     let (sin, cos) = phi.sin_cos();
     let (q, v) =
         (vec![rho * cos, rho * sin], vec![rate * cos - rho * omega * sin, rate * sin + rho * omega * cos]);
     // r·r̈ + v·v + c̈ = 0 with m r̈ + m g + λ r = 0.
-    let bend = v[0].powi(2) + v[1].powi(2) + 0.5 * ROD.powi(2) * haul * t.sin();
-    let lambda = vec![MASS * (bend - GRAVITY * q[1]) / rho.powi(2)];
+    let curvature = v[0].powi(2) + v[1].powi(2) + 0.5 * ROD.powi(2) * stretch * t.sin();
+    let lambda = vec![MASS * (curvature - GRAVITY * q[1]) / rho.powi(2)];
     let a = vec![-lambda[0] * q[0] / MASS, -GRAVITY - lambda[0] * q[1] / MASS];
     State { t, q, v, a, lambda, load: 1.0 }
 }
 
-/// The exact motion from φ = −0.5, φ̇ = 1.3: states at so many equal steps, by Runge-Kutta steps of 10⁻⁴.
-pub(crate) fn exact(haul: f64, duration: f64, steps: usize) -> Vec<State> {
+/// Exact motion from φ = −0.5, φ̇ = 1.3 at equal steps, by the Runge-Kutta method with steps of 10⁻⁴.
+pub(super) fn exact(stretch: f64, duration: f64, steps: usize) -> Vec<State> {
     let fine = (duration / 1e-4 / steps as f64).ceil() as usize;
     let h = duration / (steps * fine) as f64;
     let rate = |t: f64, [phi, omega]: [f64; 2]| {
-        let rho = ROD * (1.0 + haul * t.sin()).sqrt();
-        let stretch = 0.5 * ROD.powi(2) * haul * t.cos() / rho.powi(2);
-        [omega, -GRAVITY * phi.cos() / rho - 2.0 * stretch * omega]
+        let rho = ROD * (1.0 + stretch * t.sin()).sqrt();
+        let growth = 0.5 * ROD.powi(2) * stretch * t.cos() / rho.powi(2);
+        [omega, -GRAVITY * phi.cos() / rho - 2.0 * growth * omega]
     };
     let plus = |x: [f64; 2], f: f64, y: [f64; 2]| [x[0] + f * y[0], x[1] + f * y[1]];
-    let (mut y, mut t, mut states) = ([-0.5, 1.3], 0.0, vec![state(0.0, [-0.5, 1.3], haul)]);
+    let (mut y, mut t, mut states) = ([-0.5, 1.3], 0.0, vec![state(0.0, [-0.5, 1.3], stretch)]);
     for step in 1..=steps * fine {
         let k1 = rate(t, y);
         let k2 = rate(t + 0.5 * h, plus(y, 0.5 * h, k1));
@@ -127,16 +127,16 @@ pub(crate) fn exact(haul: f64, duration: f64, steps: usize) -> Vec<State> {
         }
         t = step as f64 * h;
         if step % fine == 0 {
-            states.push(state(t, y, haul));
+            states.push(state(t, y, stretch));
         }
     }
     states
 }
 
-/// The dynamics from the same start.
-pub(crate) fn dynamics(system: &System, scheme: Scheme, haul: f64) -> Dynamics<'_, System> {
+/// Time integration from the initial state of [`exact`].
+pub(super) fn dynamics(system: &System, scheme: Scheme, stretch: f64) -> Dynamics<'_, System> {
     let newton = Newton::new(system.matrix(), Stop::Energy(1e-13), 20).unwrap();
-    let mut dynamics = Dynamics::new(system, scheme, newton, 0, state(0.0, [-0.5, 1.3], haul));
+    let mut dynamics = Dynamics::new(system, scheme, newton, 0, state(0.0, [-0.5, 1.3], stretch));
     dynamics.restart(0.0).unwrap();
     dynamics
 }

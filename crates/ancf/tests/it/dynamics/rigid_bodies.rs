@@ -1,20 +1,18 @@
-//! Rigid bodies and point masses, against mechanics of the textbook.
+//! Rigid bodies and point masses, against closed forms.
 
-use crate::common::solutions::Run;
 use ancf::Model;
 use nalgebra::Vector3;
 
-fn model(text: &str) -> Model {
-    Model::parse(text)
-        .unwrap_or_else(|errors| panic!("{:#?}", errors.iter().map(ToString::to_string).collect::<Vec<_>>()))
-}
+use crate::common::assertions::assert_near;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 const MASS: f64 = 2.522_698_900_832_604;
 
-/// A slender rod of length 1 that swings from horizontal about its end.
+/// Slender rod of length 1, released from horizontal about its end.
 fn pendulum(scales: &str, radius: f64, step: f64) -> Model {
     let j = MASS / 12.0;
-    model(&format!(
+    parse(&format!(
         r#"
 gravity = [0, -9.81, 0]
 scales = {{ kind = "{scales}" }}
@@ -26,7 +24,7 @@ analysis = {{ kind = "dynamics", duration = 2, step = {step}, scheme = {{ spectr
     ))
 }
 
-/// Angle, angular velocity, tip and force of the pin at t = 0.25, 0.5, 1, 2 by Jacobi's elliptic functions.
+/// Time, angle, angular velocity, tip and pin force by Jacobi's elliptic functions.
 const EXACT: [[f64; 7]; 4] = [
     [0.25, 0.456636358736, 3.60230718411, 0.89754070788, -0.440931602063, -22.0364851365, 17.0127040129],
     [0.5, 1.66114841675, 5.41386699075, -0.0902292085737, -0.995921025945, 5.00367383999, 61.4158639048],
@@ -34,9 +32,9 @@ const EXACT: [[f64; 7]; 4] = [
     [2.0, 0.0326973425726, 0.980872741859, 0.999465489518, -0.0326915166742, -1.81936491714, 6.24642866133],
 ];
 
-/// The motion is that of the rigid pendulum, and the force of the pin too, to the second order of the step: 4e-6 of it.
+/// Motion and pin force to second order in the step.
 #[test]
-fn compound_pendulum() {
+fn compound_pendulum_has_its_motion_and_pin_force() {
     for scales in ["none", "auto"] {
         let run = Run::of(&pendulum(scales, 0.8, 5e-4));
         let column = |name: &str| run.column(name);
@@ -48,7 +46,7 @@ fn compound_pendulum() {
             };
             near("x", at("tip.x"), x, 2e-5);
             near("y", at("tip.y"), y, 2e-5);
-            near("turn", at("tip.wz"), -rate, 1e-4);
+            near("angular velocity", at("tip.wz"), -rate, 1e-4);
             near("e0", at("tip.e0"), (0.5 * angle).cos().abs(), 1e-5);
             near("fx", at("pin.fx"), fx, 5e-3);
             near("fy", at("pin.fy"), fy, 5e-3);
@@ -56,19 +54,18 @@ fn compound_pendulum() {
     }
 }
 
-/// Without numerical damping the energy is kept to second order of the step.
+/// Energy without numerical damping, to second order in the step.
 #[test]
-fn energy() {
+fn compound_pendulum_conserves_energy() {
     let run = Run::of(&pendulum("auto", 1.0, 2e-4));
-    let scale = run.column("kinetic").iter().fold(0.0, |max: f64, x| max.max(*x));
-    let worst = run.column("balance").iter().fold(0.0, |max: f64, x| max.max(x.abs()));
-    assert!(worst < 1e-6 * scale, "{worst:e} of {scale}");
+    let (balance, size) = (run.largest("balance"), run.largest("kinetic"));
+    assert!(balance < 1e-6 * size, "{balance:e} of {size}");
 }
 
-/// A mass at the end of a light cantilever, by an arm: reactions and the moment at the root are those of statics.
+/// Static reactions of a light cantilever with an eccentric mass and a suspended mass at its end.
 #[test]
-fn arm_and_mass() {
-    let run = Run::of(&model(
+fn masses_on_a_cantilever_have_static_reactions() {
+    let run = Run::of(&parse(
         r#"
 gravity = [0, 0, -10]
 materials.light = { density = 1e-3, young = 2e11, poisson = 0.3 }
@@ -86,12 +83,11 @@ joints = [
 analysis = { kind = "statics", stop = { rule = "energy", tolerance = 1e-10 } }
 "#,
     ));
-    let last = |name: &str| *run.column(name).last().unwrap();
     let near = |name: &str, exact: f64, tolerance: f64| {
-        assert!((last(name) - exact).abs() < tolerance, "{name}: {} for {exact}", last(name));
+        assert_near(name, run.last(name), exact, tolerance);
     };
     near("root.fz", 40.0, 1e-3);
-    // Displacements of 1e-4 change the arms by as much.
+    // Displacements of 1e-4 change the lever arms by the same amount.
     near("root.mx", 3.0 * 10.0 * 0.5 - 10.0 * 0.3, 1e-2);
     near("root.my", -80.0, 1e-2);
     near("neck.fz", 30.0, 1e-9);
@@ -99,14 +95,15 @@ analysis = { kind = "statics", stop = { rule = "energy", tolerance = 1e-10 } }
     near("bob.fz", 10.0, 1e-9);
 }
 
-/// A free symmetric top: its axis turns about the angular momentum L at the rate |L|/J_t, and returns after a period. At half of it
-/// the axis is opposite, mirrored by L.
+/// Free symmetric top: the axis precesses about the angular momentum L at the rate |L|/J_t.
+///
+/// After half a period the axis is mirrored at L; after a period it returns.
 #[test]
-fn free_top() {
+fn free_top_precesses_about_its_angular_momentum() {
     let (transverse, axial, spin) = (2.0, 1.0, [0.5, 0.0, 3.0]);
     let momentum = Vector3::new(transverse * spin[0], 0.0, axial * spin[2]);
     let period = std::f64::consts::TAU * transverse / momentum.norm();
-    let run = Run::of(&model(&format!(
+    let run = Run::of(&parse(&format!(
         r#"
 bodies = [{{ kind = "rigid", name = "top", center = [0, 0, 0], mass = 3, inertia = [{transverse}, {transverse}, {axial}], motion = {{ spin = {spin:?}, velocity = [1, 0, -2] }} }}]
 probes = [
@@ -125,7 +122,7 @@ analysis = {{ kind = "dynamics", duration = {period}, step = {step}, scheme = {{
     let [x, z] = ["middle.x", "middle.z"].map(|name| run.column(name)[4000]);
     assert!((x - period).abs() < 1e-12 && (z + 2.0 * period).abs() < 1e-12, "{x} {z}");
     let spins = run.vectors("end.w");
-    // J ω in a frame that turns with the axis is L.
+    // J ω in the frame of the axis is L.
     for (a, w) in axis.iter().zip(&spins) {
         let moved = w * transverse + a * ((axial - transverse) * a.dot(w));
         assert!((moved - momentum).norm() < 1e-4 * momentum.norm(), "{moved:?}");

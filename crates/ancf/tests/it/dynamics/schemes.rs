@@ -1,10 +1,11 @@
-//! Schemes of time integration: order in positions, velocities and multipliers, from the first step on.
+//! Time integration schemes: order in positions, velocities and multipliers, damping, constraint levels, drift.
 
-use super::pendulum;
-use crate::common::models::rod;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
 use ancf::model::Section;
 use ancf::system::{EquationsOfMotion, Level, State, System};
+
+use super::pendulum;
+use crate::common::models::rod;
 
 /// Errors of q, v and λ.
 type Errors = [f64; 3];
@@ -14,11 +15,11 @@ fn distance(a: &State, b: &State) -> Errors {
     [norm(&a.q, &b.q), norm(&a.v, &b.v), norm(&a.lambda, &b.lambda)]
 }
 
-/// The largest errors of the pendulum over all steps, and those at the end.
-fn errors(scheme: Scheme, haul: f64, steps: usize) -> [Errors; 2] {
-    let exact = pendulum::exact(haul, 2.0, steps);
-    let system = pendulum::system(haul);
-    let mut dynamics = pendulum::dynamics(&system, scheme, haul);
+/// Largest errors of the pendulum over all steps, and errors at the end.
+fn errors(scheme: Scheme, stretch: f64, steps: usize) -> [Errors; 2] {
+    let exact = pendulum::exact(stretch, 2.0, steps);
+    let system = pendulum::system(stretch);
+    let mut dynamics = pendulum::dynamics(&system, scheme, stretch);
     let (mut largest, mut last) = ([0.0; 3], [0.0; 3]);
     for exact in &exact[1..] {
         dynamics.advance(exact.t).unwrap();
@@ -28,7 +29,7 @@ fn errors(scheme: Scheme, haul: f64, steps: usize) -> [Errors; 2] {
     [largest, last]
 }
 
-/// Second-order schemes; what the largest of all errors of (q, v, λ) is allowed to converge like.
+/// Schemes of second order in q, v and λ.
 fn second_order() -> [(&'static str, Scheme); 6] {
     [
         ("spectral radius 0", Scheme::generalized_alpha(0.0)),
@@ -47,20 +48,20 @@ fn assert_order(name: &str, coarse: Errors, fine: Errors) {
     }
 }
 
-/// From the first step on, multipliers too, whether the rod keeps its length or is hauled.
+/// Positions, velocities and multipliers from the first step on, with constant and prescribed length of the rod.
 #[test]
-fn orders_of_the_pendulum() {
+fn pendulum_converges_at_order_two() {
     for (name, scheme) in second_order() {
-        for haul in [0.0, 0.3] {
-            let [coarse, fine] = [400, 800].map(|steps| errors(scheme, haul, steps)[0]);
-            assert_order(&format!("{name}, haul {haul}"), coarse, fine);
+        for stretch in [0.0, 0.3] {
+            let [coarse, fine] = [400, 800].map(|steps| errors(scheme, stretch, steps)[0]);
+            assert_order(&format!("{name}, stretch {stretch}"), coarse, fine);
         }
     }
 }
 
-/// Newmark's schemes start as they always did: the first error of λ, O(h), dies out under damping and stays without.
+/// The initial error of λ, O(h), decays with numerical damping and stays without.
 #[test]
-fn orders_of_newmark() {
+fn newmark_schemes_have_their_orders() {
     let end = |scheme, steps| errors(scheme, 0.0, steps)[1];
     for (i, what) in ["q", "v", "λ"].iter().enumerate() {
         let order = (end(Scheme::ADAMS, 400)[i] / end(Scheme::ADAMS, 800)[i]).log2();
@@ -71,7 +72,7 @@ fn orders_of_newmark() {
     assert!((coarse[2] / fine[2]).log2().abs() < 0.1, "λ alternates");
 }
 
-/// States of a rubber-like rod on a hinge at ten instants of 0.2 s. It is thick, so that its section's vibrations are resolved too.
+/// States of a soft hinged rod at ten instants of 0.2 s. It is thick, so that vibrations of its section are resolved.
 fn swung(scheme: Scheme, steps: usize) -> Vec<State> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e6;
@@ -88,7 +89,7 @@ fn swung(scheme: Scheme, steps: usize) -> Vec<State> {
 }
 
 #[test]
-fn orders_of_the_rod() {
+fn rod_converges_at_order_two() {
     for (name, scheme) in second_order() {
         let runs = [400, 800, 1600].map(|steps| swung(scheme, steps));
         let difference = |a: &[State], b: &[State]| {
@@ -99,9 +100,9 @@ fn orders_of_the_rod() {
     }
 }
 
-/// The paper's cantilever under its own weight swings between 0 and twice its sag, 2 × 2.0145 mm with five elements, whatever the step.
+/// Cantilever of the paper under its own weight: amplitude of twice the static deflection, 2 × 2.0145 mm with five elements.
 #[test]
-fn damping_lets_no_amplitude_grow() {
+fn amplitude_does_not_grow_with_the_step() {
     let lowest = |step: f64| {
         let assembly = rod::cantilever(5).assemble().unwrap();
         let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
@@ -127,9 +128,9 @@ fn constraints(system: &System, s: &State, level: Level) -> f64 {
     phi[0]
 }
 
-/// The levels of a constraint that is quadratic in q and depends on t are its derivatives along an exact motion.
+/// Levels of a constraint that is quadratic in q and depends on t, along an exact motion.
 #[test]
-fn levels_of_constraints() {
+fn constraint_levels_vanish_along_exact_motions() {
     let (system, exact) = (pendulum::system(0.3), pendulum::exact(0.3, 1.0, 4));
     for s in &exact {
         for level in [Level::Position, Level::Velocity] {
@@ -140,9 +141,9 @@ fn levels_of_constraints() {
     }
 }
 
-/// Wrong velocities lose their part along the rope, and nothing else; right ones stay.
+/// Inconsistent velocities lose their component along the rod only.
 #[test]
-fn velocities_are_projected() {
+fn inconsistent_velocities_are_projected() {
     let (system, exact) = (pendulum::system(0.3), pendulum::exact(0.3, 1.0, 1).pop().unwrap());
     let mut s = exact.clone();
     (0..2).for_each(|i| s.v[i] += 0.1 * exact.q[i]);
@@ -150,9 +151,9 @@ fn velocities_are_projected() {
     assert!(distance(&s, &exact)[1] < 1e-14, "{:?} for {:?}", s.v, exact.v);
 }
 
-/// What velocities violate is of second order, and no more of it after a long time.
+/// Violation of the velocity constraints: second order, constant in the long term.
 #[test]
-fn drift_does_not_grow() {
+fn drift_is_bounded_and_of_second_order() {
     let system = pendulum::system(0.3);
     let drift = |steps: u32| {
         let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.3);

@@ -1,46 +1,48 @@
-//! Elements that are evaluated side by side are what they are one by one: the same numbers but for rounding, for every kind
-//! of element, in batches that are full and one that is not.
+//! Batches of elements (SIMD lanes) agree with single elements to rounding, for all kinds of elements.
+//!
+//! A body has a full and a partial batch.
 
-use crate::common::models::beams;
-use crate::common::models::beams::makes;
-use crate::common::models::rod;
-use crate::common::sample::{Random, Sample, residual, tangent};
 use ancf::Model;
 use ancf::mechanics::BeamMesh;
 use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slopes};
 use ancf::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// A full batch and one of three.
+use crate::common::models::beams::{BeamCase, beam_cases};
+use crate::common::models::rod;
+use crate::common::random::Random;
+use crate::common::sample::{Sample, residual, tangent};
+
+/// Elements of a body: one full batch and one of three elements.
 const ELEMENTS: u32 = 11;
 const TOLERANCE: f64 = 1e-13;
 
-/// The batches of a body, each with its terms, and what it is.
-struct Case {
+/// Elements of a body and their batches, each with the index of its first element.
+struct BatchCase {
     name: String,
     terms: Vec<Box<dyn Term>>,
     batches: Vec<(usize, Box<dyn Batch>)>,
 }
 
-fn case(name: String, model: &Model) -> Case {
+fn case(name: String, model: &Model) -> BatchCase {
     let assembly = model.assemble().unwrap();
     let mesh: &BeamMesh = assembly.mesh("rod").unwrap();
-    Case { name, terms: mesh.terms(), batches: mesh.batches() }
+    BatchCase { name, terms: mesh.terms(), batches: mesh.batches() }
 }
 
-/// Beams of every kind but those of neo-Hookean material, without damping, with one and with both kinds.
-fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = Case> {
+/// Beams of all kinds except neo-Hookean ones: undamped, with strain damping, with strain and mass damping.
+fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = BatchCase> {
     let dampings = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.7)].map(|(strain, mass)| Damping { strain, mass });
-    let makes = makes().into_iter().filter(|make| make.law == MaterialLaw::StVenantKirchhoff);
-    makes.flat_map(move |make| dampings.map(|damping| beams::Make { damping, ..make })).map(move |make| {
-        let mut model = make.model(gravity);
+    let beams = beam_cases().into_iter().filter(|beam| beam.law == MaterialLaw::StVenantKirchhoff);
+    beams.flat_map(move |beam| dampings.map(|damping| BeamCase { damping, ..beam })).map(move |beam| {
+        let mut model = beam.model(gravity);
         rod::beam(&mut model).elements = ELEMENTS;
-        case(make.to_string(), &model)
+        case(beam.to_string(), &model)
     })
 }
 
-/// Cables along x and in space, undamped, retarded, and with both kinds of damping.
-fn cables(gravity: Vector3<f64>) -> Vec<Case> {
+/// Cables along x and in space: undamped, with strain damping, with strain and mass damping.
+fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
     let mut cases = Vec::new();
     for to in [[1.4, 0.0, 0.0], [0.5, -0.9, 1.1]] {
         for (strain, mass) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
@@ -69,12 +71,12 @@ fn cables(gravity: Vector3<f64>) -> Vec<Case> {
     cases
 }
 
-/// States of the terms of a batch, at random.
+/// Random states of the terms of a batch.
 fn states(terms: &[Box<dyn Term>], random: &mut Random) -> Vec<Sample> {
     terms.iter().map(|term| Sample::random(term.as_ref(), random)).collect()
 }
 
-/// The same side by side; lanes without a term repeat the last one.
+/// States in lanes. Lanes without a term repeat the last state.
 struct Gathered([Vec<Lanes>; 3]);
 
 impl Gathered {
@@ -86,7 +88,7 @@ impl Gathered {
         Self([of(|s| &s.q), of(|s| &s.v), of(|s| &s.a)])
     }
 
-    /// With the load factor of [`Sample::local`].
+    /// View at the load factor of [`Sample::local`].
     fn at(&self) -> LocalLanes<'_> {
         let [q, v, a] = &self.0;
         LocalLanes { q, v, a, load: 0.7 }
@@ -110,23 +112,24 @@ fn batch_tangent(batch: &dyn Batch, at: &LocalLanes<'_>, w: Weights, lane: usize
     })
 }
 
-fn each_batch(case: &Case, mut visit: impl FnMut(&[Box<dyn Term>], &dyn Batch)) {
+fn each_batch(case: &BatchCase, mut visit: impl FnMut(&[Box<dyn Term>], &dyn Batch)) {
     let count: usize = case.batches.iter().map(|(_, batch)| batch.count()).sum();
-    assert_eq!(count, case.terms.len(), "{}: all terms are in batches", case.name);
+    assert_eq!(count, case.terms.len(), "{}: every term is in a batch", case.name);
     for (first, batch) in &case.batches {
         visit(&case.terms[*first..first + batch.count()], batch.as_ref());
     }
 }
 
-fn assert_near(what: &str, a: f64, b: f64, size: f64) {
+fn assert_close(what: &str, a: f64, b: f64, size: f64) {
     assert!((a - b).abs() <= TOLERANCE * size, "{what}: {a:e} and {b:e}");
 }
 
-fn agrees(case: &Case, random: &mut Random, reach: f64) {
+/// Asserts that forces, energies, powers and tangents of batches are those of the single elements.
+fn assert_same(case: &BatchCase, random: &mut Random, amplitude: f64) {
     let name = &case.name;
     each_batch(case, |terms, batch| {
         let mut states = states(terms, random);
-        states.iter_mut().for_each(|s| s.q *= reach);
+        states.iter_mut().for_each(|s| s.q *= amplitude);
         let gathered = Gathered::new(&states);
         let at = gathered.at();
         let rows = batch_residual(batch, &at);
@@ -141,13 +144,13 @@ fn agrees(case: &Case, random: &mut Random, reach: f64) {
         }
         let found = batch.energy(&at);
         let size = energy.kinetic + energy.strain + energy.potential.abs();
-        assert_near(&format!("{name}: kinetic"), found.kinetic, energy.kinetic, energy.kinetic);
-        assert_near(&format!("{name}: strain"), found.strain, energy.strain, size);
-        assert_near(&format!("{name}: potential"), found.potential, energy.potential, size);
+        assert_close(&format!("{name}: kinetic"), found.kinetic, energy.kinetic, energy.kinetic);
+        assert_close(&format!("{name}: strain"), found.strain, energy.strain, size);
+        assert_close(&format!("{name}: potential"), found.potential, energy.potential, size);
         let found = batch.power(&at);
         let force = rows.iter().flat_map(|row| row.0).fold(0.0_f64, |size, x| size.max(x.abs()));
-        assert_near(
-            &format!("{name}: loss"),
+        assert_close(
+            &format!("{name}: dissipation"),
             found.dissipation,
             power.dissipation,
             force.max(power.dissipation),
@@ -166,38 +169,38 @@ fn agrees(case: &Case, random: &mut Random, reach: f64) {
 }
 
 #[test]
-fn beams_side_by_side_are_beams() {
+fn beam_batches_equal_single_beams() {
     let mut random = Random(1642);
     for case in beams(Vector3::new(0.3, -2.0, 0.7)) {
-        agrees(&case, &mut random, 1.0);
+        assert_same(&case, &mut random, 1.0);
     }
 }
 
 #[test]
-fn cables_side_by_side_are_cables() {
+fn cable_batches_equal_single_cables() {
     let mut random = Random(1687);
     for case in cables(Vector3::new(0.3, -2.0, 0.7)) {
-        agrees(&case, &mut random, 0.1);
+        assert_same(&case, &mut random, 0.1);
     }
 }
 
-/// Turned inside out, the same one is found first.
+/// Both evaluations find the same inverted element (det J <= 0) first.
 #[test]
-fn the_first_that_is_inside_out_is_found() {
+fn batches_find_the_first_inverted_element() {
     let mut random = Random(7);
     for case in beams(Vector3::zeros()) {
         each_batch(&case, |terms, batch| {
             let mut states = states(terms, &mut random);
             states.iter_mut().for_each(|s| s.q *= 0.2);
-            let wrong = terms.iter().zip(&states).position(|(term, s)| !term.is_admissible(&s.local()));
-            assert_eq!(batch.inadmissible(&Gathered::new(&states).at()), wrong, "{}", case.name);
+            let inverted = terms.iter().zip(&states).position(|(term, s)| !term.is_admissible(&s.local()));
+            assert_eq!(batch.inadmissible(&Gathered::new(&states).at()), inverted, "{}", case.name);
         });
     }
 }
 
-/// Positions enter by their differences: a translation has no force at all, however far.
+/// Positions enter by their differences: forces of a translation are exactly zero.
 #[test]
-fn translations_have_no_force() {
+fn translations_cause_no_force() {
     for case in beams(Vector3::zeros()).chain(cables(Vector3::zeros())) {
         each_batch(&case, |terms, batch| {
             let rest = Sample::rest(terms[0].as_ref());
@@ -205,13 +208,13 @@ fn translations_have_no_force() {
             let states: Vec<Sample> = (0..terms.len()).map(|lane| moved(1e3 * lane as f64 + 0.1)).collect();
             let gathered = Gathered::new(&states);
             let rows = batch_residual(batch, &gathered.at());
-            assert!(rows.iter().all(|row| row.0 == [0.0; LANES]), "{}: a force", case.name);
+            assert!(rows.iter().all(|row| row.0 == [0.0; LANES]), "{}: force of a translation", case.name);
             assert_eq!(batch.energy(&gathered.at()).strain, 0.0, "{}", case.name);
         });
     }
 }
 
-/// Coordinates of a node's position are its first three.
+/// Coordinates of a translation; the position coordinates of a node are its first three.
 fn translation(term: &dyn Term, far: f64) -> DVector<f64> {
     let n = term.coordinates().len();
     let stride = if n == 27 { 9 } else { n / 2 };

@@ -1,18 +1,21 @@
-//! What the cable element is, beyond the laws that every term obeys.
+//! Properties of the cable element beyond the laws of all terms.
 
-use crate::common::models::cables::{Cable, DAMPING, LENGTH, SECTION, cables};
-use crate::common::sample::{Random, Sample, energy, residual, tangent};
 use ancf::mechanics::{CableDamping, CableRule};
 use ancf::system::{Term, Weights};
 use nalgebra::{DVector, Matrix4, Rotation3, SymmetricEigen, Vector3};
 
+use crate::common::models::cables::{Cable, DAMPING, LENGTH, SECTION, cables};
+use crate::common::random::Random;
+use crate::common::sample::{Sample, energy, residual, tangent};
+
 const VISCOUS: CableDamping = CableDamping { mass: 0.0, ..DAMPING };
 
-fn plain() -> Vec<Cable> {
+/// Undamped cables without gravity.
+fn undamped() -> Vec<Cable> {
     cables(CableDamping::default(), Vector3::zeros())
 }
 
-/// A state of moderate deformation.
+/// Random state of moderate deformation.
 fn bent(cable: &Cable, random: &mut Random) -> Sample {
     let mut at = Sample::random(&cable.term, random);
     at.q *= 0.1;
@@ -25,13 +28,13 @@ fn nodes(cable: &Cable, at: &Sample) -> [Vector3<f64>; 4] {
     std::array::from_fn(|k| cable.reference[k] + at.q.fixed_rows::<3>(3 * k))
 }
 
-/// Velocities of a rotation ω of a state about the origin.
+/// Velocities of a rotation about the origin with the angular velocity ω.
 fn rotation(cable: &Cable, at: &Sample, omega: Vector3<f64>) -> DVector<f64> {
     let spun = nodes(cable, at).map(|e| omega.cross(&e));
     DVector::from_iterator(12, spun.iter().flatten().copied())
 }
 
-/// Points and weights of a rule on [0, 1], axial and bending; tables of five to fifteen digits, not the library's.
+/// Points and weights of a rule on [0, 1] for axial and bending strains, from tables of up to fifteen digits.
 fn points(rule: CableRule) -> [Vec<(f64, f64)>; 2] {
     let symmetric = |half: &[(f64, f64)]| -> Vec<(f64, f64)> {
         let both = |&(x, w): &(f64, f64)| if x == 0.0 { vec![(x, w)] } else { vec![(-x, w), (x, w)] };
@@ -55,7 +58,7 @@ fn points(rule: CableRule) -> [Vec<(f64, f64)>; 2] {
     }
 }
 
-/// r′ and r″ at ξ, from a Bezier curve of the same cubic.
+/// r′ and r″ at ξ, from the Bézier form of the cubic.
 fn curve(cable: &Cable, e: &[Vector3<f64>; 4], xi: f64) -> [Vector3<f64>; 2] {
     let third = LENGTH / (3.0 * cable.slope);
     let control = [e[0], e[0] + e[1] * third, e[2] - e[3] * third, e[2]];
@@ -66,11 +69,11 @@ fn curve(cable: &Cable, e: &[Vector3<f64>; 4], xi: f64) -> [Vector3<f64>; 2] {
     [first * (3.0 / LENGTH), (turns[0] * rest + turns[1] * xi) * (6.0 / (LENGTH * LENGTH))]
 }
 
-/// ½∫(EA (|r′| − 1)² + EI |r′ × r″|²/|r′|⁴) dx by the rule's points, and the strains themselves.
+/// Strain energy ½∫(EA (|r′| − 1)² + EI |r′ × r″|²/|r′|⁴) dx by the points of the rule; strains and resultants.
 #[test]
-fn strain_energy_is_that_of_the_line() {
+fn strain_energy_equals_the_integral_along_the_axis() {
     let mut random = Random(8);
-    for cable in plain() {
+    for cable in undamped() {
         let at = bent(&cable, &mut random);
         let e = nodes(&cable, &at);
         let strains = |xi: f64| {
@@ -80,9 +83,9 @@ fn strain_energy_is_that_of_the_line() {
         let [axial, bending] = points(cable.rule);
         let stretch: f64 = axial.iter().map(|&(xi, w)| w * strains(xi).0.powi(2)).sum();
         let bend: f64 = bending.iter().map(|&(xi, w)| w * strains(xi).1.norm_squared()).sum();
-        let brute = 0.5 * LENGTH * (SECTION.axial * stretch + SECTION.bending * bend);
-        let exact = energy(&cable.term, &at).strain;
-        assert!((exact / brute - 1.0).abs() < 1e-13, "{}: {exact} and {brute}", cable.name);
+        let reference = 0.5 * LENGTH * (SECTION.axial * stretch + SECTION.bending * bend);
+        let found = energy(&cable.term, &at).strain;
+        assert!((found / reference - 1.0).abs() < 1e-13, "{}: {found} and {reference}", cable.name);
         let (strain, curvature) = cable.term.strains(at.q.as_slice(), 0.3);
         let (force, moment) = cable.term.resultants(at.q.as_slice(), &[0.0; 12], 0.3);
         assert!((strain - strains(0.3).0).abs() < 1e-14, "{}", cable.name);
@@ -94,9 +97,9 @@ fn strain_energy_is_that_of_the_line() {
 
 /// Translation and rotation of any size: no energy, no elastic force.
 #[test]
-fn rigid_motion_costs_nothing() {
+fn rigid_motion_has_no_energy_and_no_force() {
     let mut random = Random(24);
-    for cable in plain() {
+    for cable in undamped() {
         for _ in 0..10 {
             let (turn, shift) = (Rotation3::new(random.vector3() * 3.0), random.vector3() * 10.0);
             let mut at = Sample::rest(&cable.term);
@@ -112,10 +115,10 @@ fn rigid_motion_costs_nothing() {
     }
 }
 
-/// The force of a strain of 10⁻¹² is EA 10⁻¹².
+/// Axial force EA ε of the strain ε = 10⁻¹², without cancellation.
 #[test]
-fn tiny_strains_are_not_lost() {
-    for cable in plain() {
+fn small_strains_do_not_cancel() {
+    for cable in undamped() {
         let (direction, strain) = ((cable.reference[2] / LENGTH), 1e-12);
         let mut at = Sample::rest(&cable.term);
         for (k, part) in [0.0, cable.slope, LENGTH, cable.slope].into_iter().enumerate() {
@@ -126,10 +129,12 @@ fn tiny_strains_are_not_lost() {
     }
 }
 
-/// Three translations, two rotations; a spin about the line itself is no motion of it. All mass is positive.
+/// Zero eigenvalues of the stiffness belong to three translations and two rotations; a spin about the axis moves nothing.
+///
+/// The mass is positive definite.
 #[test]
-fn stiffness_has_five_free_motions_and_mass_none() {
-    for Cable { name, term, .. } in plain() {
+fn stiffness_has_five_rigid_modes_and_mass_is_definite() {
+    for Cable { name, term, .. } in undamped() {
         let rest = Sample::rest(&term);
         let eigenvalues = |w| {
             let mut values = SymmetricEigen::new(tangent(&term, &rest, w)).eigenvalues.data.as_vec().clone();
@@ -144,13 +149,13 @@ fn stiffness_has_five_free_motions_and_mass_none() {
     }
 }
 
-/// ρA l/420 times the matrix of a bar of cubics, as in any textbook of structural dynamics.
+/// Mass matrix of the Hermite cubic bar, ρA l/420 times the matrix of textbooks of structural dynamics.
 #[test]
-fn mass_is_that_of_a_bar() {
-    for cable in plain() {
+fn mass_is_that_of_a_hermite_bar() {
+    for cable in undamped() {
         let (l, c) = (LENGTH / cable.slope, SECTION.line_density * LENGTH / 420.0);
         #[rustfmt::skip]
-        let book = Matrix4::new(
+        let textbook = Matrix4::new(
             156.0,     22.0 * l,       54.0,     -13.0 * l,
             22.0 * l,  4.0 * l * l,    13.0 * l, -3.0 * l * l,
             54.0,      13.0 * l,       156.0,    -22.0 * l,
@@ -159,7 +164,7 @@ fn mass_is_that_of_a_bar() {
         let profile = cable.term.profile();
         for i in 0..4 {
             for j in 0..4 {
-                assert!((profile.mass()[i][j] - book[(i, j)]).abs() < 1e-15, "{i} {j}");
+                assert!((profile.mass()[i][j] - textbook[(i, j)]).abs() < 1e-15, "{i} {j}");
             }
         }
         let weight: f64 = [0, 2].iter().map(|&i| profile.first_moments()[i]).sum();
@@ -167,9 +172,9 @@ fn mass_is_that_of_a_bar() {
     }
 }
 
-/// At rest C = τK + αM: Rayleigh's damping, so that small vibrations are damped by (τω + α/ω)/2.
+/// At rest C = τK + αM: Rayleigh damping with the damping ratio (τω + α/ω)/2.
 #[test]
-fn damping_of_small_motions_is_rayleighs() {
+fn damping_at_rest_is_rayleigh_damping() {
     for Cable { name, term, .. } in cables(DAMPING, Vector3::zeros()) {
         let rest = Sample::rest(&term);
         let of = |w| tangent(&term, &rest, w);
@@ -179,14 +184,14 @@ fn damping_of_small_motions_is_rayleighs() {
     }
 }
 
-/// Power that the damping takes.
+/// Power dissipated by the damping.
 fn dissipation(cable: &Cable, at: &Sample) -> f64 {
     let still = Sample { v: DVector::zeros(12), ..at.clone() };
     (residual(&cable.term, at) - residual(&cable.term, &still)).dot(&at.v)
 }
 
 #[test]
-fn damping_never_gives_energy() {
+fn damping_power_is_positive() {
     let mut random = Random(13);
     for cable in cables(VISCOUS, Vector3::zeros()) {
         for _ in 0..50 {
@@ -196,10 +201,11 @@ fn damping_never_gives_energy() {
     }
 }
 
-/// No loss in translations; in a rotation ω what the spin ω·t of the bent sections loses, τ EI ∫K² (ω·t)² dx, and that is
-/// zero for any rotation of a straight cable, and for one in the plane of a plane cable.
+/// No dissipation in translations. In a rotation ω the spin ω·t of the bent sections dissipates τ EI ∫K² (ω·t)² dx.
+///
+/// It vanishes for rotations of a straight cable and for rotations of a plane cable in its plane.
 #[test]
-fn damping_in_rigid_motions() {
+fn only_spin_of_bent_sections_dissipates_in_rigid_motions() {
     let mut random = Random(14);
     for cable in cables(VISCOUS, Vector3::zeros()) {
         let [_, bending] = points(cable.rule);
@@ -218,9 +224,9 @@ fn damping_in_rigid_motions() {
                     * (a.cross(&b) / a.norm_squared()).norm_squared()
                     * omega.dot(&a.normalize()).powi(2)
             };
-            let lost = VISCOUS.retardation * SECTION.bending * bending.iter().map(spin).sum::<f64>();
+            let expected = VISCOUS.retardation * SECTION.bending * bending.iter().map(spin).sum::<f64>();
             let power = dissipation(&cable, &at);
-            assert!((power - lost).abs() < 1e-12, "{}: {power} and {lost}", cable.name);
+            assert!((power - expected).abs() < 1e-12, "{}: {power} and {expected}", cable.name);
 
             let normal = cable.reference[2].cross(&omega).normalize();
             for k in 0..4 {
@@ -237,9 +243,9 @@ fn damping_in_rigid_motions() {
     }
 }
 
-/// Elastic and damping forces have no resultant.
+/// Sum of the elastic and damping forces is zero.
 #[test]
-fn inner_forces_balance() {
+fn internal_forces_are_in_equilibrium() {
     let mut random = Random(15);
     for cable in cables(VISCOUS, Vector3::zeros()) {
         let at = bent(&cable, &mut random);
@@ -249,16 +255,16 @@ fn inner_forces_balance() {
     }
 }
 
-/// A line may turn by any angle but not shrink to a point.
+/// Rotations by any angle are admissible; a cable that shrinks to a point is not.
 #[test]
-fn crushed_lines_are_not_admissible() {
-    for cable in plain() {
+fn collapsed_cables_are_inadmissible() {
+    for cable in undamped() {
         let mut at = Sample::rest(&cable.term);
         assert!(cable.term.is_admissible(&at.local()), "{}", cable.name);
         for (k, e) in cable.reference.iter().enumerate() {
             at.q.fixed_rows_mut::<3>(3 * k).copy_from(&(e * -2.0));
         }
-        assert!(cable.term.is_admissible(&at.local()), "{}: turned round", cable.name);
+        assert!(cable.term.is_admissible(&at.local()), "{}: reversed", cable.name);
         for (k, e) in cable.reference.iter().enumerate() {
             at.q.fixed_rows_mut::<3>(3 * k).copy_from(&(e * -0.995));
         }

@@ -1,16 +1,18 @@
-//! The plain two-node element against the three-dimensional continuum that it stands for, integrated by brute force.
+//! Energies of the two-node continuum element against numerical integration over the volume.
 
 use std::sync::Arc;
 
-use crate::common::continuum;
-use crate::common::sample::{Random, Sample, energy};
 use ancf::mechanics::{Beam24, BeamShape, Profile};
 use ancf::model::{Material, Section};
 use nalgebra::{DVector, Rotation3, Vector3};
 
+use crate::common::continuum;
+use crate::common::random::Random;
+use crate::common::sample::{Sample, energy};
+
 const LENGTH: f64 = 0.7;
 
-/// An element with its reference coordinates.
+/// Element with its reference coordinates.
 struct Element {
     name: String,
     term: Beam24,
@@ -20,7 +22,7 @@ struct Element {
     material: Material,
 }
 
-/// One element for every choice of section, Poisson's ratio, slope length and frame.
+/// Returns one element for each combination of section, Poisson's ratio, slope length and frame.
 fn elements(gravity: Vector3<f64>) -> Vec<Element> {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let mut elements = Vec::new();
@@ -58,7 +60,7 @@ fn element(section: Section, poisson: f64, slope: f64, r: Rotation3<f64>, gravit
     }
 }
 
-/// ½∫(λ tr² E + 2G E:E) dV over the volume, by 125 points and more, is what the element makes of moments of area.
+/// Strain energy ½∫(λ tr² E + 2G E:E) dV, integrated by at least 125 points.
 #[test]
 fn strain_energy_is_that_of_the_continuum() {
     let mut random = Random(31);
@@ -72,13 +74,14 @@ fn strain_energy_is_that_of_the_continuum() {
                 let strain = continuum::green_strain(&continuum::deformation_gradient(&e, &gradients));
                 0.5 * lame.lambda * strain.trace().powi(2) + lame.shear * strain.norm_squared()
             };
-            let (brute, exact) = (continuum::integrate(LENGTH, section, density), energy(&term, &at).strain);
-            assert!((exact / brute - 1.0).abs() < 1e-13, "{name}: {exact} and {brute}");
+            let reference = continuum::integrate(LENGTH, section, density);
+            let strain = energy(&term, &at).strain;
+            assert!((strain / reference - 1.0).abs() < 1e-13, "{name}: {strain} and {reference}");
         }
     }
 }
 
-/// ½∫ρ v·v dV and −∫ρ g·u dV likewise.
+/// Kinetic energy ½∫ρ v·v dV and potential energy −∫ρ g·u dV.
 #[test]
 fn kinetic_and_potential_energy_are_those_of_the_continuum() {
     let (mut random, gravity) = (Random(18), Vector3::new(0.3, -2.0, 0.7));
@@ -90,10 +93,10 @@ fn kinetic_and_potential_energy_are_those_of_the_continuum() {
         };
         let kinetic = |x| 0.5 * material.density * field(&at.v, x).norm_squared();
         let potential = |x| -at.local().load * material.density * gravity.dot(&field(&at.q, x));
-        let exact = energy(&term, &at);
-        let brute = continuum::integrate(LENGTH, section, kinetic);
-        assert!((exact.kinetic / brute - 1.0).abs() < 1e-13, "{name}: {} and {brute}", exact.kinetic);
-        let brute = continuum::integrate(LENGTH, section, potential);
-        assert!((exact.potential - brute).abs() < 1e-14, "{name}: {} and {brute}", exact.potential);
+        let found = energy(&term, &at);
+        let reference = continuum::integrate(LENGTH, section, kinetic);
+        assert!((found.kinetic / reference - 1.0).abs() < 1e-13, "{name}: {} and {reference}", found.kinetic);
+        let reference = continuum::integrate(LENGTH, section, potential);
+        assert!((found.potential - reference).abs() < 1e-14, "{name}: {} and {reference}", found.potential);
     }
 }

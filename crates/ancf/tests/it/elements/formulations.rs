@@ -1,4 +1,4 @@
-//! The formulations of the beam against closed forms and limits: what each is exact in, and how fast it converges.
+//! Beam formulations against closed forms: exact cases and rates of convergence.
 
 use ancf::Model;
 use ancf::mechanics::Kind;
@@ -26,7 +26,7 @@ const SECTIONS: [Section; 3] = [
     },
 ];
 
-/// A metre of steel, clamped at its start, without weight.
+/// Steel cantilever of 1 m without gravity.
 fn cantilever(
     elements: u32,
     formulation: Formulation,
@@ -42,7 +42,8 @@ fn cantilever(
     model
 }
 
-fn pulled(mut model: Model, force: [f64; 3]) -> Model {
+/// Adds a force at the tip.
+fn with_tip_force(mut model: Model, force: [f64; 3]) -> Model {
     model.loads = vec![Load::force(rod::end(), force)];
     model
 }
@@ -51,7 +52,7 @@ fn tip(assembly: &Assembly, state: &State) -> Vector3<f64> {
     assembly.probes[0].1.sum(&state.q)
 }
 
-/// Deflections along y and z over PL³/3EI + PL/kGA.
+/// Deflections along y and z, relative to PL³/3EI + PL/kGA.
 fn deflections(elements: u32, formulation: Formulation, section: Section, fix: Clamped) -> [f64; 2] {
     let poisson = 0.3;
     let model = cantilever(elements, formulation, section, poisson, fix);
@@ -60,14 +61,14 @@ fn deflections(elements: u32, formulation: Formulation, section: Section, fix: C
     let [along_y, along_z] = [(m.yy, ky), (m.zz, kz)].map(|(second, k)| {
         1.0 / (3.0 * material.young * second) + 1.0 / (k * material.lame().shear * m.area)
     });
-    let assembly = pulled(model, [0.0, 1.0, 1.0]).assemble().unwrap();
+    let assembly = with_tip_force(model, [0.0, 1.0, 1.0]).assemble().unwrap();
     let moved = tip(&assembly, &linear(&assembly, &[]));
     [moved.y / along_y, moved.z / along_z]
 }
 
-/// EI and kGA, not (λ+2G)I and GA: one element is exact, the enhanced one lacks 1/(4n²) of the bending.
+/// PL³/3EI + PL/kGA with EI and kGA instead of (λ+2G)I and GA. The enhanced element misses 1/(4n²) of the bending part.
 #[test]
-fn tip_force() {
+fn tip_deflection_is_exact_in_one_element() {
     for section in SECTIONS {
         for elements in [1, 2, 5] {
             for formulation in [Formulation::Linked, Formulation::Quadratic] {
@@ -83,24 +84,24 @@ fn tip_force() {
     }
 }
 
-/// A clamp that holds r_x, too, keeps the axis from shearing there: 1/2n of the deflection by shear is missing.
+/// A clamp of r_x suppresses the shear of the axis there: 1/2n of the shear deflection is missing.
 #[test]
-fn tip_force_at_a_full_clamp() {
+fn full_clamp_suppresses_shear_in_the_first_element() {
     for section in SECTIONS {
         let (m, material) = (section.moments(), Material::elastic(8030.0, 193e9, 0.3));
         let shear = 1.0 / (section.shear_factors(0.3)[0] * material.lame().shear * m.area);
         let share = shear / (shear + 1.0 / (3.0 * material.young * m.yy));
         for elements in [1, 2, 4, 8] {
             let part = deflections(elements, Formulation::Linked, section, Clamped::All)[0];
-            let wanted = 1.0 - share / f64::from(2 * elements);
-            assert!((part - wanted).abs() < 1e-9, "{section:?}, {elements}: {part} and {wanted}");
+            let expected = 1.0 - share / f64::from(2 * elements);
+            assert!((part - expected).abs() < 1e-9, "{section:?}, {elements}: {part} and {expected}");
         }
     }
 }
 
-/// TL/GJ with St. Venant's J, for a couple half on r_y and half on r_z.
+/// Rotation TL/GJ with St. Venant's J; half of the torque acts on r_y and half on r_z.
 #[test]
-fn torsion() {
+fn torsion_angle_is_that_of_st_venant() {
     for section in SECTIONS {
         for formulation in RODS {
             for elements in [1, 3] {
@@ -121,10 +122,11 @@ fn torsion() {
     }
 }
 
-/// Stretch s with the contraction of free sides, c² = 1 − ν (s² − 1), is held by a force EA s (s² − 1)/2 at each end and by nothing
-/// else: E, not λ+2G, resists.
+/// Uniaxial stretch s with free contraction, c² = 1 − ν (s² − 1): axial force EA s (s² − 1)/2, with E instead of λ+2G.
+///
+/// All other nodal forces vanish.
 #[test]
-fn tension_with_free_contraction() {
+fn tension_with_free_contraction_has_modulus_e() {
     for formulation in RODS {
         for (poisson, stretch) in [(0.0, 1.1), (0.3, 1.1), (0.45, 0.8), (-0.3, 1.3)] {
             let mut model =
@@ -150,12 +152,12 @@ fn tension_with_free_contraction() {
             for vector in mesh.vectors(&assembly.rest()) {
                 for axis in 0..3 {
                     let end = vector.kind == Kind::Position && axis == 0;
-                    let wanted = match vector.value.x {
+                    let expected = match vector.value.x {
                         x if end && x == 0.0 => -force,
                         x if end && x == rod::LENGTH => force,
                         _ => 0.0,
                     };
-                    let error = (forces[vector.first + axis] - wanted).abs();
+                    let error = (forces[vector.first + axis] - expected).abs();
                     assert!(error < 1e-12 * rigidity, "{formulation:?}, nu = {poisson}: {vector:?}, {error}");
                 }
             }
@@ -163,7 +165,7 @@ fn tension_with_free_contraction() {
     }
 }
 
-/// Relative error of the linear tip under own weight, qL⁴/8EI + qL²/2kGA.
+/// Relative error of the linear tip deflection under own weight, qL⁴/8EI + qL²/2kGA.
 fn own_weight(elements: u32, formulation: Formulation) -> f64 {
     let section = Section::Circle { diameter: 0.02 };
     let poisson = if formulation == Formulation::Continuum { 0.0 } else { 0.3 };
@@ -177,9 +179,9 @@ fn own_weight(elements: u32, formulation: Formulation) -> f64 {
     tip(&assembly, &linear(&assembly, &[])).y / (-load * exact) - 1.0
 }
 
-/// −1/(3n²) of the bending part in the elements that lock in shear; the others are exact at the nodes, with EI for ν = 0.3.
+/// Elements with shear locking miss 1/(3n²) of the bending part. The others are exact at the nodes, with EI for ν = 0.3.
 #[test]
-fn own_weight_by_elements() {
+fn own_weight_deflection_is_exact_or_of_second_order() {
     for elements in [1, 2, 4, 8, 16] {
         for formulation in [Formulation::Continuum, Formulation::Enhanced] {
             let missing = -own_weight(elements, formulation) * f64::from(3 * elements * elements);

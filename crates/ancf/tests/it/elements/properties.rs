@@ -1,32 +1,33 @@
-//! Laws of elements: rigid motions, free motions, dissipation.
+//! Properties of beam elements: rigid-body motions, rank of the stiffness, dissipation, energy of the continuum.
 
-use crate::common::continuum;
-use crate::common::models::beams;
-use crate::common::models::beams::{LENGTH, Make, Specimen, makes};
-use crate::common::sample::{Random, Sample, energy, residual, tangent};
 use ancf::model::{Damping, Formulation, Material, MaterialLaw, Section};
 use ancf::system::Weights;
 use nalgebra::{Cholesky, DVector, Rotation3, SymmetricEigen, Vector3};
 
-/// Every beam without gravity; stubby ones, so that no part of an energy hides behind another.
-fn specimens() -> impl Iterator<Item = Specimen> {
-    makes().into_iter().map(|make| make.specimen(Vector3::zeros()))
+use crate::common::continuum;
+use crate::common::models::beams::{BeamCase, BeamElement, FORMULATIONS, LENGTH, beam_cases};
+use crate::common::random::Random;
+use crate::common::sample::{Sample, energy, residual, tangent};
+
+/// All beam elements without gravity.
+fn elements() -> impl Iterator<Item = BeamElement> {
+    beam_cases().into_iter().map(|case| case.element(Vector3::zeros()))
 }
 
-/// Translation, rotation and spin of any size: no energy, no elastic and no viscous force.
+/// Translation, rotation and angular velocity of any size: no energy, no elastic and no viscous force.
 #[test]
-fn rigid_motion_costs_nothing() {
+fn rigid_motion_has_no_energy_and_no_force() {
     let mut random = Random(24);
     let damping = Damping { strain: 0.2, mass: 0.0 };
-    let damped = makes().into_iter().map(|make| Make { damping, ..make }.specimen(Vector3::zeros()));
-    for specimen in specimens().chain(damped) {
-        let (term, name, stiffness) = (specimen.term.as_ref(), &specimen.name, specimen.stiffness());
+    let damped = beam_cases().into_iter().map(|case| BeamCase { damping, ..case }.element(Vector3::zeros()));
+    for element in elements().chain(damped) {
+        let (term, name, stiffness) = (element.term.as_ref(), &element.name, element.stiffness());
         for _ in 0..5 {
             let (turn, shift) = (Rotation3::new(random.vector3() * 3.0), random.vector3() * 10.0);
             let mut at = Sample::rest(term);
-            at.q = specimen.moved(turn, shift);
-            at.v = specimen.spinning(&at.q, random.vector3(), random.vector3());
-            let force = residual(term, &at).amax() / specimen.slope;
+            at.q = element.rigid_displacement(turn, shift);
+            at.v = element.rigid_velocity(&at.q, random.vector3(), random.vector3());
+            let force = residual(term, &at).amax() / element.slope;
             assert!(force < 1e-10 * stiffness, "{name}: force {force:e}");
             let strain = energy(term, &at).strain;
             assert!(strain < 1e-20 * stiffness * LENGTH, "{name}: energy {strain:e}");
@@ -34,10 +35,10 @@ fn rigid_motion_costs_nothing() {
     }
 }
 
-/// A free element has six motions without stiffness, three translations and three rotations, and no other.
+/// Zero eigenvalues of the stiffness belong to three translations and three rotations; the mass is positive definite.
 #[test]
-fn stiffness_has_six_free_motions_and_mass_none() {
-    for Specimen { name, term, .. } in specimens() {
+fn stiffness_has_six_rigid_modes_and_mass_is_definite() {
+    for BeamElement { name, term, .. } in elements() {
         let rest = Sample::rest(term.as_ref());
         let eigenvalues = |w| {
             let k = tangent(term.as_ref(), &rest, w);
@@ -54,23 +55,24 @@ fn stiffness_has_six_free_motions_and_mass_none() {
     }
 }
 
-/// The lowest vibration of a free, slender, straight element is no lower than that of a free beam, 4.730⁴ EI/ρAl⁴: no
-/// motion is weak by reduced integration.
+/// Lowest frequency of a free, slender, straight element: not below that of the free beam, 4.730⁴ EI/ρAl⁴.
+///
+/// Reduced integration causes no mode without stiffness.
 #[test]
-fn slender_elements_have_no_weak_motion() {
-    for formulation in beams::FORMULATIONS {
+fn slender_elements_have_no_zero_energy_modes() {
+    for formulation in FORMULATIONS {
         for poisson in [0.0, 0.3, 0.45, -0.3] {
             for section in [
                 Section::Circle { diameter: LENGTH / 50.0 },
                 Section::Rectangle { height: LENGTH / 20.0, width: LENGTH / 100.0 },
             ] {
                 let moments = section.moments();
-                let Specimen { name, term, .. } =
-                    Make::straight(formulation, section, poisson).specimen(Vector3::zeros());
+                let BeamElement { name, term, .. } =
+                    BeamCase::straight(formulation, section, poisson).element(Vector3::zeros());
                 let rest = Sample::rest(term.as_ref());
                 let mass = tangent(term.as_ref(), &rest, Weights::MASS);
                 let stiffness = tangent(term.as_ref(), &rest, Weights::STIFFNESS);
-                let root = Cholesky::new(mass).expect("mass").l();
+                let root = Cholesky::new(mass).expect("the mass is positive definite").l();
                 let half = root.solve_lower_triangular(&stiffness).unwrap().transpose();
                 let mut squares = SymmetricEigen::new(root.solve_lower_triangular(&half).unwrap())
                     .eigenvalues
@@ -87,16 +89,16 @@ fn slender_elements_have_no_weak_motion() {
     }
 }
 
-/// Damping takes energy out, whatever the motion: v·(f(q, v) − f(q, 0)) ≥ 0.
+/// Power of the damping forces in any motion: v·(f(q, v) − f(q, 0)) > 0.
 #[test]
-fn damping_dissipates() {
+fn damping_power_is_positive() {
     let mut random = Random(7);
     for damping in [Damping { strain: 0.2, mass: 0.0 }, Damping { strain: 0.0, mass: 0.7 }] {
-        for make in makes() {
-            let Specimen { name, term, .. } = Make { damping, ..make }.specimen(Vector3::zeros());
+        for case in beam_cases() {
+            let BeamElement { name, term, .. } = BeamCase { damping, ..case }.element(Vector3::zeros());
             for _ in 0..10 {
                 let mut at = Sample::random(term.as_ref(), &mut random);
-                at.q *= if make.law == MaterialLaw::NeoHookean { 0.1 } else { 1.0 };
+                at.q *= if case.law == MaterialLaw::NeoHookean { 0.1 } else { 1.0 };
                 let still = Sample { v: DVector::zeros(at.v.len()), ..at.clone() };
                 let force = residual(term.as_ref(), &at) - residual(term.as_ref(), &still);
                 let (power, size) = (force.dot(&at.v), force.norm() * at.v.norm());
@@ -106,28 +108,27 @@ fn damping_dissipates() {
     }
 }
 
-/// Straight beams of the continuum, and bent ones that are thin enough for the rule of the sections.
-fn continua(gravity: Vector3<f64>) -> impl Iterator<Item = Specimen> {
-    let shaped = |make: &Make| {
-        make.formulation == Formulation::Continuum
-            && make.law == MaterialLaw::StVenantKirchhoff
-            && make.section_end.is_none()
-            && !matches!(make.section, Section::General { .. })
+/// Prismatic beams of the continuum formulation. Curved ones are thin enough for the integration rule of the sections.
+fn continuum_elements(gravity: Vector3<f64>) -> impl Iterator<Item = BeamElement> {
+    let prismatic = |case: &BeamCase| {
+        case.formulation == Formulation::Continuum
+            && case.law == MaterialLaw::StVenantKirchhoff
+            && case.section_end.is_none()
+            && !matches!(case.section, Section::General { .. })
     };
-    let thin = |make: Make| {
+    let thin = |case: BeamCase| {
         let rectangle = Section::Rectangle { height: 0.04, width: 0.03 };
-        Make { section: if make.bent { rectangle } else { make.section }, ..make }
+        BeamCase { section: if case.curved { rectangle } else { case.section }, ..case }
     };
-    makes().into_iter().filter(shaped).map(move |make| thin(make).specimen(gravity))
+    beam_cases().into_iter().filter(prismatic).map(move |case| thin(case).element(gravity))
 }
 
-/// ½∫(λ tr² E + 2G E:E) dV over the volume by 125 points and more, with E of F = J J₀⁻¹, is what the element makes of moments
-/// of area or of points of the section.
+/// Strain energy ½∫(λ tr² E + 2G E:E) dV with E of F = J J₀⁻¹, integrated by at least 125 points.
 #[test]
 fn strain_energy_is_that_of_the_continuum() {
     let mut random = Random(31);
-    for Specimen { name, make, term, vectors, slope, length } in continua(Vector3::zeros()) {
-        let lame = Material::elastic(2.0, 30.0, make.poisson).lame();
+    for BeamElement { name, case, term, vectors, slope, length } in continuum_elements(Vector3::zeros()) {
+        let lame = Material::elastic(2.0, 30.0, case.poisson).lame();
         for _ in 0..5 {
             let at = Sample::random(term.as_ref(), &mut random);
             let reference = std::array::from_fn(|k| vectors[k].value);
@@ -137,19 +138,19 @@ fn strain_energy_is_that_of_the_continuum() {
                 let [j, j0] = [e, reference].map(|e| continuum::deformation_gradient(&e, &gradients));
                 continuum::energy_density(lame, &j, &j0)
             };
-            let brute = continuum::integrate(length, make.section, density);
-            let (exact, tolerance) =
-                (energy(term.as_ref(), &at).strain, if make.bent { 1e-9 } else { 1e-13 });
-            assert!((exact / brute - 1.0).abs() < tolerance, "{name}: {exact} and {brute}");
+            let reference = continuum::integrate(length, case.section, density);
+            let (strain, tolerance) =
+                (energy(term.as_ref(), &at).strain, if case.curved { 1e-9 } else { 1e-13 });
+            assert!((strain / reference - 1.0).abs() < tolerance, "{name}: {strain} and {reference}");
         }
     }
 }
 
-/// ½∫ρ v·v dV and −∫ρ g·u dV likewise; the mass of a bent beam is that of its length.
+/// Kinetic energy ½∫ρ v·v dV and potential energy −∫ρ g·u dV. The mass of a curved beam is that of its arc length.
 #[test]
 fn kinetic_and_potential_energy_are_those_of_the_continuum() {
     let (mut random, gravity, density) = (Random(18), Vector3::new(0.3, -2.0, 0.7), 2.0);
-    for Specimen { name, make, term, slope, length, .. } in continua(gravity) {
+    for BeamElement { name, case, term, slope, length, .. } in continuum_elements(gravity) {
         let at = Sample::random(term.as_ref(), &mut random);
         let field = |nodes: &DVector<f64>, x| -> Vector3<f64> {
             let values = continuum::shape_values(length, slope, x);
@@ -157,10 +158,10 @@ fn kinetic_and_potential_energy_are_those_of_the_continuum() {
         };
         let kinetic = |x| 0.5 * density * field(&at.v, x).norm_squared();
         let potential = |x| -at.local().load * density * gravity.dot(&field(&at.q, x));
-        let exact = energy(term.as_ref(), &at);
-        let brute = continuum::integrate(length, make.section, kinetic);
-        assert!((exact.kinetic / brute - 1.0).abs() < 1e-13, "{name}: {} and {brute}", exact.kinetic);
-        let brute = continuum::integrate(length, make.section, potential);
-        assert!((exact.potential - brute).abs() < 1e-14, "{name}: {} and {brute}", exact.potential);
+        let found = energy(term.as_ref(), &at);
+        let reference = continuum::integrate(length, case.section, kinetic);
+        assert!((found.kinetic / reference - 1.0).abs() < 1e-13, "{name}: {} and {reference}", found.kinetic);
+        let reference = continuum::integrate(length, case.section, potential);
+        assert!((found.potential - reference).abs() < 1e-14, "{name}: {} and {reference}", found.potential);
     }
 }

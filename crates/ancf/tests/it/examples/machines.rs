@@ -1,4 +1,4 @@
-//! Mechanisms, shafts and springs.
+//! Mechanisms, rotor, robot arm, spring and blade.
 
 use std::f64::consts::PI;
 
@@ -6,42 +6,27 @@ use ancf::Model;
 use ancf::model::{Analysis, Body, Scheme, Step};
 use nalgebra::{Matrix3, Vector3};
 
+use crate::common::assertions::assert_near;
 use crate::common::models::files::model;
 use crate::common::solutions::{Run, distance};
 
-/// A model of `models/` with other steps, up to another end.
+/// Reads `models/{name}.toml` with another spectral radius, step and duration.
 fn stepped(name: &str, radius: f64, step: f64, duration: f64) -> Model {
     let mut model = model(name);
-    let Analysis::Dynamics(analysis) = &mut model.analysis else { panic!("{name} is no motion") };
+    let Analysis::Dynamics(analysis) = &mut model.analysis else { panic!("{name} is a dynamic analysis") };
     analysis.scheme = Scheme::GeneralizedAlpha { spectral_radius: radius };
     analysis.step = Step::Fixed(step);
     analysis.duration = duration;
     model
 }
 
-/// The row at a time.
+/// Index of the row at a time.
 fn row(run: &Run, t: f64) -> usize {
     let found = run.column("t").iter().position(|&at| (at - t).abs() < 1e-9);
     found.unwrap_or_else(|| panic!("no row at {t}"))
 }
 
-/// The largest magnitude of a column.
-fn largest(run: &Run, column: &str) -> f64 {
-    run.column(column).iter().fold(0.0, |largest, x| x.abs().max(largest))
-}
-
-/// The balance of energies over the largest energy.
-fn imbalance(run: &Run) -> f64 {
-    let energies = ["kinetic", "strain", "potential"].map(|column| largest(run, column));
-    largest(run, "balance") / energies.iter().fold(0.0, |a: f64, &b| a.max(b))
-}
-
-#[track_caller]
-fn close(what: &str, ours: f64, wanted: f64, tolerance: f64) {
-    assert!((ours - wanted).abs() <= tolerance, "{what}: {ours}, not {wanted} ± {tolerance}");
-}
-
-/// Deflection of the rod's middle from its chord, m.
+/// Deflection of the middle of the rod from its chord, in m.
 fn deflections(run: &Run) -> Vec<f64> {
     let [pin, middle, block] = ["pin.", "middle.", "block."].map(|name| run.vectors(name));
     let deflection = |i: usize| {
@@ -51,10 +36,12 @@ fn deflections(run: &Run) -> Vec<f64> {
     (0..pin.len()).map(deflection).collect()
 }
 
-/// Simeon's equations (crank of the test set of initial value problems: two sines of bending, two shapes of stretch), with
-/// the mass matrix of stretch divided by 15, which is a misprint there, and the strain energy completed by
-/// ½ EA ∫ (w'²/2)² dx on the shapes of stretch. By Runge and Kutta, step 5e-6 s: deflection of the rod's middle, m, and
-/// place of the block, m, every 5 ms. Without the term of fourth degree the deflections are 1.87, 1.04, 0.45, ... mm.
+/// Deflection of the middle of the rod and position of the block, in m, every 5 ms.
+///
+/// Source: Simeon's equations (crank of the test set of initial value problems: two sine shapes of bending, two shapes of
+/// stretch), by the Runge-Kutta method with steps of 5e-6 s. Two changes: the mass matrix of stretch is divided by 15, a
+/// misprint there; the strain energy contains ½ EA ∫ (w'²/2)² dx on the shapes of stretch. Without this term of fourth
+/// degree the deflections are 1.87, 1.04, 0.45, ... mm.
 const SIMEON: [[f64; 2]; 10] = [
     [1.4034e-3, 0.3917791],
     [0.6974e-3, 0.2706420],
@@ -69,27 +56,27 @@ const SIMEON: [[f64; 2]; 10] = [
 ];
 
 #[test]
-fn the_rod_of_the_slider_crank_bends_as_simeon_has_it() {
+fn slider_crank_rod_bends_as_in_simeons_equations() {
     let run = Run::of(&model("slider_crank"));
     let (deflections, block) = (deflections(&run), run.column("block.x"));
     for (i, [deflection, place]) in SIMEON.into_iter().enumerate() {
         let row = row(&run, 5e-3 * (i + 1) as f64);
-        close("deflection", deflections[row], deflection, 0.02 * 1.87e-3);
-        close("block", block[row], place, 4e-5);
+        assert_near("deflection", deflections[row], deflection, 0.02 * 1.87e-3);
+        assert_near("block", block[row], place, 4e-5);
     }
-    assert!(largest(&run, "block.y") < 1e-12 && largest(&run, "middle.z") < 1e-12);
+    assert!(run.largest("block.y") < 1e-12 && run.largest("middle.z") < 1e-12);
     for (&t, angle) in run.column("t").iter().zip(run.column("motor.angle")) {
-        close("angle of the crank", *angle, 150.0 * t, 1e-10);
+        assert_near("angle of the crank", *angle, 150.0 * t, 1e-10);
     }
 }
 
 #[test]
-fn the_slider_crank_keeps_its_energy() {
+fn slider_crank_satisfies_the_energy_balance() {
     let run = Run::of(&stepped("slider_crank", 0.95, 2.5e-6, 0.01));
-    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
+    assert!(run.energy_error() < 1e-6, "{}", run.energy_error());
 }
 
-/// Flexibility of a bar against forces along z and moments about x and y at a point c: a grillage, by Castigliano.
+/// Flexibility of a grillage bar for forces along z and moments about x and y at a point c, by Castigliano.
 fn flexibility([from, to]: [Vector3<f64>; 2], side: f64, c: Vector3<f64>) -> Matrix3<f64> {
     let (young, shear, length) = (2.07e11, 2.07e11 / 2.6, (to - from).norm());
     let (bending, torsion) = (young * side.powi(4) / 12.0, shear * 0.140577 * side.powi(4));
@@ -106,10 +93,10 @@ fn flexibility([from, to]: [Vector3<f64>; 2], side: f64, c: Vector3<f64>) -> Mat
     sum
 }
 
-/// Out of plane the bars are a grillage, clamped at A and D, in which the hinge at C, 5° askew, turns the rocker against
-/// the coupler by a rotation of 2 sin(θ/2) 5° about an axis in the plane.
+/// Out of its plane the linkage is a grillage clamped at A and D. The hinge at C, misaligned by 5°, prescribes a relative
+/// rotation of 2 sin(θ/2) 5° about an axis in the plane.
 #[test]
-fn the_misaligned_hinge_bends_the_four_bar_out_of_its_plane() {
+fn misaligned_hinge_bends_the_four_bar_out_of_its_plane() {
     let run = Run::of(&model("four_bar"));
     for theta in [0.54_f64, 1.02] {
         let row = row(&run, theta / 0.6 + 0.1);
@@ -118,24 +105,24 @@ fn the_misaligned_hinge_bends_the_four_bar_out_of_its_plane() {
         let c = b + d;
         let left = flexibility([Vector3::zeros(), b], 0.016, c) + flexibility([b, c], 0.016, c);
         let right = flexibility([d, c], 0.008, c);
-        let askew = 5_f64.to_radians();
-        let gap = Vector3::z().cross(&Vector3::new(theta.sin(), 1.0 - theta.cos(), 0.0)) * askew;
-        // On the left; the right gets the opposite.
+        let misalignment = 5_f64.to_radians();
+        let gap = Vector3::z().cross(&Vector3::new(theta.sin(), 1.0 - theta.cos(), 0.0)) * misalignment;
+        // Action on the left part; the right part has the reaction.
         let action = -(left + right).try_inverse().unwrap() * Vector3::new(0.0, gap.x, gap.y);
         let rise = (left * action)[0];
-        close("rise of C", run.vectors("coupler_end.")[row].z, rise, 0.02 * rise.abs());
+        assert_near("rise of C", run.vectors("coupler_end.")[row].z, rise, 0.02 * rise.abs());
         let at_d = -Vector3::new(action[1], action[2], 0.0) - (c - d).cross(&(Vector3::z() * action[0]));
         let moment = run.vectors("D.m")[row];
-        close("moment at D", (moment + at_d).norm(), 0.0, 0.02 * at_d.norm());
-        close("force at D", run.column("D.fz")[row], action[0], 0.02 * at_d.norm() / 0.12);
+        assert_near("moment at D", (moment + at_d).norm(), 0.0, 0.02 * at_d.norm());
+        assert_near("force at D", run.column("D.fz")[row], action[0], 0.02 * at_d.norm() / 0.12);
     }
-    let apart = distance(&run.vectors("coupler_end."), &run.vectors("rocker_end."));
-    assert!(apart < 1e-10 * 0.24, "C is apart by {apart}");
+    let gap = distance(&run.vectors("coupler_end."), &run.vectors("rocker_end."));
+    assert!(gap < 1e-10 * 0.24, "gap {gap} at C");
 }
 
-/// With its axes parallel the mechanism moves as a parallelogram and nothing strains it but inertia.
+/// With parallel axes the linkage is a parallelogram without out-of-plane reactions.
 #[test]
-fn the_aligned_four_bar_is_a_parallelogram() {
+fn aligned_four_bar_is_a_parallelogram() {
     let mut model = stepped("four_bar", 0.6, 0.02, 2.0);
     for joint in &mut model.joints {
         if let ancf::model::Joint::Revolute { axis, .. } = joint {
@@ -143,76 +130,76 @@ fn the_aligned_four_bar_is_a_parallelogram() {
         }
     }
     let run = Run::of(&model);
-    // Once the vibration of the start is over.
+    // After the decay of the initial vibration.
     for i in row(&run, 1.0)..run.column("t").len() {
-        close("angle of the rocker", run.column("D.angle")[i], run.column("A.angle")[i], 1e-8);
+        assert_near("angle of the rocker", run.column("D.angle")[i], run.column("A.angle")[i], 1e-8);
     }
     for column in ["coupler_end.z", "D.mx", "D.my", "D.fz"] {
-        assert!(largest(&run, column) < 1e-9, "{column}: {}", largest(&run, column));
+        assert!(run.largest(column) < 1e-9, "{column}: {}", run.largest(column));
     }
 }
 
-/// The motor does the work that strains the bars, and what moves them.
+/// The work of the motor equals the energy of the bars.
 #[test]
-fn the_motor_of_the_four_bar_pays_for_all_energy() {
+fn four_bar_satisfies_the_energy_balance() {
     let run = Run::of(&stepped("four_bar", 0.9, 1e-3, 1.0));
-    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
+    assert!(run.energy_error() < 1e-6, "{}", run.energy_error());
 }
 
-/// Mass of the disc, reduced mass (Rayleigh) and stiffness of the shaft of the rotor.
+/// Mass of the disc, effective mass (Rayleigh) and stiffness of the shaft.
 fn jeffcott() -> [f64; 3] {
     let (disc, radius) = (5.0, 0.01_f64);
     let shaft = 7850.0 * PI * radius.powi(2);
     [disc, disc + 17.0 / 35.0 * shaft, 48.0 * 2.1e11 * PI * radius.powi(4) / 4.0]
 }
 
-/// z = A (e^{iωt} − cos ω_c t − i (ω/ω_c) sin ω_c t), A = e' / ((ω_c/ω)² − 1), of a rotor that starts straight.
+/// z = A (e^{iωt} − cos ω_c t − i (ω/ω_c) sin ω_c t), A = e' / ((ω_c/ω)² − 1), for an initially straight rotor.
 #[test]
-fn the_rotor_whirls_as_jeffcotts() {
+fn rotor_whirls_as_a_jeffcott_rotor() {
     let run = Run::of(&model("rotor"));
     let [disc, mass, stiffness] = jeffcott();
     let (critical, rate) = ((stiffness / mass).sqrt(), 75.0);
-    close("critical speed", critical, 113.0, 0.05);
+    assert_near("critical speed", critical, 113.0, 0.05);
     let amplitude = 0.0005 * disc / mass / ((critical / rate).powi(2) - 1.0);
-    close("amplitude", amplitude, 0.317e-3, 1e-6);
+    assert_near("amplitude", amplitude, 0.317e-3, 1e-6);
     let middle = run.vectors("middle.");
     for (&t, middle) in run.column("t").iter().zip(&middle) {
         let y = amplitude * ((rate * t).cos() - (critical * t).cos());
         let z = amplitude * ((rate * t).sin() - rate / critical * (critical * t).sin());
-        close("y", middle.y, y, 0.03 * amplitude);
-        close("z", middle.z, z, 0.03 * amplitude);
+        assert_near("y", middle.y, y, 0.03 * amplitude);
+        assert_near("z", middle.z, z, 0.03 * amplitude);
     }
-    let most = middle.iter().map(|r| r.y.hypot(r.z)).fold(0.0, f64::max);
-    close("largest deflection as stated", most, 0.635e-3, 0.02e-3);
+    let largest = middle.iter().map(|r| r.y.hypot(r.z)).fold(0.0, f64::max);
+    assert_near("largest deflection as stated", largest, 0.635e-3, 0.02e-3);
     assert!(distance(&middle, &run.vectors("seat_of_disc.")) < 1e-10);
-    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
+    assert!(run.energy_error() < 1e-6, "{}", run.energy_error());
 }
 
-/// The rotor's lowest frequencies are its critical speed, in both planes.
+/// The lowest frequencies in both planes equal the critical speed.
 #[test]
-fn the_rotor_vibrates_at_its_critical_speed() {
+fn rotor_frequencies_equal_the_critical_speed() {
     let mut model = model("rotor");
     model.analysis = toml::from_str("kind = \"modes\"\ncount = 4").unwrap();
     let run = Run::of(&model);
     let [_, mass, stiffness] = jeffcott();
-    let wanted = (stiffness / mass).sqrt() / (2.0 * PI);
+    let expected = (stiffness / mass).sqrt() / (2.0 * PI);
     let frequencies = run.column("frequency");
-    let near = frequencies.iter().filter(|&&f| (f - wanted).abs() < 0.003 * wanted).count();
-    assert_eq!(near, 2, "{frequencies:?}, not {wanted}");
+    let near = frequencies.iter().filter(|&&f| (f - expected).abs() < 0.003 * expected).count();
+    assert_eq!(near, 2, "{frequencies:?}, not {expected}");
 }
 
-/// Masses of the links per length and of the payload.
+/// Masses of the links per length.
 const LINKS: [f64; 2] =
     [2700.0 * PI / 4.0 * (0.04 * 0.04 - 0.036 * 0.036), 2700.0 * PI / 4.0 * (0.03 * 0.03 - 0.027 * 0.027)];
+/// Mass of the payload.
 const PAYLOAD: f64 = 3.0;
 
-/// Angular momentum of rigid links about the shoulder and moment of the weight about it, and the moment of the weight about
-/// the elbow, at a time.
+/// Angular momentum of rigid links about the shoulder, moment of the weight about the shoulder and about the elbow.
 fn rigid_arm(t: f64) -> [f64; 3] {
     let s = (t / 2.0).clamp(0.0, 1.0);
     let (part, rate) = (s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s), 15.0 * (s * (1.0 - s)).powi(2));
     let (upper, lower) = (1.2 * part, 1.6 * part);
-    // Place and velocity at the end of an arm of a length that hangs at an angle.
+    // Position and velocity of the end of an arm at an angle from the vertical.
     let arm = |angle: f64, turned: f64, length: f64| {
         let (sin, cos) = angle.sin_cos();
         (Vector3::new(sin, -cos, 0.0) * length, Vector3::new(cos, sin, 0.0) * (length * turned * rate))
@@ -224,7 +211,7 @@ fn rigid_arm(t: f64) -> [f64; 3] {
         at_elbow += 9.81 * mass * (r.x - elbow);
     };
     let elbow = arm(upper, 1.2, 0.8);
-    // Three masses have the mass, the centre and the inertia of a rod.
+    // Three point masses equivalent to a rod.
     for (at, part) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {
         let r = arm(lower, 1.6, 0.7 * at);
         let r = (elbow.0 + r.0, elbow.1 + r.1);
@@ -238,30 +225,29 @@ fn rigid_arm(t: f64) -> [f64; 3] {
 }
 
 #[test]
-fn the_motors_of_the_robot_arm_carry_its_weight() {
+fn robot_arm_motors_carry_its_weight() {
     let run = Run::of(&model("robot_arm"));
     let [_, shoulder, elbow] = rigid_arm(3.5);
-    close("shoulder as stated", shoulder, 47.15, 0.01);
-    close("elbow as stated", elbow, 21.46, 0.01);
-    let last = |column| *run.column(column).last().unwrap();
-    close("shoulder", last("shoulder.mz"), shoulder, 0.002 * shoulder);
-    close("elbow", last("elbow.mz"), elbow, 0.002 * elbow);
-    // On the way, the torque of rigid links within the vibration of these.
+    assert_near("shoulder as stated", shoulder, 47.15, 0.01);
+    assert_near("elbow as stated", elbow, 21.46, 0.01);
+    assert_near("shoulder", run.last("shoulder.mz"), shoulder, 0.002 * shoulder);
+    assert_near("elbow", run.last("elbow.mz"), elbow, 0.002 * elbow);
+    // During the motion: torque of rigid links, within the vibration of the flexible ones.
     let (t, torque) = (run.column("t"), run.column("shoulder.mz"));
     let rigid = |t: f64| (rigid_arm(t + 1e-5)[0] - rigid_arm(t - 1e-5)[0]) / 2e-5 + rigid_arm(t)[1];
     let squares: f64 = t.iter().zip(torque).map(|(&t, torque)| (torque - rigid(t)).powi(2)).sum();
     let deviation = (squares / t.len() as f64).sqrt();
-    assert!(deviation < 0.02 * largest(&run, "shoulder.mz"), "torques deviate by {deviation}");
+    assert!(deviation < 0.02 * run.largest("shoulder.mz"), "torques deviate by {deviation}");
     assert!(distance(&run.vectors("hand."), &run.vectors("payload_at.")) < 1e-10);
 }
 
 #[test]
-fn the_robot_arm_keeps_its_books() {
+fn robot_arm_satisfies_the_energy_balance() {
     let run = Run::of(&stepped("robot_arm", 1.0, 4e-4, 1.0));
-    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
+    assert!(run.energy_error() < 1e-6, "{}", run.energy_error());
 }
 
-/// Stiffness of the spring, mass of its wire.
+/// Stiffness of the spring and mass of its wire.
 fn spring() -> [f64; 2] {
     let (wire, mean, turns, pitch): (f64, f64, f64, f64) = (0.004, 0.05, 6.0, 0.012);
     let length = turns * (PI * mean).hypot(pitch);
@@ -269,33 +255,32 @@ fn spring() -> [f64; 2] {
 }
 
 #[test]
-fn the_weight_stretches_the_spring() {
+fn helical_spring_has_its_stiffness() {
     let run = Run::of(&model("spring"));
     let [stiffness, mass] = spring();
-    close("stiffness as stated", stiffness, 3446.0, 0.5);
-    let sinks = 9.81 * (2.0 + mass / 2.0) / stiffness;
-    close("sinking as stated", sinks, 5.83e-3, 1e-5);
-    let last = |column| *run.column(column).last().unwrap();
-    close("sinking", -0.072 - last("weight_at.z"), sinks, 0.005 * sinks);
-    close("force at the bottom", last("bottom.fz"), 2.0 * 9.81, 1e-6);
-    close("force at the top", last("top.fz"), (2.0 + mass) * 9.81, 1e-3 * 20.0);
-    close("sideways", last("weight_at.x").hypot(last("weight_at.y")), 0.0, 1e-12);
+    assert_near("stiffness as stated", stiffness, 3446.0, 0.5);
+    let deflection = 9.81 * (2.0 + mass / 2.0) / stiffness;
+    assert_near("deflection as stated", deflection, 5.83e-3, 1e-5);
+    assert_near("deflection", -0.072 - run.last("weight_at.z"), deflection, 0.005 * deflection);
+    assert_near("force at the bottom", run.last("bottom.fz"), 2.0 * 9.81, 1e-6);
+    assert_near("force at the top", run.last("top.fz"), (2.0 + mass) * 9.81, 1e-3 * 20.0);
+    assert_near("lateral displacement", run.last("weight_at.x").hypot(run.last("weight_at.y")), 0.0, 1e-12);
 }
 
 /// f = √(k/(m + m'/3))/2π with the mass m' of the spring.
 #[test]
-fn the_weight_swings_on_the_spring() {
+fn weight_on_a_spring_has_its_natural_frequency() {
     let mut model = model("spring");
     model.analysis = toml::from_str("kind = \"modes\"\ncount = 3").unwrap();
     let run = Run::of(&model);
     let [stiffness, mass] = spring();
-    let wanted = (stiffness / (2.0 + mass / 3.0)).sqrt() / (2.0 * PI);
-    close("frequency", run.column("frequency")[0], wanted, 0.01 * wanted);
+    let expected = (stiffness / (2.0 + mass / 3.0)).sqrt() / (2.0 * PI);
+    assert_near("frequency", run.column("frequency")[0], expected, 0.01 * expected);
 }
 
-/// As hinged rigid rods of the same mass.
+/// Comparison with hinged rigid rods of the same mass.
 #[test]
-fn the_stiff_double_pendulum_moves_as_two_rigid_rods() {
+fn stiff_double_pendulum_moves_as_rigid_rods() {
     let mut stiff = stepped("double_pendulum", 0.9, 2.5e-4, 0.6);
     for material in stiff.materials.values_mut() {
         material.young *= 100.0;
@@ -321,12 +306,12 @@ fn the_stiff_double_pendulum_moves_as_two_rigid_rods() {
     });
     let (stiff, rigid) = (Run::of(&stiff), Run::of(&Model::parse(&text).unwrap()));
     for place in ["elbow_point.", "tip."] {
-        let apart = distance(&stiff.vectors(place), &rigid.vectors(place));
-        assert!(apart < 2e-4, "{place} is apart by {apart}");
+        let error = distance(&stiff.vectors(place), &rigid.vectors(place));
+        assert!(error < 2e-4, "{place}: {error}");
     }
 }
 
-/// A thin rigid rod in the plane of x and y, of lengths along y and x.
+/// Thin rigid rod in the xy plane, with its lengths along y and x.
 fn bar(name: &str, center: [f64; 3], mass: f64, [y, x]: [f64; 2]) -> Body {
     let [xx, yy] = [y, x].map(|length: f64| mass * length * length / 12.0);
     let text = format!(
@@ -337,23 +322,23 @@ fn bar(name: &str, center: [f64; 3], mass: f64, [y, x]: [f64; 2]) -> Body {
 }
 
 #[test]
-fn the_double_pendulum_keeps_its_energy() {
+fn double_pendulum_satisfies_the_energy_balance() {
     let run = Run::of(&stepped("double_pendulum", 1.0, 5e-5, 0.4));
-    assert!(imbalance(&run) < 1e-6, "{}", imbalance(&run));
+    assert!(run.energy_error() < 1e-6, "{}", run.energy_error());
 }
 
 #[test]
-fn the_centrifugal_force_draws_on_the_blade() {
+fn rotating_blade_has_its_centrifugal_force() {
     let run = Run::of(&model("blade"));
     let (area, length, rate) = (0.2 * 0.02, 5.0, 40.0_f64);
     let force = 2700.0 * area * (rate * length).powi(2) / 2.0;
-    close("force as stated", force, 216.0e3, 50.0);
+    assert_near("force as stated", force, 216.0e3, 50.0);
     let stretch = 2700.0 * rate.powi(2) * length.powi(3) / (3.0 * 7e10);
-    close("stretch as stated", stretch, 2.571e-3, 1e-6);
+    assert_near("stretch as stated", stretch, 2.571e-3, 1e-6);
     let steady: Vec<usize> = (0..run.column("t").len()).filter(|&i| run.column("t")[i] > 6.1).collect();
     let mean = |x: &dyn Fn(usize) -> f64| steady.iter().map(|&i| x(i)).sum::<f64>() / steady.len() as f64;
     let (hub, tip) = (run.vectors("hub.f"), run.vectors("tip."));
-    close("force", mean(&|i| hub[i].norm()), force, 0.003 * force);
-    close("stretch", mean(&|i| tip[i].norm()) - length, stretch, 0.01 * stretch);
+    assert_near("force", mean(&|i| hub[i].norm()), force, 0.003 * force);
+    assert_near("stretch", mean(&|i| tip[i].norm()) - length, stretch, 0.01 * stretch);
     assert!(run.vectors("root.").iter().all(|root| root.norm() < 1e-10 * length));
 }

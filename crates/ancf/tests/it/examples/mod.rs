@@ -1,4 +1,4 @@
-//! The models of `models/`, each with a line of physics: what its comment promises.
+//! Models of `models/` against the results stated in their comments.
 
 mod machines;
 mod ropes;

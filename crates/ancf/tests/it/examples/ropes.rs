@@ -1,64 +1,48 @@
-//! Ropes, cables, a belt and a bow.
+//! Ropes, cables, band brake and bow.
 
 use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::{Analysis, Assembly, Load};
-use ancf::system::{EquationsOfMotion, State, Weights};
+use ancf::system::State;
 use nalgebra::Vector3;
 
+use crate::common::assertions::assert_relative;
 use crate::common::models::files::model;
-use crate::common::solutions::Run;
+use crate::common::solutions::{Run, momenta};
 
 const GRAVITY: f64 = 9.81;
 
-fn last(run: &Run, name: &str) -> f64 {
-    *run.column(name).last().unwrap()
-}
-
-fn largest(run: &Run, name: &str) -> f64 {
-    run.column(name).iter().fold(0.0, |most, x| most.max(x.abs()))
-}
-
-/// The error of the energy books over the largest energy.
-fn open(run: &Run) -> f64 {
-    let energies = ["kinetic", "strain", "potential"].map(|name| largest(run, name));
-    largest(run, "balance") / energies.into_iter().fold(0.0, f64::max)
-}
-
-#[track_caller]
-fn assert_near(what: &str, found: f64, wanted: f64, tolerance: f64) {
-    let error = found / wanted - 1.0;
-    assert!(error.abs() < tolerance, "{what}: {found:e}, not {wanted:e}, {error:.1e}");
-}
-
+/// Reads `models/{name}.toml` with another step and spectral radius.
 fn refined(name: &str, step: f64, radius: f64) -> Model {
     let mut model = model(name);
-    let Analysis::Dynamics(dynamics) = &mut model.analysis else { panic!("a motion") };
+    let Analysis::Dynamics(dynamics) = &mut model.analysis else { panic!("{name} is a dynamic analysis") };
     dynamics.step = ancf::model::Step::Fixed(step);
     dynamics.scheme = ancf::model::Scheme::GeneralizedAlpha { spectral_radius: radius };
     model
 }
 
-/// Horizontal tension, sag and tension at the ends of the elastic catenary over w: by numbers of an independent integration.
+/// Horizontal tension, sag and end tension of the elastic catenary relative to w, by independent integration.
 #[test]
-fn catenary() {
+fn catenary_has_its_tension_and_sag() {
     let run = Run::of(&model("catenary"));
     let w = 1100.0 * GRAVITY * PI * 0.002_f64.powi(2);
     for (end, outwards) in [("left.f", -1.0), ("right.f", 1.0)] {
-        let force = *run.vectors(end).last().unwrap();
-        assert_near("H", outwards * force.x, 4.597_764_795_843_918 * w, 5e-5);
-        assert_near("half of the weight", force.z, 6.0 * w, 1e-9);
-        assert_near("tension", force.norm(), 7.559_063_507_994_999 * w, 5e-5);
+        let force = run.last_vector(end);
+        assert_relative("H", outwards * force.x, 4.597_764_795_843_918 * w, 5e-5);
+        assert_relative("half of the weight", force.z, 6.0 * w, 1e-9);
+        assert_relative("tension", force.norm(), 7.559_063_507_994_999 * w, 5e-5);
     }
-    let middle = *run.vectors("middle.").last().unwrap();
-    assert_near("sag", -middle.z, 2.979_298_712_151_081, 1e-5);
+    let middle = run.last_vector("middle.");
+    assert_relative("sag", -middle.z, 2.979_298_712_151_081, 1e-5);
     assert!(middle.xy().norm() < 1e-9);
 }
 
-/// The end of a string without bending and the force there: from its start on by Runge and Kutta, T′ = −load(t), r′ = (1 + |T|/EA) t.
-fn string(
+/// Integrates a string without bending stiffness from its start. Returns the position and the tension at its end.
+///
+/// T′ = −load(t), r′ = (1 + |T|/EA) t, by the Runge-Kutta method.
+fn string_end(
     start: Vector3<f64>,
     force: Vector3<f64>,
     length: f64,
@@ -81,37 +65,37 @@ fn string(
     (r, tension)
 }
 
-/// Bernoulli's chain; the rope is held by its weight alone, whichever way it was hung up.
+/// Bernoulli's hanging chain, from a vertical and from an inclined initial shape.
 #[test]
-fn hanging_rope() {
+fn hanging_rope_has_bernoullis_frequencies() {
     let zeros = [2.404_825_557_695_773, 5.520_078_110_286_311, 8.653_727_912_911_013];
     let straight = model("hanging_rope");
-    let mut aside = straight.clone();
-    let ancf::model::Body::Cable(cable) = &mut aside.bodies[0] else { panic!("a rope") };
+    let mut inclined = straight.clone();
+    let ancf::model::Body::Cable(cable) = &mut inclined.bodies[0] else { panic!("the body is a cable") };
     cable.to = [1.8, 0.0, -2.4];
-    for model in [straight, aside] {
+    for model in [straight, inclined] {
         let run = Run::of(&model);
         for (i, found) in run.column("frequency").iter().enumerate() {
-            assert_near("frequency", *found, zeros[i / 2] / (4.0 * PI) * (GRAVITY / 3.0).sqrt(), 3e-5);
+            assert_relative("frequency", *found, zeros[i / 2] / (4.0 * PI) * (GRAVITY / 3.0).sqrt(), 3e-5);
         }
     }
 }
 
-/// Without current the half of a catenary; with it, shot from the anchor with the force found there, a string comes to the
-/// fairlead, and the two ends carry the weight and the drag.
+/// Without current: elastic catenary. With current: a string integrated from the anchor force ends at the fairlead with its
+/// force.
 #[test]
-fn mooring() {
+fn mooring_line_balances_weight_and_drag() {
     const AREA: f64 = 4.056e-3;
     const FAIRLEAD: Vector3<f64> = Vector3::new(100.0, 0.0, 58.46876);
     let (wet, rigidity) = ((7850.0 - 1025.0) * GRAVITY * AREA, 3.38e10 * AREA);
     let with = |current: [f64; 3]| {
         let mut model = model("mooring");
-        let Load::Fluid(fluid) = &mut model.loads[0] else { panic!("water") };
+        let Load::Fluid(fluid) = &mut model.loads[0] else { panic!("the load is a fluid") };
         fluid.current = current;
-        let Analysis::Statics(statics) = &mut model.analysis else { panic!("an equilibrium") };
+        let Analysis::Statics(statics) = &mut model.analysis else { panic!("the analysis is static") };
         statics.stop = ancf::model::Stop::Energy { tolerance: 1e-12 };
         let run = Run::of(&model);
-        let [anchor, fairlead] = ["anchor.f", "fairlead.f"].map(|name| *run.vectors(name).last().unwrap());
+        let [anchor, fairlead] = ["anchor.f", "fairlead.f"].map(|name| run.last_vector(name));
         let drag = |t: Vector3<f64>| {
             let current = Vector3::from(current);
             let along = t * t.dot(&current);
@@ -120,48 +104,34 @@ fn mooring() {
             let drag = across * (2.4 * half * across.norm()) + along * (1.15 * PI * half * along.norm());
             drag - Vector3::z() * wet
         };
-        let (end, force) = string(Vector3::zeros(), -anchor, 120.0, rigidity, drag);
+        let (end, force) = string_end(Vector3::zeros(), -anchor, 120.0, rigidity, drag);
         assert!((end - FAIRLEAD).norm() < 1e-5 * 120.0, "{end} {anchor} {fairlead}");
         assert!((force - fairlead).norm() < 1e-4 * fairlead.norm(), "{force} and {fairlead}");
         [anchor, fairlead]
     };
     let [anchor, fairlead] = with([0.0; 3]);
-    assert_near("weight", anchor.z + fairlead.z, 120.0 * wet, 1e-7);
-    // Both equations of the elastic catenary with E A, solved for the forces at the anchor.
-    assert_near("H", fairlead.x, 25_414.715_355, 1e-5);
-    assert_near("tension", fairlead.norm(), 41_288.813_439, 1e-5);
+    assert_relative("weight", anchor.z + fairlead.z, 120.0 * wet, 1e-7);
+    // Equations of the elastic catenary, solved for the anchor force.
+    assert_relative("H", fairlead.x, 25_414.715_355, 1e-5);
+    assert_relative("tension", fairlead.norm(), 41_288.813_439, 1e-5);
     let [anchor, fairlead] = with([0.5, 1.2, 0.0]);
-    assert!((anchor + fairlead).y < -0.5 * 1025.0 * 0.04 * 2.4 * 1.2 * 1.2 * 100.0, "the drag across");
+    assert!((anchor + fairlead).y < -0.5 * 1025.0 * 0.04 * 2.4 * 1.2 * 1.2 * 100.0, "lateral drag");
 }
 
-/// ∑ M x over the nodes for translations, and ∑ r × M x, of a vector x for each nodal vector.
-fn momenta(assembly: &Assembly, s: &State, x: &[f64]) -> [Vector3<f64>; 2] {
-    let system = &assembly.system;
-    let mut mass = system.matrix();
-    system.tangent(s, Weights::MASS, &mut mass);
-    let mut full = x.to_vec();
-    full.resize(s.q.len() + s.lambda.len(), 0.0);
-    let p = mass.times(&full);
-    let vectors: Vec<_> = assembly.bodies().flat_map(|(_, body)| body.vectors(s)).collect();
-    let of = |first: usize| Vector3::from_column_slice(&p[first..first + 3]);
-    let linear = vectors.iter().filter(|vector| vector.is_position()).map(|vector| of(vector.first)).sum();
-    [linear, vectors.iter().map(|vector| vector.value.cross(&of(vector.first))).sum()]
-}
-
-/// Centre of mass, momentum and angular momentum about the centre of a body of some mass.
+/// Centre of mass, linear momentum and angular momentum about the centre of mass.
 fn motion(assembly: &Assembly, s: &State, mass: f64) -> [Vector3<f64>; 3] {
     let mut places = vec![0.0; s.q.len()];
     for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(s)) {
         places[vector.first..vector.first + 3].copy_from_slice(vector.value.as_slice());
     }
     let center = momenta(assembly, s, &places)[0] / mass;
-    let [p, turning] = momenta(assembly, s, &s.v);
-    [center, p, turning - center.cross(&p)]
+    let [p, angular] = momenta(assembly, s, &s.v);
+    [center, p, angular - center.cross(&p)]
 }
 
-/// The centre of mass goes as a point under the weight and the tug; after the tug the angular momentum stays.
+/// The centre of mass moves as a point mass under the weight and the pulse; afterwards the angular momentum is constant.
 #[test]
-fn thrown_rope() {
+fn thrown_rope_conserves_its_momenta() {
     let mut model = model("rope");
     model.scales = ancf::model::ScaleChoice::None;
     let assembly = model.assemble().unwrap();
@@ -171,7 +141,7 @@ fn thrown_rope() {
     dynamics.restart(0.0).unwrap();
     let mass = 1000.0 * PI * 0.015_f64.powi(2) * 3.0;
     let (thrown, weight) = (Vector3::new(3.0, 0.0, 7.0) * mass, Vector3::z() * (-GRAVITY * mass));
-    // Steps of 0.1 ms, one of which ends with the tug.
+    // Steps of 0.1 ms, one of which ends with the pulse.
     let step = 1e-4;
     let mut after = None;
     for i in 1..=6000 {
@@ -185,7 +155,10 @@ fn thrown_rope() {
         }
         let [center, p, own] = motion(&assembly, dynamics.state(), mass);
         let impulse = p - thrown - weight * t;
-        assert!((impulse - Vector3::new(0.0, -2.0, 2.0)).norm() < 2e-3, "the impulse of the tug: {impulse}");
+        assert!(
+            (impulse - Vector3::new(0.0, -2.0, 2.0)).norm() < 2e-3,
+            "impulse of the pulse load: {impulse}"
+        );
         let (t0, c0, p0, own0) = *after.get_or_insert((t, center, p, own));
         let s = t - t0;
         let parabola = c0 + (p0 * s + weight * (0.5 * s * s)) / mass;
@@ -194,22 +167,21 @@ fn thrown_rope() {
     }
 }
 
-/// The books close to the second order of the step.
 #[test]
-fn energy_of_a_thrown_rope() {
-    let [coarse, fine] = [1e-4, 5e-5].map(|step| open(&Run::of(&refined("rope", step, 1.0))));
+fn thrown_rope_energy_balance_is_of_second_order() {
+    let [coarse, fine] = [1e-4, 5e-5].map(|step| Run::of(&refined("rope", step, 1.0)).energy_error());
     assert!(fine < 1e-6, "{fine:e}");
     assert!((3.0..5.5).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
 }
 
-/// Tensions on both sides of the pulley with the weight of the band: T′ = −μ (T + w R sin φ) + w R cos φ from the tight side on.
+/// Tensions on both sides of the pulley with the weight of the band: T′ = −μ (T + w R sin φ) + w R cos φ from the tight side.
 #[test]
-fn band_brake() {
+fn band_brake_obeys_the_belt_equation() {
     let run = Run::of(&model("belt"));
     let (friction, radius) = (0.3, 0.1005);
     let cord = 1200.0 * GRAVITY * PI * 0.0025_f64.powi(2) * 0.3;
     let hang = 1200.0 * GRAVITY * 0.02 * 0.001 * radius;
-    // From the slack side back: dT/dψ = μ (T + w R sin ψ) + w R cos ψ, ψ = π − φ.
+    // Integration from the slack side: dT/dψ = μ (T + w R sin ψ) + w R cos ψ, ψ = π − φ.
     let slack = 2.0 * GRAVITY + cord;
     let (mut tight, h) = (slack, PI / 1000.0);
     for i in 0..1000 {
@@ -218,46 +190,46 @@ fn band_brake() {
         let half = tight + 0.5 * h * rate(psi, tight);
         tight += h * rate(psi + 0.5 * h, half);
     }
-    assert_near("tension", -last(&run, "anchor.fz"), tight - cord, 1e-3);
-    assert_near("Euler", (-last(&run, "anchor.fz") + cord) / slack, (friction * PI).exp(), 3e-3);
+    assert_relative("tension", -run.last("anchor.fz"), tight - cord, 1e-3);
+    assert_relative("Euler", (-run.last("anchor.fz") + cord) / slack, (friction * PI).exp(), 3e-3);
     let moment = (tight - slack) * radius;
-    assert_near("moment", last(&run, "motor.my"), moment, 2e-3);
+    assert_relative("moment", run.last("motor.my"), moment, 2e-3);
     let weight = (5.0 + 2.0 + 1200.0 * 0.02 * 0.001 * PI * radius) * GRAVITY + 2.0 * cord;
-    assert_near("weight", last(&run, "motor.fz") + last(&run, "anchor.fz"), weight, 1e-6);
-    assert!((last(&run, "motor.fx") + last(&run, "anchor.fx")).abs() < 1e-4 * weight, "nothing pushes aside");
-    // In the last tenth all that the motor gives is lost.
+    assert_relative("weight", run.last("motor.fz") + run.last("anchor.fz"), weight, 1e-6);
+    assert!((run.last("motor.fx") + run.last("anchor.fx")).abs() < 1e-4 * weight, "no horizontal force");
+    // Steady state after t = 0.5: the power of the motor is dissipated.
     let of = |name: &str| {
         let (t, x) = (run.column("t"), run.column(name));
         let first = t.iter().position(|&t| t > 0.5 - 1e-9).unwrap();
         (x.last().unwrap() - x[first]) / (t.last().unwrap() - t[first])
     };
-    assert_near("power of the motor", of("work"), moment * 10.0, 2e-3);
-    assert_near("lost power", of("dissipated"), of("work"), 2e-5);
-    assert!(largest(&run, "balance") < 1e-5 * last(&run, "work"), "{:e}", largest(&run, "balance"));
+    assert_relative("power of the motor", of("work"), moment * 10.0, 2e-3);
+    assert_relative("dissipated power", of("dissipated"), of("work"), 2e-5);
+    assert!(run.largest("balance") < 1e-5 * run.last("work"), "{:e}", run.largest("balance"));
 }
 
-/// What the arrow gets of the work of the draw; all the rest is where it should be.
+/// Efficiency: kinetic energy of the arrow relative to the work of the draw. Energy balance and forces on the arrow.
 #[test]
-fn bow() {
+fn bow_converts_draw_work_to_kinetic_energy() {
     let run = Run::of(&refined("bow", 3.2e-5, 1.0));
     let (t, x, v) = (run.column("t"), run.column("arrow.x"), run.column("arrow.vx"));
     let draw: f64 = (1..t.len())
         .filter(|&i| t[i] < 0.4 + 1e-9)
         .map(|i| -80.0 / 0.4 * 0.5 * (t[i] + t[i - 1]) * (x[i] - x[i - 1]))
         .sum();
-    assert_near("work of the draw", last(&run, "work"), draw, 1e-4);
+    assert_relative("work of the draw", run.last("work"), draw, 1e-4);
     let arrow = v.iter().map(|v| 0.5 * 0.02 * v * v).fold(0.0, f64::max);
     let efficiency = arrow / draw;
     assert!((0.7..0.95).contains(&efficiency), "{efficiency}");
-    assert!(open(&run) < 1e-6, "{:e}", open(&run));
+    assert!(run.energy_error() < 1e-6, "{:e}", run.energy_error());
     for (tip, end) in run.vectors("tip.").iter().zip(run.vectors("string end.")) {
         assert!((tip - end).norm() < 1e-10, "{:e}", (tip - end).norm());
     }
-    // The arrow obeys the string after the release.
+    // Newton's law of the arrow after the release.
     let (force, a) = (run.column("nock.fx"), run.column("arrow.ax"));
     for i in (0..t.len()).filter(|&i| t[i] > 0.401) {
-        assert!((0.02 * a[i] + force[i]).abs() < 1e-4 * largest(&run, "nock.fx"), "{}", t[i]);
+        assert!((0.02 * a[i] + force[i]).abs() < 1e-4 * run.largest("nock.fx"), "{}", t[i]);
     }
-    let [across, along] = ["arrow.y", "arrow.z"].map(|name| largest(&run, name));
-    assert!(across.max(along) < 1e-10, "it flies straight");
+    let [across, along] = ["arrow.y", "arrow.z"].map(|name| run.largest(name));
+    assert!(across.max(along) < 1e-10, "lateral displacement of the arrow");
 }

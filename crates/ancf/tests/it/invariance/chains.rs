@@ -5,51 +5,52 @@ use std::fmt::Write;
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 
-/// What a link of a chain is.
+/// Body of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(super) enum LinkKind {
     Beam,
     Quadratic,
     Cable,
     Rigid,
 }
 
-/// A link from the end of the one before it.
+/// Link that starts at the end of the previous link.
 #[derive(Clone, Debug)]
-pub(crate) struct Link {
-    pub(crate) kind: Kind,
-    pub(crate) span: Vector3<f64>,
-    pub(crate) elements: u32,
-    /// Joined to the one before by a hinge, if both have directions; else by a ball.
-    pub(crate) hinged: bool,
+pub(super) struct Link {
+    pub(super) kind: LinkKind,
+    pub(super) span: Vector3<f64>,
+    pub(super) elements: u32,
+    /// Revolute joint to the previous link if both have directions; otherwise spherical joint.
+    pub(super) hinged: bool,
 }
 
-/// A chain, held by the ground at its start or free, under weight and a force, with a spring to the ground.
+/// Chain with a joint to the ground or free, with gravity, a tip force and a spring to the ground.
 #[derive(Clone, Debug)]
-pub(crate) struct Chain {
-    pub(crate) links: Vec<Link>,
-    pub(crate) held: bool,
-    pub(crate) gravity: Vector3<f64>,
-    pub(crate) force: Vector3<f64>,
-    pub(crate) spring: Option<f64>,
-    pub(crate) velocity: Vector3<f64>,
+pub(super) struct Chain {
+    pub(super) links: Vec<Link>,
+    pub(super) grounded: bool,
+    pub(super) gravity: Vector3<f64>,
+    pub(super) force: Vector3<f64>,
+    pub(super) spring: Option<f64>,
+    pub(super) velocity: Vector3<f64>,
 }
 
-/// How a chain is written down.
+/// Representation of a chain as a model file.
 #[derive(Clone, Debug)]
-pub(crate) struct Setting {
-    pub(crate) turn: Rotation3<f64>,
-    pub(crate) shift: Vector3<f64>,
-    pub(crate) scales: &'static str,
-    pub(crate) backwards: bool,
-    pub(crate) step: f64,
-    pub(crate) duration: f64,
+pub(super) struct Notation {
+    pub(super) turn: Rotation3<f64>,
+    pub(super) shift: Vector3<f64>,
+    pub(super) scales: &'static str,
+    pub(super) reversed: bool,
+    pub(super) step: f64,
+    pub(super) duration: f64,
 }
 
-impl Setting {
-    pub(crate) fn plain(step: f64, duration: f64) -> Self {
+impl Notation {
+    /// Unrotated, unscaled representation.
+    pub(super) fn plain(step: f64, duration: f64) -> Self {
         let (turn, shift) = (Rotation3::identity(), Vector3::zeros());
-        Self { turn, shift, scales: "{ kind = \"none\" }", backwards: false, step, duration }
+        Self { turn, shift, scales: "{ kind = \"none\" }", reversed: false, step, duration }
     }
 }
 
@@ -58,8 +59,9 @@ fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
 }
 
 fn link() -> impl Strategy<Value = Link> {
-    let kind = prop::sample::select(vec![Kind::Beam, Kind::Quadratic, Kind::Cable, Kind::Rigid]);
-    let span = vector(1.0).prop_filter("a length", |span| span.norm() > 0.3);
+    let kind =
+        prop::sample::select(vec![LinkKind::Beam, LinkKind::Quadratic, LinkKind::Cable, LinkKind::Rigid]);
+    let span = vector(1.0).prop_filter("length", |span| span.norm() > 0.3);
     (kind, span, 1_u32..3, any::<bool>()).prop_map(|(kind, span, elements, hinged)| Link {
         kind,
         span,
@@ -68,14 +70,14 @@ fn link() -> impl Strategy<Value = Link> {
     })
 }
 
-/// Chains of one to three links.
-pub(crate) fn chain() -> impl Strategy<Value = Chain> {
+/// Random chains of one to three links.
+pub(super) fn chain() -> impl Strategy<Value = Chain> {
     let links = prop::collection::vec(link(), 1..4);
     let spring = prop::option::of(1.0_f64..100.0);
     (links, any::<bool>(), vector(10.0), vector(1.0), spring, vector(1.0)).prop_map(
-        |(links, held, gravity, force, spring, velocity)| Chain {
+        |(links, grounded, gravity, force, spring, velocity)| Chain {
             links,
-            held,
+            grounded,
             gravity,
             force,
             spring,
@@ -85,38 +87,38 @@ pub(crate) fn chain() -> impl Strategy<Value = Chain> {
 }
 
 impl Chain {
-    /// The same without what is outside of it.
-    pub(crate) fn free(self) -> Self {
+    /// Chain without joints to the ground and external forces.
+    pub(super) fn free(self) -> Self {
         let none = Vector3::zeros();
-        Self { held: false, gravity: none, force: none, spring: None, ..self }
+        Self { grounded: false, gravity: none, force: none, spring: None, ..self }
     }
 
-    /// The number of the link at whose end the probe `tip` is.
+    /// Index of the last link, which carries the probe `tip`.
     fn last(&self) -> usize {
         self.links.len() - 1
     }
 
-    /// As a model file.
-    pub(crate) fn text(&self, setting: &Setting) -> String {
-        let place = |x: &Vector3<f64>| setting.turn * x + setting.shift;
+    /// Text of the model file.
+    pub(super) fn text(&self, notation: &Notation) -> String {
+        let place = |x: &Vector3<f64>| notation.turn * x + notation.shift;
         let mut text = format!(
             "gravity = {}\nscales = {}\n\
              materials.soft = {{ density = 1000, young = 1e6, poisson = 0.3 }}\n\
              sections.round = {{ kind = \"circle\", diameter = 0.04 }}\n",
-            list(&(setting.turn * self.gravity)),
-            setting.scales
+            list(&(notation.turn * self.gravity)),
+            notation.scales
         );
         let (mut bodies, mut at) = (Vec::new(), Vector3::zeros());
         let mut joints = String::new();
         for (i, link) in self.links.iter().enumerate() {
             let end = at + link.span;
-            bodies.push(self.body(i, &place(&at), &place(&end), setting));
-            if i > 0 || self.held {
-                joints += &self.joint(i, &place(&at), setting);
+            bodies.push(self.body(i, &place(&at), &place(&end), notation));
+            if i > 0 || self.grounded {
+                joints += &self.joint(i, &place(&at), notation);
             }
             at = end;
         }
-        if setting.backwards {
+        if notation.reversed {
             bodies.reverse();
         }
         text += &bodies.concat();
@@ -130,10 +132,10 @@ impl Chain {
             );
         }
         if self.force != Vector3::zeros() {
-            let force = list(&(setting.turn * self.force));
+            let force = list(&(notation.turn * self.force));
             let _ = writeln!(text, "[[loads]]\nkind = \"force\"\non = {tip}\nforce = {force}");
         }
-        let Setting { step, duration, .. } = setting;
+        let Notation { step, duration, .. } = notation;
         let _ = writeln!(
             text,
             "[[probes]]\nname = \"tip\"\non = {tip}\n[analysis]\nkind = \"dynamics\"\nduration = {duration}\n\
@@ -142,25 +144,25 @@ impl Chain {
         text
     }
 
-    fn body(&self, i: usize, from: &Vector3<f64>, to: &Vector3<f64>, setting: &Setting) -> String {
+    fn body(&self, i: usize, from: &Vector3<f64>, to: &Vector3<f64>, notation: &Notation) -> String {
         let Link { kind, elements, span, .. } = &self.links[i];
         let (from_to, velocity) =
-            (format!("from = {}\nto = {}", list(from), list(to)), list(&(setting.turn * self.velocity)));
+            (format!("from = {}\nto = {}", list(from), list(to)), list(&(notation.turn * self.velocity)));
         let motion =
-            if self.held { String::new() } else { format!("motion = {{ velocity = {velocity} }}\n") };
+            if self.grounded { String::new() } else { format!("motion = {{ velocity = {velocity} }}\n") };
         let own = match kind {
-            Kind::Rigid => {
+            LinkKind::Rigid => {
                 let center = list(&(0.5 * (from + to)));
                 format!("kind = \"rigid\"\ncenter = {center}\nmass = 1\ninertia = [0.1, 0.1, 0.1]\n")
             }
-            Kind::Cable => format!(
+            LinkKind::Cable => format!(
                 "kind = \"cable\"\n{from_to}\nelements = {elements}\nsection = \"round\"\nmaterial = \"soft\"\n"
             ),
-            Kind::Beam | Kind::Quadratic => {
-                let formulation = if *kind == Kind::Beam { "linked" } else { "quadratic" };
-                // Across: any direction will do that turns with the world.
+            LinkKind::Beam | LinkKind::Quadratic => {
+                let formulation = if *kind == LinkKind::Beam { "linked" } else { "quadratic" };
+                // Any normal direction that rotates with the frame.
                 let across = if span.x.abs() < 0.7 * span.norm() { Vector3::x() } else { Vector3::y() };
-                let up = list(&(setting.turn * across));
+                let up = list(&(notation.turn * across));
                 format!(
                     "kind = \"beam\"\n{from_to}\nelements = {elements}\nsection = \"round\"\nmaterial = \"soft\"\n\
                      formulation = \"{formulation}\"\nup = {up}\n"
@@ -170,13 +172,13 @@ impl Chain {
         format!("[[bodies]]\nname = \"b{i}\"\n{own}{motion}")
     }
 
-    fn joint(&self, i: usize, at: &Vector3<f64>, setting: &Setting) -> String {
-        let has_directions = |i: usize| self.links[i].kind != Kind::Cable;
+    fn joint(&self, i: usize, at: &Vector3<f64>, notation: &Notation) -> String {
+        let has_directions = |i: usize| self.links[i].kind != LinkKind::Cable;
         let hinged = self.links[i].hinged && has_directions(i) && (i == 0 || has_directions(i - 1));
         let kind = if hinged {
             let span = self.links[i].span;
             let axis = span.cross(&Vector3::new(0.3, -0.5, 0.8));
-            format!("kind = \"revolute\"\naxis = {}", list(&(setting.turn * axis)))
+            format!("kind = \"revolute\"\naxis = {}", list(&(notation.turn * axis)))
         } else {
             "kind = \"spherical\"".to_owned()
         };
@@ -184,10 +186,10 @@ impl Chain {
         format!("[[joints]]\nname = \"j{i}\"\n{kind}\na = {}\n{b}", self.at(i, "start", at))
     }
 
-    /// An end of a link, which is at a point.
+    /// Place at an end of a link; `point` are its coordinates.
     fn at(&self, i: usize, end: &str, point: &Vector3<f64>) -> String {
         match self.links[i].kind {
-            Kind::Rigid => format!("{{ body = \"b{i}\", at = {} }}", list(point)),
+            LinkKind::Rigid => format!("{{ body = \"b{i}\", at = {} }}", list(point)),
             _ => format!("{{ body = \"b{i}\", at = \"{end}\" }}"),
         }
     }

@@ -1,4 +1,4 @@
-//! Results do not depend on units, frames, order or threads.
+//! Invariance of results: units, scales, frames of reference, order of bodies, threads.
 
 mod chains;
 mod order;

@@ -1,21 +1,20 @@
-//! Results do not depend on the order in which a model names its bodies, joints, loads, contacts and probes.
+//! Results do not depend on the order of bodies, joints, loads, contacts and probes in a model.
 //!
-//! Another order numbers coordinates otherwise, hence sums are rounded otherwise: in the last digit of a step, which
-//! the motion carries on, and by what an iteration leaves behind when it stops. Runs are short and iterate to rounding.
+//! Another order changes the numbering of coordinates and hence the rounding of sums. Runs are short and iterate to
+//! rounding, so that these differences stay small.
 
-use std::path::Path;
-
-use crate::common::solutions::Run;
 use ancf::Model;
 use ancf::model::{Analysis, Stop};
 
-/// Columns that tell of the solver.
-const SOLVER: [&str; 6] = ["iterations", "residual", "increment", "drift", "violation", "balance"];
+use crate::common::models::files;
+use crate::common::solutions::Run;
 
-/// A model of `models/`, with a shorter motion and a finer end of iterations.
-fn model(name: &str, duration: f64, stop: Stop) -> Model {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models").join(name).with_extension("toml");
-    let mut model = Model::read(&path).unwrap();
+/// Columns that depend on the solution procedure.
+const EXCLUDED: [&str; 6] = ["iterations", "residual", "increment", "drift", "violation", "balance"];
+
+/// Reads `models/{name}.toml` with a shorter duration and a tighter stopping rule.
+fn shortened(name: &str, duration: f64, stop: Stop) -> Model {
+    let mut model = files::model(name);
     match &mut model.analysis {
         Analysis::Dynamics(dynamics) => (dynamics.duration, dynamics.stop) = (duration, stop),
         Analysis::Statics(statics) => statics.stop = stop,
@@ -48,7 +47,7 @@ fn rotate<T>(list: &mut [T]) {
     }
 }
 
-/// The group of a column, by whose largest value its errors are judged: components of one vector, and all energies.
+/// Group of columns with a common magnitude: components of a vector, or all energies.
 fn group(column: &str) -> &str {
     match column.rsplit_once(['x', 'y', 'z']) {
         Some((vector, "")) if vector.contains('.') => vector,
@@ -57,18 +56,19 @@ fn group(column: &str) -> &str {
     }
 }
 
+/// Asserts that two runs agree relative to the largest magnitude of the group of each column.
 fn compare(name: &str, one: &Run, other: &Run, tolerance: f64) {
-    let columns: Vec<_> = one.columns().filter(|(column, _)| !SOLVER.contains(column)).collect();
+    let columns: Vec<_> = one.columns().filter(|(column, _)| !EXCLUDED.contains(column)).collect();
     assert_eq!(
-        columns.len() + SOLVER.iter().filter(|c| one.columns().any(|(x, _)| x == **c)).count(),
+        columns.len() + EXCLUDED.iter().filter(|c| one.columns().any(|(x, _)| x == **c)).count(),
         other.columns().count()
     );
     for (column, values) in &columns {
-        let alike =
+        let group_values =
             columns.iter().filter(|(c, _)| group(c) == group(column)).flat_map(|(_, values)| values.iter());
-        let size = alike.fold(0.0_f64, |most, x| most.max(x.abs()));
+        let size = group_values.fold(0.0_f64, |largest, x| largest.max(x.abs()));
         let others = other.column(column);
-        assert_eq!(values.len(), others.len(), "{name}: as many rows");
+        assert_eq!(values.len(), others.len(), "{name}: number of rows");
         for (a, b) in values.iter().zip(others) {
             let same = (a.is_nan() && b.is_nan()) || (a - b).abs() <= tolerance * size;
             assert!(same, "{name}, {column}: {a:e} and {b:e}, of {size:e}: {:.1e}", (a - b).abs() / size);
@@ -76,38 +76,40 @@ fn compare(name: &str, one: &Run, other: &Run, tolerance: f64) {
     }
 }
 
+/// Iterations to rounding.
 const FINE: Stop = Stop::Energy { tolerance: 1e-13 };
 
-fn check(name: &str, duration: f64, stop: Stop) {
-    let model = model(name, duration, stop);
+/// Asserts that reversed and cyclically permuted models have equal results.
+fn assert_order_independent(name: &str, duration: f64, stop: Stop) {
+    let model = shortened(name, duration, stop);
     let one = Run::of(&model);
     compare(name, &one, &Run::of(&reversed(model.clone())), 1e-9);
     compare(name, &one, &Run::of(&rotated(model)), 1e-9);
 }
 
 #[test]
-fn two_pendulums() {
-    check("double_pendulum", 0.1, FINE);
+fn order_does_not_change_a_double_pendulum() {
+    assert_order_independent("double_pendulum", 0.1, FINE);
 }
 
 #[test]
-fn a_frame() {
-    check("lees_frame", 0.0, FINE);
+fn order_does_not_change_a_frame() {
+    assert_order_independent("lees_frame", 0.0, FINE);
 }
 
 #[test]
-fn bodies_of_all_kinds() {
-    check("bow", 0.05, FINE);
+fn order_does_not_change_mixed_bodies() {
+    assert_order_independent("bow", 0.05, FINE);
 }
 
-/// With friction the tangent is not exact and iterations end slowly. An energy of 1e-26 is below their rounding, so that chance
-/// decides when they give up and halve the step: then the error of the step is what differs.
+/// Friction: the tangent is incomplete and convergence is linear. The energy rule would demand less than the rounding error
+/// and divide steps at random, hence the increment rule.
 #[test]
-fn a_contact_on_a_rigid_body() {
-    check("belt", 0.03, Stop::Increment { tolerance: 1e-12 });
+fn order_does_not_change_contact_on_a_rigid_body() {
+    assert_order_independent("belt", 0.03, Stop::Increment { tolerance: 1e-12 });
 }
 
 #[test]
-fn a_line_in_water() {
-    check("mooring", 0.0, FINE);
+fn order_does_not_change_a_mooring_line() {
+    assert_order_independent("mooring", 0.0, FINE);
 }

@@ -1,29 +1,31 @@
-//! Laws that hold for any model, on random chains of beams, cables and rigid bodies.
+//! Conservation laws and invariance of random chains of beams, cables and rigid bodies.
 
 use std::io;
 use std::ops::ControlFlow;
 
-use super::chains::{Chain, Setting, chain};
 use ancf::record::Series;
-use ancf::system::{EquationsOfMotion, State, Weights};
+use ancf::system::State;
 use ancf::{Model, Observer, Outcome, Simulation, simulate};
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
+use super::chains::{Chain, Notation, chain};
+use crate::common::solutions::momenta;
+
 const STEP: f64 = 2e-3;
 const DURATION: f64 = 0.1;
 
-/// Always the same cases: what fails, fails for everybody.
-fn on_chains(cases: u32, law: impl Fn(Chain) -> Result<(), TestCaseError>) {
+/// Checks a property on random chains with a fixed seed.
+fn assert_for_chains(cases: u32, property: impl Fn(Chain) -> Result<(), TestCaseError>) {
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     let config = Config { cases, failure_persistence: None, max_shrink_iters: 50, ..Config::default() };
-    TestRunner::new_with_rng(config, rng).run(&chain(), law).unwrap_or_else(|error| panic!("{error}"));
+    TestRunner::new_with_rng(config, rng).run(&chain(), property).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// The path of the tip, and the columns.
-fn run(chain: &Chain, setting: &Setting) -> Result<(Vec<Vector3<f64>>, Series), TestCaseError> {
-    let text = chain.text(setting);
+/// Runs a chain. Returns the path of the tip and the columns.
+fn run(chain: &Chain, notation: &Notation) -> Result<(Vec<Vector3<f64>>, Series), TestCaseError> {
+    let text = chain.text(notation);
     let model = Model::parse(&text).map_err(|errors| TestCaseError::fail(format!("{errors}\n{text}")))?;
     let mut series = Series::new();
     let summary = simulate(&model, &mut series).map_err(|error| TestCaseError::fail(error.to_string()))?;
@@ -34,29 +36,29 @@ fn run(chain: &Chain, setting: &Setting) -> Result<(Vec<Vector3<f64>>, Series), 
     Ok((path, series))
 }
 
-/// The largest distance of two paths.
-fn apart(a: &[Vector3<f64>], b: impl Iterator<Item = Vector3<f64>>) -> f64 {
+/// Largest distance of two paths.
+fn path_distance(a: &[Vector3<f64>], b: impl Iterator<Item = Vector3<f64>>) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
 }
 
-/// What leads to the books not balancing is the step: a fourth of it remains in half the step, for a scheme of second order.
+/// The error of the energy balance decreases with the step.
 #[test]
-fn energy_balances() {
-    on_chains(48, |chain| {
-        let lost = |step: f64| {
-            let (_, series) = run(&chain, &Setting::plain(step, DURATION))?;
+fn energy_balance_error_decreases_with_the_step() {
+    assert_for_chains(48, |chain| {
+        let error = |step: f64| {
+            let (_, series) = run(&chain, &Notation::plain(step, DURATION))?;
             let largest =
                 |name: &str| series.column(name).unwrap().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
             let size = largest("kinetic").max(largest("strain")).max(largest("potential"));
             Ok::<_, TestCaseError>(largest("balance") / size.max(1e-9))
         };
-        let (coarse, fine) = (lost(STEP)?, lost(0.5 * STEP)?);
+        let (coarse, fine) = (error(STEP)?, error(0.5 * STEP)?);
         prop_assert!(fine < 0.5 * coarse || fine < 1e-4, "{coarse:e}, {fine:e} of the energy\n{chain:?}");
         Ok(())
     });
 }
 
-/// Linear and angular momentum about the origin of each state, in the units of the solver.
+/// Observer of the linear and angular momentum about the origin, in units of the solver.
 struct Momenta<'a>(&'a Simulation, Vec<[Vector3<f64>; 2]>);
 
 impl Observer for Momenta<'_> {
@@ -65,20 +67,7 @@ impl Observer for Momenta<'_> {
     }
 
     fn record(&mut self, _: &[f64], s: &State) -> io::Result<ControlFlow<()>> {
-        let assembly = self.0.assembly();
-        let mut mass = assembly.system.matrix();
-        assembly.system.tangent(s, Weights::MASS, &mut mass);
-        let mut v = s.v.clone();
-        v.resize(mass.pattern().size(), 0.0);
-        let momentum = mass.times(&v);
-        let (mut linear, mut angular) = (Vector3::zeros(), Vector3::zeros());
-        for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(s)) {
-            let part = Vector3::from_column_slice(&momentum[vector.first..vector.first + 3]);
-            // Translations move positions, rotations all vectors: x' = ω × x.
-            linear += if vector.is_position() { part } else { Vector3::zeros() };
-            angular += vector.value.cross(&part);
-        }
-        self.1.push([linear, angular]);
+        self.1.push(momenta(self.0.assembly(), s, &s.v));
         Ok(ControlFlow::Continue(()))
     }
 
@@ -87,21 +76,21 @@ impl Observer for Momenta<'_> {
     }
 }
 
-/// Free chains keep their linear momentum to rounding, and the angular one to the order of the scheme.
+/// Linear momentum is conserved to rounding, angular momentum to the order of the scheme.
 #[test]
-fn free_chains_keep_their_momenta() {
-    on_chains(48, |chain| {
+fn free_chains_conserve_their_momenta() {
+    assert_for_chains(48, |chain| {
         let chain = chain.free();
         let drift = |step: f64| {
-            let model = Model::parse(&chain.text(&Setting::plain(step, DURATION)));
+            let model = Model::parse(&chain.text(&Notation::plain(step, DURATION)));
             let model = model.map_err(|errors| TestCaseError::fail(errors.to_string()))?;
             let simulation = Simulation::new(&model).unwrap();
-            let mut momenta = Momenta(&simulation, Vec::new());
-            let summary = simulation.run(&mut momenta).unwrap();
+            let mut recorder = Momenta(&simulation, Vec::new());
+            let summary = simulation.run(&mut recorder).unwrap();
             prop_assert!(summary.outcome.is_finished());
-            let first = momenta.1[0];
+            let first = recorder.1[0];
             let largest =
-                |k: usize| momenta.1.iter().map(|now| (now[k] - first[k]).norm()).fold(0.0, f64::max);
+                |k: usize| recorder.1.iter().map(|now| (now[k] - first[k]).norm()).fold(0.0, f64::max);
             let size = first[0].norm().max(1e-6);
             Ok([largest(0) / size, largest(1) / size])
         };
@@ -115,24 +104,25 @@ fn free_chains_keep_their_momenta() {
     });
 }
 
-/// The world may be turned and shifted, written in other units, its bodies named in another order.
+/// Rotated and shifted frame, other scales, reversed order of bodies.
 #[test]
-fn motions_do_not_depend_on_how_they_are_written() {
+fn motions_do_not_depend_on_frame_scales_and_order() {
     let turn = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let shift = Vector3::new(3.0, -20.0, 7.0);
-    on_chains(48, |chain| {
-        let plain = Setting::plain(STEP, DURATION);
+    assert_for_chains(48, |chain| {
+        let plain = Notation::plain(STEP, DURATION);
         let (path, _) = run(&chain, &plain)?;
-        let moved = run(&chain, &Setting { turn, shift, ..plain.clone() })?.0;
+        let moved = run(&chain, &Notation { turn, shift, ..plain.clone() })?.0;
         let back = moved.iter().map(|x| turn.inverse() * (x - shift));
-        let off = apart(&path, back);
-        prop_assert!(off < 1e-6, "turned and shifted: {off:e}\n{chain:?}");
+        let error = path_distance(&path, back);
+        prop_assert!(error < 1e-6, "rotated and shifted: {error:e}\n{chain:?}");
         for scales in ["{ kind = \"auto\" }", "{ kind = \"given\", length = 0.01, force = 3, time = 0.5 }"] {
-            let off = apart(&path, run(&chain, &Setting { scales, ..plain.clone() })?.0.into_iter());
-            prop_assert!(off < 1e-6, "scales {scales}: {off:e}\n{chain:?}");
+            let error =
+                path_distance(&path, run(&chain, &Notation { scales, ..plain.clone() })?.0.into_iter());
+            prop_assert!(error < 1e-6, "scales {scales}: {error:e}\n{chain:?}");
         }
-        let off = apart(&path, run(&chain, &Setting { backwards: true, ..plain })?.0.into_iter());
-        prop_assert!(off < 1e-6, "backwards: {off:e}\n{chain:?}");
+        let error = path_distance(&path, run(&chain, &Notation { reversed: true, ..plain })?.0.into_iter());
+        prop_assert!(error < 1e-6, "reversed: {error:e}\n{chain:?}");
         Ok(())
     });
 }

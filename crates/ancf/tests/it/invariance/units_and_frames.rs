@@ -1,7 +1,7 @@
-//! What must not matter: units, slope coordinates, scales, the frame of reference, the order of things in a model.
+//! Invariance to units, slope coordinates, scales, the frame of reference and the order of bodies and joints.
 //!
-//! Each test runs a model and its equivalent and compares motion, reactions and the work of Newton's method. All three
-//! are compared in a form that has no units: lengths against L, forces against the weight.
+//! Each test runs a model and an equivalent model and compares motions, reactions and iterations. Lengths are compared
+//! relative to L, forces relative to the weight.
 
 use ancf::model::{
     At, Body, Clamped, End, Joint, Load, Material, Named, Place, Probe, ScaleChoice, Section, Slopes, Start,
@@ -12,13 +12,13 @@ use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 
 use crate::common::models::rod;
-use crate::common::solutions::{Run, distance};
+use crate::common::solutions::{Run, SOLVER_COLUMNS, assert_same_columns, distance};
 
 /// ρAgL of the rod, in newtons.
 const WEIGHT: f64 = 24.74767621716784;
 
-/// The three systems of the paper, short and soft enough to move far and bend much.
-fn systems() -> [Model; 3] {
+/// The three systems of the paper, soft, with large displacements and deformations in a short time.
+fn paper_systems() -> [Model; 3] {
     [rod::cantilever(3), rod::revolute(3), rod::spherical(3)].map(|mut model| {
         rod::material(&mut model).young = 193e6;
         rod::settings(&mut model).duration = 0.3;
@@ -26,7 +26,7 @@ fn systems() -> [Model; 3] {
     })
 }
 
-/// A beam of no symmetry: rectangular, tilted, ν > 0, hinged to the ground and to a second beam with a force at its end.
+/// Two hinged beams without symmetry: rectangular section, oblique axes, ν > 0, loads at the end.
 fn linkage() -> Model {
     let mut model = rod::revolute(2);
     let beam = rod::beam(&mut model);
@@ -54,7 +54,7 @@ fn linkage() -> Model {
     model
 }
 
-/// Forces and moments that stay and that follow, and vary in every way.
+/// Forces and moments with fixed and following directions and all functions of time.
 fn loads(on: Place) -> Vec<Load> {
     let place = || on.clone();
     let varying = TimeFunction::Varying;
@@ -90,12 +90,15 @@ fn loads(on: Place) -> Vec<Load> {
     ]
 }
 
-fn every_system() -> impl Iterator<Item = Model> {
-    systems().into_iter().chain([linkage()])
+/// Systems of the paper and the linkage.
+fn all_systems() -> impl Iterator<Item = Model> {
+    paper_systems().into_iter().chain([linkage()])
 }
 
-/// Asserts that `other` moves as `model` does, seen through `back`, with units of length and force `units`.
-fn same(
+/// Asserts that `other` has the motion, reactions and iterations of `model`.
+///
+/// `back` maps vectors of `other` to the frame of `model`; `[length, force]` are the values of one metre and one newton.
+fn assert_equivalent(
     model: &Model,
     other: &Model,
     back: impl Fn(Vector3<f64>) -> Vector3<f64>,
@@ -106,12 +109,12 @@ fn same(
         let tip = run.vectors("tip.");
         tip.iter().map(|x| (x - tip[0]) / unit).collect()
     };
-    let seen: Vec<_> = moved(&b, length).into_iter().map(&back).collect();
-    let apart = distance(&moved(&a, 1.0), &seen);
-    assert!(apart < 1e-9 * rod::LENGTH, "{apart:e} apart");
+    let mapped: Vec<_> = moved(&b, length).into_iter().map(&back).collect();
+    let error = distance(&moved(&a, 1.0), &mapped);
+    assert!(error < 1e-9 * rod::LENGTH, "distance {error:e}");
     let reactions: Vec<_> = b.vectors("root.f").iter().map(|f| back(f / force)).collect();
-    let apart = distance(&a.vectors("root.f"), &reactions);
-    assert!(apart < 1e-9 * WEIGHT, "reactions {apart:e} apart");
+    let error = distance(&a.vectors("root.f"), &reactions);
+    assert!(error < 1e-9 * WEIGHT, "reactions: distance {error:e}");
     let (a, b) = (a.summary.iterations as f64, b.summary.iterations as f64);
     assert!((a / b - 1.0).abs() < 0.01, "{a} and {b} iterations");
 }
@@ -120,69 +123,57 @@ fn identity(x: Vector3<f64>) -> Vector3<f64> {
     x
 }
 
-/// Metre, kilogram, second; millimetre, tonne, second; and units nobody uses. The first is written out by hand.
+/// Millimetre-tonne-second units, written explicitly, and arbitrary units.
 #[test]
-fn units() {
-    for model in systems() {
+fn units_do_not_change_the_motion() {
+    for model in paper_systems() {
         let mut millimetres = model.clone();
         millimetres.gravity = model.gravity.map(|g| 1e3 * g);
         rod::beam(&mut millimetres).to[0] *= 1e3;
         millimetres.sections.insert("circle".into(), Section::Circle { diameter: 20.0 });
         let material = rod::material(&mut millimetres);
         (material.density, material.young) = (8.03e-9, 193.0);
-        same(&model, &millimetres, identity, [1e3, 1.0]);
+        assert_equivalent(&model, &millimetres, identity, [1e3, 1.0]);
     }
-    for model in every_system() {
+    for model in all_systems() {
         let odd = Scales { length: 0.037, time: 13.0, force: 2.9e5 };
-        same(&model, &model.scaled(&odd), identity, [1.0 / odd.length, 1.0 / odd.force]);
+        assert_equivalent(&model, &model.scaled(&odd), identity, [1.0 / odd.length, 1.0 / odd.force]);
     }
 }
 
-/// Gradients or gradients times the length of an element.
+/// Slope coordinates: gradients, or gradients times the element length.
 #[test]
-fn slopes() {
-    for model in every_system() {
+fn slope_coordinates_do_not_change_the_motion() {
+    for model in all_systems() {
         let mut other = model.clone();
         for beam in other.bodies.iter_mut().filter_map(beam) {
             beam.slopes = Slopes::Length;
         }
-        same(&model, &other, identity, [1.0; 2]);
+        assert_equivalent(&model, &other, identity, [1.0; 2]);
     }
 }
 
-/// Columns in the numbers of the solver.
-const NORMS: [&str; 4] = ["iterations", "residual", "increment", "drift"];
-
-/// Asserts that every column of two runs is the same, but for norms in the numbers of the solver.
-fn same_columns(model: &Model, other: &Model) {
-    let (a, b) = (Run::of(model), Run::of(other));
-    for (name, a) in a.columns().filter(|(name, _)| !NORMS.contains(name)) {
-        let b = b.column(name);
-        let size = a.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-        let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(apart < 1e-9 * size.max(1.0), "{name}: {apart:e} of {size:e}");
-    }
-}
-
+/// Scales of the paper, automatic and given scales.
 #[test]
-fn scales() {
-    for model in systems() {
-        same(&model, &Model { scales: ScaleChoice::Paper, ..model.clone() }, identity, [1.0; 2]);
+fn scales_do_not_change_the_motion() {
+    for model in paper_systems() {
+        assert_equivalent(&model, &Model { scales: ScaleChoice::Paper, ..model.clone() }, identity, [1.0; 2]);
     }
-    for model in every_system() {
+    for model in all_systems() {
         for scales in [
             ScaleChoice::Auto,
             ScaleChoice::Given { length: 0.2, force: 7e4, time: None },
             ScaleChoice::Given { length: 12.0, force: 1e-3, time: Some(0.3) },
         ] {
             let other = Model { scales, ..model.clone() };
-            same(&model, &other, identity, [1.0; 2]);
-            same_columns(&model, &other);
+            assert_equivalent(&model, &other, identity, [1.0; 2]);
+            let runs = [&model, &other].map(Run::of);
+            assert_same_columns("scales", runs.each_ref(), &SOLVER_COLUMNS, 1.0, 1e-9);
         }
     }
 }
 
-/// The model with every point, direction and force turned, then shifted.
+/// Rotates all points, directions and forces of a model, then shifts the points.
 fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
     let direction = |x: [f64; 3]| <[f64; 3]>::from(turn * Vector3::from(x));
     let point = |x| <[f64; 3]>::from(Vector3::from(direction(x)) + shift);
@@ -205,32 +196,32 @@ fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
 }
 
 #[test]
-fn rotation_of_the_world() {
+fn rotation_of_the_frame_rotates_the_motion() {
     let turn = Rotation3::from_euler_angles(0.7, -1.2, 2.5);
-    for model in every_system() {
+    for model in all_systems() {
         let turned = moved(model.clone(), turn, Vector3::zeros());
-        same(&model, &turned, |x| turn.inverse() * x, [1.0; 2]);
+        assert_equivalent(&model, &turned, |x| turn.inverse() * x, [1.0; 2]);
     }
 }
 
-/// A thousand lengths from the origin: the same but for the rounding of the recorded position itself, 2000 ε.
+/// Origin at a distance of 1000 lengths: equal to the rounding of the recorded position, 2000 ε.
 #[test]
-fn translation_of_the_world() {
+fn translation_of_the_frame_shifts_the_motion() {
     let shift = Vector3::new(1000.0, -2000.0, 500.0);
-    for model in systems() {
+    for model in paper_systems() {
         let shifted = moved(model.clone(), Rotation3::identity(), shift);
         let (here, there) = (Run::of(&model), Run::of(&shifted));
         let shifted: Vec<_> = there.vectors("tip.").iter().map(|x| x - shift).collect();
-        let apart = distance(&here.vectors("tip."), &shifted);
-        assert!(apart < 1e-12 * rod::LENGTH, "{apart:e} apart");
+        let error = distance(&here.vectors("tip."), &shifted);
+        assert!(error < 1e-12 * rod::LENGTH, "distance {error:e}");
         assert_eq!(here.summary.iterations, there.summary.iterations);
     }
 }
 
-/// From start to end or from end to start.
+/// Start and end of all beams are exchanged.
 #[test]
-fn direction_of_a_beam() {
-    for model in every_system() {
+fn direction_of_beams_does_not_change_the_motion() {
+    for model in all_systems() {
         let mut reversed = model.clone();
         for beam in reversed.bodies.iter_mut().filter_map(beam) {
             std::mem::swap(&mut beam.from, &mut beam.to);
@@ -239,14 +230,14 @@ fn direction_of_a_beam() {
             place.at = match place.at {
                 At::Named(Named::Start) => At::Named(Named::End),
                 At::Named(Named::End) => At::Named(Named::Start),
-                _ => panic!("joints are at the ends"),
+                _ => panic!("joints and probes are at the ends"),
             }
         };
         for joint in &mut reversed.joints {
             let (Joint::Clamp { a, b, .. } | Joint::Revolute { a, b, .. } | Joint::Spherical { a, b, .. }) =
                 joint
             else {
-                panic!("no system has a drive");
+                panic!("the systems have no other joints");
             };
             swap(a);
             if let End::Place(b) = b {
@@ -259,15 +250,15 @@ fn direction_of_a_beam() {
                 swap(on);
             }
         }
-        same(&model, &reversed, identity, [1.0; 2]);
+        assert_equivalent(&model, &reversed, identity, [1.0; 2]);
     }
 }
 
-/// A step that had to be quartered is four steps of a quarter, and the iterations of failed attempts count.
+/// A step divided into quarters equals four steps of a quarter. Iterations of failed attempts are counted.
 #[test]
-fn divided_steps() {
+fn divided_step_equals_its_parts() {
     let run = |step| {
-        let mut model = systems()[2].clone();
+        let mut model = paper_systems()[2].clone();
         let settings = rod::settings(&mut model);
         (settings.duration, settings.step) = (0.02, Step::Fixed(step));
         (settings.max_iterations, settings.max_halvings) = (3, 2);
@@ -281,18 +272,18 @@ fn divided_steps() {
 }
 
 #[test]
-fn order_of_bodies_and_joints() {
+fn order_of_bodies_and_joints_does_not_change_the_motion() {
     let model = linkage();
     let mut reversed = model.clone();
     reversed.bodies.reverse();
     reversed.joints.reverse();
-    same(&model, &reversed, identity, [1.0; 2]);
+    assert_equivalent(&model, &reversed, identity, [1.0; 2]);
 }
 
-/// Two beams clamped to each other are one.
+/// Two beams connected by a clamp equal one beam.
 #[test]
-fn beams_in_one_piece() {
-    let whole = &systems()[0];
+fn clamped_beams_equal_one_beam() {
+    let whole = &paper_systems()[0];
     let mut halves = rod::cantilever(2);
     halves.materials = whole.materials.clone();
     halves.analysis = whole.analysis.clone();
@@ -305,7 +296,7 @@ fn beams_in_one_piece() {
     halves.probes[0].on = place(Named::End);
     let (a, b) = (place(Named::Start), End::Place(rod::end()));
     halves.joints.push(Joint::Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) });
-    same(whole, &halves, identity, [1.0; 2]);
+    assert_equivalent(whole, &halves, identity, [1.0; 2]);
 }
 
 fn any_scales() -> impl Strategy<Value = Scales> {
@@ -313,7 +304,7 @@ fn any_scales() -> impl Strategy<Value = Scales> {
     (unit(), unit(), unit()).prop_map(|(length, time, force)| Scales { length, time, force })
 }
 
-/// Largest relative difference of two models in numbers, if they are the same otherwise.
+/// Largest relative difference of the numbers of two models; infinite if they differ otherwise.
 fn difference(a: &Model, b: &Model) -> f64 {
     fn compare(a: &serde_json::Value, b: &serde_json::Value) -> f64 {
         use serde_json::Value::{Array, Number, Object};
@@ -338,7 +329,7 @@ fn difference(a: &Model, b: &Model) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Scaling a model and back gives the model; in two steps what it gives in one; by one, itself.
+    /// Inverse, composition and identity of scalings.
     #[test]
     fn scaling_is_a_group(a in any_scales(), b in any_scales()) {
         let model = linkage();
@@ -354,10 +345,10 @@ fn beam(body: &mut Body) -> Option<&mut ancf::model::Beam> {
     if let Body::Beam(beam) = body { Some(beam) } else { None }
 }
 
-/// In units that differ by powers of two, the same bits, since the chosen scales are powers of two as well.
+/// Units that differ by powers of two give bitwise equal results, since automatic scales are powers of two.
 #[test]
-fn powers_of_two() {
-    for model in every_system() {
+fn units_by_powers_of_two_give_equal_bits() {
+    for model in all_systems() {
         let model = Model { scales: ScaleChoice::Auto, ..model };
         let units = Scales { length: 1024.0, time: 0.125, force: 32.0 };
         let other = Model { scales: ScaleChoice::Auto, ..model.scaled(&units) };

@@ -1,9 +1,11 @@
-//! What was developed apart, together: rigid bodies in closed loops, couplings, drives, gaps.
+//! Combinations of features: rigid bodies in closed loops, couplings, drives, gaps.
 
-use crate::common::solutions::Run;
 use ancf::Model;
 
-/// Four parallel hinges of three rigid bodies and the ground: three equations more than are needed.
+use crate::common::models::parse;
+use crate::common::solutions::Run;
+
+/// Four-bar linkage of rigid bodies with parallel hinges: three redundant equations.
 fn four_bar(hinge: &str, analysis: &str) -> Model {
     let text = format!(
         "bodies = [
@@ -22,14 +24,14 @@ joints = [
 analysis = {{ {analysis} }}
 "
     );
-    Model::parse(&text).unwrap()
+    parse(&text)
 }
 
-/// Of as many coordinates as equations, three of which are redundant, one motion is left.
+/// One mode is left with as many equations as coordinates, of which three are redundant.
 #[test]
-fn an_overconstrained_linkage_has_its_mode() {
+fn overconstrained_linkage_has_one_mode() {
     let found = Run::of(&four_bar("spring = { stiffness = 50 }", "kind = \"modes\", count = 4"));
-    // With the angular velocity of the crank 1: the others turn about the centre of motion and about the ground.
+    // Angular velocities for that of the crank equal to 1; the coupler rotates about its instantaneous centre.
     let (coupler, rocker) = (0.148_936_170_212_766, 0.489_361_702_127_66);
     let (c, reach) = ([0.6 - 0.771_428_571_428_571, 0.7 - 3.857_142_857_142_857], [-0.05, 0.45]);
     let square = |r: [f64; 2]| r[0] * r[0] + r[1] * r[1];
@@ -62,22 +64,22 @@ analysis = {{ kind = \"dynamics\", duration = 0.5, step = 5e-3, scheme = {{ spec
 const GEAR: &str =
     "{ name = \"gear\", joints = [{ joint = \"h1\", factor = 1 }, { joint = \"h2\", factor = 1 }] }";
 
-/// A coupling of two driven hinges repeats what the drives say, or contradicts them.
+/// A coupling of two driven hinges is redundant or contradicts the drives.
 #[test]
-fn couplings_are_redundant_by_name() {
+fn redundant_and_contradicting_couplings_are_named() {
     let drive = |rate: f64| format!(", drive = {{ rate = {rate} }}");
     let agree = gears([&drive(1.0), &drive(-1.0)], GEAR);
-    let model = Model::parse(&agree).unwrap();
+    let model = parse(&agree);
     let words = |model: &Model| -> Vec<String> {
         model.diagnose().unwrap().redundant.iter().map(ToString::to_string).collect()
     };
     assert_eq!(words(&model), ["coupling `gear`, follows from `h1` and `h2`"]);
-    // The forces that are shared fade to nothing, below what is still a normal number.
-    assert!((Run::of(&model).column("h1.angle").last().unwrap() - 0.5).abs() < 1e-12);
+    // The shared forces decrease below the smallest normal number.
+    assert!((Run::of(&model).last("h1.angle") - 0.5).abs() < 1e-12);
     let again = GEAR.replace("\"gear\"", "\"again\"");
-    let twice = Model::parse(&gears([&drive(1.0), ""], &format!("{GEAR}, {again}"))).unwrap();
+    let twice = parse(&gears([&drive(1.0), ""], &format!("{GEAR}, {again}")));
     assert_eq!(words(&twice), ["coupling `again`, follows from `gear`"]);
-    assert!((Run::of(&twice).column("h2.angle").last().unwrap() + 0.5).abs() < 1e-12);
+    assert!((Run::of(&twice).last("h2.angle") + 0.5).abs() < 1e-12);
     let errors = Model::parse(&gears([&drive(1.0), &drive(1.0)], GEAR)).unwrap_err().to_string();
     assert!(
         errors.contains("couplings[0]: found equations that contradict `h1`, `h2`: coupling"),
@@ -85,25 +87,25 @@ fn couplings_are_redundant_by_name() {
     );
 }
 
-/// A term has so many unknowns and no more.
+/// The number of unknowns of a term is limited.
 #[test]
-fn a_coupling_of_too_many_joints_is_refused() {
+fn coupling_of_too_many_joints_is_rejected() {
     let part = "{ joint = \"h1\", factor = 1 }";
     let many = format!("{{ name = \"train\", joints = [{}] }}", [part; 64].join(", "));
     let errors = Model::parse(&gears(["", ""], &many)).unwrap_err().to_string();
     assert!(errors.contains("couplings[0].joints: found 64 joints, wanted at most 63"), "{errors}");
 }
 
-/// A drive that stops at once takes the energy of what it led.
+/// A drive that stops suddenly removes the kinetic energy of the body.
 #[test]
-fn a_blow_is_in_the_books() {
+fn velocity_jump_is_in_the_energy_balance() {
     let text =
         "bodies = [{ kind = \"rigid\", name = \"m\", center = [0, 0, 0], mass = 2, inertia = [1, 2, 2.5] }]
 joints = [{ kind = \"drive\", name = \"d\", a = { body = \"m\", at = \"center\" }, displacement = [0.1, 0, 0],
   time = { kind = \"ramp\", end = 0.5 } }]
 analysis = { kind = \"dynamics\", duration = 1, step = 5e-3, scheme = { spectral_radius = 0.8 } }
 ";
-    let run = Run::of(&Model::parse(text).unwrap());
+    let run = Run::of(&parse(text));
     let [kinetic, work] = ["kinetic", "work"].map(|column| run.column(column));
     assert!((kinetic[0] - 0.04).abs() < 1e-12);
     assert!(kinetic.last().unwrap().abs() < 1e-12);
@@ -111,9 +113,9 @@ analysis = { kind = \"dynamics\", duration = 1, step = 5e-3, scheme = { spectral
     assert!(run.column("balance").iter().all(|balance| balance.abs() < 1e-12));
 }
 
-/// What does not close gaps does not keep them in silence either.
+/// Joints that cannot close gaps report them.
 #[test]
-fn gaps_that_do_not_close_are_refused() {
+fn joints_that_cannot_close_gaps_are_rejected() {
     let model = |joint: &str, beam: &str| {
         let text = format!(
             "assemble = true
@@ -145,9 +147,9 @@ analysis = {{ kind = \"dynamics\", duration = 0.1, step = 5e-3, scheme = {{ spec
     assert!(model("kind = \"spherical\"", beam).is_ok());
 }
 
-/// Equations of every joint have names.
+/// Names of the equations of guides and axes.
 #[test]
-fn equations_of_guides_have_names() {
+fn equations_of_guides_have_names_in_the_diagnosis() {
     let text =
         "bodies = [{ kind = \"rigid\", name = \"m\", center = [0, 0, 0], mass = 2, inertia = [1, 2, 2.5] }]
 joints = [
@@ -156,7 +158,7 @@ joints = [
 ]
 analysis = { kind = \"dynamics\", duration = 0.1, step = 5e-3, scheme = { spectral_radius = 0.8 } }
 ";
-    let found = Model::parse(text).unwrap().diagnose().unwrap().redundant;
+    let found = parse(text).diagnose().unwrap().redundant;
     let words: Vec<&str> = found.iter().map(|one| one.equation.as_str()).collect();
     assert_eq!(
         words,
@@ -170,9 +172,9 @@ analysis = { kind = \"dynamics\", duration = 0.1, step = 5e-3, scheme = { spectr
     );
 }
 
-/// Bodies whose gap was closed touch where they are joined, and nothing pushes them apart.
+/// Bodies joined by closing a gap exert no contact forces on each other.
 #[test]
-fn what_is_joined_by_closing_a_gap_is_not_in_contact() {
+fn bodies_joined_by_closing_a_gap_have_no_contact() {
     let text = |contact: &str| {
         format!(
             "assemble = true
@@ -193,8 +195,8 @@ analysis = {{ kind = \"dynamics\", duration = 0.01, step = 1e-3, scheme = {{ spe
     };
     let contact = "{ with = { kind = \"bodies\" }, stiffness = 1e8 }";
     let [with, without] = [contact, ""].map(|contact| {
-        let run = Run::of(&Model::parse(&text(contact)).unwrap());
-        [run.column("strain")[0], *run.column("kinetic").last().unwrap()]
+        let run = Run::of(&parse(&text(contact)));
+        [run.column("strain")[0], run.last("kinetic")]
     });
     assert!(
         (with[0] - without[0]).abs() <= 1e-9 && (with[1] - without[1]).abs() <= 1e-9,

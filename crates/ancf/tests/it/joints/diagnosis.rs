@@ -1,11 +1,13 @@
-//! What a model consists of, what its joints tie and what they leave free.
+//! Diagnosis of models: contents, mobility, loose bodies, names of equations.
 
-use crate::common::models::rod;
 use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Statics};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
-fn beside(mut model: Model, names: &[&str]) -> Model {
+use crate::common::models::rod;
+
+/// Adds beams without joints.
+fn with_loose_beams(mut model: Model, names: &[&str]) -> Model {
     for (k, name) in names.iter().enumerate() {
         let (x, name) = (2.0 + k as f64, (*name).to_owned());
         let beam =
@@ -20,7 +22,7 @@ fn end(body: &str, end: Named) -> Place {
 }
 
 #[test]
-fn counts_of_a_pendulum() {
+fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
     let diagnosis = rod::revolute(2).diagnose().unwrap();
     assert_eq!(
         diagnosis.to_string(),
@@ -35,10 +37,10 @@ fn counts_of_a_pendulum() {
     );
 }
 
-/// Bodies without joints and chains that hang on nothing are named; in dynamics they are no error.
+/// Bodies without joints and chains without connection to the ground.
 #[test]
-fn what_is_loose_is_named() {
-    let mut model = beside(rod::cantilever(1), &["alone", "one", "two"]);
+fn unconnected_bodies_are_named() {
+    let mut model = with_loose_beams(rod::cantilever(1), &["alone", "one", "two"]);
     let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
     model.joints.push(Joint::Spherical { name: "elbow".into(), a, b });
     let diagnosis = model.diagnose().unwrap();
@@ -50,9 +52,9 @@ fn what_is_loose_is_named() {
     assert!(text.contains("loose:     no joints lead from the ground to `one`, `two`\n"), "{text}");
 }
 
-/// Why a model has no equilibrium, in words.
+/// Failures of statics name the free motions.
 #[test]
-fn what_cannot_rest_is_named() {
+fn free_motions_are_named_when_statics_fails() {
     let failed = |mut model: Model| {
         model.analysis = Analysis::Statics(Statics::default());
         match simulate(&model, &mut Series::new()).unwrap().outcome {
@@ -61,25 +63,25 @@ fn what_cannot_rest_is_named() {
         }
     };
     assert_eq!(failed(rod::revolute(2)), "body `rod` can rotate about the axis through (0, 0, 0) along z");
-    let alone = failed(beside(rod::cantilever(2), &["alone"]));
+    let alone = failed(with_loose_beams(rod::cantilever(2), &["alone"]));
     assert!(
         alone.starts_with("body `alone` can translate along x; body `alone` can translate along y"),
         "{alone}"
     );
 }
 
-/// Lengths are in the user's units, and nothing depends on those of the solver.
+/// Lengths are in the units of the user, independent of the scales of the solver.
 #[test]
-fn in_other_units() {
+fn diagnosis_does_not_depend_on_scales() {
     let model = rod::spherical(2);
     let mut other = model.clone();
     other.scales = ancf::model::ScaleChoice::Given { length: 1e-3, force: 1e3, time: Some(10.0) };
     assert_eq!(model.diagnose(), other.diagnose());
 }
 
-/// A joint equation has a name that says what it ties.
+/// Names contain the joint, the constrained quantity and the axis.
 #[test]
-fn equations_have_names() {
+fn joint_equations_have_names() {
     let assembly = rod::revolute(1).assemble().unwrap();
     let names: Vec<String> = (24..29).map(|equation| assembly.name_of(equation)).collect();
     assert_eq!(

@@ -1,4 +1,4 @@
-//! Bodies that are driven, and drawn to points of the ground: whole models.
+//! Drives and gaps that statics closes.
 
 use ancf::Model;
 use ancf::analysis::{Newton, Stop};
@@ -7,9 +7,10 @@ use ancf::model::ScaleChoice;
 use ancf::system::{EquationsOfMotion, State, System, Term, Weights};
 use nalgebra::Vector3;
 
+use crate::common::models::parse;
 use crate::common::solutions::{Run, distance};
 
-/// A stiff rod along x, driven about z by an angle.
+/// Stiff rod along x with a drive about z.
 fn arm(text: &str, joint: &str) -> Model {
     let model = format!(
         r#"
@@ -41,12 +42,12 @@ fn arm(text: &str, joint: &str) -> Model {
         start = "consistent"
         "#
     );
-    Model::parse(&model).unwrap_or_else(|errors| panic!("{errors}"))
+    parse(&model)
 }
 
-/// θ = 2 t³: the tip goes around, and the motor gives J θ̈ and m (θ̈ L/2 − θ̇² L/2).
+/// θ = 2 t³: motor torque J θ̈, bearing force m L/2 (θ̈, −θ̇²).
 #[test]
-fn a_stiff_arm_follows_its_drive() {
+fn stiff_arm_follows_its_drive_with_rigid_body_reactions() {
     for fix in ["all", "section"] {
         let run = Run::of(&arm("t^3", &format!("angle = 2\nfix = \"{fix}\"")));
         let (length, radius) = (0.5, 0.025_f64);
@@ -59,19 +60,19 @@ fn a_stiff_arm_follows_its_drive() {
             let (x, y) =
                 (Vector3::new(theta.cos(), theta.sin(), 0.0), Vector3::new(-theta.sin(), theta.cos(), 0.0));
             assert!((tip[i] - x * length).norm() < 2e-4 * length, "{fix}, tip at {t}");
-            // Newmark's scheme answers the jump of the third derivative at 0, and is of first order.
+            // Transient of Newmark's scheme, of first order, after the jump of the third derivative at t = 0.
             if t > 0.1 {
-                let wanted = (y * alpha - x * omega * omega) * (0.5 * mass * length);
-                assert!((force[i] - wanted).norm() < 0.02 * 8.0 * mass * length, "{fix}, force at {t}");
+                let expected = (y * alpha - x * omega * omega) * (0.5 * mass * length);
+                assert!((force[i] - expected).norm() < 0.02 * 8.0 * mass * length, "{fix}, force at {t}");
                 assert!((moment[i] - inertia * alpha).abs() < 0.02 * 12.0 * inertia, "{fix}, moment at {t}");
             }
         }
     }
 }
 
-/// Angle and time in other units are the same motion.
+/// Angle and time in other units.
 #[test]
-fn units_of_a_drive() {
+fn scales_do_not_change_a_driven_motion() {
     let model = arm("1 - cos(3*t)", "angle = 0.7");
     let mut scaled = model.clone();
     scaled.scales = ScaleChoice::Given { length: 0.03, force: 7e4, time: Some(0.013) };
@@ -80,9 +81,9 @@ fn units_of_a_drive() {
     assert_eq!(a.summary.outcome, b.summary.outcome);
 }
 
-/// A rod clamped at its start whose end is drawn to a point by the load factor, in proportion.
+/// The gap between the tip of a cantilever and a point closes in proportion to the load factor.
 #[test]
-fn statics_closes_a_gap() {
+fn statics_closes_a_gap_in_proportion_to_the_load() {
     let assembly = arm("0", "").assemble_static().unwrap();
     let mesh = assembly.mesh("arm").unwrap();
     let (end, target) = (mesh.point(0.5), Vector3::new(0.48, 0.1, 0.03));
@@ -101,19 +102,19 @@ fn statics_closes_a_gap() {
         state.load = f64::from(step) / 4.0;
         let mut newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap();
         newton.solve(&system, &mut state, Weights::STIFFNESS).unwrap();
-        let wanted = end.reference() + (target - end.reference()) * state.load;
-        assert!((end.value(&state) - wanted).norm() < 1e-12);
+        let expected = end.reference() + (target - end.reference()) * state.load;
+        assert!((end.value(&state) - expected).norm() < 1e-12);
     }
 }
 
-/// Statics turns a drive by its angle, whatever its function of time, in proportion to the load.
+/// In statics the angle of a drive is proportional to the load factor, independent of its function of time.
 #[test]
-fn statics_turns_a_drive() {
+fn statics_rotates_a_drive_in_proportion_to_the_load() {
     let assembly = arm("t^3", "angle = 1.2").assemble_static().unwrap();
     let mut state = assembly.rest();
     for step in 1..=4 {
         state.load = f64::from(step) / 4.0;
-        // Turned as a rigid body it has no energy to compare with.
+        // A rigid rotation has no energy for the energy rule.
         let mut newton = Newton::new(assembly.system.matrix(), Stop::Increment(1e-11), 50).unwrap();
         newton.solve(&assembly.system, &mut state, Weights::STIFFNESS).unwrap();
         let (sin, cos) = (1.2 * state.load).sin_cos();

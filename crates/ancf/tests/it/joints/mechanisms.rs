@@ -1,4 +1,4 @@
-//! Motions that nothing holds, by name.
+//! Free motions of models, by name.
 
 use ancf::Model;
 use ancf::analysis::{Interrupt, modes};
@@ -8,17 +8,17 @@ use ancf::system::State;
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
-/// The free motions of a model in its reference state, in words; as many as there are modes without stiffness.
-fn words(model: &Model) -> Vec<String> {
+/// Free motions of a model in its reference state, in words. Asserts that modes without stiffness are as many.
+fn motion_names(model: &Model) -> Vec<String> {
     let assembly = model.assemble().unwrap();
     let rest = assembly.rest();
-    let motions = assembly.free_motions(&rest);
+    let free = assembly.free_motions(&rest);
     let modes = modes(&assembly.system, assembly.system.matrix(), &rest, 14, &Interrupt::default()).unwrap();
-    assert_eq!(modes.rigid, motions.len(), "{motions:?}");
-    motions.iter().map(ToString::to_string).collect()
+    assert_eq!(modes.rigid, free.len(), "{free:?}");
+    free.iter().map(ToString::to_string).collect()
 }
 
-/// A second rod of half a metre from the end of the first one on, in a direction, with joints of its own.
+/// Adds a rod of 0.5 m at the end of the first one, in a given direction, with its joints.
 fn with_second(mut model: Model, [x, y, z]: [f64; 3], joints: Vec<Joint>) -> Model {
     let from = [rod::LENGTH, 0.0, 0.0];
     let to = [from[0] + 0.5 * x, 0.5 * y, 0.5 * z];
@@ -46,9 +46,9 @@ fn elbow() -> Joint {
 }
 
 #[test]
-fn a_free_rod_has_six() {
+fn free_rod_has_six_motions() {
     assert_eq!(
-        words(&rod::free(2)),
+        motion_names(&rod::free(2)),
         [
             "body `rod` can translate along x",
             "body `rod` can translate along y",
@@ -61,45 +61,45 @@ fn a_free_rod_has_six() {
 }
 
 #[test]
-fn pendulums() {
+fn pendulums_rotate_about_their_joints() {
     let about = |axis| format!("body `rod` can rotate about the axis through (0, 0, 0) along {axis}");
-    assert_eq!(words(&rod::spherical(2)), ["x", "y", "z"].map(about));
-    assert_eq!(words(&rod::revolute(2)), [about("z")]);
+    assert_eq!(motion_names(&rod::spherical(2)), ["x", "y", "z"].map(about));
+    assert_eq!(motion_names(&rod::revolute(2)), [about("z")]);
     let mut skew = rod::revolute(2);
     rod::beam(&mut skew).up = Some([0.0, 0.3, 1.0]);
-    let Joint::Revolute { axis, .. } = &mut skew.joints[0] else { panic!("a hinge") };
+    let Joint::Revolute { axis, .. } = &mut skew.joints[0] else { panic!("the root is a revolute joint") };
     *axis = [0.0, 3.0, 4.0];
-    assert_eq!(words(&skew), [about("(0, 0.6, 0.8)")]);
+    assert_eq!(motion_names(&skew), [about("(0, 0.6, 0.8)")]);
 }
 
-/// Hung by balls at both ends it turns about the line through them, here askew to all axes.
+/// Rotation about the line through both joints, oblique to all axes.
 #[test]
-fn between_two_balls() {
+fn rod_between_two_spherical_joints_spins() {
     let mut model = rod::spherical(3);
     rod::beam(&mut model).to = [2.0, -1.0, 2.0];
     model.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
     let axis = "(0.6667, -0.3333, 0.6667)";
     assert_eq!(
-        words(&model),
+        motion_names(&model),
         [format!("body `rod` can rotate about the axis through (0, 0, 0) along {axis}")]
     );
 }
 
 #[test]
-fn held_rods_have_none() {
+fn clamped_and_propped_rods_have_no_free_motion() {
     for fix in [Clamped::All, Clamped::Section] {
-        assert!(words(&rod::clamped(2, fix)).is_empty());
+        assert!(motion_names(&rod::clamped(2, fix)).is_empty());
     }
     let mut propped = rod::revolute(2);
     propped.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
-    assert!(words(&propped).is_empty());
+    assert!(motion_names(&propped).is_empty());
 }
 
 #[test]
-fn a_chain_names_all_that_moves() {
+fn motions_of_a_chain_name_all_moving_bodies() {
     let chain = with_second(rod::revolute(2), [1.0, 0.0, 0.0], vec![elbow()]);
     assert_eq!(
-        words(&chain),
+        motion_names(&chain),
         [
             "body `rod` can rotate about the axis through (0, 0, 0) along z; with it body `second` translates along y",
             "body `second` can rotate about the axis through (1, 0, 0) along z",
@@ -107,15 +107,14 @@ fn a_chain_names_all_that_moves() {
     );
     let hinged_to_a_clamped = with_second(rod::cantilever(2), [0.0, 1.0, 0.0], vec![elbow()]);
     assert_eq!(
-        words(&hinged_to_a_clamped),
+        motion_names(&hinged_to_a_clamped),
         ["body `second` can rotate about the axis through (1, 0, 0) along z"]
     );
 }
 
-/// Rods at right angles, pinned to each other and to the ground at both ends, are a truss: only along z can it flap, and
-/// with balls each rod can spin.
+/// Two rods at right angles with spherical joints: one rotation of the truss about its diagonal, one spin of each rod.
 #[test]
-fn a_truss_flaps_about_its_diagonal() {
+fn truss_rotates_about_its_diagonal() {
     let ball = |name: &str, a, b| Joint::Spherical { name: name.into(), a, b };
     let top = ball("top", second(Named::End), End::Ground);
     let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
@@ -123,28 +122,28 @@ fn a_truss_flaps_about_its_diagonal() {
     let assembly = truss.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());
     assert_eq!(motions.len(), 3, "{motions:?}");
-    assert!(words(&truss).iter().all(|words| words.contains("rotate")));
+    assert!(motion_names(&truss).iter().all(|motion| motion.contains("rotate")));
     let diagonal = motions.iter().filter(|motion| motion.moves.len() == 2).count();
-    assert_eq!(diagonal, 1, "one motion moves both");
+    assert_eq!(diagonal, 1, "one motion moves both rods");
 }
 
-/// A hanging pendulum is held by its weight.
+/// The geometric stiffness of the weight restrains a hanging pendulum.
 #[test]
-fn weight_holds_a_pendulum() {
-    let hung = |mut model: Model| {
+fn weight_restrains_a_hanging_pendulum() {
+    let hanging = |mut model: Model| {
         rod::beam(&mut model).to = [0.0, -rod::LENGTH, 0.0];
         model
     };
-    let (_, held) = equilibrium(&hung(rod::clamped(2, Clamped::Section)), 1);
-    let assembly = hung(rod::revolute(2)).assemble().unwrap();
-    let hanging = State { q: held.q, ..assembly.rest() };
+    let (_, loaded) = equilibrium(&hanging(rod::clamped(2, Clamped::Section)), 1);
+    let assembly = hanging(rod::revolute(2)).assemble().unwrap();
+    let state = State { q: loaded.q, ..assembly.rest() };
     assert_eq!(assembly.free_motions(&assembly.rest()).len(), 1);
-    assert!(assembly.free_motions(&hanging).is_empty());
+    assert!(assembly.free_motions(&state).is_empty());
 }
 
-/// Turned by a quarter, the axis is where it was.
+/// The axis of rotation is unchanged after a rotation by 90°.
 #[test]
-fn in_a_turned_state() {
+fn motions_are_found_in_a_rotated_state() {
     let assembly = rod::revolute(2).assemble().unwrap();
     let rest = assembly.rest();
     let mut turned: State = rest.clone();
@@ -161,19 +160,19 @@ fn in_a_turned_state() {
     assert_eq!(motion.to_string(), "body `rod` can rotate about the axis through (0, 0, 0) along z");
 }
 
-/// Units and slope coordinates have no say.
+/// Free motions do not depend on units and slope coordinates.
 #[test]
-fn in_other_units() {
+fn motions_do_not_depend_on_units() {
     let model = rod::spherical(3);
     let scales = ancf::Scales { length: 1e-3, time: 10.0, force: 1e6 };
     let mut other = model.scaled(&scales);
     rod::beam(&mut other).slopes = ancf::model::Slopes::Length;
-    assert_eq!(words(&model), words(&other));
+    assert_eq!(motion_names(&model), motion_names(&other));
 }
 
-/// A hundred rods in a row, each hinged to the one before: a motion for each hinge, that moves all rods beyond.
+/// Chain of 100 hinged rods: one motion for each hinge, which moves all rods beyond.
 #[test]
-fn a_long_chain() {
+fn long_chain_has_one_motion_per_hinge() {
     let mut model = rod::revolute(1);
     let first = rod::beam(&mut model).clone();
     for k in 1..100_u32 {

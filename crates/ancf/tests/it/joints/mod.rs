@@ -1,4 +1,4 @@
-//! Joints, couplings and the mechanisms that they form.
+//! Joints, couplings, drives and mechanisms.
 
 mod combinations;
 mod diagnosis;

@@ -1,4 +1,4 @@
-//! A linkage with one crank too many: constraints that are redundant wherever it goes, though not linear.
+//! Linkage with a redundant crank: nonlinear constraints that are redundant in all positions.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ const GRAVITY: f64 = 9.81;
 const CRANK: [f64; 2] = [0.6, 0.8];
 const COUPLER: f64 = 3.0;
 
-/// A point mass in a plane.
+/// Point mass in the plane.
 struct Particle {
     mass: f64,
     coordinates: [usize; 2],
@@ -44,7 +44,7 @@ impl Term for Particle {
     }
 }
 
-/// ½ |d + u|² = ½ l²: a bar from the ground or from another particle.
+/// Rigid bar to the ground or to another particle, ½ |d + u|² = ½ l².
 struct Bar {
     d: Vector2<f64>,
     length: f64,
@@ -58,12 +58,13 @@ impl Bar {
         Self { length: d.norm(), d, coordinates, multiplier }
     }
 
-    /// Signs with which the coordinates move its end.
+    /// Sign of a coordinate in the relative displacement.
     fn sign(&self, i: usize) -> f64 {
         if self.coordinates.len() == 4 && i < 2 { -1.0 } else { 1.0 }
     }
 
-    fn moved(&self, q: &[f64]) -> Vector2<f64> {
+    /// Relative displacement of the ends.
+    fn displacement(&self, q: &[f64]) -> Vector2<f64> {
         let mut u = Vector2::zeros();
         q.iter().enumerate().for_each(|(i, q)| u[i % 2] += self.sign(i) * q);
         u
@@ -80,10 +81,10 @@ impl Term for Bar {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let (u, n) = (self.moved(at.q), at.q.len());
+        let (u, n) = (self.displacement(at.q), at.q.len());
         (0..n).for_each(|i| r[i] += at.lambda[0] * self.sign(i) * (self.d + u)[i % 2]);
-        let off = 0.5 * (self.d.norm_squared() - self.length * self.length);
-        r[n] += off + self.d.dot(&u) + 0.5 * u.norm_squared();
+        let initial = 0.5 * (self.d.norm_squared() - self.length * self.length);
+        r[n] += initial + self.d.dot(&u) + 0.5 * u.norm_squared();
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
@@ -93,7 +94,7 @@ impl Term for Bar {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (u, n) = (self.moved(at.q), at.q.len());
+        let (u, n) = (self.displacement(at.q), at.q.len());
         for i in 0..n {
             k.add(n, i, self.sign(i) * (self.d + u)[i % 2]);
             for j in (0..=i).filter(|j| (i - j) % 2 == 0) {
@@ -103,7 +104,7 @@ impl Term for Bar {
     }
 }
 
-/// The second particle stays in the middle between the others.
+/// The second particle is the midpoint of the others.
 struct Middle;
 
 impl Term for Middle {
@@ -142,7 +143,7 @@ impl Term for Middle {
     }
 }
 
-/// A coupler of three particles on two parallel cranks, or on three, of which the last has its length times `stretch`.
+/// Coupler of three particles on two or three parallel cranks. The third crank is longer by the factor `stretch`.
 fn linkage(cranks: usize, stretch: f64) -> System {
     let particle = |k: usize| Particle { mass: 1.0 + k as f64, coordinates: [2 * k, 2 * k + 1] };
     let mut terms: Vec<Box<dyn Term>> = (0..3).map(|k| Box::new(particle(k)) as Box<dyn Term>).collect();
@@ -158,7 +159,7 @@ fn linkage(cranks: usize, stretch: f64) -> System {
     System::new(6, cranks + 3, terms)
 }
 
-/// The rows of Φ_q by multiplier.
+/// Rows of Φ_q by multiplier.
 fn rows(system: &System, s: &State) -> Vec<Sparse> {
     let mut rows = vec![Sparse::new(); system.multipliers()];
     for term in system.terms() {
@@ -175,10 +176,9 @@ fn dynamics(system: &System) -> Dynamics<'_, System> {
     dynamics
 }
 
-/// The third crank is redundant wherever the linkage goes. It changes nothing of the motion, costs next to no iterations,
-/// and its force is found.
+/// Same motion with few additional iterations; the redundancy is found and the sum of the forces is unchanged.
 #[test]
-fn a_third_crank_changes_nothing() {
+fn redundant_crank_does_not_change_the_motion() {
     let (two, three) = (linkage(2, 1.0), linkage(3, 1.0).sharing(0..6));
     let (mut a, mut b) = (dynamics(&two), dynamics(&three));
     let mut iterations = [0, 0];
@@ -188,29 +188,29 @@ fn a_third_crank_changes_nothing() {
             .map(|report| report.unwrap_or_else(|error| panic!("{step}: {error}")));
         iterations[0] += reports[0].iterations;
         iterations[1] += reports[1].iterations;
-        let apart = a.state().q.iter().zip(&b.state().q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(apart < 1e-9, "{step}: {apart:e}");
+        let difference = a.state().q.iter().zip(&b.state().q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(difference < 1e-9, "{step}: {difference:e}");
         let mut phi = vec![0.0; 6];
         three.constraints(b.state(), Level::Position, &mut phi);
         assert!(phi.iter().all(|phi| phi.abs() < 1e-12), "{step}: {phi:?}");
         let found = dependences(rows(&three, b.state()), 1e-8);
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].row(), 5);
-        // Of the least forces none is in the dependence itself: no part of Σ cᵢ λᵢ is left, in the weights of the solver.
+        // Least multipliers have no component Σ cᵢ λᵢ in the weights of the solver, hence they stay small.
         let largest = b.state().lambda.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
         assert!(largest < 1e3, "{step}: {:?}", b.state().lambda);
     }
     assert!(iterations[1] <= iterations[0] + iterations[0] / 4, "{iterations:?}");
-    assert!(a.state().q[0].abs() > 0.5, "it moved");
-    // The cranks push along themselves, as much together: Σ λ r is what holds the coupler up.
+    assert!(a.state().q[0].abs() > 0.5, "the linkage moves");
+    // Crank forces act along the parallel cranks; their sum Σ λ r supports the coupler.
     let of = |s: &State| s.lambda[0] + s.lambda[1] + s.lambda.get(5).copied().unwrap_or(0.0);
     let (whole, shared) = (of(a.state()), of(b.state()));
     assert!((whole - shared).abs() < 1e-6 * whole.abs(), "{whole} {shared}");
 }
 
-/// What forces are at the start does not depend on the order of the terms or on an earlier motion: least squares.
+/// Multipliers at the start are a weighted least-squares solution.
 #[test]
-fn forces_are_least() {
+fn redundant_multipliers_are_a_least_squares_solution() {
     let system = linkage(3, 1.0).sharing(0..6);
     let mut s = State::rest(6, 6);
     consistent_start(&system, &mut system.matrix(), &mut s).unwrap();
@@ -218,7 +218,7 @@ fn forces_are_least() {
     let mut r = vec![0.0; 12];
     system.residual(&s, &mut r);
     assert!(r[..6].iter().all(|r| r.abs() < 1e-10), "{r:?}");
-    // Weighted by the compliances that the solver gave: one over the largest row entry squared per mass.
+    // Weights of the solver: largest squared row entry per mass.
     let mass = |c: usize| 1.0 + (c / 2) as f64;
     let rows = rows(&system, &s);
     let weight = |i: usize| rows[i].iter().map(|(&c, x)| x * x / mass(c)).fold(0.0, f64::max);
@@ -230,9 +230,9 @@ fn forces_are_least() {
     assert!(sum.abs() < 1e-6 * size, "{sum} of {size}");
 }
 
-/// A crank of another length has no motion.
+/// A third crank of another length contradicts the others.
 #[test]
-fn what_cannot_be_is_refused() {
+fn contradicting_crank_fails_to_converge() {
     let wrong = linkage(3, 1.01).sharing(0..6);
     let newton = Newton::new(wrong.matrix(), Stop::Energy(1e-12), 30).unwrap();
     let mut dynamics = Dynamics::new(&wrong, Scheme::ADAMS, newton, 3, State::rest(6, 6));

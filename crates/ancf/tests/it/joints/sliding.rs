@@ -1,16 +1,18 @@
-//! Points that slide along beams, against mechanics of the textbook.
+//! Sliding joints along beams, against closed forms.
 
 use std::f64::consts::PI;
 
-use crate::common::models::held::{DYNAMICS, STATICS, model};
-use crate::common::solutions::Run;
 use ancf::Model;
 use nalgebra::Vector3;
 
-/// A mass 1 on the way down a stiff beam at 30°, over element borders.
+use crate::common::models::jointed_body::{DYNAMICS, STATICS};
+use crate::common::models::parse;
+use crate::common::solutions::Run;
+
+/// Mass of 1 kg on a stiff beam inclined by 30°, sliding across element boundaries.
 fn incline(keys: &str) -> Model {
     let (sin, cos) = (PI / 6.0).sin_cos();
-    model(&format!(
+    parse(&format!(
         r#"
 gravity = [0, 0, -10]
 materials.stiff = {{ density = 10, young = 1e13 }}
@@ -32,14 +34,14 @@ joints = [
     ))
 }
 
-/// s = s₀ + ½ g sin α t², with friction ½ (g sin α − F/m) t², and g cos α on the beam.
+/// s = s₀ + ½ g sin α t², with friction ½ (g sin α − F/m) t²; normal force m g cos α.
 #[test]
-fn bead_on_an_incline() {
+fn bead_accelerates_uniformly_on_an_incline() {
     for (keys, acceleration) in [("", 5.0), (", friction = { force = 2, speed = 1e-4 }", 3.0)] {
         let run = Run::of(&incline(keys));
         for (k, t) in run.column("t").iter().enumerate().skip(50) {
             let (s, v) = (run.column("slide.position")[k], run.column("slide.speed")[k]);
-            // Friction sets in within the first step, half of which goes without.
+            // Friction acts from the middle of the first step on.
             let late = if keys.is_empty() { 0.0 } else { 0.5 * 1e-3 * 2.0 };
             assert!((s - 0.2 - 0.5 * acceleration * t * t).abs() < 2e-4 + late * t, "{keys}: {s} at {t}");
             assert!((v - acceleration * t).abs() < 2e-4 + 1.2 * late, "{keys}: {v} at {t}");
@@ -47,13 +49,13 @@ fn bead_on_an_incline() {
             let normal = force.dot(&Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
             assert!((normal - 10.0 * 0.75_f64.sqrt()).abs() < 0.05, "{keys}: {normal} at {t}");
         }
-        assert!(run.column("slide.position").last().unwrap() > &1.2, "borders were crossed");
+        assert!(run.column("slide.position").last().unwrap() > &1.2, "element boundaries were crossed");
     }
 }
 
-/// A bead that comes to the end of its beam is a failure with a name.
+/// The failure at the end of the beam names the joint.
 #[test]
-fn bead_that_falls_off() {
+fn bead_at_the_end_of_the_beam_is_a_failure() {
     let mut falling = incline("");
     if let Some(dynamics) = falling.analysis.dynamics_mut() {
         dynamics.duration = 2.0;
@@ -65,10 +67,10 @@ fn bead_that_falls_off() {
     assert!((time - 1.233).abs() < 0.01 && at.contains("slide"), "{time}, {at}");
 }
 
-/// A bead on a rod that turns by θ = 2 t³: r̈ = θ̇² r, which a series in t solves.
+/// r̈ = θ̇² r with θ = 2 t³, solved by a power series in t.
 #[test]
-fn bead_on_a_turning_rod() {
-    let run = Run::of(&model(&format!(
+fn bead_on_a_rotating_rod_moves_outwards() {
+    let run = Run::of(&parse(&format!(
         r#"
 materials.stiff = {{ density = 10, young = 1e13 }}
 sections.round = {{ kind = "circle", diameter = 0.1 }}
@@ -94,9 +96,9 @@ joints = [
     }
 }
 
-/// Error control follows a bead over borders, on a soft beam that swings.
+/// Adaptive steps across element boundaries of a swinging soft cable agree with small fixed steps.
 #[test]
-fn bead_by_error_control() {
+fn adaptive_steps_cross_element_boundaries() {
     let soft = |step: &str, young: &str| {
         let text = format!(
             r#"
@@ -119,24 +121,21 @@ step = {step}
 scheme = {{ spectral_radius = 0.8 }}
 "#
         );
-        Run::of(&model(&text))
+        Run::of(&parse(&text))
     };
     let (fine, adaptive) = (soft("2.5e-4", "2e6"), soft("{ tolerance = 1e-4 }", "2e6"));
-    let last = |run: &Run, name: &str| *run.column(name).last().unwrap();
-    let [s, t] = [&fine, &adaptive].map(|run| last(run, "slide.position"));
+    let [s, t] = [&fine, &adaptive].map(|run| run.last("slide.position"));
     assert!((s - t).abs() < 2e-3, "{s} and {t}");
-    assert!(s > 0.6, "borders were crossed: {s}");
-    let size = fine.column("kinetic").iter().fold(0.0, |size: f64, x| size.max(*x));
-    let worst = fine.column("balance").iter().fold(0.0, |worst: f64, x| worst.max(x.abs()));
-    assert!(worst < 1e-2 * size, "{worst} of {size}");
+    assert!(s > 0.6, "element boundaries were crossed: {s}");
+    let (balance, size) = (fine.largest("balance"), fine.largest("kinetic"));
+    assert!(balance < 1e-2 * size, "{balance} of {size}");
 }
 
-/// A weight on a cantilever bends it by P a³/(3 E I), wherever it was led, and what leads it across element borders does
-/// the work.
+/// Deflection P a³/(3 E I) under a weight, after a prescribed displacement along the beam across element boundaries.
 #[test]
-fn weight_led_along_a_cantilever() {
-    let at = |place: f64, way: f64| {
-        model(&format!(
+fn weight_moved_along_a_cantilever_has_its_static_deflection() {
+    let at = |place: f64, displacement: f64| {
+        parse(&format!(
             r#"
 gravity = [0, 0, -10]
 materials.stiff = {{ density = 1e-6, young = 2e11 }}
@@ -147,24 +146,28 @@ bodies = [
 ]
 joints = [
   {{ kind = "clamp", name = "root", a = {{ body = "arm", at = "start" }} }},
-  {{ kind = "slide", name = "trolley", a = {{ body = "weight", at = "center" }}, b = {{ body = "arm", at = {place} }}, drive = {{ displacement = {way} }} }},
+  {{ kind = "slide", name = "trolley", a = {{ body = "weight", at = "center" }}, b = {{ body = "arm", at = {place} }}, drive = {{ displacement = {displacement} }} }},
 ]
 probes = [{{ name = "weight", on = {{ body = "weight", at = "center" }} }}]
 {STATICS}"#
         ))
     };
     let bending = 2e11 * PI * 0.05_f64.powi(4) / 64.0;
-    for (place, way) in [(1.6, 0.0), (0.5, 0.7), (1.1, 0.6), (1.9, -0.8)] {
-        let run = Run::of(&at(place, way));
-        let last = |name: &str| *run.column(name).last().unwrap();
-        let (end, wanted) = (place + way, -100.0 * (place + way).powi(3) / (3.0 * bending));
-        assert!((last("trolley.position") - end).abs() < 1e-9, "{place}: {}", last("trolley.position"));
+    for (place, displacement) in [(1.6, 0.0), (0.5, 0.7), (1.1, 0.6), (1.9, -0.8)] {
+        let run = Run::of(&at(place, displacement));
+        let end = place + displacement;
+        let deflection = -100.0 * end.powi(3) / (3.0 * bending);
         assert!(
-            (last("weight.z") - wanted).abs() < 2e-2 * wanted.abs(),
-            "{place}: {} {wanted}",
-            last("weight.z")
+            (run.last("trolley.position") - end).abs() < 1e-9,
+            "{place}: {}",
+            run.last("trolley.position")
         );
-        assert!((last("trolley.fz") - 100.0).abs() < 1e-6, "{place}: {}", last("trolley.fz"));
-        assert!((last("root.my") + 100.0 * end).abs() < 0.1, "{place}: {}", last("root.my"));
+        assert!(
+            (run.last("weight.z") - deflection).abs() < 2e-2 * deflection.abs(),
+            "{place}: {} {deflection}",
+            run.last("weight.z")
+        );
+        assert!((run.last("trolley.fz") - 100.0).abs() < 1e-6, "{place}: {}", run.last("trolley.fz"));
+        assert!((run.last("root.my") + 100.0 * end).abs() < 0.1, "{place}: {}", run.last("root.my"));
     }
 }

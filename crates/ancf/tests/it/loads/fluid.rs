@@ -1,10 +1,13 @@
-//! Bodies in a fluid: motions, equilibria and vibrations with closed forms, and the books of energy.
+//! Bodies in a fluid: motions, equilibria and vibrations with closed forms; energy balance.
 
 use std::f64::consts::PI;
 
-use crate::common::solutions::Run;
 use ancf::Model;
 use nalgebra::Vector3;
+
+use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
 
 const WATER: f64 = 1000.0;
 const SOLID: f64 = 1800.0;
@@ -27,7 +30,7 @@ fn dynamics(duration: f64, step: f64) -> String {
     )
 }
 
-/// A rod of some density from the origin to `to`, in water, that nothing holds.
+/// Free rod of a given density from the origin to `to`, in water.
 fn rod(body: &str, density: f64, to: [f64; 3], fluid: &str, analysis: &str) -> Model {
     let text = format!(
         "gravity = [0, 0, {}]
@@ -47,7 +50,7 @@ fn rod(body: &str, density: f64, to: [f64; 3], fluid: &str, analysis: &str) -> M
         {analysis}",
         -GRAVITY
     );
-    Model::parse(&text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"))
+    parse(&text)
 }
 
 fn clamped(model: Model) -> Model {
@@ -56,15 +59,11 @@ fn clamped(model: Model) -> Model {
     Model { joints: vec![toml::from_str(joints).unwrap()], ..model }
 }
 
-#[track_caller]
-fn assert_near(what: &str, found: f64, wanted: f64, tolerance: f64) {
-    assert!((found / wanted - 1.0).abs() < tolerance, "{what}: {found:e}, not {wanted:e}");
-}
-
-/// Sinking from rest: v = v∞ tanh(g' t/v∞) with v∞ = √((ρs − ρ) A g/D), D = ½ρ d C_n or ½ρ π d C_t, and
-/// g' = (ρs − ρ) g/(ρs + C_a ρ), the acceleration of the release.
+/// Sinking from rest: v = v∞ tanh(g' t/v∞) with v∞ = √((ρs − ρ) A g/D), D = ½ρ d C_n or ½ρ π d C_t.
+///
+/// Initial acceleration g' = (ρs − ρ) g/(ρs + C_a ρ).
 #[test]
-fn a_cylinder_sinks() {
+fn sinking_cylinder_has_its_terminal_velocity() {
     let weight = (SOLID - WATER) * GRAVITY * area();
     let cases = [
         ("across", [1.0, 0.0, 0.0], 0.5 * WATER * DIAMETER * 1.2, 1.0),
@@ -75,33 +74,33 @@ fn a_cylinder_sinks() {
         for body in BODIES {
             let water = "drag = [1.2, 0.3], added_mass = [1.0, 0.5]";
             let run = Run::of(&rod(body, SOLID, to, water, &dynamics(0.4, 1e-3)));
-            let speed = -run.vectors("tip.v").last().unwrap().z;
-            assert_near(name, speed, limit * (start * 0.4 / limit).tanh(), 1e-5);
+            let speed = -run.last_vector("tip.v").z;
+            assert_relative(name, speed, limit * (start * 0.4 / limit).tanh(), 1e-5);
             let first = -run.vectors("tip.a")[0].z;
-            assert_near("release", first, start, 1e-9);
-            assert!(run.vectors("tip.v").iter().all(|v| v.xy().norm() < 1e-9), "{name}: it sinks straight");
+            assert_relative("release", first, start, 1e-9);
+            assert!(run.vectors("tip.v").iter().all(|v| v.xy().norm() < 1e-9), "{name}: lateral velocity");
         }
         let water = "drag = [1.2, 0.3], added_mass = [1.0, 0.5]";
         let run = Run::of(&rod(BODIES[0], SOLID, to, water, &dynamics(8.0, 1e-2)));
-        assert_near("terminal velocity", -run.vectors("tip.v").last().unwrap().z, limit, 1e-6);
+        assert_relative("terminal velocity", -run.last_vector("tip.v").z, limit, 1e-6);
     }
 }
 
-/// Lighter than water, without drag: (ρs − ρ) g/(ρs + C_a ρ) upwards.
+/// Upward acceleration (ρ − ρs) g/(ρs + C_a ρ) of a rod lighter than water, without drag.
 #[test]
-fn a_buoyant_rod_is_released() {
+fn buoyant_rod_accelerates_against_its_added_mass() {
     for body in BODIES {
         let run = Run::of(&rod(body, 600.0, [1.0, 0.0, 0.0], "drag = [0, 0]", &dynamics(0.1, 1e-3)));
         let exact = 400.0 * GRAVITY / 1600.0;
         for a in run.vectors("tip.a") {
-            assert_near("acceleration", a.z, exact, 1e-9);
+            assert_relative("acceleration", a.z, exact, 1e-9);
         }
     }
 }
 
-/// Held at an angle in a current: the parts across and along the rod, each by its own coefficient.
+/// Rod clamped at an angle to a current: normal and tangential drag, each with its coefficient.
 #[test]
-fn drag_at_an_angle() {
+fn drag_has_normal_and_tangential_components() {
     let (speed, angle): (f64, f64) = (0.02, 0.6);
     let tangent = Vector3::new(angle.cos(), angle.sin(), 0.0);
     for body in &BODIES[..2] {
@@ -110,18 +109,19 @@ fn drag_at_an_angle() {
         let (along, across) = (speed * angle.cos(), Vector3::x() * speed - tangent * (speed * angle.cos()));
         let drag = across * (0.5 * WATER * DIAMETER * 1.2 * across.norm())
             + tangent * (0.5 * WATER * PI * DIAMETER * 0.3 * along * along);
-        let force = *run.vectors("root.f").last().unwrap();
+        let force = run.last_vector("root.f");
         assert!((force + drag).norm() < 1e-5 * drag.norm(), "{body}: {force} and {drag}");
-        let moment = *run.vectors("root.m").last().unwrap();
-        let turned = tangent.cross(&drag) * 0.5;
-        assert!((moment + turned).norm() < 1e-5 * turned.norm(), "{body}: {moment} and {turned}");
+        let moment = run.last_vector("root.m");
+        let expected = tangent.cross(&drag) * 0.5;
+        assert!((moment + expected).norm() < 1e-5 * expected.norm(), "{body}: {moment} and {expected}");
     }
 }
 
-/// A line in a current without weight and without tangential drag has the same tension T all along and hangs as a catenary:
-/// T dφ/ds = D sin²φ, so that its half, of length S, spans (T/D) asinh(D S/T) and sags by (T/D) (√(1 + (D S/T)²) − 1).
+/// Weightless line in a current without tangential drag: constant tension T, shape of a catenary, T dφ/ds = D sin²φ.
+///
+/// Half the length S has the span (T/D) asinh(D S/T) and the sag (T/D) (√(1 + (D S/T)²) − 1).
 #[test]
-fn a_line_in_a_current() {
+fn line_in_a_current_is_a_catenary() {
     let (half, span, speed): (f64, f64, f64) = (1.0, 0.9, 0.5);
     let drag = 0.5 * WATER * 0.01 * 1.2 * speed * speed;
     let text = format!(
@@ -140,8 +140,7 @@ fn a_line_in_a_current() {
         {STATICS}
         first = 0.1"
     );
-    let model = Model::parse(&text).unwrap_or_else(|errors| panic!("{errors:?}"));
-    let run = Run::of(&model);
+    let run = Run::of(&parse(&text));
     // Lengths in multiples of T/D: asinh(S)/S falls with S.
     let (mut low, mut high) = (1e-3_f64, 10.0_f64);
     for _ in 0..200 {
@@ -150,28 +149,28 @@ fn a_line_in_a_current() {
     }
     let unit = half / low;
     let sag = unit * ((1.0 + low * low).sqrt() - 1.0);
-    assert_near("sag", run.vectors("middle.").last().unwrap().x, sag, 1e-3);
+    assert_relative("sag", run.last_vector("middle.").x, sag, 1e-3);
     let tension = unit * drag;
     for end in ["left.f", "right.f"] {
-        assert_near("tension", run.vectors(end).last().unwrap().norm(), tension, 1e-3);
+        assert_relative("tension", run.last_vector(end).norm(), tension, 1e-3);
     }
 }
 
-/// A rod of the weight of water goes with a current that changes, however it lies.
+/// A neutrally buoyant rod moves with an unsteady current, in any orientation.
 #[test]
-fn a_current_takes_along() {
+fn neutrally_buoyant_rod_moves_with_the_current() {
     let water = "drag = [0, 0], added_mass = [1.0, 0.4], current = [1, 2, -1], \
                  time = { kind = \"expression\", text = \"t^2\" }";
     for body in BODIES {
         let run = Run::of(&rod(body, WATER, [0.6, 0.0, 0.8], water, &dynamics(0.2, 1e-3)));
-        let found = run.vectors("tip.v").last().unwrap() - Vector3::new(1.0, 2.0, -1.0) * 0.04;
+        let found = run.last_vector("tip.v") - Vector3::new(1.0, 2.0, -1.0) * 0.04;
         assert!(found.norm() < 1e-6, "{body}: {found}");
     }
 }
 
-/// Water without drag lowers frequencies of bending by √(1 + C_a ρ/ρs).
+/// Added mass lowers bending frequencies by the factor √(1 + C_a ρ/ρs).
 #[test]
-fn frequencies_in_water() {
+fn added_mass_lowers_bending_frequencies() {
     let of = |added: f64| {
         let water = format!("drag = [0, 0], added_mass = [{added}, 0]");
         let analysis = "kind = \"modes\"\ncount = 4";
@@ -180,43 +179,46 @@ fn frequencies_in_water() {
     };
     let (dry, wet) = (of(0.0), of(1.3));
     for (dry, wet) in dry.iter().zip(&wet) {
-        // The rotary inertia of sections, π²d²/16L² of the lowest at most, is not that of water.
-        assert_near("frequency", dry / wet, (1.0 + 1.3 * WATER / SOLID).sqrt(), 2e-3);
+        // Added mass has no rotary inertia of the sections, at most π²d²/16L² of the lowest frequency.
+        assert_relative("frequency", dry / wet, (1.0 + 1.3 * WATER / SOLID).sqrt(), 2e-3);
     }
 }
 
-/// A tapered rod: what holds it is its weight less that of the water, of the areas along it.
+/// Reaction of a tapered rod: weight less buoyancy, integrated over the areas.
 #[test]
-fn buoyancy_of_a_tapered_rod() {
+fn reaction_of_a_tapered_rod_is_weight_less_buoyancy() {
     let mut model = clamped(rod(BODIES[0], SOLID, [1.0, 0.0, 0.0], "drag = [1, 0]", STATICS));
     let end = ancf::model::Section::Circle { diameter: 0.02 };
     model.sections.insert("thin".into(), end);
-    let ancf::model::Body::Beam(beam) = &mut model.bodies[0] else { panic!("a beam") };
+    let ancf::model::Body::Beam(beam) = &mut model.bodies[0] else { panic!("the body is a beam") };
     beam.section_end = Some("thin".into());
-    // Of a frustum of the diameters D and d: π/12 (D² + D d + d²).
+    // Volume of a frustum with the diameters D and d: π/12 (D² + D d + d²) per length.
     let volume = PI / 12.0 * (DIAMETER * DIAMETER + DIAMETER * 0.02 + 0.02 * 0.02);
-    let force = *Run::of(&model).vectors("root.f").last().unwrap();
-    assert_near("force", force.z, (SOLID - WATER) * GRAVITY * volume, 1e-9);
+    let force = Run::of(&model).last_vector("root.f");
+    assert_relative("force", force.z, (SOLID - WATER) * GRAVITY * volume, 1e-9);
 }
 
-/// A soft rod swings in water that flows and surges: the books close, to the second order of the step.
+/// Energy balance of a soft rod in an oscillating current: error of second order in the step.
 #[test]
-fn books() {
+fn energy_balance_in_a_current_is_of_second_order() {
     let water = "current = [0.3, 0.5, 0], drag = [1.2, 0.1], added_mass = [1.0, 0.2], \
                  time = { kind = \"sine\", frequency = 1.5, phase = 0.4 }";
     for body in BODIES {
-        let closed = |step: f64| {
+        let error = |step: f64| {
             let analysis = dynamics(0.5, step).replace("0.9", "1.0");
             let mut model = clamped(rod(body, SOLID, [1.0, 0.0, 0.0], water, &analysis));
             model.materials.get_mut("solid").unwrap().young = 3e6;
             let run = Run::of(&model);
-            let largest = |name: &str| run.column(name).iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             assert!(run.column("dissipated").windows(2).all(|pair| pair[0] <= pair[1]), "{body}");
-            assert!(largest("work") > 1e-2 * largest("potential"), "{body}: {:e}", largest("work"));
-            largest("balance") / largest("potential")
+            assert!(
+                run.largest("work") > 1e-2 * run.largest("potential"),
+                "{body}: {:e}",
+                run.largest("work")
+            );
+            run.largest("balance") / run.largest("potential")
         };
-        let [coarse, fine] = [1e-3, 5e-4].map(closed);
-        assert!(fine < 1e-3, "{body}: a balance of {fine:e}");
+        let [coarse, fine] = [1e-3, 5e-4].map(error);
+        assert!(fine < 1e-3, "{body}: error of the balance {fine:e}");
         assert!((3.0..5.5).contains(&(coarse / fine)), "{body}: {coarse:e}, {fine:e}");
     }
 }

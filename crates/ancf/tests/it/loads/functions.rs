@@ -1,4 +1,4 @@
-//! Functions of time: values, rates against differences, breaks, and formulas as they are written.
+//! Functions of time: values, rates against differences, breaks, parser of formulas.
 
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -15,8 +15,8 @@ fn formula(text: &str) -> Function {
     Function::Expression { formula: Arc::new(formula), unit: 1.0 }
 }
 
-/// e^(−t) sin 3t as a program computes it.
-fn program() -> External {
+/// e^(−t) sin 3t as a function of a program.
+fn external() -> External {
     External::new(|t: f64| {
         let (decay, (sin, cos)) = ((-t).exp(), (3.0 * t).sin_cos());
         Instant {
@@ -31,10 +31,10 @@ fn value(text: &str, t: f64) -> f64 {
     formula(text).value(t)
 }
 
-/// Everyday notation: a sign binds less than a power, numbers have exponents, calls nest.
+/// Precedence of signs and powers, exponents of numbers, nested calls.
 #[test]
-fn formulas_mean_what_they_say() {
-    for (text, wanted) in [
+fn formulas_have_the_usual_precedence() {
+    for (text, expected) in [
         ("-2^2", -4.0),
         ("(-2)^2", 4.0),
         ("2^-1", 0.5),
@@ -53,13 +53,16 @@ fn formulas_mean_what_they_say() {
         ("t^0 + t^3 + t^2.5 + 2^t", 1.0 + 64.0 + 32.0 + 16.0),
     ] {
         let found = value(text, 4.0);
-        assert!((found - wanted).abs() < 1e-14 * wanted.abs().max(1.0), "{text}: {found}, not {wanted}");
+        assert!(
+            (found - expected).abs() < 1e-14 * expected.abs().max(1.0),
+            "{text}: {found}, not {expected}"
+        );
     }
 }
 
 #[test]
-fn what_is_no_formula_is_said_with_its_place() {
-    for (text, at, wanted) in [
+fn invalid_formulas_are_rejected_with_their_position() {
+    for (text, at, expected) in [
         ("", 0, "a number"),
         ("2 +", 3, "a number"),
         ("2 3", 2, "an operator"),
@@ -83,10 +86,10 @@ fn what_is_no_formula_is_said_with_its_place() {
         ("t = 2", 2, "an operator"),
     ] {
         match Expression::parse(text) {
-            Ok(_) => assert_eq!(wanted, "", "{text} is read"),
+            Ok(_) => assert_eq!(expected, "", "{text} is accepted"),
             Err(error) => {
                 assert_eq!(error.at, at, "{text}: {error}");
-                assert!(!wanted.is_empty() && error.wanted.starts_with(wanted), "{text}: {error}");
+                assert!(!expected.is_empty() && error.wanted.starts_with(expected), "{text}: {error}");
             }
         }
     }
@@ -104,7 +107,7 @@ fn every_function() -> Vec<Function> {
         Function::Ramp { start: 0.5, end: 2.0 },
         Function::Step { at: 1.0, until: Some(2.0) },
         Function::Sine { frequency: 0.7, phase: 0.3 },
-        Function::External { function: program(), unit: 1.3 },
+        Function::External { function: external(), unit: 1.3 },
         formula("0.4*(t^2/2 + (15/(2*pi))^2*(cos(2*pi*t/15) - 1))"),
         formula("if(t < 1, t^3, exp(-t)*sin(3*t)) + tanh(t)*sqrt(t + 1) - ln(t + 2)/atan(t + 0.1)"),
         formula("max(t, 2 - t) + min(t^2, 2) + abs(t - 0.7) + t^(t + 1) + (t - 9)^-3*asin(t/9)"),
@@ -112,7 +115,7 @@ fn every_function() -> Vec<Function> {
 }
 
 #[test]
-fn rates_are_those_of_the_values() {
+fn rates_are_derivatives_of_the_values() {
     let h = 1e-3;
     for function in every_function() {
         let difference = |f: &dyn Fn(f64) -> f64, t: f64| {
@@ -126,18 +129,18 @@ fn rates_are_those_of_the_values() {
                 (rate - slope).abs() < 1e-8 * (1.0 + slope.abs()),
                 "{function:?} at {t}: {rate}, {slope}"
             );
-            let bend = difference(&|t| function.at(t).rate, t);
+            let curvature = difference(&|t| function.at(t).rate, t);
             assert!(
-                (acceleration - bend).abs() < 1e-7 * (1.0 + bend.abs()),
-                "{function:?} at {t}: {acceleration}, {bend}"
+                (acceleration - curvature).abs() < 1e-7 * (1.0 + curvature.abs()),
+                "{function:?} at {t}: {acceleration}, {curvature}"
             );
         }
     }
 }
 
-/// Jumps and kinks belong to what follows; a float earlier there is what was before.
+/// At a break the function has its right-hand limit; one float earlier it has the left-hand limit.
 #[test]
-fn breaks() {
+fn functions_have_right_hand_limits_at_breaks() {
     let [table, ramp, step] = [1, 2, 3].map(|i| every_function().swap_remove(i));
     assert_eq!(table.breaks(), [0.0, 1.0, 2.5]);
     assert_eq!(ramp.breaks(), [0.5, 2.0]);
@@ -153,9 +156,9 @@ fn breaks() {
     assert_eq!(table.at(1.75), Instant { value: -0.25, rate: 1.0, acceleration: 0.0 });
 }
 
-/// The spin-up of Simo & Vu-Quoc (1986): at rest at 0, at 15 s by 45 rad and 6 rad/s on, and no blow there.
+/// Spin-up of Simo & Vu-Quoc (1986): at rest at t = 0, at 15 s 45 rad and 6 rad/s without a velocity jump.
 #[test]
-fn spin_up() {
+fn spin_up_of_simo_and_vu_quoc_is_smooth() {
     let text = "0.4*if(t < 15, t^2/2 + (15/(2*pi))^2*(cos(2*pi*t/15) - 1), 15*t - 112.5)";
     let function = formula(text);
     assert_eq!(function.at(0.0), Instant::default());
@@ -176,17 +179,17 @@ fn varying() -> impl Strategy<Value = Varying> {
             let (times, values) = points.into_iter().unzip();
             Varying::Table { times, values }
         }),
-        (number(), 0.1..2.0).prop_map(|(start, more)| Varying::Ramp { start, end: start + more }),
-        (number(), 0.1..2.0).prop_map(|(at, more)| Varying::Step { at, until: Some(at + more) }),
+        (number(), 0.1..2.0).prop_map(|(start, length)| Varying::Ramp { start, end: start + length }),
+        (number(), 0.1..2.0).prop_map(|(at, length)| Varying::Step { at, until: Some(at + length) }),
         (0.0..3.0, number()).prop_map(|(frequency, phase)| Varying::Sine { frequency, phase }),
         (0.1..9.0).prop_map(|unit| Varying::Expression { text: "sin(t) + t^2".into(), unit }),
         (0.1..9.0).prop_map(|unit| {
-            Varying::External { name: "program".into(), unit, supplied: Some(program()) }
+            Varying::External { name: "program".into(), unit, supplied: Some(external()) }
         }),
     ]
 }
 
-/// Where the schema has functions of time, by the keys that lead there.
+/// Collects the paths of all functions of time in the schema.
 fn places_of_functions(root: &Json, schema: &Json, path: &str, found: &mut BTreeSet<String>) {
     match schema {
         Json::Object(keys) => {
@@ -213,9 +216,9 @@ fn places_of_functions(root: &Json, schema: &Json, path: &str, found: &mut BTree
     }
 }
 
-/// Whoever adds a function of time to the model adds it here, and sees whether it is supplied.
+/// New functions of time of the model are added here; the test checks that they can be supplied.
 #[test]
-fn functions_are_supplied_wherever_there_can_be_one() {
+fn functions_can_be_supplied_at_every_path_of_the_schema() {
     let time = "time = { kind = \"external\", name = \"f\" }";
     let (on, a) = ("on = { body = \"b\", at = \"end\" }", "name = \"j\", a = { body = \"b\", at = \"end\" }");
     let axis = "axis = [0, 0, 1]";
@@ -242,25 +245,25 @@ analysis = {{ kind = "dynamics", duration = 1, step = 1 }}
 "#
     );
     let mut model: Model = toml::from_str(&text).unwrap();
-    let waiting = |model: &Model| format!("{model:?}").matches("supplied: None").count();
+    let missing = |model: &Model| format!("{model:?}").matches("supplied: None").count();
     let schema = schema().to_value();
     let mut places = BTreeSet::new();
     places_of_functions(&schema, &schema, "", &mut places);
-    assert_eq!(waiting(&model), places.len(), "{places:#?}");
+    assert_eq!(missing(&model), places.len(), "{places:#?}");
     assert_eq!(model.check_supplies().unwrap_err().len(), places.len());
-    assert!(model.supply("f", program()));
-    assert_eq!(waiting(&model), 0);
+    assert!(model.supply("f", external()));
+    assert_eq!(missing(&model), 0);
     let scales = Scales { length: 2.0, time: 3.0, force: 4.0 };
-    assert_eq!(waiting(&model.scaled(&scales)), 0);
+    assert_eq!(missing(&model.scaled(&scales)), 0);
     assert_eq!(model.scaled(&scales).scaled(&scales.inverse()), model);
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In other units a function is the same function: f*(t/T) = f(t), df*/dt* = T df/dt.
+    /// Scaled functions: f*(t/T) = f(t), df*/dt* = T df/dt.
     #[test]
-    fn units(varying in varying(), power in -4.0..4.0_f64, t in 0.0..3.0_f64) {
+    fn scaled_functions_have_scaled_rates(varying in varying(), power in -4.0..4.0_f64, t in 0.0..3.0_f64) {
         let scales = Scales { length: 3.0, time: 10.0_f64.powf(power), force: 0.1 };
         let time = TimeFunction::Varying(varying);
         let mut model = Model::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/good/minimal.toml"))).unwrap();
@@ -274,18 +277,47 @@ proptest! {
         prop_assert!(near(scaled.acceleration / scales.time.powi(2), own.acceleration));
     }
 
-    /// No text makes the reader of formulas panic.
+    /// The parser returns an error inside the text and does not panic.
     #[test]
-    fn any_text(text in "[-+*/^<>=(),.0-9a-fint ex\u{e9}]{0,60}") {
+    fn parser_does_not_panic(text in "[-+*/^<>=(),.0-9a-fint ex\u{e9}]{0,60}") {
         if let Err(error) = Expression::parse(&text) {
             prop_assert!(error.at <= text.chars().count());
         }
     }
 }
 
-/// Of several threads that ask for one time, one calls the program.
+/// Integrals start at t = 0 with the value 0.
 #[test]
-fn one_call_for_all_threads() {
+fn the_rate_of_an_integral_is_the_function() {
+    let table = |points: &[[f64; 2]]| Function::Table(Table::new(points.iter().copied()));
+    let functions = [
+        Function::Constant(0.7),
+        Function::Ramp { start: -0.5, end: 1.5 },
+        Function::Ramp { start: 0.5, end: 1.5 },
+        Function::Step { at: 0.5, until: Some(1.5) },
+        Function::Step { at: -0.5, until: None },
+        Function::Sine { frequency: 0.3, phase: 0.4 },
+        Function::Sine { frequency: 0.0, phase: 0.4 },
+        table(&[[0.2, 1.0], [0.7, -2.0], [0.7, 1.0], [1.6, 3.0]]),
+        table(&[[-3.0, 1.0], [1.6, 3.0]]),
+    ];
+    for function in functions {
+        let integral = function.clone().integral().expect("the function has an integral in closed form");
+        assert_eq!(integral.value(0.0), 0.0);
+        let (mut sum, h) = (0.0, 1e-4);
+        for k in 0..20_000 {
+            let t = (f64::from(k) + 0.5) * h;
+            sum += h * function.value(t);
+            let now = integral.at(t + 0.5 * h - 1e-12);
+            assert!((now.value - sum).abs() < 1e-7, "{function:?} at {t}: {} and {sum}", now.value);
+            assert_eq!(integral.at(t).rate, function.value(t));
+        }
+    }
+}
+
+/// Of several threads that evaluate one instant, one calls the function of the program.
+#[test]
+fn threads_share_one_call_per_instant() {
     let calls = Arc::new(Mutex::new(0));
     let count = Arc::clone(&calls);
     let slow = External::new(move |t| {

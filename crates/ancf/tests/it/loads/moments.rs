@@ -1,4 +1,4 @@
-//! Moments, followers and drives: what they do to a section that is turned, stretched and skewed.
+//! Moments, follower loads and drives on rotated, stretched and skewed sections.
 
 use ancf::function::{Function, Table};
 use ancf::mechanics::{Drive, FollowerForce, Marker, Moment};
@@ -6,7 +6,7 @@ use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use proptest::prelude::*;
 
-/// A point and two directors with coordinates of their own, r, d and e, as a node has them.
+/// Markers of a node: point r and directors d and e, each with its own coordinates.
 fn markers() -> [Marker; 3] {
     let d = Vector3::new(0.1, 0.9, 0.2);
     let e = Vector3::new(-0.2, 0.1, 1.1);
@@ -27,7 +27,7 @@ fn constant() -> Function {
     Function::ONE
 }
 
-/// Moments and forces that stay and that follow, on given markers.
+/// Moments with fixed direction, follower moments and follower forces on given markers.
 fn terms(markers: &[Marker; 3], vector: Vector3<f64>) -> Vec<(&'static str, Box<dyn Term>)> {
     let [r, d, e] = markers;
     vec![
@@ -37,7 +37,7 @@ fn terms(markers: &[Marker; 3], vector: Vector3<f64>) -> Vec<(&'static str, Box<
     ]
 }
 
-/// The local coordinates of a term among the nine.
+/// Extracts the coordinates of a term from the nine.
 fn local(term: &dyn Term, q: &DVector<f64>) -> DVector<f64> {
     DVector::from_iterator(term.coordinates().len(), term.coordinates().iter().map(|&c| q[c]))
 }
@@ -58,7 +58,7 @@ fn forces(term: &dyn Term, q: &DVector<f64>) -> DVector<f64> {
     all
 }
 
-/// −∂r/∂q by the term, on all nine coordinates.
+/// −∂r/∂q of the term on all nine coordinates.
 fn stiffness(term: &dyn Term, q: &DVector<f64>) -> DMatrix<f64> {
     let own = local(term, q);
     let mut storage = [0.0; LOCAL * LOCAL];
@@ -91,8 +91,8 @@ fn vectors(markers: &[Marker; 3], q: &DVector<f64>) -> [Vector3<f64>; 3] {
     markers.each_ref().map(|marker| marker.reference() + marker.sum(q.as_slice()))
 }
 
-/// The coordinates of a rotation of everything about the origin.
-fn turned(markers: &[Marker; 3], turn: Rotation3<f64>) -> DVector<f64> {
+/// Coordinates of a rotation of all markers about the origin.
+fn rotated(markers: &[Marker; 3], turn: Rotation3<f64>) -> DVector<f64> {
     let q = markers.each_ref().map(|marker| turn * marker.reference() - marker.reference());
     DVector::from_iterator(9, q.iter().flat_map(|q| q.iter().copied()))
 }
@@ -105,18 +105,18 @@ fn any_vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)
 }
 
-/// A rotation of any size, then up to 0.3 of any strain.
+/// Random rotation and random strains up to 0.3.
 fn any_state() -> impl Strategy<Value = DVector<f64>> {
     (any_vector(3.0), prop::collection::vec(-0.3..0.3, 9))
-        .prop_map(|(turn, strain)| turned(&markers(), Rotation3::new(turn)) + DVector::from_vec(strain))
+        .prop_map(|(turn, strain)| rotated(&markers(), Rotation3::new(turn)) + DVector::from_vec(strain))
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A spin ω of a section of any shape costs m·ω, and there is no force on the point.
+    /// Power m·ω for the angular velocity ω of a section of any shape; no force on the point.
     #[test]
-    fn a_moment_is_a_couple(q in any_state(), m in any_vector(2.0), omega in any_vector(1.0)) {
+    fn moment_is_a_couple(q in any_state(), m in any_vector(2.0), omega in any_vector(1.0)) {
         let markers = markers();
         let [_, d, e] = vectors(&markers, &q);
         let moment = Moment::new([&markers[1], &markers[2]], m, constant());
@@ -124,13 +124,12 @@ proptest! {
         prop_assert_eq!(part(&f, 0), Vector3::zeros());
         let power = part(&f, 3).dot(&omega.cross(&d)) + part(&f, 6).dot(&omega.cross(&e));
         prop_assert!((power - m.dot(&omega)).abs() < 1e-13, "{power} and {}", m.dot(&omega));
-        // Stretching a director costs nothing.
+        // Stretch of a director has no power.
         prop_assert!(part(&f, 3).dot(&d).abs() + part(&f, 6).dot(&e).abs() < 1e-13);
     }
 
-    /// The tangent is the symmetric part of the derivative.
-    #[test]
-    fn tangents(q in any_state(), vector in any_vector(2.0)) {
+        #[test]
+    fn tangent_is_the_symmetric_part_of_the_derivative(q in any_state(), vector in any_vector(2.0)) {
         for (name, term) in terms(&markers(), vector) {
             let slope = differences(term.as_ref(), &q);
             let symmetric = (&slope + slope.transpose()) * 0.5;
@@ -139,27 +138,26 @@ proptest! {
         }
     }
 
-    /// Followers turn with a body, the others do not.
-    #[test]
-    fn followers_follow(vector in any_vector(2.0), turn in any_vector(3.0)) {
+        #[test]
+    fn follower_loads_rotate_with_the_body(vector in any_vector(2.0), turn in any_vector(3.0)) {
         let (markers, turn) = (markers(), Rotation3::new(turn));
-        let q = turned(&markers, turn);
+        let q = rotated(&markers, turn);
         let [_, d, e] = vectors(&markers, &q);
         let total = |f: &DVector<f64>| d.cross(&part(f, 3)) + e.cross(&part(f, 6));
         for (name, term) in terms(&markers, vector) {
             let f = forces(term.as_ref(), &q);
-            let (found, wanted) = match name {
+            let (found, expected) = match name {
                 "moment" => (total(&f), vector),
                 "follower moment" => (total(&f), turn * vector),
                 _ => (part(&f, 0), turn * vector),
             };
-            prop_assert!((found - wanted).norm() < 1e-13, "{name}: {found}, not {wanted}");
+            prop_assert!((found - expected).norm() < 1e-13, "{name}: {found}, not {expected}");
         }
     }
 
-    /// An ulp more or less in the state is within twice the bound of one rounding, and the bound is one of rounding.
+    /// Changes of the state by one ulp change the forces by at most twice the bound. The bound is of the order of rounding.
     #[test]
-    fn rounding(q in any_state(), vector in any_vector(2.0), signs in prop::collection::vec(any::<bool>(), 9)) {
+    fn rounding_error_is_within_its_bound(q in any_state(), vector in any_vector(2.0), signs in prop::collection::vec(any::<bool>(), 9)) {
         for (name, term) in terms(&markers(), vector) {
             let ulp = |(q, up): (&f64, &bool)| q * (1.0 + 0.5 * f64::EPSILON * if *up { 1.0 } else { -1.0 });
             let near = DVector::from_iterator(9, q.iter().zip(&signs).map(ulp));
@@ -168,32 +166,31 @@ proptest! {
             let mut floor = DVector::zeros(own.len());
             term.rounding(&at(&own, 0.0, 1.0), floor.as_mut_slice());
             for (&c, bound) in term.coordinates().iter().zip(&floor) {
-                prop_assert!(moved[c] <= 2.0 * bound, "{name}: {} beyond {bound}", moved[c]);
+                prop_assert!(moved[c] <= 2.0 * bound, "{name}: {} above {bound}", moved[c]);
                 prop_assert!(*bound < 1e-12 * vector.norm().max(1.0), "{name}: {bound}");
             }
         }
     }
 }
 
-/// In a plane, a moment has the potential −Mθ: the tangent is the derivative itself.
+/// Potential −Mθ for motions in the plane: the tangent is the derivative. Out of the plane the derivative is not symmetric.
 #[test]
-fn a_moment_in_a_plane_is_conservative() {
+fn moment_is_conservative_in_a_plane() {
     let markers = orthonormal();
-    let q = turned(&markers, Rotation3::new(Vector3::z() * 2.1)) * 1.1;
+    let q = rotated(&markers, Rotation3::new(Vector3::z() * 2.1)) * 1.1;
     let term = Moment::new([&markers[1], &markers[2]], Vector3::z() * 1.7, constant());
     let slope = differences(&term, &q);
-    // Motions of d in the plane.
+    // Displacements of d in the plane.
     let plane = |k: &DMatrix<f64>| k.view((3, 3), (2, 2)).into_owned();
     assert!((plane(&slope) - plane(&slope).transpose()).amax() < 1e-9);
     assert!((plane(&slope) - plane(&stiffness(&term, &q))).amax() < 1e-9);
     assert!(plane(&slope).amax() > 1.0);
-    // Out of it, it is not.
     assert!((&slope - slope.transpose()).amax() > 0.1);
 }
 
-/// Loads act by their function of time, and by the load factor.
+/// Loads are proportional to their function of time and to the load factor.
 #[test]
-fn time_and_load_factor() {
+fn loads_scale_with_time_function_and_load_factor() {
     let [r, d, e] = &markers();
     let function = || Function::Table(Table::new([[0.0, 0.0], [2.0, 3.0]]));
     let vector = Vector3::new(0.3, -0.4, 1.1);
@@ -214,9 +211,9 @@ fn time_and_load_factor() {
     }
 }
 
-/// Drives turn a direction by the angle, and tell the rates of that.
+/// Constraints vanish at the prescribed rotation; rates and accelerations are time derivatives.
 #[test]
-fn drives() {
+fn drive_rates_are_time_derivatives() {
     let axis = Vector3::new(0.48, 0.6, -0.64);
     let direction = Vector3::new(0.2, -1.1, 0.3);
     let marker = Marker::new([(0, 0.5), (3, 0.5)], direction);
@@ -234,15 +231,15 @@ fn drives() {
         let reached = turn * direction - direction;
         assert!(residual(t, load, reached).norm() < 1e-15, "{t}");
     }
-    let c = |t: f64| residual(t, 1.0, Vector3::zeros());
+    let gap = |t: f64| residual(t, 1.0, Vector3::zeros());
     let h = 1e-3;
     for t in [0.0, 0.4, 1.7, 2.9] {
         let (mut rates, mut accelerations) = ([0.0; 3], [0.0; 3]);
         drive.drive(t, &mut rates, &mut accelerations);
-        let slope = ((c(t + h) - c(t - h)) * 8.0 - (c(t + 2.0 * h) - c(t - 2.0 * h))) / (12.0 * h);
-        let bend =
-            ((c(t + h) + c(t - h)) * 16.0 - (c(t + 2.0 * h) + c(t - 2.0 * h)) - c(t) * 30.0) / (12.0 * h * h);
+        let slope = ((gap(t + h) - gap(t - h)) * 8.0 - (gap(t + 2.0 * h) - gap(t - 2.0 * h))) / (12.0 * h);
+        let sums = (gap(t + h) + gap(t - h)) * 16.0 - (gap(t + 2.0 * h) + gap(t - 2.0 * h));
+        let curvature = (sums - gap(t) * 30.0) / (12.0 * h * h);
         assert!((slope - Vector3::from(rates)).norm() < 1e-9, "{t}");
-        assert!((bend - Vector3::from(accelerations)).norm() < 1e-7, "{t}");
+        assert!((curvature - Vector3::from(accelerations)).norm() < 1e-7, "{t}");
     }
 }

@@ -1,8 +1,9 @@
-//! The corpora of the fuzz targets (`fuzz/`), replayed: what once was found stays mended.
+//! Replay of the corpora of the fuzz targets (`fuzz/`).
 
-use crate::common::anything;
 use std::fs;
 use std::path::Path;
+
+use crate::common::anything;
 
 fn replay(target: &str, what: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
@@ -11,24 +12,24 @@ fn replay(target: &str, what: fn(&[u8])) {
     assert!(!files.is_empty());
     for file in files {
         let bytes = fs::read(&file).unwrap();
-        let done = std::panic::catch_unwind(|| what(&bytes));
-        assert!(done.is_ok(), "{} panics", file.display());
+        let result = std::panic::catch_unwind(|| what(&bytes));
+        assert!(result.is_ok(), "{} panics", file.display());
     }
 }
 
 #[test]
-fn models() {
+fn model_corpus_is_replayed() {
     replay("model", anything::model);
 }
 
 #[test]
-fn expressions() {
+fn expression_corpus_is_replayed() {
     replay("expression", anything::expression);
 }
 
-/// Formulas have bounded length and depth, and giant exponents are numbers like others.
+/// Formulas have bounded length and depth; large exponents are accepted.
 #[test]
-fn formulas_neither_overflow_the_stack_nor_go_on_for_ever() {
+fn formulas_have_bounded_length_and_depth() {
     let deep = |n: usize| format!("{}t{}", "(".repeat(n), ")".repeat(n));
     let signs = |n: usize| format!("{}t", "-(".repeat(n));
     let calls = |n: usize| format!("{}t{}", "sin(".repeat(n), ")".repeat(n));

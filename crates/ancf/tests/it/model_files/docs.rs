@@ -1,4 +1,4 @@
-//! The documentation names files and tests that are there, and its links lead somewhere.
+//! Links and names in the documentation.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// All files below a folder with an extension.
+/// All files with an extension below a folder.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -23,25 +23,25 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     found
 }
 
-/// Texts between two marks.
+/// Texts between two delimiters.
 fn between<'a>(text: &'a str, open: &str, close: &str) -> Vec<&'a str> {
     text.split(open).skip(1).filter_map(|rest| rest.split(close).next()).collect()
 }
 
 #[test]
-fn links_lead_somewhere() {
+fn links_have_targets() {
     for page in files(&root(), "md") {
         let text = fs::read_to_string(&page).unwrap();
         for link in between(&text, "](", ")").into_iter().filter(|link| !link.contains("://")) {
             let target = page.parent().unwrap().join(link.split('#').next().unwrap());
-            assert!(target.exists(), "{}: no {link}", page.display());
+            assert!(target.exists(), "{}: {link} does not exist", page.display());
         }
     }
 }
 
-/// `docs/paper.md` maps each equation to a file and a test: both exist.
+/// `docs/paper.md` maps equations to files and tests.
 #[test]
-fn the_paper_is_mapped_to_files_and_tests() {
+fn paper_map_names_existing_files_and_tests() {
     let sources: String = files(&root(), "rs").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
     let functions: BTreeSet<&str> = between(&sources, "fn ", "(").into_iter().collect();
     let text = fs::read_to_string(root().join("docs/paper.md")).unwrap();
@@ -50,7 +50,7 @@ fn the_paper_is_mapped_to_files_and_tests() {
     for name in rows.flat_map(|row| row.split('`').skip(1).step_by(2)) {
         names += 1;
         let is_file = name.contains('/') && root().join(name).exists();
-        assert!(is_file || functions.contains(name), "docs/paper.md: there is no `{name}`");
+        assert!(is_file || functions.contains(name), "docs/paper.md: `{name}` does not exist");
     }
     assert!(names > 60, "the page has {names} names");
 }

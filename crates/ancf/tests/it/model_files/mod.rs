@@ -1,4 +1,4 @@
-//! Model files, the schema and the documentation.
+//! Model files, their schema and the documentation.
 
 mod corpus;
 mod docs;

@@ -1,4 +1,4 @@
-//! Model files: good ones are read, bad ones are refused with the messages they carry themselves.
+//! Model files: valid ones are read, invalid ones are rejected with the messages in their comments.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,9 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn files(name: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder(name)).expect("a folder").map(|entry| entry.expect("a file").path());
+    let entries = fs::read_dir(folder(name))
+        .expect("the folder exists")
+        .map(|entry| entry.expect("the entry is readable").path());
     let mut files: Vec<_> =
         entries.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
     files.sort();
@@ -24,19 +26,19 @@ fn texts(errors: &[ModelError]) -> Vec<String> {
 }
 
 #[test]
-fn good_models_are_read() {
+fn valid_models_are_read_and_printed() {
     for path in files("good") {
         let model =
             Model::read(&path).unwrap_or_else(|errors| panic!("{}: {:#?}", path.display(), texts(&errors)));
         model.check().unwrap_or_else(|errors| panic!("{}: {:#?}", path.display(), texts(&errors)));
         let printed = toml::to_string(&model).unwrap();
-        assert_eq!(Model::parse(&printed).unwrap(), model, "{} is not the same when printed", path.display());
+        assert_eq!(Model::parse(&printed).unwrap(), model, "{}: printed model differs", path.display());
     }
 }
 
-/// Every TOML example of the manual is a whole model.
+/// Every TOML block of `docs/model-file.md` is a complete model.
 #[test]
-fn the_manual_is_right() {
+fn examples_of_the_manual_are_valid() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/model-file.md");
     let text = fs::read_to_string(path).unwrap().replace("\r\n", "\n");
     let blocks: Vec<_> =
@@ -48,39 +50,39 @@ fn the_manual_is_right() {
 }
 
 #[test]
-fn bad_models_are_refused_with_the_messages_they_carry() {
+fn invalid_models_are_rejected_with_their_messages() {
     let mut wrong = Vec::new();
     for path in files("bad") {
         let text = String::from_utf8_lossy(&fs::read(&path).unwrap()).into_owned();
-        let wanted: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("#! ")).collect();
-        let found = texts(&Model::read(&path).map(|_| ()).expect_err("a bad model"));
-        if found != wanted {
+        let expected: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("#! ")).collect();
+        let found = texts(&Model::read(&path).map(|_| ()).expect_err("the model is invalid"));
+        if found != expected {
             let lines: String = found.iter().map(|line| format!("#! {line}\n")).collect();
-            wrong.push(format!("{} carries other messages than\n{lines}", path.display()));
+            wrong.push(format!("{}: expected the messages\n{lines}", path.display()));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
-fn what_cannot_be_read_is_said() {
-    let messages = |path: &Path| texts(&Model::read(path).expect_err("no model"));
+fn unreadable_files_are_reported() {
+    let messages = |path: &Path| texts(&Model::read(path).expect_err("this is no model"));
     assert_eq!(messages(&folder("no.toml")), ["found no such file, wanted a model file"]);
     assert_eq!(messages(&folder("good")), ["found a directory, wanted a model file"]);
-    assert_eq!(Model::parse("").expect_err("no model").len(), 2, "one for each key that a model must have");
+    assert_eq!(Model::parse("").expect_err("this is no model").len(), 2, "one error per required key");
 }
 
 #[test]
-fn line_ends_and_byte_order_marks_change_no_position() {
+fn line_ends_and_byte_order_marks_do_not_change_positions() {
     for path in files("bad").iter().filter(|path| !path.ends_with("not_utf8.toml")) {
         let text = fs::read_to_string(path).unwrap();
-        let messages = |text: &str| texts(&Model::parse(text).expect_err("a bad model"));
+        let messages = |text: &str| texts(&Model::parse(text).expect_err("the model is invalid"));
         assert_eq!(messages(&text.replace('\n', "\r\n")), messages(&text), "{}", path.display());
         assert_eq!(messages(&format!("\u{feff}{text}")), messages(&text), "{}", path.display());
     }
 }
 
-/// A model built in Rust is refused with the messages of a file, without positions.
+/// Models built in Rust are rejected with the messages of files, without positions.
 #[test]
 fn models_built_in_rust_are_checked() {
     let mut model = Model::read(folder("good/every_key.toml")).unwrap();
@@ -88,13 +90,13 @@ fn models_built_in_rust_are_checked() {
     let dynamics = model.analysis.dynamics_mut().unwrap();
     (dynamics.step, dynamics.scheme) = (Step::Fixed(-0.5), Scheme::CentralDifference);
     model.scales = ScaleChoice::Given { length: 1.0, force: 1.0, time: Some(f64::NAN) };
-    let Body::Beam(beam) = &mut model.bodies[1] else { panic!("a beam") };
+    let Body::Beam(beam) = &mut model.bodies[1] else { panic!("the body is a beam") };
     beam.material = "soft ruber".into();
     beam.elements = 0;
     model.probes[0].name.clear();
-    let mut found = texts(&model.check().expect_err("a bad model"));
+    let mut found = texts(&model.check().expect_err("the model is invalid"));
     found.sort();
-    let wanted = [
+    let expected = [
         "analysis.scheme: found \"central_difference\", which has β = 0, wanted β > 0, as in \
          \"average_acceleration\" or \"adams\" (an explicit scheme leaves the reactions of joints undetermined, \
          since their rows β h² Φ_q vanish)",
@@ -106,24 +108,24 @@ fn models_built_in_rust_are_checked() {
         "probes[0].name: found \"\", wanted a text that is not empty",
         "scales.time: found nan, wanted a finite number > 0",
     ];
-    assert_eq!(found, wanted);
+    assert_eq!(found, expected);
 }
 
-/// The file by which editors check and complete model files is that of the types.
+/// `docs/model.schema.json` equals the schema of the types.
 #[test]
-fn the_schema_for_editors_is_up_to_date() {
+fn schema_file_is_up_to_date() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/model.schema.json");
     let text = fs::read_to_string(path).unwrap_or_default();
     let found: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     assert!(
         found == schema().to_value(),
-        "docs/model.schema.json is stale: refresh it by `cargo xtask schema`"
+        "docs/model.schema.json is out of date: update it by `cargo xtask schema`"
     );
     assert!(serde_json::from_str::<serde_json::Value>(&schema_text()).unwrap() == found);
 }
 
-/// What a slip of the hand does to a text: somewhere, so many characters become others.
-fn slip() -> impl Strategy<Value = (prop::sample::Index, usize, String)> {
+/// Typing error: a number of characters is replaced at some position.
+fn typing_error() -> impl Strategy<Value = (prop::sample::Index, usize, String)> {
     let pieces = [
         "", "", "[", "]", "{", "}", "\"", "'''", "=", ",", ".", "\n", "#", "-", "e9", "nan", "é", "\u{0}",
         "[[", "x",
@@ -132,11 +134,11 @@ fn slip() -> impl Strategy<Value = (prop::sample::Index, usize, String)> {
 }
 
 proptest! {
-    /// Whatever happens to a file, it is either a sound model or refused with positions inside it.
+    /// Damaged files are valid models or rejected with positions inside the text.
     #[test]
-    fn no_text_makes_the_reader_panic(
+    fn parser_does_not_panic(
         file in any::<prop::sample::Index>(),
-        slips in prop::collection::vec(slip(), 1..6),
+        typing_errors in prop::collection::vec(typing_error(), 1..6),
         keep in prop::option::weighted(0.2, any::<prop::sample::Index>()),
     ) {
         let files = [files("good"), files("bad")].concat();
@@ -145,7 +147,7 @@ proptest! {
         if let Some(keep) = keep {
             text.truncate(keep.index(text.len() + 1));
         }
-        for (at, count, piece) in slips {
+        for (at, count, piece) in typing_errors {
             let at = at.index(text.len() + 1);
             let end = text.len().min(at + count);
             text.splice(at..end, piece.chars());
@@ -154,7 +156,7 @@ proptest! {
         match Model::parse(&text) {
             Ok(model) => prop_assert_eq!(model.check(), Ok(())),
             Err(errors) => for error in errors {
-                let at = error.at.clone().expect("a model that comes from a text");
+                let at = error.at.clone().expect("errors of a text have a position");
                 let inside = text.get(at.bytes).is_some() && at.line <= text.matches('\n').count() + 1;
                 prop_assert!(inside, "{error}");
             },

@@ -1,4 +1,4 @@
-//! Values set in the data of a model by paths: where each path leads, and what is said of one that leads nowhere.
+//! Substitution of values in the data of a model by paths, and errors of invalid paths.
 
 use ancf::Model;
 use ancf::model::substitute;
@@ -66,15 +66,15 @@ fn data() -> Value {
     Value::Table(MODEL.parse().unwrap())
 }
 
-/// The model after a substitution, and the paths that were set.
+/// Returns the model after a substitution and the paths that were set.
 fn set(path: &str, value: impl Into<Value>) -> (Model, Vec<String>) {
     let mut data = data();
     let set = substitute(&mut data, path, value.into()).unwrap();
     (Model::from_value(&data).unwrap(), set)
 }
 
-/// What is said of a path that leads nowhere; nothing is changed by it.
-fn refused(path: &str) -> String {
+/// Error of an invalid path. Asserts that the data are unchanged.
+fn rejection(path: &str) -> String {
     let mut data = data();
     let error = substitute(&mut data, path, 1.into()).unwrap_err();
     assert_eq!(data, self::data(), "{path}");
@@ -82,8 +82,8 @@ fn refused(path: &str) -> String {
 }
 
 #[test]
-fn keys_items_and_places_are_found() {
-    for (path, meant) in [
+fn keys_items_and_indices_are_found() {
+    for (path, resolved) in [
         ("analysis.step", "analysis.step"),
         ("gravity[1]", "gravity[1]"),
         ("materials.steel.young", "materials.steel.young"),
@@ -96,25 +96,25 @@ fn keys_items_and_places_are_found() {
         ("loads[0].force[1]", "loads[0].force[1]"),
     ] {
         let mut data = data();
-        assert_eq!(substitute(&mut data, path, 7.into()).unwrap(), [meant], "{path}");
+        assert_eq!(substitute(&mut data, path, 7.into()).unwrap(), [resolved], "{path}");
         assert_ne!(data, self::data(), "{path}");
     }
-    assert_eq!(set("gravity[1]", -9.81).0.gravity, [0.0, -9.81, 0.0], "a vector that was left out");
+    assert_eq!(set("gravity[1]", -9.81).0.gravity, [0.0, -9.81, 0.0], "an omitted vector");
     let (model, _) = set("gravity", vec![1, 2, 3]);
     assert_eq!(model.gravity, [1.0, 2.0, 3.0]);
 }
 
-/// A name of a material, a section or a body is followed; at the end of a path it is itself set.
+/// Names of materials, sections and bodies are followed; at the end of a path the name itself is set.
 #[test]
 fn names_are_followed() {
-    for (path, meant) in [
+    for (path, resolved) in [
         ("bodies.rod.material.young", "materials.steel.young"),
         ("bodies.rod.section.diameter", "sections.rod.diameter"),
         ("bodies.guy wire.section.diameter", "sections.\"thin wire\".diameter"),
         ("joints.root.a.body.elements", "bodies[0].elements"),
         ("loads[0].on.body.material.density", "materials.steel.density"),
     ] {
-        assert_eq!(set(path, 5).1, [meant], "{path}");
+        assert_eq!(set(path, 5).1, [resolved], "{path}");
     }
     let (model, set) = set("bodies.rod.material", "rubber");
     assert_eq!(set, ["bodies[0].material"]);
@@ -122,30 +122,34 @@ fn names_are_followed() {
 }
 
 #[test]
-fn a_key_that_was_left_out_may_be_set() {
+fn omitted_keys_can_be_set() {
     let (model, _) = set("bodies.rod.material.poisson", 0.3);
     assert_eq!(model.materials["steel"].poisson, 0.3);
     let (model, _) = set("output.every", 10);
-    assert_eq!((model.output.every, model.output.csv), (10, true), "the other keys of a table left out keep");
+    assert_eq!(
+        (model.output.every, model.output.csv),
+        (10, true),
+        "other keys of an omitted table keep their defaults"
+    );
     let (model, _) = set("bodies.rod.motion.velocity[2]", 3);
     assert_eq!(Value::try_from(&model.bodies[0]).unwrap()["motion"]["velocity"][2].as_float(), Some(3.0));
     assert_eq!(set("joints.weld.fix", "section").1, ["joints[1].fix"]);
 }
 
-/// What only some bodies have is set in these.
+/// Keys that only some bodies have are set in these bodies.
 #[test]
-fn a_bare_key_means_every_body_that_may_have_it() {
-    let (model, set_there) = set("elements", 4);
-    assert_eq!(set_there, ["bodies[0].elements", "bodies[2].elements"]);
+fn bare_keys_apply_to_all_suitable_bodies() {
+    let (model, paths) = set("elements", 4);
+    assert_eq!(paths, ["bodies[0].elements", "bodies[2].elements"]);
     assert_eq!(model.bodies.iter().map(ancf::model::Body::elements).collect::<Vec<_>>(), [4, 0, 4]);
     assert_eq!(set("mass", 3).1, ["bodies[1].mass"]);
-    assert_eq!(set("twist", 0.1).1, ["bodies[0].twist"], "left out, and no key of a cable");
+    assert_eq!(set("twist", 0.1).1, ["bodies[0].twist"], "omitted, and no key of a cable");
     assert_eq!(set("material.density", 5e3).1, ["materials.steel.density", "materials.rubber.density"]);
 }
 
-/// A path that was set is a path to the same place, whatever a material is called.
+/// Returned paths lead to the same place, for all names of materials.
 #[test]
-fn paths_that_were_set_lead_back() {
+fn returned_paths_lead_to_the_same_place() {
     let names = [
         "",
         " ",
@@ -177,20 +181,24 @@ fn paths_that_were_set_lead_back() {
         assert_eq!(substitute(&mut data, &set[0], 7.into()).unwrap(), set, "{name:?}");
         assert_eq!(data["materials"][name]["young"].as_integer(), Some(7), "{name:?}");
         let line: Value = Value::Table(format!("{} = 1", set[0]).parse().unwrap());
-        assert_eq!(line["materials"][name]["young"].as_integer(), Some(1), "{name:?}: TOML reads it too");
+        assert_eq!(
+            line["materials"][name]["young"].as_integer(),
+            Some(1),
+            "{name:?}: the path is valid TOML"
+        );
     }
 }
 
 #[test]
-fn a_place_is_set_once() {
+fn shared_places_are_set_once() {
     let mut data = data();
     substitute(&mut data, "bodies.guy wire.material", "steel".into()).unwrap();
     assert_eq!(substitute(&mut data, "material.young", 1e9.into()).unwrap(), ["materials.steel.young"]);
 }
 
 #[test]
-fn a_path_that_leads_nowhere_is_refused() {
-    for (path, said) in [
+fn paths_without_target_are_rejected() {
+    for (path, message) in [
         (
             "bodies.rood.elements",
             "bodies.rood: found no `rood`, wanted `rod`, `block` or `guy wire` (did you mean `rod`?)",
@@ -232,14 +240,14 @@ fn a_path_that_leads_nowhere_is_refused() {
         ),
         ("bodies.block.elements", "bodies.block.elements: found unknown key `elements`, wanted `center`,"),
     ] {
-        let error = refused(path);
-        assert!(error.starts_with(said), "{path}: {error}");
+        let error = rejection(path);
+        assert!(error.starts_with(message), "{path}: {error}");
     }
 }
 
-/// A key that only bodies of another kind may have.
+/// Keys that only bodies of other kinds have.
 #[test]
-fn a_bare_key_that_no_body_may_have_is_refused() {
+fn bare_keys_without_suitable_body_are_rejected() {
     let mut data = data();
     data["bodies"].as_array_mut().unwrap().remove(1);
     let error = substitute(&mut data, "mass", 1.into()).unwrap_err();
@@ -250,7 +258,7 @@ fn a_bare_key_that_no_body_may_have_is_refused() {
 }
 
 #[test]
-fn a_path_that_is_none_is_refused() {
+fn malformed_paths_are_rejected() {
     for (path, found) in [
         ("", "an empty path"),
         ("bodies..rod", "an empty key"),
@@ -264,14 +272,14 @@ fn a_path_that_is_none_is_refused() {
         ("bodies.\"guy\\ wire\".elements", "a backslash that TOML does not know"),
         ("gravity[1]x", "`x` after a bracket or quotes"),
     ] {
-        let error = refused(path);
+        let error = rejection(path);
         assert!(error.contains(&format!("found {found}, wanted keys with dots")), "{path}: {error}");
     }
 }
 
-/// Values of the wrong type, and names of nothing, are found where all models are checked.
+/// Values of wrong type and unknown names are found by the check of the model.
 #[test]
-fn what_does_not_suit_is_found_by_the_check() {
+fn unsuitable_values_are_found_by_the_check() {
     let mut data = data();
     substitute(&mut data, "elements", "many".into()).unwrap();
     substitute(&mut data, "bodies.rod.material", "stel".into()).unwrap();

@@ -1,7 +1,7 @@
-//! What linear algebra costs for each node of a chain of nodes of 12 coordinates, clamped at one end.
+//! Measurement: cost of linear algebra per node of a chain with 12 coordinates per node, clamped at one end.
 //!
-//! `CHAIN=1000 cargo test --release -p ancf --test chain_cost -- --ignored --nocapture`
-#![expect(clippy::print_stdout, reason = "this is what it is for")]
+//! `CHAIN=1000 cargo test --release -p ancf --test it chain_cost -- --ignored --nocapture`
+#![expect(clippy::print_stdout, reason = "the measurement is printed")]
 
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -11,7 +11,7 @@ use ancf::system::{EquationsOfMotion, Factor, Local, LocalMatrix, State, System,
 
 const NODE: usize = 12;
 
-/// A definite matrix between two nodes.
+/// Definite matrix of two nodes.
 struct Link([usize; 2 * NODE]);
 
 impl Term for Link {
@@ -30,10 +30,10 @@ impl Term for Link {
     }
 }
 
-/// Holds one coordinate.
-struct Hold([usize; 1]);
+/// Constraint of one coordinate.
+struct Support([usize; 1]);
 
-impl Term for Hold {
+impl Term for Support {
     fn coordinates(&self) -> &[usize] {
         &self.0
     }
@@ -47,7 +47,7 @@ impl Term for Hold {
     }
 }
 
-/// Seconds of user time of this thread so far, of the clock with `CLOCK=1`: for several threads.
+/// CPU time of this thread in seconds; wall-clock time if `CLOCK` is set, for several threads.
 fn seconds() -> f64 {
     static START: LazyLock<Option<Instant>> =
         LazyLock::new(|| std::env::var_os("CLOCK").map(|_| Instant::now()));
@@ -58,7 +58,8 @@ fn seconds() -> f64 {
     text.split(' ').next().and_then(|first| first.parse::<f64>().ok()).map_or(0.0, |ns| ns * 1e-9)
 }
 
-fn each(label: &str, nodes: usize, rounds: usize, mut work: impl FnMut()) {
+/// Prints the smallest time per node of three measurements.
+fn measure(label: &str, nodes: usize, rounds: usize, mut work: impl FnMut()) {
     let mut best = f64::INFINITY;
     for _ in 0..3 {
         let start = seconds();
@@ -70,13 +71,13 @@ fn each(label: &str, nodes: usize, rounds: usize, mut work: impl FnMut()) {
 
 #[test]
 #[ignore = "a measurement"]
-fn cost() {
+fn cost_per_node() {
     let nodes: usize = std::env::var("CHAIN").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
     let only = std::env::var("ONLY").ok();
     let is_on = |name: &str| only.as_deref().is_none_or(|only| only == name);
     let link = |n: usize| Box::new(Link(std::array::from_fn(|i| NODE * n + i))) as Box<dyn Term>;
-    let hold = |i| Box::new(Hold([i])) as Box<dyn Term>;
-    let terms = (0..nodes - 1).map(link).chain((0..NODE).map(hold)).collect();
+    let support = |i| Box::new(Support([i])) as Box<dyn Term>;
+    let terms = (0..nodes - 1).map(link).chain((0..NODE).map(support)).collect();
     let (start, clock) = (seconds(), Instant::now());
     let system = System::new(NODE * nodes, NODE, terms);
     println!(
@@ -100,15 +101,15 @@ fn cost() {
     let rounds = (2_000_000 / nodes).max(1);
     system.tangent(&state, Weights::STIFFNESS, &mut k);
     if is_on("tangent") {
-        each("tangent", nodes, rounds, || system.tangent(&state, Weights::STIFFNESS, &mut k));
+        measure("tangent", nodes, rounds, || system.tangent(&state, Weights::STIFFNESS, &mut k));
     }
     factor.factorise(&k).unwrap();
     if is_on("factorise") {
-        each("factorise", nodes, rounds, || factor.factorise(&k).unwrap());
+        measure("factorise", nodes, rounds, || factor.factorise(&k).unwrap());
     }
     let mut x = vec![1.0; NODE * (nodes + 1)];
     if is_on("solve") {
-        each("solve", nodes, rounds, || {
+        measure("solve", nodes, rounds, || {
             x.fill(1.0);
             factor.solve(&k, &mut x).unwrap();
         });

@@ -1,4 +1,4 @@
-//! Sparse matrices and their factorisation against dense ones: chains, trees, loops, constraints, any numbering.
+//! Sparse matrices and their factorisation against dense algebra: chains, trees, loops, constraints, any numbering.
 
 use std::ops::Range;
 
@@ -8,27 +8,14 @@ use ancf::system::{
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-/// Numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
-struct Random(u64);
+use crate::common::random::Random;
 
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    fn number(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n as u64) as usize
-    }
+/// Random integer below n.
+fn below(random: &mut Random, n: usize) -> usize {
+    (random.bits() % n as u64) as usize
 }
 
-/// A constant matrix over some unknowns.
+/// Constant matrix of some unknowns as a term.
 #[derive(Clone)]
 struct Block {
     coordinates: Vec<usize>,
@@ -37,7 +24,7 @@ struct Block {
 }
 
 impl Block {
-    /// Positive definite.
+    /// Random positive definite matrix.
     fn definite(random: &mut Random, coordinates: Vec<usize>) -> Self {
         let n = coordinates.len();
         let a = DMatrix::from_fn(n, n, |_, _| random.number());
@@ -45,15 +32,15 @@ impl Block {
         Self { coordinates, multipliers: 0..0, matrix }
     }
 
-    /// Of any sign.
+    /// Random symmetric matrix.
     fn symmetric(random: &mut Random, coordinates: Vec<usize>) -> Self {
         let n = coordinates.len();
         let a = DMatrix::from_fn(n, n, |_, _| random.number());
         Self { coordinates, multipliers: 0..0, matrix: &a + a.transpose() }
     }
 
-    /// Constraints.
-    fn tie(random: &mut Random, coordinates: Vec<usize>, multipliers: Range<usize>) -> Self {
+    /// Random constraints.
+    fn constraint(random: &mut Random, coordinates: Vec<usize>, multipliers: Range<usize>) -> Self {
         let (n, m) = (coordinates.len(), multipliers.len());
         let mut matrix = DMatrix::zeros(n + m, n + m);
         for (i, j) in (n..n + m).flat_map(|i| (0..n).map(move |j| (i, j))) {
@@ -80,7 +67,7 @@ impl Term for Block {
     }
 }
 
-/// Equations and the same ones dense.
+/// Sum of blocks as a sparse and as a dense matrix.
 struct Equations {
     coordinates: usize,
     multipliers: usize,
@@ -110,54 +97,58 @@ impl Equations {
         dense
     }
 
-    /// Bodies of some coordinates each, elements and joints between them: a tree, and some more that close loops.
+    /// Random mechanism: bodies with elements and joints between them, a tree and additional loops.
     fn mechanism(seed: u64, bodies: usize, loops: usize) -> Self {
         let mut random = Random(seed);
         let mut starts = vec![0];
-        (0..bodies).for_each(|body| starts.push(starts[body] + 1 + random.below(13)));
+        (0..bodies).for_each(|body| starts.push(starts[body] + 1 + below(&mut random, 13)));
         let mut free: Vec<usize> = (0..starts[bodies]).collect();
-        // Coordinates are numbered as they come, or anyhow.
+        // Coordinates are numbered in order or at random.
         if seed.is_multiple_of(2) {
-            (1..free.len()).for_each(|i| free.swap(i, random.below(i + 1)));
+            (1..free.len()).for_each(|i| free.swap(i, below(&mut random, i + 1)));
         }
         let of = |body: usize| free[starts[body]..starts[body + 1]].to_vec();
         let mut equations = Self { coordinates: free.len(), multipliers: 0, blocks: Vec::new() };
         for body in 0..bodies {
             let own = of(body);
             equations.blocks.push(Block::definite(&mut random, own.clone()));
-            // A load, and equations of a rigid body.
+            // Load, and constraints of a rigid body.
             equations.blocks.push(Block::definite(&mut random, own[own.len() / 2..].to_vec()));
-            let rigid = (own.len() / 4).min(random.below(4));
-            equations.tie(&mut random, own, rigid);
+            let rigid = (own.len() / 4).min(below(&mut random, 4));
+            equations.constrain(&mut random, own, rigid);
         }
         for joint in 1..bodies + loops {
-            let one = if joint < bodies { joint } else { random.below(bodies) };
-            let other =
-                if joint < bodies && random.below(3) > 0 { joint - 1 } else { random.below(one.max(1)) };
+            let one = if joint < bodies { joint } else { below(&mut random, bodies) };
+            let other = if joint < bodies && below(&mut random, 3) > 0 {
+                joint - 1
+            } else {
+                below(&mut random, one.max(1))
+            };
             let mut both = of(other);
             both.extend(of(one));
             both.sort_unstable();
             both.dedup();
-            if random.below(2) == 0 {
+            if below(&mut random, 2) == 0 {
                 equations.blocks.push(Block::definite(&mut random, both));
             } else {
-                let count = (both.len() / 6).min(random.below(4));
-                equations.tie(&mut random, both, count);
+                let count = (both.len() / 6).min(below(&mut random, 4));
+                equations.constrain(&mut random, both, count);
             }
         }
         equations
     }
 
-    fn tie(&mut self, random: &mut Random, coordinates: Vec<usize>, count: usize) {
+    /// Adds constraints.
+    fn constrain(&mut self, random: &mut Random, coordinates: Vec<usize>, count: usize) {
         if count > 0 {
             let first = self.multipliers;
             self.multipliers += count;
-            self.blocks.push(Block::tie(random, coordinates, first..self.multipliers));
+            self.blocks.push(Block::constraint(random, coordinates, first..self.multipliers));
         }
     }
 }
 
-/// Solves and returns the largest error, relative to the solution, and the negative pivots.
+/// Solves the equations. Returns the relative error of the solution and the number of negative pivots.
 fn solve(equations: &Equations) -> (f64, Option<usize>) {
     let (k, dense) = (equations.sparse(), equations.dense());
     let mut factor = Factor::new(k.pattern()).unwrap();
@@ -172,9 +163,9 @@ fn solve(equations: &Equations) -> (f64, Option<usize>) {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Every matrix is the sum of its blocks, and what a matrix does is what the dense one does.
+    /// Entries, products, magnitudes, diagonal and constraints of sparse matrices.
     #[test]
-    fn matrices(seed in 0_u64..1_000_000, bodies in 1_usize..9, loops in 0_usize..4) {
+    fn sparse_matrices_equal_dense_matrices(seed in 0_u64..1_000_000, bodies in 1_usize..9, loops in 0_usize..4) {
         let equations = Equations::mechanism(seed, bodies, loops);
         let (k, dense) = (equations.sparse(), equations.dense());
         let size = dense.nrows();
@@ -186,38 +177,38 @@ proptest! {
         prop_assert!((DVector::from(k.magnitudes(x.as_slice())) - &sizes).amax() < 1e-12);
         (0..size).for_each(|i| assert_eq!(k.diagonal_of(i), own[(i, i)]));
         let n = equations.coordinates;
-        let ties = equations.blocks.iter().map(|block| block.multipliers.len() * block.coordinates.len());
-        prop_assert_eq!(k.constraints().count(), ties.sum::<usize>());
+        let constraints = equations.blocks.iter().map(|block| block.multipliers.len() * block.coordinates.len());
+        prop_assert_eq!(k.constraints().count(), constraints.sum::<usize>());
         for (multiplier, coordinate, value) in k.constraints() {
             prop_assert!(multiplier >= n && coordinate < n);
             prop_assert_eq!(value, own[(multiplier, coordinate)]);
         }
     }
 
-    /// LDLᵀ solves definite mechanisms with constraints; it has as many negative pivots as there are multipliers.
+    /// LDLᵀ solves definite mechanisms with constraints, with one negative pivot per multiplier.
     #[test]
-    fn mechanisms(seed in 0_u64..1_000_000, bodies in 1_usize..9, loops in 0_usize..4) {
+    fn constrained_mechanisms_are_solved(seed in 0_u64..1_000_000, bodies in 1_usize..9, loops in 0_usize..4) {
         let equations = Equations::mechanism(seed, bodies, loops);
         let (error, negative) = solve(&equations);
         prop_assert!(error < 1e-8, "{error:e}");
         prop_assert_eq!(negative, Some(equations.multipliers));
     }
 
-    /// As many negative pivots as negative eigenvalues (Sylvester 1852).
+    /// Sylvester's law of inertia (1852).
     #[test]
-    fn inertia(seed in 0_u64..1_000_000, bodies in 1_usize..7) {
+    fn negative_pivots_count_negative_eigenvalues(seed in 0_u64..1_000_000, bodies in 1_usize..7) {
         let mut equations = Equations::mechanism(seed, bodies, 1);
         let mut random = Random(seed);
         let free = equations.blocks.iter_mut().filter(|block| block.multipliers.is_empty());
         free.for_each(|block| *block = Block::symmetric(&mut random, block.coordinates.clone()));
         let negative = equations.dense().symmetric_eigenvalues().iter().filter(|value| **value < 0.0).count();
         let (_, pivots) = solve(&equations);
-        // A solution that is bad is done again by LU, which does not tell.
+        // Inaccurate solutions are repeated by LU, which does not count negative pivots.
         prop_assert!(pivots.is_none_or(|pivots| pivots == negative), "{pivots:?} of {negative}");
     }
 }
 
-/// Nodes of 12 coordinates, each with the next.
+/// Chain or ring of nodes with 12 coordinates.
 fn chain(nodes: usize, closed: bool) -> Equations {
     let mut random = Random(3);
     let links = if closed { nodes } else { nodes - 1 };
@@ -226,37 +217,37 @@ fn chain(nodes: usize, closed: bool) -> Equations {
     Equations { coordinates: 12 * nodes, multipliers: 0, blocks }
 }
 
-/// Chains fill nothing, rings no more than the tie of each node with one other.
+/// Chains have no fill-in; rings have the coupling of each node with one other.
 #[test]
-fn fill() {
+fn chains_have_no_fill_in() {
     let entries = |equations: &Equations| equations.sparse().pattern().entries();
-    let (own, tie) = (96, 144);
+    let (own, coupling) = (96, 144);
     for nodes in [5, 6, 40] {
-        assert_eq!(entries(&chain(nodes, false)), nodes * own + (nodes - 1) * tie);
-        assert_eq!(entries(&chain(nodes, true)), nodes * own + (2 * nodes - 3) * tie);
+        assert_eq!(entries(&chain(nodes, false)), nodes * own + (nodes - 1) * coupling);
+        assert_eq!(entries(&chain(nodes, true)), nodes * own + (2 * nodes - 3) * coupling);
     }
     assert!(solve(&chain(40, true)).0 < 1e-10);
 }
 
-/// A clamp that touches the coordinates of a node one by one does not part it, nor does a load on some of them.
+/// Constraints on single coordinates of a node and loads on some of them do not split the node.
 #[test]
-fn clamps_and_loads_part_no_node() {
+fn clamps_and_loads_do_not_split_nodes() {
     let mut equations = chain(7, false);
     let entries = equations.sparse().pattern().entries();
     let mut random = Random(8);
     equations.blocks.push(Block::definite(&mut random, vec![38, 41]));
     assert_eq!(equations.sparse().pattern().entries(), entries);
-    (0..12).for_each(|i| equations.tie(&mut random, vec![i], 1));
-    // The first node has 24 unknowns now, and those below are as before.
+    (0..12).for_each(|i| equations.constrain(&mut random, vec![i], 1));
+    // The first node has 24 unknowns; the others are unchanged.
     let more = equations.sparse().pattern().entries() - entries;
     assert!(more <= (24 * 28 / 2 + 24 * 12) - (96 + 144), "{more}");
     let (error, negative) = solve(&equations);
     assert!(error < 1e-10 && negative == Some(12), "{error:e}");
 }
 
-/// Without a diagonal no pivot exists: LU takes over.
+/// LU replaces LDLᵀ if the diagonal vanishes.
 #[test]
-fn zero_pivots() {
+fn zero_pivots_are_solved_by_lu() {
     let matrix = DMatrix::from_row_slice(2, 2, &[0.0, 2.0, 2.0, 0.0]);
     let swap = Block { coordinates: vec![0, 1], multipliers: 0..0, matrix };
     let equations = Equations { coordinates: 2, multipliers: 0, blocks: vec![swap] };
@@ -264,9 +255,8 @@ fn zero_pivots() {
     assert!(error < 1e-15 && negative.is_none());
 }
 
-/// Numbers that are not finite are reported.
 #[test]
-fn numbers_that_are_none() {
+fn non_finite_entries_are_errors() {
     for bad in [f64::NAN, f64::INFINITY] {
         let mut equations = chain(4, false);
         equations.blocks[1].matrix[(3, 1)] = bad;
@@ -277,12 +267,12 @@ fn numbers_that_are_none() {
     }
 }
 
-/// A constraint many times over is solved by the least multipliers, however its unknowns are numbered.
+/// A repeated constraint is solved by the least multipliers, for any numbering of the unknowns.
 #[test]
-fn shared_multipliers() {
+fn repeated_constraints_have_least_multipliers() {
     let mut equations = chain(5, false);
-    let tie = Block::tie(&mut Random(9), vec![13, 17, 50], 0..1);
-    equations.blocks.extend((0..3).map(|m| Block { multipliers: m..m + 1, ..tie.clone() }));
+    let constraint = Block::constraint(&mut Random(9), vec![13, 17, 50], 0..1);
+    equations.blocks.extend((0..3).map(|m| Block { multipliers: m..m + 1, ..constraint.clone() }));
     equations.multipliers = 3;
     let terms = equations.blocks.iter().map(|block| Box::new(block.clone()) as Box<dyn Term>).collect();
     let system = System::new(equations.coordinates, 3, terms).sharing(0..3);
@@ -297,24 +287,24 @@ fn shared_multipliers() {
     let rest = DVector::from(b) - equations.dense() * DVector::from_column_slice(&x);
     assert!(rest.amax() < 1e-9 && !factor.is_lu());
     let lambda = &x[equations.coordinates..];
-    assert!(lambda.iter().all(|one| (one - lambda[0]).abs() < 1e-8 * lambda[0].abs()), "{lambda:?}");
+    assert!(lambda.iter().all(|value| (value - lambda[0]).abs() < 1e-8 * lambda[0].abs()), "{lambda:?}");
 }
 
-/// Long chains and trees: equal to the last digit with any number of threads, and solved to rounding.
+/// Long chains and trees are solved to rounding, with bitwise equal results for any number of threads.
 #[test]
-fn threads() {
+fn threads_do_not_change_the_solution() {
     for (nodes, arm) in [(3000, usize::MAX), (3200, 400)] {
         let mut random = Random(5);
         let coordinates = |node: usize| 6 * node..6 * node + 6;
-        // Arms hang on the middle of arms before.
+        // Arms branch from the middle of earlier arms.
         let before = |node: usize| {
             if node.is_multiple_of(arm) { (node / arm - 1) / 2 * arm + arm / 2 } else { node - 1 }
         };
         let links = (1..nodes).map(|node| coordinates(before(node)).chain(coordinates(node)).collect());
         let blocks = links.map(|ends| Block::definite(&mut random, ends)).collect();
         let mut equations = Equations { coordinates: 6 * nodes, multipliers: 0, blocks };
-        equations.tie(&mut random, coordinates(7).collect(), 3);
-        equations.tie(&mut random, coordinates(nodes - 1).collect(), 2);
+        equations.constrain(&mut random, coordinates(7).collect(), 3);
+        equations.constrain(&mut random, coordinates(nodes - 1).collect(), 2);
         let k = equations.sparse();
         let b: Vec<f64> = (0..k.pattern().size()).map(|i| (i as f64).sin()).collect();
         let run = |threads| {

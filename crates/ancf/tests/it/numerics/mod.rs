@@ -1,4 +1,4 @@
-//! Linear algebra and rounding.
+//! Linear algebra and rounding errors.
 
 mod chain_cost;
 mod factorisation;

@@ -1,15 +1,16 @@
-//! Where rounding ends an iteration: tolerances and steps so small that the arithmetic decides.
+//! Rounding floor of Newton's method: tolerances and steps at the limit of the arithmetic.
 
 use std::ops::Range;
 
-use crate::common::models::rod;
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::{Assembly, At, Body, End, Joint, Named, Place};
 use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 
-/// Two rods, hinged to the ground and to each other.
-fn two() -> Model {
+use crate::common::models::rod;
+
+/// Two rods with joints to the ground and to each other.
+fn two_rods() -> Model {
     let mut model = rod::revolute(2);
     let mut second = rod::beam(&mut model).clone();
     (second.name, second.from, second.to) = ("second".into(), [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
@@ -20,10 +21,15 @@ fn two() -> Model {
 }
 
 fn models() -> [(&'static str, Model); 4] {
-    [("clamp", rod::cantilever(5)), ("hinge", rod::revolute(5)), ("ball", rod::spherical(5)), ("two", two())]
+    [
+        ("clamp", rod::cantilever(5)),
+        ("revolute", rod::revolute(5)),
+        ("spherical", rod::spherical(5)),
+        ("two rods", two_rods()),
+    ]
 }
 
-/// So many steps by ADAMS's scheme from a state: how many of them ended at the floor.
+/// Advances 100 steps by the scheme ADAMS. Returns the number of steps that ended at the rounding floor.
 fn floors(name: &str, assembly: &Assembly, start: State, tolerance: f64, step: f64) -> u32 {
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(tolerance), 50).unwrap();
     let from = start.t;
@@ -40,9 +46,9 @@ fn floors(name: &str, assembly: &Assembly, start: State, tolerance: f64, step: f
     floors.sum()
 }
 
-/// Tolerances beyond the arithmetic end at the floor, and say so; sensible ones do not meet it.
+/// Tolerances below rounding end at the floor; usual tolerances do not reach it.
 #[test]
-fn tight_tolerances() {
+fn tolerances_below_rounding_end_at_the_floor() {
     for (name, model) in models() {
         let assembly = model.assemble().unwrap();
         let floors = |tolerance| floors(name, &assembly, assembly.rest(), tolerance, 1e-3);
@@ -53,9 +59,9 @@ fn tight_tolerances() {
     }
 }
 
-/// However small a step is, from rest and in the midst of a motion.
+/// Steps down to 10⁻¹³, from rest and from a state in motion.
 #[test]
-fn small_steps() {
+fn small_steps_converge() {
     for (name, model) in models() {
         let assembly = model.assemble().unwrap();
         let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
@@ -71,7 +77,7 @@ fn small_steps() {
     }
 }
 
-/// A mass that must satisfy q − 1 = 0 by a Φ that jumps over zero, or else q² + 1 = 0: neither has a root.
+/// Mass with a constraint without root: q − 1 = 0 with a jump across zero, or q² + 1 = 0.
 struct Unsolvable {
     jump: Option<f64>,
 }
@@ -116,9 +122,9 @@ impl Term for Unsolvable {
     }
 }
 
-/// What is not solved is not taken for rounding: a constraint without a root, one that misses it by 10⁻⁹ or by 10⁻¹³.
+/// Constraints without a root, or with a gap of 10⁻⁹ or 10⁻¹³, are no rounding errors.
 #[test]
-fn no_floor_where_none_is() {
+fn unsolvable_constraints_fail() {
     for jump in [None, Some(1e-9), Some(1e-13)] {
         let system = System::new(1, 1, vec![Box::new(Unsolvable { jump })]);
         let newton = Newton::new(system.matrix(), Stop::Energy(1e-14), 50).unwrap();

@@ -1,12 +1,13 @@
-//! A motion goes on from a checkpoint to the last bit as if it had never stopped.
+//! Runs resumed from checkpoints are bitwise equal to uninterrupted runs.
 
 use ancf::{Checkpoint, Error, Mismatch, Model, Simulation, Summary};
 
-use super::recorder::{Kept, bytes, file, interrupted, parsed, read, resumed, run, run_to};
+use super::recorder::{Recorder, bytes, file, interrupted, read, resumed, run, run_to};
+use crate::common::models::{files, parse};
 
-/// A beam clamped at its start, with other parts and an analysis.
+/// Beam clamped at its start, with additional parts and an analysis.
 fn beam(damping: &str, parts: &str, analysis: &str) -> Model {
-    parsed(&format!(
+    parse(&format!(
         "gravity = [0, -9.81, 0]\nmaterials.m = {{ density = 1000, young = 2e8{damping} }}\n\
          sections.s = {{ kind = \"circle\", diameter = 0.02 }}\n\
          [[bodies]]\nkind = \"beam\"\nname = \"b\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 3\nsection = \"s\"\n\
@@ -19,9 +20,9 @@ fn beam(damping: &str, parts: &str, analysis: &str) -> Model {
 const PULSE: &str = "[[loads]]\nkind = \"force\"\non = { body = \"b\", at = \"end\" }\nforce = [0, 1, 2]\n\
                      time = { kind = \"step\", at = 0.0123, until = 0.03 }\n";
 
-/// An arm whose drive changes its rate at once: blows.
-fn blows(analysis: &str) -> Model {
-    parsed(&format!(
+/// Arm whose drive changes its rate suddenly: velocity jumps.
+fn velocity_jumps(analysis: &str) -> Model {
+    parse(&format!(
         "bodies = [{{ kind = \"rigid\", name = \"arm\", center = [1, 0, 0], mass = 2, inertia = [1, 2, 3] }},\n\
          {{ kind = \"rigid\", name = \"end\", center = [2, 0, 0], mass = 1, inertia = [1, 1, 1] }}]\n\
          [[joints]]\nkind = \"revolute\"\nname = \"motor\"\na = {{ body = \"arm\", at = [0, 0, 0] }}\naxis = [0, 0, 1]\n\
@@ -32,9 +33,9 @@ fn blows(analysis: &str) -> Model {
     ))
 }
 
-/// A cable that falls on another one and on a floor.
+/// Cable that falls on another one and on a floor.
 fn falling(analysis: &str) -> Model {
-    parsed(&format!(
+    parse(&format!(
         "gravity = [0, 0, -9.81]\n\
          materials.m = {{ density = 1000, young = 1e7, damping = {{ strain = 1e-3 }} }}\n\
          sections.s = {{ kind = \"circle\", diameter = 0.02 }}\n\
@@ -52,12 +53,12 @@ fn falling(analysis: &str) -> Model {
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
 /// Short runs of many kinds.
-fn battery() -> Vec<(&'static str, Model)> {
+fn short_runs() -> Vec<(&'static str, Model)> {
     let damped = ", damping = { strain = 1e-3, mass = 0.5 }";
     let joint = "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"b\", at = \"start\" }\n";
     vec![
         ("cantilever", file("cantilever", "duration = 0.05\nstep = 1e-3\nstart = \"zero\"")),
-        ("tangents used again", beam("", "", &format!("duration = 0.2\nstep = 2e-3\n{HALF}"))),
+        ("reused tangents", beam("", "", &format!("duration = 0.2\nstep = 2e-3\n{HALF}"))),
         ("new tangents", beam("", "", &format!("duration = 0.05\nstep = 2e-3\nnewton = \"full\"\n{HALF}"))),
         (
             "absolute rule",
@@ -85,10 +86,10 @@ fn battery() -> Vec<(&'static str, Model)> {
                 &format!("duration = 0.1\nstep = {{ tolerance = 1e-5 }}\n{HALF}\n[output]\ninterval = 0.03"),
             ),
         ),
-        ("blows", blows(&format!("duration = 0.1\nstep = 3e-3\n{HALF}"))),
+        ("velocity jumps", velocity_jumps(&format!("duration = 0.1\nstep = 3e-3\n{HALF}"))),
         (
-            "blows, adaptive",
-            blows(&format!(
+            "velocity jumps, adaptive",
+            velocity_jumps(&format!(
                 "duration = 0.1\nstep = {{ tolerance = 1e-5 }}\n{HALF}\n[output]\ninterval = 0.01"
             )),
         ),
@@ -102,8 +103,8 @@ fn battery() -> Vec<(&'static str, Model)> {
     ]
 }
 
-/// What went on from a checkpoint is what the whole run had after it.
-fn assert_rest(name: &str, from: &[u8], rest: &(Kept, Summary), whole: &(Kept, Summary)) {
+/// Asserts that a resumed run is the remainder of the whole run.
+fn assert_rest(name: &str, from: &[u8], rest: &(Recorder, Summary), whole: &(Recorder, Summary)) {
     let (checkpoint, at) = (read(from), format!("{name}, at t = {}", read(from).time()));
     assert_eq!(rest.0.columns, whole.0.columns, "{at}");
     assert!(rest.0.rows == whole.0.rows[checkpoint.rows() as usize..], "{at}: rows differ");
@@ -111,91 +112,91 @@ fn assert_rest(name: &str, from: &[u8], rest: &(Kept, Summary), whole: &(Kept, S
     assert_eq!(rest.1.time.to_bits(), whole.1.time.to_bits(), "{at}");
 }
 
-/// Some of many, the first and the last among them.
+/// Equally spaced items, including the first and the last.
 fn some<T>(all: &[T], count: usize) -> impl Iterator<Item = &T> {
     let last = all.len() - 1;
     (0..=count).map(move |i| &all[i * last / count])
 }
 
 #[test]
-fn motions_go_on_from_checkpoints() {
-    for (name, model) in battery() {
+fn resumed_runs_equal_uninterrupted_runs() {
+    for (name, model) in short_runs() {
         let (plain, taken) = (run(&model, false), run(&model, true));
         assert!(plain.1.outcome.is_finished(), "{name}: {:?}", plain.1.outcome);
         assert!(plain.0.rows == taken.0.rows && plain.1 == taken.1, "{name}: checkpoints change results");
         let all = &taken.0.checkpoints;
         assert_eq!(read(&all[0]).rows(), 1, "{name}");
-        assert!(all.len() as u64 > plain.1.steps, "{name}: one of each step");
+        assert!(all.len() as u64 > plain.1.steps, "{name}: one per step");
         for from in some(all, 7) {
             let rest = resumed(&model, from);
             assert_rest(name, from, &rest, &plain);
-            // What is kept then is the same too.
+            // Checkpoints of the resumed run are equal, too.
             let first = all.len() - rest.0.checkpoints.len();
             assert!(rest.0.checkpoints == all[first..], "{name}: checkpoints differ");
         }
     }
 }
 
-/// The battery has what it is there for.
+/// The short runs have divided steps, redundant constraints, rejected steps, contact pairs and reused tangents.
 #[test]
-fn the_battery_is_hard() {
-    let summary = |wanted: &str| {
-        let (_, model) = battery().into_iter().find(|(name, _)| *name == wanted).unwrap();
-        let (kept, summary) = run(&model, true);
-        let sizes: Vec<_> = kept.checkpoints.iter().map(Vec::len).collect();
+fn short_runs_cover_all_features() {
+    let summary = |requested: &str| {
+        let (_, model) = short_runs().into_iter().find(|(name, _)| *name == requested).unwrap();
+        let (recorder, summary) = run(&model, true);
+        let sizes: Vec<_> = recorder.checkpoints.iter().map(Vec::len).collect();
         (summary, sizes)
     };
     assert!(summary("divided steps").0.divided_steps > 0);
     assert!(!summary("redundant joints").0.redundant.is_empty());
     assert!(summary("adaptive").0.rejected_steps > 0);
-    // Pairs are kept.
+    // Checkpoints contain contact pairs.
     let (_, mut sizes) = summary("falling");
     sizes.sort_unstable();
     sizes.dedup();
     assert!(sizes.len() > 3, "{sizes:?}");
-    // Of tangents that are used again, the states are kept where they were made.
-    let [again, new] = ["tangents used again", "new tangents"].map(|name| summary(name).1[5]);
-    assert!(again as f64 > 1.4 * new as f64, "{again}, {new}");
+    // With reused tangents, checkpoints contain the states of their evaluation.
+    let [reused, new] = ["reused tangents", "new tangents"].map(|name| summary(name).1[5]);
+    assert!(reused as f64 > 1.4 * new as f64, "{reused}, {new}");
 }
 
-/// Wherever an iteration is interrupted, what it has changed until then is forgotten.
+/// Interrupts in any iteration discard the incomplete step.
 #[test]
-fn interrupted_motions_go_on() {
-    for (name, model) in battery() {
+fn interrupted_runs_resume() {
+    for (name, model) in short_runs() {
         let whole = run(&model, false);
-        let (_, _, asked) = interrupted(&model, u64::MAX);
-        let stride = (asked / 15).max(1);
-        for n in (1..asked).filter(|n| n % stride == 0) {
-            let (kept, summary, _) = interrupted(&model, n);
+        let (_, _, queries) = interrupted(&model, u64::MAX);
+        let stride = (queries / 15).max(1);
+        for n in (1..queries).filter(|n| n % stride == 0) {
+            let (recorder, summary, _) = interrupted(&model, n);
             assert_eq!(summary.outcome, ancf::Outcome::Stopped, "{name}");
-            let last = kept.last.unwrap();
-            assert_eq!(read(&last).rows(), kept.rows.len() as u64, "{name}");
-            assert!(kept.rows == whole.0.rows[..kept.rows.len()], "{name}");
+            let last = recorder.last.unwrap();
+            assert_eq!(read(&last).rows(), recorder.rows.len() as u64, "{name}");
+            assert!(recorder.rows == whole.0.rows[..recorder.rows.len()], "{name}");
             assert_rest(&format!("{name}, interrupt {n}"), &last, &resumed(&model, &last), &whole);
         }
     }
 }
 
-/// A sink that ends a run ends it after the row that it has got.
+/// A sink ends a run after the row that it received.
 #[test]
-fn motions_that_a_sink_ended_go_on() {
-    for (name, model) in battery() {
+fn runs_ended_by_a_sink_resume() {
+    for (name, model) in short_runs() {
         let whole = run(&model, false);
-        let (kept, _) = run_to(&model, 3);
-        let last = kept.last.unwrap();
+        let (recorder, _) = run_to(&model, 3);
+        let last = recorder.last.unwrap();
         assert_eq!(read(&last).rows(), 3);
         assert_rest(name, &last, &resumed(&model, &last), &whole);
     }
 }
 
-/// From where a motion failed it fails again, in the same way.
+/// A run resumed after a failure fails again with the same summary.
 #[test]
-fn failures_are_the_same_again() {
-    let fails = [
+fn resumed_failures_are_equal() {
+    let failing = [
         "duration = 1\nstep = 0.1\nmax_iterations = 6\nmax_halvings = 1",
         "duration = 1\nstep = 0.1\nmax_iterations = 3\nmax_halvings = 4",
     ];
-    for analysis in fails {
+    for analysis in failing {
         let model = beam("", "", analysis);
         let whole = run(&model, false);
         assert!(matches!(whole.1.outcome, ancf::Outcome::Failed { .. }), "{:?}", whole.1);
@@ -204,61 +205,61 @@ fn failures_are_the_same_again() {
     }
 }
 
-fn refused(model: &Model, checkpoint: &Checkpoint) -> Mismatch {
-    let mut kept = Kept::default();
-    let Err(Error::Checkpoint(mismatch)) = Simulation::new(model).unwrap().resume(checkpoint, &mut kept)
+/// Returns the reason for which a checkpoint is rejected.
+fn mismatch(model: &Model, checkpoint: &Checkpoint) -> Mismatch {
+    let mut recorder = Recorder::default();
+    let Err(Error::Checkpoint(mismatch)) = Simulation::new(model).unwrap().resume(checkpoint, &mut recorder)
     else {
-        panic!("it goes on")
+        panic!("the checkpoint is accepted")
     };
-    assert!(kept.columns.is_empty(), "nothing is recorded");
+    assert!(recorder.columns.is_empty(), "nothing is recorded");
     mismatch
 }
 
 #[test]
-fn other_models_are_refused() {
+fn checkpoints_of_other_models_are_rejected() {
     let settings = "duration = 0.02\nstep = 2e-3";
     let model = beam("", "", settings);
     let all = run(&model, true).0.checkpoints;
     let checkpoint = read(&all[3]);
-    assert_eq!(refused(&beam("", PULSE, settings), &checkpoint), Mismatch::Model);
-    assert_eq!(refused(&beam(", damping = { mass = 1 }", "", settings), &checkpoint), Mismatch::Model);
-    assert_eq!(refused(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), Mismatch::Model);
-    assert_eq!(refused(&file("double_pendulum", settings), &checkpoint), Mismatch::Model);
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/column.toml");
-    assert_eq!(refused(&Model::read(&path).unwrap(), &checkpoint), Mismatch::Analysis);
-    // The format stands first.
+    assert_eq!(mismatch(&beam("", PULSE, settings), &checkpoint), Mismatch::Model);
+    assert_eq!(mismatch(&beam(", damping = { mass = 1 }", "", settings), &checkpoint), Mismatch::Model);
+    assert_eq!(mismatch(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), Mismatch::Model);
+    assert_eq!(mismatch(&file("double_pendulum", settings), &checkpoint), Mismatch::Model);
+    assert_eq!(mismatch(&files::model("column"), &checkpoint), Mismatch::Analysis);
+    // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(refused(&model, &read(&other)), Mismatch::Version { found: 2, wanted: 1 }));
+    assert!(matches!(mismatch(&model, &read(&other)), Mismatch::Version { found: 2, wanted: 1 }));
 }
 
-/// Ends a run after a few rows: what is damaged may be slow, but it is in good order.
-fn harmless(model: &Model, damaged: &[u8]) {
+/// Resumes from damaged data with a limit on the queries, since the run may be slow.
+fn resume_damaged(model: &Model, damaged: &[u8]) {
     let Ok(checkpoint) = postcard::from_bytes::<Checkpoint>(damaged) else { return };
     let simulation = Simulation::new(model).unwrap();
-    let rounds = std::sync::atomic::AtomicU32::new(0);
-    let enough = move || rounds.fetch_add(1, std::sync::atomic::Ordering::Relaxed) > 300;
-    let simulation = simulation.heeding(ancf::analysis::Interrupt::new(enough));
-    let _ = simulation.resume(&checkpoint, &mut Kept::default());
+    let queries = std::sync::atomic::AtomicU32::new(0);
+    let limit = move || queries.fetch_add(1, std::sync::atomic::Ordering::Relaxed) > 300;
+    let simulation = simulation.heeding(ancf::analysis::Interrupt::new(limit));
+    let _ = simulation.resume(&checkpoint, &mut Recorder::default());
 }
 
-/// What is damaged is refused, or goes on somehow; nothing panics, nor does it go on for ever.
+/// Damaged checkpoints are rejected or resumed, without panics and infinite loops.
 #[test]
-fn damaged_checkpoints_do_no_harm() {
+fn damaged_checkpoints_cause_no_panic() {
     let mut seed = 1_u64;
     let mut random = move || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 33) as usize
     };
-    let names = ["tangents used again", "divided steps", "blows, adaptive", "falling", "slider-crank"];
-    for (name, model) in battery().into_iter().filter(|(name, _)| names.contains(name)) {
+    let names = ["reused tangents", "divided steps", "velocity jumps, adaptive", "falling", "slider-crank"];
+    for (name, model) in short_runs().into_iter().filter(|(name, _)| names.contains(name)) {
         let all = run(&model, true).0.checkpoints;
         for _ in 0..150 {
             let mut damaged = all[random() % all.len()].clone();
-            // The version and the hash of the model stay, or all would end there.
+            // The version and the hash of the model are unchanged; otherwise all checkpoints would be rejected.
             let first = 12.min(damaged.len() - 1);
             for _ in 0..=random() % 3 {
-                // Scalars stand at the start and at the end, long vectors between them.
+                // Scalars are at the start and at the end, long vectors between them.
                 let size = damaged.len() - first;
                 let at = match random() % 3 {
                     0 => first + random() % size,
@@ -270,15 +271,14 @@ fn damaged_checkpoints_do_no_harm() {
             if random() % 10 == 0 {
                 damaged.truncate(random() % damaged.len());
             }
-            harmless(&model, &damaged);
+            resume_damaged(&model, &damaged);
         }
         assert!(!name.is_empty());
     }
 }
 
-/// Numbers are written exactly.
 #[test]
-fn checkpoints_survive_being_written() {
+fn checkpoints_are_written_exactly() {
     let all = run(&beam("", "", "duration = 0.02\nstep = 2e-3"), true).0.checkpoints;
     for one in &all {
         assert_eq!(bytes(&read(one)), *one);

@@ -1,4 +1,4 @@
-//! Runs of whole models: observers, checkpoints and failures.
+//! Runs of models: observers, checkpoints, failures.
 
 mod checkpoints;
 mod failures;

@@ -1,4 +1,4 @@
-//! Runs that keep their rows to the last bit, and checkpoints.
+//! Runs that record rows as bits and checkpoints as bytes.
 
 use std::fs;
 use std::io;
@@ -11,28 +11,32 @@ use ancf::analysis::Interrupt;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Simulation, Summary};
 
-/// Rows as bits, and checkpoints as bytes.
+use crate::common::models::parse;
+
+/// Observer that records rows as bits and checkpoints as bytes.
 #[derive(Default)]
-pub(crate) struct Kept {
-    pub(crate) columns: Vec<String>,
-    pub(crate) rows: Vec<Vec<u64>>,
-    pub(crate) checkpoints: Vec<Vec<u8>>,
-    pub(crate) last: Option<Vec<u8>>,
-    /// Keeps all checkpoints, or looks at none.
-    takes: bool,
-    /// Ends the run at so many rows.
+pub(super) struct Recorder {
+    pub(super) columns: Vec<String>,
+    pub(super) rows: Vec<Vec<u64>>,
+    pub(super) checkpoints: Vec<Vec<u8>>,
+    pub(super) last: Option<Vec<u8>>,
+    /// True if all checkpoints are recorded.
+    checkpointed: bool,
+    /// Number of rows after which the run ends.
     limit: Option<usize>,
 }
 
-pub(crate) fn bytes(checkpoint: &Checkpoint) -> Vec<u8> {
+/// Serialises a checkpoint.
+pub(super) fn bytes(checkpoint: &Checkpoint) -> Vec<u8> {
     postcard::to_stdvec(checkpoint).unwrap()
 }
 
-pub(crate) fn read(bytes: &[u8]) -> Checkpoint {
+/// Deserialises a checkpoint.
+pub(super) fn read(bytes: &[u8]) -> Checkpoint {
     postcard::from_bytes(bytes).unwrap()
 }
 
-impl Observer for Kept {
+impl Observer for Recorder {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         self.columns = columns.to_vec();
         Ok(())
@@ -45,7 +49,7 @@ impl Observer for Kept {
     }
 
     fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
-        if self.takes {
+        if self.checkpointed {
             self.checkpoints.push(bytes(&take()));
         }
         Ok(())
@@ -61,47 +65,41 @@ impl Observer for Kept {
     }
 }
 
-/// A whole run.
-pub(crate) fn run(model: &Model, takes: bool) -> (Kept, Summary) {
-    let mut kept = Kept { takes, ..Kept::default() };
-    let summary = Simulation::new(model).unwrap().run(&mut kept).unwrap();
-    (kept, summary)
+/// Runs a model to its end.
+pub(super) fn run(model: &Model, checkpointed: bool) -> (Recorder, Summary) {
+    let mut recorder = Recorder { checkpointed, ..Recorder::default() };
+    let summary = Simulation::new(model).unwrap().run(&mut recorder).unwrap();
+    (recorder, summary)
 }
 
-/// A run that a sink ends at so many rows.
-pub(crate) fn run_to(model: &Model, limit: usize) -> (Kept, Summary) {
-    let mut kept = Kept { limit: Some(limit), ..Kept::default() };
-    let summary = Simulation::new(model).unwrap().run(&mut kept).unwrap();
-    (kept, summary)
+/// Runs a model; the observer ends the run after a number of rows.
+pub(super) fn run_to(model: &Model, limit: usize) -> (Recorder, Summary) {
+    let mut recorder = Recorder { limit: Some(limit), ..Recorder::default() };
+    let summary = Simulation::new(model).unwrap().run(&mut recorder).unwrap();
+    (recorder, summary)
 }
 
-/// A run that is interrupted when it asks for the `n`th time, and how often it asked.
-pub(crate) fn interrupted(model: &Model, n: u64) -> (Kept, Summary, u64) {
-    let asked = Arc::new(AtomicU64::new(0));
-    let heard = Arc::clone(&asked);
-    let interrupt = Interrupt::new(move || heard.fetch_add(1, Ordering::Relaxed) + 1 >= n);
-    let mut kept = Kept::default();
-    let summary = Simulation::new(model).unwrap().heeding(interrupt).run(&mut kept).unwrap();
-    (kept, summary, asked.load(Ordering::Relaxed))
+/// Runs a model with an interrupt at its `n`th query, and returns the number of queries.
+pub(super) fn interrupted(model: &Model, n: u64) -> (Recorder, Summary, u64) {
+    let queries = Arc::new(AtomicU64::new(0));
+    let counter = Arc::clone(&queries);
+    let interrupt = Interrupt::new(move || counter.fetch_add(1, Ordering::Relaxed) + 1 >= n);
+    let mut recorder = Recorder::default();
+    let summary = Simulation::new(model).unwrap().heeding(interrupt).run(&mut recorder).unwrap();
+    (recorder, summary, queries.load(Ordering::Relaxed))
 }
 
-/// The rest of a run, by another simulation of the same model.
-pub(crate) fn resumed(model: &Model, checkpoint: &[u8]) -> (Kept, Summary) {
-    let mut kept = Kept { takes: true, ..Kept::default() };
-    let summary = Simulation::new(model).unwrap().resume(&read(checkpoint), &mut kept).unwrap();
-    (kept, summary)
+/// Resumes a run by another simulation of the same model.
+pub(super) fn resumed(model: &Model, checkpoint: &[u8]) -> (Recorder, Summary) {
+    let mut recorder = Recorder { checkpointed: true, ..Recorder::default() };
+    let summary = Simulation::new(model).unwrap().resume(&read(checkpoint), &mut recorder).unwrap();
+    (recorder, summary)
 }
 
-/// A model of the folder of models, with another analysis and output.
-pub(crate) fn file(name: &str, analysis: &str) -> Model {
+/// Reads `models/{name}.toml` with another analysis and output.
+pub(super) fn file(name: &str, analysis: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../models/{name}.toml"));
     let text = fs::read_to_string(path).unwrap().replace("\r\n", "\n");
     let (model, _) = text.split_once("\n[analysis]").unwrap();
-    parsed(&format!("{model}\n[analysis]\nkind = \"dynamics\"\n{analysis}\n"))
-}
-
-pub(crate) fn parsed(text: &str) -> Model {
-    Model::parse(text).unwrap_or_else(|errors| {
-        panic!("{text}\n{}", errors.iter().map(|error| format!("{error}\n")).collect::<String>())
-    })
+    parse(&format!("{model}\n[analysis]\nkind = \"dynamics\"\n{analysis}\n"))
 }

@@ -1,13 +1,15 @@
-//! Closed forms of cross-sections against integrals and against boundary value problems of the theory of elasticity.
+//! Geometric constants of cross-sections against integrals and boundary value problems of elasticity.
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use crate::common::continuum;
 use ancf::mechanics::{SectionPoint, gauss};
 use ancf::model::{Model, Section};
 use ancf::scales::Scales;
 use nalgebra::{DMatrix, DVector};
+
+use crate::common::assertions::assert_relative;
+use crate::common::continuum;
 
 const SOLID: [Section; 5] = [
     Section::Circle { diameter: 0.3 },
@@ -17,41 +19,37 @@ const SOLID: [Section; 5] = [
     Section::Ellipse { height: 0.2, width: 0.4 },
 ];
 
-fn assert_near(what: &str, found: f64, wanted: f64, tolerance: f64) {
-    assert!((found / wanted - 1.0).abs() <= tolerance, "{what}: {found:e} and {wanted:e}");
-}
-
 fn integral(points: &[SectionPoint], f: impl Fn(f64, f64) -> f64) -> f64 {
     points.iter().map(|p| p.weight * f(p.y, p.z)).sum()
 }
 
 #[test]
-fn moments_are_integrals() {
+fn moments_of_area_are_integrals() {
     for section in SOLID {
         let m = section.moments();
         let moments =
             [(0, 0, m.area), (2, 0, m.yy), (0, 2, m.zz), (4, 0, m.yyyy), (2, 2, m.yyzz), (0, 4, m.zzzz)];
-        for (i, j, wanted) in moments {
+        for (i, j, expected) in moments {
             let found = continuum::integrate(1.0, section, |[_, y, z]| y.powi(i) * z.powi(j));
-            assert_near(&format!("{section:?}: y^{i} z^{j}"), found, wanted, 1e-14);
+            assert_relative(&format!("{section:?}: y^{i} z^{j}"), found, expected, 1e-14);
         }
         assert_eq!(section.mass_moments(), m);
     }
 }
 
-/// The sixteen points integrate all products up to degree seven, and none of degree eight would be right throughout.
+/// The 16 points integrate all monomials up to degree seven.
 #[test]
 fn points_are_exact_to_degree_seven() {
     for section in SOLID {
-        let points = section.points().expect("a shape");
+        let points = section.points().expect("the section has a shape");
         assert_eq!(points.len(), 16);
         for degree in 0..=7 {
             for i in 0..=degree {
                 let product = |y: f64, z: f64| y.powi(i) * z.powi(degree - i);
-                let wanted = continuum::integrate(1.0, section, |[_, y, z]| product(y, z));
+                let expected = continuum::integrate(1.0, section, |[_, y, z]| product(y, z));
                 let found = integral(&points, product);
                 if i % 2 == 0 && degree % 2 == 0 {
-                    assert_near(&format!("{section:?}: degree {degree}"), found, wanted, 1e-13);
+                    assert_relative(&format!("{section:?}: degree {degree}"), found, expected, 1e-13);
                 } else {
                     assert_eq!(found, 0.0, "{section:?}: an odd moment");
                 }
@@ -61,34 +59,34 @@ fn points_are_exact_to_degree_seven() {
 }
 
 #[test]
-fn limits_meet() {
+fn tube_and_ellipse_have_the_limits_of_circle_and_thin_tube() {
     let circle = Section::Circle { diameter: 0.3 };
     let tube = Section::Tube { outer: 0.3, inner: 1e-12 };
     let ellipse = Section::Ellipse { height: 0.3, width: 0.3 };
     for other in [tube, ellipse] {
         let (a, b) = (circle.moments(), other.moments());
         for (a, b) in [(a.area, b.area), (a.yy, b.yy), (a.zz, b.zz), (a.yyyy, b.yyyy), (a.yyzz, b.yyzz)] {
-            assert_near("moments", b, a, 1e-15);
+            assert_relative("moments", b, a, 1e-15);
         }
-        assert_near("torsion", other.torsion_constant(), circle.torsion_constant(), 1e-15);
+        assert_relative("torsion", other.torsion_constant(), circle.torsion_constant(), 1e-15);
         for poisson in [0.0, 0.3, -0.2] {
             let (a, b) = (circle.shear_factors(poisson), other.shear_factors(poisson));
-            assert_near("shear along y", b[0], a[0], 1e-15);
-            assert_near("shear along z", b[1], a[1], 1e-15);
+            assert_relative("shear along y", b[0], a[0], 1e-15);
+            assert_relative("shear along z", b[1], a[1], 1e-15);
         }
     }
-    // A thin tube of radius r and wall t, by Cowper (1966): its shear factor is 2(1+ν)/(4+3ν).
+    // Thin tube of radius r and wall thickness t: shear factor 2(1+ν)/(4+3ν) by Cowper (1966).
     let (r, t) = (1.0, 1e-9);
     let thin = Section::Tube { outer: 2.0 * r + t, inner: 2.0 * r - t };
-    assert_near("area of a thin tube", thin.moments().area, TAU * r * t, 1e-7);
-    assert_near("second moment of a thin tube", thin.moments().yy, PI * r.powi(3) * t, 1e-7);
-    assert_near("torsion of a thin tube", thin.torsion_constant(), TAU * r.powi(3) * t, 1e-7);
-    assert_near("shear of a thin tube", thin.shear_factors(0.3)[0], 2.0 * 1.3 / (4.0 + 3.0 * 0.3), 1e-9);
+    assert_relative("area of a thin tube", thin.moments().area, TAU * r * t, 1e-7);
+    assert_relative("second moment of a thin tube", thin.moments().yy, PI * r.powi(3) * t, 1e-7);
+    assert_relative("torsion of a thin tube", thin.torsion_constant(), TAU * r.powi(3) * t, 1e-7);
+    assert_relative("shear of a thin tube", thin.shear_factors(0.3)[0], 2.0 * 1.3 / (4.0 + 3.0 * 0.3), 1e-9);
 }
 
-/// A general section is what it says.
+/// A general section has the given constants; defaults are those of the moments of area.
 #[test]
-fn a_general_section_says_it_all() {
+fn general_section_has_the_given_constants() {
     let ellipse = Section::Ellipse { height: 0.2, width: 0.4 };
     let m = ellipse.moments();
     let (area, iy, iz) = (m.area, m.zz, m.yy);
@@ -112,11 +110,11 @@ fn a_general_section_says_it_all() {
     assert_eq!((general.torsion_constant(), general.shear_factors(0.3)), (7.0, [0.5, 2.0]));
 }
 
-/// In other units a section has the same numbers times powers of the unit of length.
+/// Constants scale with powers of the unit of length.
 #[test]
-fn sections_change_units() {
+fn constants_scale_with_the_unit_of_length() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/good/sections.toml");
-    let model = Model::read(path).expect("a good model");
+    let model = Model::read(path).expect("the model is valid");
     let scaled = model.scaled(&Scales { length: 0.25, time: 3.0, force: 70.0 });
     assert_eq!(model.sections.len(), 6);
     for (name, section) in &model.sections {
@@ -133,32 +131,33 @@ fn sections_change_units() {
             (section.torsion_constant(), other.torsion_constant(), 4),
         ];
         for (own, other, power) in pairs {
-            assert_near(name, other, own / 0.25_f64.powi(power), 1e-14);
+            assert_relative(name, other, own / 0.25_f64.powi(power), 1e-14);
         }
         for (own, other) in section.shear_factors(0.3).iter().zip(other.shear_factors(0.3)) {
-            assert_near(name, other, *own, 1e-14);
+            assert_relative(name, other, *own, 1e-14);
         }
     }
 }
 
-/// Height is along y: it makes for ∫y², and resists forces along y.
+/// Height is measured along y: it determines ∫y² dA and the shear factor for forces along y.
 #[test]
-fn height_is_along_y() {
+fn height_is_measured_along_y() {
     for section in
         [Section::Rectangle { height: 2.0, width: 1.0 }, Section::Ellipse { height: 2.0, width: 1.0 }]
     {
         assert!(section.moments().yy > section.moments().zz);
-        let points = section.points().expect("a shape");
+        let points = section.points().expect("the section has a shape");
         assert!(integral(&points, |y, _| y * y) > integral(&points, |_, z| z * z));
     }
     let [ky, kz] = Section::Ellipse { height: 2.0, width: 1.0 }.shear_factors(0.3);
     assert!(ky > kz, "{ky} along the longer axis, {kz} along the shorter");
 }
 
-/// J = k a b³ with k by Timoshenko & Goodier (1970), table 11 (k₁), and values of its eq. (160) with twenty thousand
-/// terms in thirty digits (mpmath).
+/// J = k a b³ with k by Timoshenko & Goodier (1970), table 11 (k₁).
+///
+/// Values of eq. (160) there with 20 000 terms in 30 digits (mpmath).
 #[test]
-fn rectangles_twist_as_tabulated() {
+fn torsion_of_rectangles_equals_the_tables() {
     let table = [
         (1.0, 0.1406),
         (1.2, 0.166),
@@ -181,30 +180,30 @@ fn rectangles_twist_as_tabulated() {
         (0.05, 0.005, 1.952_031_484_107_533_7e-9),
         (3.2024, 12.377, 113.399_529_560_885_51),
     ];
-    for (height, width, wanted) in digits {
-        assert_near("torsion", Section::Rectangle { height, width }.torsion_constant(), wanted, 1e-15);
+    for (height, width, expected) in digits {
+        assert_relative("torsion", Section::Rectangle { height, width }.torsion_constant(), expected, 1e-15);
     }
     let thin = Section::Rectangle { height: 1e6, width: 1.0 }.torsion_constant();
-    assert_near("very thin strip", thin, 1e6 / 3.0, 1e-6);
+    assert_relative("very thin strip", thin, 1e6 / 3.0, 1e-6);
 }
 
-/// The series against itself summed term by term: J = (256/π⁶) a³b³ Σ 1/(m²n²(m²b² + n²a²)) over odd m, n.
+/// Navier series J = (256/π⁶) a³b³ Σ 1/(m²n²(m²b² + n²a²)) over odd m, n.
 #[test]
-fn rectangles_twist_as_a_double_series() {
+fn torsion_of_rectangles_equals_the_double_series() {
     for (a, b) in [(1.0, 1.0), (3.0, 2.0), (12.377, 3.2024)] {
         let odd = || (0..1000).map(|k| f64::from(2 * k + 1).powi(2));
         let inner = |m: f64| odd().map(|n| 1.0 / (m * n * (m * b * b + n * a * a))).sum::<f64>();
         let sum: f64 = odd().map(inner).sum();
-        let wanted = 256.0 / PI.powi(6) * (a * b).powi(3) * sum;
+        let expected = 256.0 / PI.powi(6) * (a * b).powi(3) * sum;
         let found = Section::Rectangle { height: a, width: b }.torsion_constant();
-        assert_near(&format!("{a} x {b}"), found, wanted, 1e-9);
+        assert_relative(&format!("{a} x {b}"), found, expected, 1e-9);
     }
 }
 
-/// A boundary point and the outward normal there.
+/// Boundary point and outward normal.
 type Edge = ([f64; 2], [f64; 2]);
 
-/// Points and weights of a section in many cells.
+/// Points and weights of a fine rule on a section.
 fn fine(section: Section) -> Vec<([f64; 2], f64)> {
     let cells = |n: u32| {
         let cell = move |k: u32| gauss().map(|(x, w)| ((f64::from(k) + x) / f64::from(n), w / f64::from(n)));
@@ -224,11 +223,11 @@ fn fine(section: Section) -> Vec<([f64; 2], f64)> {
         Section::Circle { diameter } => pairs.map(|p| rings(diameter, diameter, 0.0, p)).collect(),
         Section::Ellipse { height, width } => pairs.map(|p| rings(height, width, 0.0, p)).collect(),
         Section::Tube { outer, inner } => pairs.map(|p| rings(outer, outer, inner / outer, p)).collect(),
-        Section::General { .. } => panic!("no shape"),
+        Section::General { .. } => panic!("general sections have no shape"),
     }
 }
 
-/// Points of the boundary with y, z > 0; the rest is symmetric.
+/// Boundary points with y, z > 0; the others follow by symmetry.
 fn edges(section: Section) -> Vec<Edge> {
     let n = 200;
     let parts = (0..n).map(|k| (f64::from(k) + 0.5) / f64::from(n));
@@ -250,11 +249,11 @@ fn edges(section: Section) -> Vec<Edge> {
         Section::Tube { outer, inner } => {
             ellipse(outer, outer, 1.0).chain(ellipse(inner, inner, -1.0)).collect()
         }
-        Section::General { .. } => panic!("no shape"),
+        Section::General { .. } => panic!("general sections have no shape"),
     }
 }
 
-/// Re (y + iz)^k and its gradient.
+/// Returns Re (y + iz)^k and its gradient.
 fn harmonic(k: i32, [y, z]: [f64; 2]) -> (f64, [f64; 2]) {
     let (r, angle) = (y.hypot(z), z.atan2(y));
     let power =
@@ -263,17 +262,17 @@ fn harmonic(k: i32, [y, z]: [f64; 2]) -> (f64, [f64; 2]) {
     (power(k).0, [f64::from(k) * re, f64::from(k) * im])
 }
 
-/// The combination of columns nearest to a right-hand side, in least squares.
+/// Solves a linear least-squares problem, given its rows and right-hand sides.
 fn fit(rows: &[(Vec<f64>, f64)]) -> DVector<f64> {
     let matrix = DMatrix::from_fn(rows.len(), rows[0].0.len(), |i, j| rows[i].0[j]);
     let right = DVector::from_fn(rows.len(), |i, _| rows[i].1);
     let scale: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
     let scaled = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] / scale[j]);
-    let solution = scaled.svd(true, true).solve(&right, 1e-14).expect("both sides of the decomposition");
+    let solution = scaled.svd(true, true).solve(&right, 1e-14).expect("both singular matrices are computed");
     solution.map_with_location(|i, _, x| x / scale[i])
 }
 
-/// Prandtl's stress function ∇²φ = −2 in the section, 0 on its edge, by harmonic polynomials; J = 2∫φ dA.
+/// Torsion constant J = 2∫φ dA by Prandtl's stress function, ∇²φ = −2 and φ = 0 on the boundary, in harmonic polynomials.
 fn torsion_by_prandtl(section: Section) -> f64 {
     let powers: Vec<i32> = (0..20).map(|k| 2 * k).collect();
     let row = |&(at, _): &Edge| {
@@ -289,7 +288,7 @@ fn torsion_by_prandtl(section: Section) -> f64 {
 }
 
 #[test]
-fn torsion_is_that_of_prandtl() {
+fn torsion_constant_solves_prandtls_problem() {
     let sections = [
         (Section::Circle { diameter: 0.3 }, 1e-12),
         (Section::Ellipse { height: 0.2, width: 0.4 }, 1e-12),
@@ -299,14 +298,15 @@ fn torsion_is_that_of_prandtl() {
         (Section::Rectangle { height: 0.1, width: 0.3 }, 1e-5),
     ];
     for (section, tolerance) in sections {
-        let (found, wanted) = (section.torsion_constant(), torsion_by_prandtl(section));
-        assert_near(&format!("{section:?}"), found, wanted, tolerance);
+        let (found, expected) = (section.torsion_constant(), torsion_by_prandtl(section));
+        assert_relative(&format!("{section:?}"), found, expected, tolerance);
     }
 }
 
-/// Cowper's coefficient of a force along y from the flexure function χ of the section:
+/// Cowper's shear coefficient for a force along y from the flexure function χ of the section.
+///
 /// K = 2(1+ν)I / [½ν(I' − I) − (A/I) ∫ y(χ + y z²) dA] with I = ∫y² dA, I' = ∫z² dA, where ∇²χ = 0 inside and
-/// ∂χ/∂n = −n_y[½νy² + (1−½ν)z²] − n_z(2+ν)yz on the edge (Love 1927, section 229; Cowper 1966).
+/// ∂χ/∂n = −n_y[½νy² + (1−½ν)z²] − n_z(2+ν)yz on the boundary (Love 1927, section 229; Cowper 1966).
 fn shear_by_flexure(section: Section, poisson: f64) -> f64 {
     let hollow = matches!(section, Section::Tube { .. });
     let powers: Vec<i32> =
@@ -325,7 +325,7 @@ fn shear_by_flexure(section: Section, poisson: f64) -> f64 {
 }
 
 #[test]
-fn shear_factors_are_those_of_the_flexure_problem() {
+fn shear_factors_solve_the_flexure_problem() {
     for (section, tolerance) in SOLID.into_iter().zip([1e-12, 1e-12, 1e-5, 1e-5, 1e-12]) {
         let (y, z) = match section {
             Section::Rectangle { height, width } => {
@@ -338,13 +338,13 @@ fn shear_factors_are_those_of_the_flexure_problem() {
         };
         for poisson in [0.0, 0.3, 0.45, -0.2] {
             let [ky, kz] = section.shear_factors(poisson);
-            assert_near(
+            assert_relative(
                 &format!("{section:?} along y, {poisson}"),
                 ky,
                 shear_by_flexure(y, poisson),
                 tolerance,
             );
-            assert_near(
+            assert_relative(
                 &format!("{section:?} along z, {poisson}"),
                 kz,
                 shear_by_flexure(z, poisson),

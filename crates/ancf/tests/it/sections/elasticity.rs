@@ -1,58 +1,44 @@
-//! Elasticity of sections: the continuum by points and by moments, that of a rod in closed form, twisted and curved references.
+//! Elastic laws of sections: continuum by points and by moments of area, rods in closed form, twisted and curved references.
 
-use crate::common::continuum;
-use crate::common::sample::Random;
-use ancf::mechanics::{CrossSection, Directors, Lame, SectionLaw};
+use ancf::mechanics::{CrossSection, Directors, SectionLaw};
 use ancf::model::Section;
 use nalgebra::{Rotation3, Vector3};
 
+use super::directors::{LAME, SECTIONS, rotated, straight, sum};
+use crate::common::continuum;
+use crate::common::random::Random;
+
 const POISSON: f64 = 0.3;
-const LAME: Lame = Lame { lambda: 3.0, shear: 2.0 };
-const SECTIONS: [Section; 4] = [
-    Section::Circle { diameter: 0.3 },
-    Section::Tube { outer: 0.4, inner: 0.3 },
-    Section::Rectangle { height: 0.3, width: 0.2 },
-    Section::Ellipse { height: 0.2, width: 0.4 },
-];
 
 fn cross_section(section: Section) -> CrossSection {
     section.cross_section(POISSON)
 }
 
-/// a, b, c, d, e and, which a straight reference has none of, h and k.
+/// Directors a .. e; h and k vanish for a straight reference.
 fn directors([a, b, c, d, e]: [Vector3<f64>; 5]) -> Directors {
     [a, b, c, d, e, Vector3::zeros(), Vector3::zeros()]
 }
 
-fn straight() -> Directors {
-    let zero = Vector3::zeros();
-    directors([Vector3::x(), zero, zero, Vector3::y(), Vector3::z()])
-}
-
-/// Twisted by `rate` per length.
+/// Directors of a bar twisted by `rate` per length.
 fn twisted(rate: f64) -> Directors {
     directors([Vector3::x(), Vector3::z() * rate, Vector3::y() * -rate, Vector3::y(), Vector3::z()])
-}
-
-fn sum(g: &Directors, u: &Directors, factor: f64) -> Directors {
-    std::array::from_fn(|i| g[i] + u[i] * factor)
 }
 
 fn random_directors(random: &mut Random, size: f64) -> Directors {
     directors(std::array::from_fn(|_| random.vector3() * size))
 }
 
-/// Energy per length by an integral over the section.
-fn brute(section: Section, g0: &Directors, g: &Directors) -> f64 {
+/// Energy per length by integration over the section.
+fn reference_energy(section: Section, g0: &Directors, g: &Directors) -> f64 {
     continuum::integrate_section(section, |at| {
         let [j, j0] = [g, g0].map(|g| continuum::gradient_of_directors(g, at));
         continuum::energy_density(LAME, &j, &j0)
     })
 }
 
-/// A straight reference by points is that by moments.
+/// Integration by points and by moments of area, for a straight reference.
 #[test]
-fn points_are_as_good_as_moments() {
+fn integration_by_points_equals_moments_of_area() {
     let mut random = Random(1);
     for section in SECTIONS {
         let by_points = SectionLaw::curved(LAME, &cross_section(section), &straight());
@@ -69,10 +55,11 @@ fn points_are_as_good_as_moments() {
     }
 }
 
-/// A twisted prismatic bar: stretched, twisted on, and in any motion, it has the energy of its volume. Twisted on by τ, it does
-/// not know of its first twist: ½G I_p τ² + ½(λ+2G)∫(½r²τ²)² dA.
+/// Stretch, further twist and arbitrary motion of a twisted prismatic bar: the energy is that of the volume.
+///
+/// A further twist τ has the energy ½G I_p τ² + ½(λ+2G)∫(½r²τ²)² dA, independent of the initial twist.
 #[test]
-fn twisted_bars_are_continua() {
+fn twisted_bars_have_the_energy_of_their_volume() {
     let mut random = Random(2);
     for section in SECTIONS {
         for rate in [0.5, -2.0] {
@@ -82,47 +69,49 @@ fn twisted_bars_are_continua() {
             stretched[0] *= 1.1;
             let any = sum(&g0, &random_directors(&mut random, 0.5), 1.0);
             for g in [stretched, twisted(rate + 0.3), any] {
-                let (energy, wanted) = (law.energy(&g0, &sum(&g, &g0, -1.0)), brute(section, &g0, &g));
-                assert!((energy / wanted - 1.0).abs() < 1e-12, "{section:?}, {rate}: {energy} and {wanted}");
+                let (energy, expected) =
+                    (law.energy(&g0, &sum(&g, &g0, -1.0)), reference_energy(section, &g0, &g));
+                assert!(
+                    (energy / expected - 1.0).abs() < 1e-12,
+                    "{section:?}, {rate}: {energy} and {expected}"
+                );
             }
             let m = section.moments();
             let fourth = m.yyyy + 2.0 * m.yyzz + m.zzzz;
-            let wanted = 0.5 * LAME.shear * (m.yy + m.zz) * 0.09
+            let expected = 0.5 * LAME.shear * (m.yy + m.zz) * 0.09
                 + 0.125 * (LAME.lambda + 2.0 * LAME.shear) * fourth * 0.0081;
             let energy = law.energy(&g0, &sum(&twisted(rate + 0.3), &g0, -1.0));
-            assert!((energy / wanted - 1.0).abs() < 1e-12, "{section:?}, {rate}: {energy} and {wanted}");
+            assert!((energy / expected - 1.0).abs() < 1e-12, "{section:?}, {rate}: {energy} and {expected}");
         }
     }
 }
 
-/// References that are curved, twisted and skew, in any frame.
-fn references(random: &mut Random) -> Vec<Directors> {
-    let frame = |random: &mut Random| Rotation3::new(random.vector3() * 3.0);
-    let skew = |random: &mut Random| sum(&straight(), &random_directors(random, 0.2), 1.0);
+/// Random references: curved, twisted and skew, in any frame.
+fn random_references(random: &mut Random) -> Vec<Directors> {
     (0..5)
         .map(|_| {
-            let r = frame(random);
-            skew(random).map(|g| r * g)
+            let r = Rotation3::new(random.vector3() * 3.0);
+            rotated(r, &sum(&straight(), &random_directors(random, 0.2), 1.0))
         })
         .collect()
 }
 
-/// Rotations cost nothing, before and after a deformation, and the frame in which a reference is told does not matter.
+/// Rotations before and after a deformation do not change the energy, nor does the frame of the reference.
 #[test]
-fn rotations_cost_nothing() {
+fn rotations_do_not_change_the_energy() {
     let mut random = Random(3);
     for section in SECTIONS {
         let cross = cross_section(section);
-        for g0 in references(&mut random) {
+        for g0 in random_references(&mut random) {
             let laws = |g0: &Directors| {
                 [SectionLaw::curved(LAME, &cross, g0), SectionLaw::enhanced(LAME, &cross, g0)]
             };
             let (u, r) = (random_directors(&mut random, 0.3), Rotation3::new(random.vector3() * 3.0));
-            let turned = |g: &Directors| g.map(|g| r * g);
-            for (law, of_turned) in laws(&g0).iter().zip(laws(&turned(&g0))) {
+            let turned = |g: &Directors| rotated(r, g);
+            for (law, law_in_turned_frame) in laws(&g0).iter().zip(laws(&turned(&g0))) {
                 let energy = law.energy(&g0, &u);
                 let after = law.energy(&g0, &sum(&turned(&sum(&g0, &u, 1.0)), &g0, -1.0));
-                let before = of_turned.energy(&turned(&g0), &turned(&u));
+                let before = law_in_turned_frame.energy(&turned(&g0), &turned(&u));
                 assert!((after / energy - 1.0).abs() < 1e-12, "{section:?}: {after} and {energy}");
                 assert!((before / energy - 1.0).abs() < 1e-12, "{section:?}: {before} and {energy}");
                 assert!(law.energy(&g0, &sum(&turned(&g0), &g0, -1.0)) < 1e-28, "{section:?}");
@@ -131,16 +120,17 @@ fn rotations_cost_nothing() {
     }
 }
 
-/// Stretch, bending, shear and twist of a straight rod, each alone, with ε₁₁ = Green's strain of a fibre; what a strain of the axis
-/// does to the sides, they pay for: ν ε_aa.
+/// Stretch, bending, shear and twist of a straight rod, each alone, with ε₁₁ the Green strain of a fibre.
+///
+/// Fixed lateral directors store the energy of the suppressed contraction ν ε_aa.
 #[test]
-fn rods_in_closed_form() {
+fn rod_energies_have_closed_forms() {
     let young = LAME.young();
     let poisson = 0.5 * LAME.lambda / (LAME.lambda + LAME.shear);
     for section in SECTIONS {
         let (m, cross) = (section.moments(), cross_section(section));
         let law = SectionLaw::enhanced(LAME, &cross, &straight());
-        // Both sides held while the axis has the strain ε.
+        // Energy of the suppressed contraction at the axial strain ε.
         let sides = |strain: f64| 2.0 * (LAME.lambda + LAME.shear) * m.area * (poisson * strain).powi(2);
         let axial = |strain: f64| 0.5 * young * m.area * strain * strain + sides(strain);
         let x = 0.2_f64;
@@ -152,23 +142,23 @@ fn rods_in_closed_form() {
         cases[2][2] = Vector3::x() * x;
         cases[3][0] = Vector3::z() * x;
         cases[4] = sum(&twisted(x), &straight(), -1.0);
-        let wanted = [
+        let expected = [
             axial(x + square),
             0.5 * young * (m.yy * x * x + m.yyyy * square * square),
             0.5 * young * (m.zz * x * x + m.zzzz * square * square),
             0.5 * cross.shear[1] * LAME.shear * m.area * x * x + axial(square),
             0.5 * LAME.shear * cross.torsion * x * x + 0.5 * young * fourth * square * square,
         ];
-        for (u, wanted) in cases.iter().zip(wanted) {
+        for (u, expected) in cases.iter().zip(expected) {
             let energy = law.energy(&straight(), u);
-            assert!((energy / wanted - 1.0).abs() < 1e-12, "{section:?}: {energy} and {wanted}");
+            assert!((energy / expected - 1.0).abs() < 1e-12, "{section:?}: {energy} and {expected}");
         }
     }
 }
 
-/// A curved rod of depth h at the radius R: EA and EI of Winkler's theory, ∫dA/(1 − κy) and ∫y² dA/(1 − κy), to the 16 points.
+/// EA and EI of a curved rod by Winkler's theory, ∫dA/(1 − κy) and ∫y² dA/(1 − κy), to the accuracy of 16 points.
 #[test]
-fn curved_rods_are_stiffer_inside() {
+fn curved_rods_have_the_stiffness_of_winkler() {
     let (curvature, young) = (0.8, LAME.young());
     let zero = Vector3::zeros();
     let g0 = directors([Vector3::x(), Vector3::x() * -curvature, zero, Vector3::y(), Vector3::z()]);
@@ -181,9 +171,9 @@ fn curved_rods_are_stiffer_inside() {
         let mut cases = [[zero; 7]; 2];
         cases[0][0] = Vector3::x() * small;
         cases[1][1] = Vector3::x() * small;
-        for (u, wanted) in cases.iter().zip([moment(0), moment(2)]) {
+        for (u, expected) in cases.iter().zip([moment(0), moment(2)]) {
             let energy = law.energy(&g0, u) / (0.5 * young * small * small);
-            assert!((energy / wanted - 1.0).abs() < 2e-6, "{section:?}: {energy} and {wanted}");
+            assert!((energy / expected - 1.0).abs() < 2e-6, "{section:?}: {energy} and {expected}");
         }
     }
 }

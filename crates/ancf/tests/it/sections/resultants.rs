@@ -1,4 +1,4 @@
-//! Forces and moments in sections: statics of what is beyond, in every formulation, on coarse meshes and at large rotations.
+//! Section forces and moments against statics of the part beyond the section, in every formulation, at large rotations.
 
 use ancf::Model;
 use ancf::mechanics::{BeamMesh, gauss};
@@ -6,13 +6,11 @@ use ancf::model::{Assembly, Clamped, Formulation, Load, Section, Shape, Slopes};
 use ancf::system::State;
 use nalgebra::{Rotation3, Vector3};
 
+use crate::common::models::beams::FORMULATIONS;
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
-const FORMULATIONS: [Formulation; 4] =
-    [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic];
-
-/// A thick rod of two elements, or an arc of 60°, twisted; soft, so that it turns far under its load.
+/// Thick, soft cantilever of two elements: straight, or a twisted arc of 60°.
 fn cantilever(formulation: Formulation, curved: bool, slopes: Slopes) -> Model {
     let mut model = rod::clamped(2, Clamped::Section);
     model.gravity = [0.0; 3];
@@ -27,6 +25,7 @@ fn cantilever(formulation: Formulation, curved: bool, slopes: Slopes) -> Model {
     model
 }
 
+/// All formulations: straight and curved, with both slope coordinates.
 fn cantilevers() -> impl Iterator<Item = (String, Model)> {
     let shapes = [(false, Slopes::Gradient), (true, Slopes::Gradient), (true, Slopes::Length)];
     FORMULATIONS.into_iter().flat_map(move |formulation| {
@@ -43,15 +42,15 @@ fn mesh(assembly: &Assembly) -> &BeamMesh {
     assembly.mesh("rod").unwrap()
 }
 
-/// The force is that of the load and the moment its lever about the section's centre, as the part beyond exerts them.
+/// Force of the load and its moment about the centre of the section, as exerted by the part beyond.
 #[test]
-fn tip_force() {
+fn tip_force_determines_the_section_forces() {
     let force = Vector3::new(-1.0, -4.0, 2.0);
     for (name, mut model) in cantilevers() {
         model.loads = vec![Load::force(rod::end(), force.into())];
         let (assembly, state) = equilibrium(&model, 10);
         let (mesh, tip) = (mesh(&assembly), assembly.probes[0].1.value(&state));
-        assert!((tip - assembly.probes[0].1.reference()).norm() > 0.1, "{name}: hardly moved");
+        assert!((tip - assembly.probes[0].1.reference()).norm() > 0.1, "{name}: small displacement");
         for part in [0.0, 0.5, 1.0] {
             let s = part * mesh.length();
             let wrench = mesh.resultants(&state, s);
@@ -66,9 +65,9 @@ fn tip_force() {
     }
 }
 
-/// ρ A g times the length beyond, and the moment ∫ρA (r − r(s)) × g ds of the bent axis.
+/// Weight ρ A g of the part beyond and its moment ∫ρA (r − r(s)) × g ds on the deformed axis.
 #[test]
-fn own_weight() {
+fn own_weight_determines_the_section_forces() {
     let gravity = Vector3::new(0.5, -3.0, 1.0);
     for (name, mut model) in cantilevers() {
         model.gravity = gravity.into();
@@ -80,7 +79,7 @@ fn own_weight() {
         for half in [0.0, 1.0, 2.0] {
             let s = 0.5 * half * length;
             let at = mesh.point(s).value(&state);
-            // The axis is a polynomial in either half.
+            // The axis is a polynomial in each half.
             let halves = (0..2).filter(|&k| f64::from(k) >= half);
             let points = halves.flat_map(|k| gauss().map(|(x, w)| (0.5 * (f64::from(k) + x), 0.5 * w)));
             let lever: Vector3<f64> =
@@ -93,12 +92,12 @@ fn own_weight() {
     }
 }
 
-/// Resolved in the frame of the section: along the normal the tension, across it shear forces, about it the torque.
+/// Components in the section frame: tension along the normal, shear forces across it, torque about it.
 ///
-/// A rod along x, pulled by N and pushed along y by Q at its tip, has M_z = Q (L − s): what the part beyond exerts on the part
-/// before bends it towards y.
+/// A rod along x with the tip forces N along x and Q along y has M_z = Q (L − s): the part beyond bends the part before
+/// towards y.
 #[test]
-fn signs() {
+fn section_forces_have_the_signs_of_the_part_beyond() {
     let (tension, push) = (2.0, 1e-3);
     let mut model = cantilever(Formulation::Linked, false, Slopes::Gradient);
     model.loads = vec![Load::force(rod::end(), [tension, push, 0.0])];
@@ -112,9 +111,9 @@ fn signs() {
     assert!(moment[0].abs() + moment[1].abs() + force[2].abs() < 1e-12, "{force:?}, {moment:?}");
 }
 
-/// The frame of a section is that of the reference, turned with the body.
+/// Section frames rotate with the body.
 #[test]
-fn frames_turn_with_the_body() {
+fn section_frames_rotate_with_the_body() {
     for (name, model) in cantilevers() {
         let assembly = model.assemble().unwrap();
         let (mesh, rest, turn) =
@@ -134,6 +133,6 @@ fn frames_turn_with_the_body() {
             assert!((normal.cross(&y) - z).norm() < 1e-13 && normal.dot(&y).abs() < 1e-13, "{name}");
         }
         let tangent = mesh.axes(0.0)[0].value(&rest).normalize();
-        assert!((mesh.section_frame(&rest, 0.0)[0] - tangent).norm() < 0.1, "{name}: along the axis");
+        assert!((mesh.section_frame(&rest, 0.0)[0] - tangent).norm() < 0.1, "{name}: normal along the axis");
     }
 }

@@ -1,4 +1,4 @@
-//! Eigenvalue problems.
+//! Natural modes.
 
 mod loaded_equilibria;
 mod modes;

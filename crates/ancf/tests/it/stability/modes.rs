@@ -6,25 +6,15 @@ use ancf::analysis::{EigenError, Interrupt, Modes, modes};
 use ancf::system::{Local, LocalMatrix, State, System, Term, Weights};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
+use crate::common::random::Random;
+
 const TAU: f64 = std::f64::consts::TAU;
 
-/// Numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn matrix(&mut self, rows: usize, columns: usize) -> DMatrix<f64> {
-        DMatrix::from_fn(rows, columns, |_, _| self.number())
-    }
+fn random_matrix(random: &mut Random, rows: usize, columns: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(rows, columns, |_, _| random.number())
 }
 
-/// M a + K q + Φᵀ λ = 0, Φ q = 0, all in one.
+/// Linear system M a + K q + Φᵀ λ = 0, Φ q = 0 as one term.
 #[derive(Clone)]
 struct Block {
     coordinates: Vec<usize>,
@@ -67,19 +57,21 @@ impl Term for Block {
     }
 }
 
-/// A random block: stiffness with some eigenvalues below zero and some of zero, units that differ by ten to the `units`.
+/// Random system with given numbers of negative and zero eigenvalues of the stiffness.
+///
+/// Units of the coordinates differ by factors up to 10^`units`.
 fn block(random: &mut Random, n: usize, m: usize, negative: usize, zero: usize, units: f64) -> Block {
     let unit = DVector::from_fn(n, |_, _| 10.0_f64.powf(units * random.number()));
     let scaled = |a: DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| a[(i, j)] * unit[i] * unit[j]);
-    let root = random.matrix(n, n);
-    let turn = random.matrix(n, n).qr().q();
+    let root = random_matrix(random, n, n);
+    let turn = random_matrix(random, n, n).qr().q();
     let values = DVector::from_fn(n, |i, _| match i {
         _ if i < negative => -1.0 - i as f64,
         _ if i < negative + zero => 0.0,
         _ => 10.0_f64.powf(3.0 * random.number()),
     });
     let stiffness = &turn * DMatrix::from_diagonal(&values) * turn.transpose();
-    let constraints = random.matrix(m, n);
+    let constraints = random_matrix(random, m, n);
     Block {
         coordinates: (0..n).collect(),
         multipliers: 0..m,
@@ -89,11 +81,11 @@ fn block(random: &mut Random, n: usize, m: usize, negative: usize, zero: usize, 
     }
 }
 
-/// All ω², ascending, in the null space of Φ by dense algebra.
+/// All ω² in ascending order, in the null space of Φ by dense algebra.
 fn dense(block: &Block) -> Vec<f64> {
     let (m, n) = block.constraints.shape();
     let mut turned = DMatrix::identity(n, n);
-    // Unit lengths of coordinates first, so that the null space is accurate.
+    // Coordinates are scaled first for an accurate null space.
     let unit = DMatrix::from_diagonal(&block.mass.diagonal().map(|mass| 1.0 / mass.sqrt()));
     (&block.constraints * &unit).transpose().qr().q_tr_mul(&mut turned);
     let free = &unit * turned.rows(m, n - m).transpose();
@@ -118,7 +110,7 @@ fn solve(blocks: Vec<Block>, count: usize) -> Result<Modes, EigenError> {
     modes(&system, system.matrix(), &State::rest(n, m), count, &Interrupt::default())
 }
 
-/// The first `count` of all reference values, to rounding of the largest.
+/// Asserts the first `count` eigenvalues to the rounding error of the largest one.
 fn assert_same(modes: &Modes, all: &[f64], count: usize) {
     let reference = &all[..count];
     assert_eq!(modes.modes.len(), count);
@@ -130,7 +122,7 @@ fn assert_same(modes: &Modes, all: &[f64], count: usize) {
 }
 
 #[test]
-fn all_and_some_of_random_systems() {
+fn eigenvalues_of_random_systems_equal_dense_algebra() {
     let mut random = Random(10);
     for (n, m, units) in [(1, 0, 0.0), (12, 0, 0.0), (20, 5, 0.0), (40, 11, 3.0), (30, 29, 0.0)] {
         for negative in [0, 1, 3] {
@@ -146,9 +138,9 @@ fn all_and_some_of_random_systems() {
     }
 }
 
-/// Ten equal systems have ten modes of each kind.
+/// Ten equal systems have ten equal eigenvalues of each kind.
 #[test]
-fn multiplicity() {
+fn multiple_eigenvalues_are_complete() {
     let block = block(&mut Random(3), 20, 5, 0, 0, 0.0);
     let reference: Vec<f64> = dense(&block).iter().flat_map(|&squared| [squared; 10]).collect();
     for count in [10, 17, 20] {
@@ -157,7 +149,7 @@ fn multiplicity() {
 }
 
 #[test]
-fn motions_without_stiffness_are_zeros() {
+fn free_motions_have_zero_eigenvalues() {
     for units in [0.0, 2.0] {
         let block = block(&mut Random(4), 30, 0, 0, 7, units);
         let modes = solve(vec![block], 9).unwrap();
@@ -167,9 +159,9 @@ fn motions_without_stiffness_are_zeros() {
     }
 }
 
-/// Shapes have xᵀ M x = 1, xᵀ K x = ω² and obey the constraints; unstable ones have no frequency.
+/// Shapes satisfy xᵀ M x = 1, xᵀ K x = ω² and the constraints. Unstable modes have no frequency.
 #[test]
-fn shapes() {
+fn shapes_are_orthonormal_and_satisfy_constraints() {
     let block = block(&mut Random(5), 30, 6, 2, 0, 0.0);
     let modes = solve(vec![block.clone()], 6).unwrap().modes;
     let x = DMatrix::from_fn(30, 6, |i, j| modes[j].shape[i]);
@@ -185,14 +177,13 @@ fn shapes() {
 }
 
 #[test]
-fn nothing_to_find() {
+fn systems_without_modes_have_no_result() {
     assert!(solve(vec![block(&mut Random(6), 5, 5, 0, 0, 0.0)], 3).unwrap().modes.is_empty());
     assert!(solve(vec![block(&mut Random(6), 5, 1, 0, 0, 0.0)], 0).unwrap().modes.is_empty());
 }
 
-/// A constraint that repeats another is reported.
 #[test]
-fn redundant_constraints() {
+fn redundant_constraints_are_singular() {
     let mut block = block(&mut Random(7), 10, 3, 0, 0, 0.0);
     let first = block.constraints.row(0).into_owned();
     block.constraints.set_row(2, &first);

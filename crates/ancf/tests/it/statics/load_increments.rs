@@ -1,9 +1,8 @@
-//! Equilibrium under growing loads: how many iterations it takes, that the ways to it do not matter, how it is lost.
+//! Equilibria by load increments: iterations, independence of the increments, loss of equilibrium.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use crate::common::models::rod;
 use ancf::Model;
 use ancf::analysis::{
     ArcSteps, Equilibrium, EquilibriumError, Failure, Increments, Left, Newton, Path, PathPoint, Statics,
@@ -13,6 +12,8 @@ use ancf::model::{Assembly, Beam, Body, Formulation, Load, ScaleChoice};
 use ancf::system::{Energy, EquationsOfMotion, Factor, Local, LocalMatrix, State, System, Term, Weights};
 use nalgebra::{DMatrix, Vector3};
 
+use crate::common::models::rod;
+
 fn newton(system: &System) -> Newton {
     Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap()
 }
@@ -21,7 +22,7 @@ fn unloaded(assembly: &Assembly) -> State {
     State { load: 0.0, ..assembly.rest() }
 }
 
-/// The equilibrium under the full load, its report and the number of equilibria on the way.
+/// Equilibrium under the full load, its report and the number of accepted increments.
 fn solve(assembly: &Assembly, increments: Increments) -> (State, Equilibrium, usize) {
     let system = &assembly.system;
     let mut statics = Statics::new(system, newton(system), increments, unloaded(assembly));
@@ -38,8 +39,8 @@ fn tip(assembly: &Assembly, state: &State) -> Vector3<f64> {
     assembly.probes[0].1.value(state)
 }
 
-/// A rod without weight under a force at its tip, in multiples of EI/L².
-fn pushed(elements: u32, force: [f64; 3]) -> Model {
+/// Rod without gravity under a tip force in multiples of EI/L².
+fn tip_loaded(elements: u32, force: [f64; 3]) -> Model {
     let mut model = rod::cantilever(elements);
     let unit = model.materials["steel"].young * model.sections["circle"].moments().yy / rod::LENGTH.powi(2);
     model.gravity = [0.0; 3];
@@ -47,16 +48,16 @@ fn pushed(elements: u32, force: [f64; 3]) -> Model {
     model
 }
 
-/// A thousand times softer under its own weight.
+/// Rod with E/1000 under its own weight.
 fn soft(elements: u32) -> Model {
     let mut model = rod::cantilever(elements);
     rod::material(&mut model).young /= 1000.0;
     model
 }
 
-/// Small deflections: the residual is at its rounding error after a few iterations on any mesh.
+/// Small deflections: the residual reaches its rounding error in at most five iterations on any mesh.
 #[test]
-fn own_weight_in_five_iterations() {
+fn own_weight_converges_in_five_iterations() {
     for elements in [1, 10, 100, 1000] {
         let assembly = rod::cantilever(elements).assemble().unwrap();
         let (state, report, accepted) = solve(&assembly, Increments::default());
@@ -69,21 +70,22 @@ fn own_weight_in_five_iterations() {
     }
 }
 
-/// The full load at once, on meshes of any fineness.
+/// Full load in one increment.
 #[test]
-fn large_deflections_at_once() {
-    let cases = [(pushed(32, [0.0, -1.0, 0.0]), 10), (pushed(32, [0.0, -10.0, 0.0]), 20), (soft(32), 20)];
-    for (model, most) in cases {
+fn large_deflections_converge_in_one_increment() {
+    let cases =
+        [(tip_loaded(32, [0.0, -1.0, 0.0]), 10), (tip_loaded(32, [0.0, -10.0, 0.0]), 20), (soft(32), 20)];
+    for (model, limit) in cases {
         let (_, report, accepted) = solve(&model.assemble().unwrap(), Increments::default());
-        assert!(report.iterations <= most, "{report:?}");
+        assert!(report.iterations <= limit, "{report:?}");
         assert_eq!((accepted, report.unstable), (1, Some(0)));
     }
 }
 
-/// The state at the end does not tell by which loads it was reached.
+/// The final state does not depend on the load increments.
 #[test]
-fn steps_do_not_matter() {
-    for model in [pushed(16, [0.0, -10.0, 0.0]), pushed(16, [-1.0, -1.0, 0.7]), soft(16)] {
+fn increments_do_not_change_the_equilibrium() {
+    for model in [tip_loaded(16, [0.0, -10.0, 0.0]), tip_loaded(16, [-1.0, -1.0, 0.7]), soft(16)] {
         let assembly = model.assemble().unwrap();
         let ends = [1.0, 0.3, 0.1, 0.03].map(|first| {
             let (state, ..) = solve(&assembly, Increments { first, ..Increments::default() });
@@ -96,10 +98,10 @@ fn steps_do_not_matter() {
     }
 }
 
-/// Metres or millimetres: the same iterations, increments and arcs, the same tip.
+/// Metres and millimetres: equal iterations, increments, arc steps and tip positions.
 #[test]
-fn units_do_not_matter() {
-    for model in [pushed(8, [0.0, -10.0, 0.0]), soft(8), pushed(8, [-4.0, -1e-3, 0.0])] {
+fn units_do_not_change_iterations_and_equilibria() {
+    for model in [tip_loaded(8, [0.0, -10.0, 0.0]), soft(8), tip_loaded(8, [-4.0, -1e-3, 0.0])] {
         let run = |length: f64, force: f64| {
             let choice = ScaleChoice::Given { length, force, time: Some(1.0) };
             let model = Model { scales: choice, ..model.clone() };
@@ -119,16 +121,16 @@ fn units_do_not_matter() {
     }
 }
 
-/// A column pushed by P = `part` π²EI/4L² and by `aside` of it sideways.
-fn column(part: f64, aside: f64) -> Assembly {
+/// Column under P = `part` π²EI/4L² and the lateral force `imperfection` P.
+fn column(part: f64, imperfection: f64) -> Assembly {
     let force = part * PI.powi(2) / 4.0;
-    let mut model = pushed(32, [-force, aside * force, 0.0]);
-    let Body::Beam(Beam { formulation, .. }) = &mut model.bodies[0] else { panic!("a beam") };
+    let mut model = tip_loaded(32, [-force, imperfection * force, 0.0]);
+    let Body::Beam(Beam { formulation, .. }) = &mut model.bodies[0] else { panic!("the column is a beam") };
     *formulation = Formulation::Quadratic;
     model.assemble().unwrap()
 }
 
-/// The path of an assembly to its full load: what `each` makes of its points.
+/// Follows the path of an assembly to its full load and evaluates `each` at its points.
 fn follow<T>(assembly: &Assembly, mut each: impl FnMut(&State, &PathPoint) -> T) -> (State, Vec<T>) {
     let system = &assembly.system;
     let mut path = Path::new(system, newton(system), ArcSteps::from(0.1), unloaded(assembly)).unwrap();
@@ -141,13 +143,12 @@ fn follow<T>(assembly: &Assembly, mut each: impl FnMut(&State, &PathPoint) -> T)
     (path.state().clone(), seen)
 }
 
-/// Beyond its buckling load a column with a millionth of imperfection bends away, by load increments and by arcs alike. The
-/// straight state is an equilibrium too, and much easier to find, but unstable.
+/// Post-buckling of a column with an imperfection of 10⁻⁶, by load increments and by arc steps.
 ///
-/// Source: the inextensible elastica, P over Euler's load and the tip at 20°, 60°, 90° and 120°, by elliptic integrals; the
-/// finite thickness, d/L = 1/50, is the rest.
+/// The straight state is an unstable equilibrium. Source: inextensible elastica by elliptic integrals, P over Euler's load and
+/// tip at 20°, 60°, 90° and 120°. The tolerance covers the finite thickness, d/L = 1/50.
 #[test]
-fn buckled_column() {
+fn buckled_column_is_the_elastica() {
     for (part, x, y) in [
         (1.0153968655397, 0.96973090736352, 0.2194130423956),
         (1.1517196204691, 0.74101960607633, 0.59320764616489),
@@ -164,10 +165,11 @@ fn buckled_column() {
     }
 }
 
-/// Without imperfection the path stays straight, and its points tell where two directions become unstable: at Reissner's
-/// buckling load, P (1 − P/EA + P/GA) = P_E.
+/// Without imperfection the path is straight; two directions become unstable at Reissner's buckling load.
+///
+/// P (1 − P/EA + P/GA) = P_E.
 #[test]
-fn perfect_column() {
+fn perfect_column_loses_stability_at_reissners_load() {
     let (state, points) = follow(&column(1.5, 0.0), |s, point| (s.load * 1.5, point.equilibrium.unstable));
     assert!(state.q.iter().all(|q| q.abs() < 1e-3));
     let at = points.iter().position(|(_, unstable)| *unstable != Some(0)).unwrap();
@@ -180,10 +182,10 @@ fn perfect_column() {
     );
 }
 
-/// r = sin q − s: no equilibrium for s > 1.
-struct Hook;
+/// Softening spring r = sin q − s, without equilibrium for s > 1.
+struct SofteningSpring;
 
-impl Term for Hook {
+impl Term for SofteningSpring {
     fn coordinates(&self) -> &[usize] {
         &[0]
     }
@@ -205,10 +207,10 @@ impl Term for Hook {
     }
 }
 
-/// The last equilibrium stands, and the error says up to which load.
+/// The last equilibrium is kept; the error states its load factor.
 #[test]
-fn beyond_the_largest_load() {
-    let system = System::new(1, 0, vec![Box::new(Hook)]);
+fn error_beyond_the_limit_load_states_the_load_reached() {
+    let system = System::new(1, 0, vec![Box::new(SofteningSpring)]);
     let start = State { load: 0.0, ..State::rest(1, 0) };
     let mut statics = Statics::new(&system, newton(&system), Increments::default(), start);
     let error: EquilibriumError = statics.advance(2.0, |_, _| ControlFlow::Continue(())).unwrap_err();
@@ -218,15 +220,15 @@ fn beyond_the_largest_load() {
     assert_eq!(state.load, error.reached);
     assert!((state.q[0].sin() - state.load).abs() < 1e-10, "{state:?}");
     assert!(error.to_string().contains(&format!("{}", error.reached)));
-    // From there back to where it came from.
+    // The load can be decreased again.
     statics.advance(0.5, |_, _| ControlFlow::Continue(())).unwrap();
     assert!((statics.state().q[0] - 0.5_f64.asin()).abs() < 1e-10);
 }
 
-/// The receiver sees every equilibrium and may stop.
+/// The receiver gets every equilibrium and can stop the analysis.
 #[test]
-fn stopped_on_the_way() {
-    let assembly = pushed(4, [0.0, -1.0, 0.0]).assemble().unwrap();
+fn receiver_stops_the_analysis() {
+    let assembly = tip_loaded(4, [0.0, -1.0, 0.0]).assemble().unwrap();
     let increments = Increments { first: 0.1, ..Increments::default() };
     let system = &assembly.system;
     let mut statics = Statics::new(system, newton(system), increments, unloaded(&assembly));
@@ -240,10 +242,10 @@ fn stopped_on_the_way() {
     assert!(loads.windows(2).all(|pair| pair[1] > pair[0]) && loads[loads.len() - 1] < 1.0, "{loads:?}");
 }
 
-/// Too few iterations for anything: a failure that names itself, at the start.
+/// A limit of one iteration fails at the start.
 #[test]
-fn nothing_converges() {
-    let assembly = pushed(4, [0.0, -1.0, 0.0]).assemble().unwrap();
+fn missing_convergence_fails_at_the_start() {
+    let assembly = tip_loaded(4, [0.0, -1.0, 0.0]).assemble().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 1).unwrap();
     let mut statics = Statics::new(&assembly.system, newton, Increments::default(), unloaded(&assembly));
     let error = statics.advance(1.0, |_, _| ControlFlow::Continue(())).unwrap_err();
@@ -251,9 +253,9 @@ fn nothing_converges() {
     assert_eq!(statics.state(), &unloaded(&assembly));
 }
 
-/// Sylvester: negative pivots are as many as negative eigenvalues; what is beyond the multipliers is unstable.
+/// Sylvester's law of inertia; negative pivots in excess of the multipliers are unstable directions.
 #[test]
-fn negative_pivots_are_negative_eigenvalues() {
+fn negative_pivots_count_negative_eigenvalues() {
     let mut unstable = Vec::new();
     for part in [0.5, 2.0, 10.0] {
         let assembly = column(part, 0.0);
@@ -271,6 +273,6 @@ fn negative_pivots_are_negative_eigenvalues() {
         assert_eq!(report.unstable, Some(negative - system.multipliers()));
         unstable.push(negative - system.multipliers());
     }
-    // Below the first load, between the first and the second (9 times that), above the second; each bends in two planes.
+    // Below the first, between the first and the second (9 times the first), above the second critical load. Two planes each.
     assert_eq!(unstable, [0, 2, 4]);
 }

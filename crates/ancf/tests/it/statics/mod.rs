@@ -1,4 +1,4 @@
-//! Static equilibria and their paths.
+//! Static equilibria under load increments and along paths.
 
 mod load_increments;
 mod paths;

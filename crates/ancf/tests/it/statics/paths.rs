@@ -1,15 +1,17 @@
-//! Paths of equilibria through limit points: a truss in closed form, Lee's frame, a column beyond its buckling load.
+//! Equilibrium paths through limit points: von Mises truss in closed form, Lee's frame.
 
 use std::ops::ControlFlow;
 
-use super::truss::Truss;
-use crate::common::models::rod;
 use ancf::Model;
 use ancf::analysis::{ArcSteps, Left, Limit, Newton, Path, PathPoint, Stop, Until};
 use ancf::mechanics::{BeamMesh, Coincide, Force, Marker, Perpendicular};
 use ancf::model::{Beam, Body, Formulation, Material, Section};
 use ancf::system::{EquationsOfMotion, State, System};
 use nalgebra::Vector3;
+
+use super::truss::Truss;
+use crate::common::assertions::assert_relative;
+use crate::common::models::rod;
 
 fn newton(system: &System) -> Newton {
     Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap()
@@ -19,7 +21,7 @@ fn unloaded(system: &System) -> State {
     State { load: 0.0, ..State::rest(system.coordinates(), system.multipliers()) }
 }
 
-/// The points of a path from the unloaded state, and why it ended.
+/// Points of a path from the unloaded state, and the reason for its end.
 fn follow(system: &System, steps: ArcSteps, until: Until) -> (Vec<(State, PathPoint)>, Left) {
     let mut path = Path::new(system, newton(system), steps, unloaded(system)).unwrap();
     let mut points = Vec::new();
@@ -30,22 +32,18 @@ fn follow(system: &System, steps: ArcSteps, until: Until) -> (Vec<(State, PathPo
     (points, left.unwrap())
 }
 
+/// Ends a path at a load factor.
 const fn until_load(load: f64) -> Until {
     Until { load: Some(load), points: 1000, length: f64::INFINITY }
 }
 
-fn assert_relative(what: &str, value: f64, reference: f64, tolerance: f64) {
-    let error = (value / reference - 1.0).abs();
-    assert!(error <= tolerance, "{what}: {value} instead of {reference}, {error:e} off");
-}
-
-/// With stiff springs the apex snaps through, with soft ones the point that is pushed snaps back as well.
+/// Stiff springs cause snap-through of the apex; soft ones also cause snap-back of the loaded point.
 fn truss(spring: f64) -> Truss {
     Truss { a: 10.0, h: 1.0, stiffness: 2000.0, spring, push: 1.0 }
 }
 
 #[test]
-fn von_mises_truss() {
+fn von_mises_truss_has_its_closed_path() {
     for spring in [50.0, 0.8] {
         let exact = truss(spring);
         let peak = exact.load(1.0 / 3.0_f64.sqrt());
@@ -58,39 +56,42 @@ fn von_mises_truss() {
         };
         assert_relative("largest load", up, peak, 1e-9);
         assert_relative("least load", down, -peak, 1e-9);
-        // The place of an extremum is known to the root of the error of its value.
+        // The error of the position of an extremum is the square root of the error of its value.
         assert_relative("place of the largest", at_up, 1.0 - 1.0 / 3.0_f64.sqrt(), 1e-4);
         assert_relative("place of the least", at_down, 1.0 + 1.0 / 3.0_f64.sqrt(), 1e-4);
         for (s, _) in &points {
             let z = exact.h - s.q[1];
-            assert!((s.load - exact.load(z)).abs() <= 1e-8 * peak, "off the path at {z}");
-            assert!((s.q[2] - s.q[1] - s.load / spring).abs() <= 1e-8, "off the spring's path");
-            assert!(s.q[0].abs() <= 1e-9, "off the symmetric path");
+            assert!((s.load - exact.load(z)).abs() <= 1e-8 * peak, "not on the path at {z}");
+            assert!((s.q[2] - s.q[1] - s.load / spring).abs() <= 1e-8, "spring force");
+            assert!(s.q[0].abs() <= 1e-9, "not on the symmetric path");
         }
-        assert_eq!(points[points.len() - 1].0.load, 2.0 * peak, "lands exactly");
+        assert_eq!(points[points.len() - 1].0.load, 2.0 * peak, "the last load is exact");
     }
 }
 
-/// Between its limit points the path is unstable in one direction, and the soft spring's end turns back.
+/// One unstable direction between the limit points; the end of the soft spring reverses its motion.
 #[test]
-fn snapping_is_unstable() {
+fn path_is_unstable_between_limit_points() {
     let peak = truss(1.0).load(1.0 / 3.0_f64.sqrt());
-    let mut turns = Vec::new();
+    let mut reversals = Vec::new();
     for spring in [50.0, 0.8] {
         let (points, _) = follow(&truss(spring).system(), ArcSteps::from(0.1 * peak), until_load(2.0 * peak));
         for (s, point) in points.iter().filter(|(_, point)| point.limit.is_none()) {
             let inside = (s.q[1] - 1.0).abs() < 1.0 / 3.0_f64.sqrt();
             assert_eq!(point.equilibrium.unstable, Some(usize::from(inside)), "at {}", s.q[1]);
         }
-        turns.push(points.windows(2).any(|pair| pair[1].0.q[2] < pair[0].0.q[2]));
-        assert!(points.windows(2).all(|pair| pair[1].0.q[1] > pair[0].0.q[1]), "the apex sinks all the way");
+        reversals.push(points.windows(2).any(|pair| pair[1].0.q[2] < pair[0].0.q[2]));
+        assert!(
+            points.windows(2).all(|pair| pair[1].0.q[1] > pair[0].0.q[1]),
+            "the apex moves down monotonically"
+        );
     }
-    assert_eq!(turns, [false, true]);
+    assert_eq!(reversals, [false, true]);
 }
 
-/// A path ends by the number of points, by its length and by the receiver; it has two directions.
+/// End by the number of points, by the length and by the receiver; reversed direction.
 #[test]
-fn ends_of_a_path() {
+fn path_ends_by_points_length_or_receiver() {
     let system = truss(50.0).system();
     let until = Until { load: None, points: 7, length: f64::INFINITY };
     let (points, left) = follow(&system, ArcSteps::from(0.05), until);
@@ -102,7 +103,7 @@ fn ends_of_a_path() {
     let mut path = Path::new(&system, newton(&system), ArcSteps::from(0.05), unloaded(&system)).unwrap();
     let left = path.follow(&until_load(10.0), |_, _| ControlFlow::Break(()));
     assert_eq!(left.unwrap(), Left::Broken);
-    // Upwards the bars are pulled and the load has no limit.
+    // Upward loads stretch the bars; the path has no limit point.
     let mut path =
         Path::new(&system, newton(&system), ArcSteps::from(0.05), unloaded(&system)).unwrap().reversed();
     let mut limits = 0;
@@ -113,7 +114,9 @@ fn ends_of_a_path() {
     assert_eq!((left.unwrap(), limits, path.state().load), (Left::Load, 0, -3.0));
 }
 
-/// Lee's frame: two legs of 120, h × 24/h³ across, with EI = 1.44e7, hinged at their far ends, and P = load × 10⁴ down on the girder 24 from the corner.
+/// Lee's frame: two legs of length 120 with the section h × 24/h³, EI = 1.44e7, hinged at their far ends.
+///
+/// P = load × 10⁴ acts downwards on the girder at the distance 24 from the corner.
 ///
 /// ```text
 ///        24  | P
@@ -124,8 +127,8 @@ fn ends_of_a_path() {
 ///      ^
 /// ```
 ///
-/// The corner keeps the right angle between the sections: a clamp would tie r_y of one beam to r_x of the other, which is
-/// free within an ever smaller element, so that finer meshes would make the corner a hinge.
+/// The corner constrains the right angle between the sections. A clamp would couple r_y of one beam to r_x of the other,
+/// which is free inside the element: with finer meshes the corner would become a hinge.
 fn lees_frame(elements: u32, formulation: Formulation, height: f64) -> (System, Marker) {
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let leg = |name: &str, ends, up: Vector3<f64>| {
@@ -180,17 +183,17 @@ fn lees_path(elements: u32, formulation: Formulation, height: f64) -> Vec<([f64;
     assert_eq!(left, Left::Load);
     let at = |s: &State| {
         let moved = loaded.sum(&s.q);
-        assert!(moved.z.abs() < 1e-6, "out of the plane");
+        assert!(moved.z.abs() < 1e-6, "displacement out of the plane");
         [1e4 * s.load, moved.x, -moved.y]
     };
     points.iter().map(|(s, point)| (at(s), *point)).collect()
 }
 
-/// P, u, w where P has its limits, for the exact rod without shear.
+/// P, u, w at the limit points of the exact rod without shear.
 const TOP: [f64; 3] = [18556.727538, 26.880574, 48.7351372];
 const BOTTOM: [f64; 3] = [-9414.431556, 90.195674, 58.2168153];
 
-/// Limit points, by how much P and the displacements may differ from those of the rod.
+/// Asserts the limit points within relative tolerances of P and of the displacements.
 fn assert_limits(points: &[([f64; 3], PathPoint)], force: f64, place: f64) {
     let limits: Vec<_> = points.iter().filter_map(|(at, point)| Some((point.limit?, *at))).collect();
     let [(Limit::Maximum, top), (Limit::Minimum, bottom)] = limits[..] else { panic!("limits {limits:?}") };
@@ -201,22 +204,25 @@ fn assert_limits(points: &[([f64; 3], PathPoint)], force: f64, place: f64) {
     }
 }
 
-/// Snap-through of the load and snap-back of the point under it, against the rod without shear. Shear adds −0.04 % and
-/// +0.15 % to the limits; the rest is the finite thickness of a St. Venant-Kirchhoff section, which goes with h².
+/// Snap-through of the load and snap-back of the loaded point, against the rod without shear.
+///
+/// Shear changes the limit loads by −0.04 % and +0.15 %. The remaining error is due to the finite thickness of the
+/// St. Venant-Kirchhoff section, of the order h².
 ///
 /// Source: a planar rod by shooting, residuals below 1e-12; Lee, Manuel & Rossow (1968).
 #[test]
-fn lees_frame_snaps() {
+fn lees_frame_has_its_limit_points() {
     let points = lees_path(10, Formulation::Quadratic, 2.0);
     assert_limits(&points, 1e-2, 2e-3);
-    // The point under the load sinks, rises while the load falls, and sinks again.
+    // The loaded point moves down, up while the load decreases, and down again.
     let w: Vec<f64> = points.iter().map(|(at, _)| at[2]).collect();
     let turns: Vec<usize> =
         (1..w.len() - 1).filter(|&i| (w[i] - w[i - 1]) * (w[i + 1] - w[i]) < 0.0).collect();
-    let [back, on] = turns[..] else { panic!("turns {turns:?}") };
-    assert_relative("w turns back", w[back], 61.0029789, 2e-3);
-    assert_relative("w turns on", w[on], 50.7462514, 2e-3);
-    // Unstable in the plane between the limits, and out of it from shortly before the first to shortly before the second.
+    let [largest, smallest] = turns[..] else { panic!("turns {turns:?}") };
+    assert_relative("maximum of w", w[largest], 61.0029789, 2e-3);
+    assert_relative("minimum of w", w[smallest], 50.7462514, 2e-3);
+    // Instability in the plane between the limits, and out of the plane from shortly before the first to shortly before the
+    // second limit.
     let mut stability: Vec<_> = points.iter().filter(|(_, point)| point.limit.is_none()).collect();
     stability.dedup_by_key(|(_, point)| point.equilibrium.unstable);
     let counts: Vec<_> = stability.iter().map(|(_, point)| point.equilibrium.unstable).collect();
@@ -226,9 +232,9 @@ fn lees_frame_snaps() {
     }
 }
 
-/// The load and the drop at places of the path, in their order.
+/// Load and vertical displacement at given horizontal displacements, in the order of the path.
 #[test]
-fn lees_frame_path() {
+fn lees_frame_has_its_path() {
     let points = lees_path(10, Formulation::Quadratic, 2.0);
     let mut rest = points.windows(2);
     for (u, force, w) in [
@@ -240,22 +246,22 @@ fn lees_frame_path() {
         (90.0, -9412.201523, 57.9378957),
     ] {
         let pair = rest.find(|pair| pair[0].0[1] <= u && pair[1].0[1] > u).unwrap();
-        let [(a, _), (b, _)] = pair else { panic!("a pair") };
-        let part = (u - a[1]) / (b[1] - a[1]);
-        let [p, _, drop] = [0, 1, 2].map(|i| a[i] + part * (b[i] - a[i]));
+        let [(a, _), (b, _)] = pair else { panic!("two points") };
+        let fraction = (u - a[1]) / (b[1] - a[1]);
+        let [p, _, vertical] = [0, 1, 2].map(|i| a[i] + fraction * (b[i] - a[i]));
         assert!((p - force).abs() <= 5e-3 * TOP[0], "P = {p} at u = {u}");
-        assert_relative("w", drop, w, 5e-3);
+        assert_relative("w", vertical, w, 5e-3);
     }
 }
 
-/// The same limits with a section half as high.
+/// Limit points with half the section height.
 #[test]
-fn lees_frame_of_a_thinner_section() {
+fn lees_frame_with_a_thin_section_has_its_limit_points() {
     assert_limits(&lees_path(10, Formulation::Quadratic, 1.0), 2e-3, 3e-4);
 }
 
-/// The plain element needs 40 to a leg.
+/// Limit points with 40 elements of the continuum formulation per leg.
 #[test]
-fn lees_frame_of_the_plain_element() {
+fn lees_frame_of_continuum_elements_has_its_limit_points() {
     assert_limits(&lees_path(40, Formulation::Continuum, 2.0), 3e-3, 1e-3);
 }

@@ -1,46 +1,47 @@
-//! The truss of von Mises, in closed form.
+//! Von Mises truss in closed form.
 
 use ancf::system::{Energy, Local, LocalMatrix, System, Term, Weights};
 
-/// The shallow truss of von Mises: two bars from (±a, 0) to the apex (0, h), pushed down through a spring.
+/// Shallow von Mises truss: two bars from (±a, 0) to the apex (0, h), loaded through a spring.
 ///
 /// ```text
 ///            P = load × `push`
 ///            v
-///            <  spring, its upper end sinks by q[2]
+///            <  spring, downward displacement q[2] of its upper end
 ///            o  apex (q[0], h − q[1])
 ///        /       \
 ///     /             \
 ///   ^                 ^
 /// ```
 ///
-/// Green's strain ε = (l² − L²)/2L² and energy ½ EA L ε² of each bar give P = EA (h² − z²) z / L³ at the height z, limits
-/// at z = ±h/√3. With a mass of one at each point.
-pub(crate) struct Truss {
+/// Green strain ε = (l² − L²)/2L² and energy ½ EA L ε² of each bar give P = EA (h² − z²) z / L³ at the height z. Limit
+/// points are at z = ±h/√3. Unit mass at each point.
+pub(super) struct Truss {
     /// Half the span a.
-    pub(crate) a: f64,
+    pub(super) a: f64,
     /// Height h.
-    pub(crate) h: f64,
+    pub(super) h: f64,
     /// EA of the bars.
-    pub(crate) stiffness: f64,
+    pub(super) stiffness: f64,
     /// Stiffness of the spring.
-    pub(crate) spring: f64,
+    pub(super) spring: f64,
     /// P at load factor one.
-    pub(crate) push: f64,
+    pub(super) push: f64,
 }
 
 impl Truss {
-    /// The truss alone.
-    pub(crate) fn system(self) -> System {
+    /// System with the truss only.
+    pub(super) fn system(self) -> System {
         System::new(3, 0, vec![Box::new(self)])
     }
 
+    /// L³ of a bar.
     fn cube(&self) -> f64 {
         self.a.hypot(self.h).powi(3)
     }
 
     /// P at a height z of the apex.
-    pub(crate) fn load(&self, z: f64) -> f64 {
+    pub(super) fn load(&self, z: f64) -> f64 {
         self.stiffness * (self.h * self.h - z * z) * z / self.cube()
     }
 
@@ -50,7 +51,7 @@ impl Truss {
     }
 
     /// l² − L² of a bar.
-    fn growth(&self, [x, z]: [f64; 2]) -> f64 {
+    fn extension(&self, [x, z]: [f64; 2]) -> f64 {
         x * x + z * z - self.a * self.a - self.h * self.h
     }
 }
@@ -62,7 +63,7 @@ impl Term for Truss {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         for bar in self.bars(at.q) {
-            let n = 0.5 * self.stiffness / self.cube() * self.growth(bar);
+            let n = 0.5 * self.stiffness / self.cube() * self.extension(bar);
             r[0] += n * bar[0];
             r[1] -= n * bar[1];
         }
@@ -88,7 +89,7 @@ impl Term for Truss {
             let c = w.q * self.stiffness / self.cube();
             let direction = [bar[0], -bar[1]];
             for i in 0..2 {
-                k.add(i, i, 0.5 * c * self.growth(bar));
+                k.add(i, i, 0.5 * c * self.extension(bar));
                 for j in 0..=i {
                     k.add(i, j, c * direction[i] * direction[j]);
                 }
@@ -104,7 +105,7 @@ impl Term for Truss {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let square = self.a * self.a + self.h * self.h;
-        let bars = self.bars(at.q).map(|bar| self.growth(bar).powi(2)).iter().sum::<f64>();
+        let bars = self.bars(at.q).map(|bar| self.extension(bar).powi(2)).iter().sum::<f64>();
         let strain = bars * self.stiffness * square.sqrt() / (8.0 * square * square)
             + 0.5 * self.spring * (at.q[2] - at.q[1]).powi(2);
         Energy { strain, potential: -at.load * self.push * at.q[2], ..Energy::default() }

@@ -1,18 +1,18 @@
-//! Contacts deep in each other, so that they act wherever a small random state leads.
+//! Contacts with deep penetration, active for all small random states.
 
 use ancf::mechanics::{Attachment, BeamContact, BeamMesh, ContactLaw, Form, Obstacle, ObstacleContact};
 use ancf::system::Term;
 use nalgebra::Vector3;
 
-/// What takes energy.
+/// Mechanism of energy loss.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Loss {
+pub(super) enum Loss {
     None,
     Damping,
     Friction,
 }
 
-/// A pressure linear in the depth, or growing with its square.
+/// Contact pressure, linear or quadratic in the depth.
 fn law(linear: bool, loss: Loss) -> ContactLaw {
     ContactLaw {
         stiffness: 3.0,
@@ -23,8 +23,8 @@ fn law(linear: bool, loss: Loss) -> ContactLaw {
     }
 }
 
-/// A name, a contact and how it takes energy: every form on every carrier, beams on beams.
-pub(crate) fn contacts(a: &BeamMesh, b: &BeamMesh, s: f64) -> Vec<(String, Box<dyn Term>, Loss)> {
+/// Returns contacts with their names and losses: all obstacle shapes on ground and body, beam on beam.
+pub(super) fn contacts(a: &BeamMesh, b: &BeamMesh, s: f64) -> Vec<(String, Box<dyn Term>, Loss)> {
     let point = a.point(s);
     let at = point.reference();
     let axis = Vector3::new(0.48, 0.6, -0.64);

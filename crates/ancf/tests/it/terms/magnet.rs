@@ -1,9 +1,9 @@
-//! A term for tests of loads that have a stiffness.
+//! Load with a stiffness.
 
 use ancf::system::{Local, LocalMatrix, Term, Weights};
 
-/// A load that grows with its point's displacement, beside a spring.
-pub(crate) struct Magnet;
+/// Load proportional to the displacement of its point, in parallel with a spring.
+pub(super) struct Magnet;
 
 impl Term for Magnet {
     fn coordinates(&self) -> &[usize] {

@@ -1,9 +1,11 @@
-//! Properties that every term of the equations of motion has.
+//! Properties of all terms of the equations of motion.
 
+mod cases;
+mod constraints;
 mod contacts;
+mod immersed;
+mod joint_terms;
 mod kind;
 mod laws;
-mod links;
 mod magnet;
-mod tied;
-mod wet;
+mod stress_stiffness;

@@ -1,4 +1,4 @@
-//! Newton's and Euler's laws of whole systems: what joints exert and what they tie, and the account of energy.
+//! Newton's and Euler's laws of complete systems: reactions, constraints, energy balance.
 //!
 //! ```text
 //!   |/|=======+============  the rod, clamped ("root")
@@ -19,14 +19,14 @@ use crate::common::solutions::equilibrium;
 
 /// ρAgL of the rod, in newtons.
 const WEIGHT: f64 = 24.74767621716784;
-/// Where the branch leaves the rod: between two nodes.
+/// Position of the branch on the rod, inside an element.
 const FORK: f64 = 0.35;
-/// The axis of the hinge.
+/// Axis of the revolute joint.
 const AXIS: [f64; 3] = [0.8, 0.3, 0.1];
 /// Length of an element of the rod and of the branch.
 const ELEMENT: f64 = 0.5;
 
-/// A branch of half the rod's length along a unit vector, tied by some joint.
+/// Rod with a branch of half its length along a unit vector, connected by a joint.
 fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
     let mut model = rod::cantilever(2);
     let mut branch = rod::beam(&mut model).clone();
@@ -44,7 +44,7 @@ fn clamp(fix: Clamped) -> impl FnOnce(Place, End) -> Joint {
     move |a, b| Joint::Clamp { name: "fork".into(), a, b, fix: Some(fix) }
 }
 
-/// One system for each kind of joint, soft and on the move.
+/// Soft systems, one for each kind of joint.
 fn forks() -> [(&'static str, Model); 4] {
     let along = [0.0, 0.6, 0.8];
     [
@@ -77,7 +77,7 @@ fn mass(assembly: &Assembly) -> DMatrix<f64> {
     DMatrix::from_fn(system.coordinates(), system.coordinates(), |i, j| dense[i][j])
 }
 
-/// dq of a rigid motion of everything: each vector of the nodes moves by `turn` × itself, points by `shift` besides.
+/// dq of a rigid-body motion: nodal vectors rotate by `turn`, points also translate by `shift`.
 fn rigid(assembly: &Assembly, s: &State, turn: Vector3<f64>, shift: Vector3<f64>) -> DVector<f64> {
     let mut dq = Vec::new();
     for (body, elements) in [("rod", 2), ("branch", 1)] {
@@ -93,7 +93,7 @@ fn rigid(assembly: &Assembly, s: &State, turn: Vector3<f64>, shift: Vector3<f64>
     DVector::from_vec(dq)
 }
 
-/// The rates of momentum and of angular momentum about the origin are gravity and what the ground exerts at the root.
+/// Asserts that gravity and the root reactions are the rates of linear and angular momentum about the origin.
 fn assert_balance(name: &str, assembly: &Assembly, s: &State, gravity: Vector3<f64>) {
     let (mass, a) = (mass(assembly), DVector::from_column_slice(&s.a));
     let root = assembly.reactions(s).next().unwrap();
@@ -110,7 +110,7 @@ fn assert_balance(name: &str, assembly: &Assembly, s: &State, gravity: Vector3<f
     }
 }
 
-/// All instants of 0.2 s, by the scheme and the step of the paper.
+/// States over 0.2 s by the scheme and the step of the paper.
 fn instants(model: &Model) -> (Assembly, Vec<State>) {
     let assembly = model.assemble().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
@@ -123,7 +123,7 @@ fn instants(model: &Model) -> (Assembly, Vec<State>) {
     (assembly, states)
 }
 
-/// The largest |Φ|.
+/// Largest |Φ|.
 fn violation(assembly: &Assembly, s: &State) -> f64 {
     let (n, m) = (assembly.system.coordinates(), assembly.system.multipliers());
     let mut r = vec![0.0; n + m];
@@ -132,18 +132,18 @@ fn violation(assembly: &Assembly, s: &State) -> f64 {
 }
 
 #[test]
-fn joints_hold() {
+fn joint_constraints_hold_to_rounding() {
     let single = [rod::cantilever(5), rod::revolute(5), rod::spherical(5)].map(|model| ("single", model));
     for (name, model) in forks().into_iter().chain(single) {
         let (assembly, states) = instants(&model);
         let largest = states.iter().map(|s| violation(&assembly, s)).fold(0.0, f64::max);
         assert!(largest < 1e-10, "{name}: {largest:e}");
-        assert!(states.iter().any(|s| s.q.iter().any(|q| q.abs() > 1e-3)), "{name} has not moved");
+        assert!(states.iter().any(|s| s.q.iter().any(|q| q.abs() > 1e-3)), "{name} moves");
     }
 }
 
 #[test]
-fn action_is_reaction() {
+fn root_reactions_are_rates_of_momenta() {
     let [.., (_, mut hinged)] = forks();
     hinged.joints[0] = Joint::Revolute {
         name: "root".into(),
@@ -162,10 +162,9 @@ fn action_is_reaction() {
     }
 }
 
-/// At the fork a clamp keeps the frames of both bodies aligned, a hinge the axis of one normal to a plane of the other,
-/// a ball nothing.
+/// At the fork a clamp keeps the frames aligned, a revolute joint the axis, a spherical joint nothing.
 #[test]
-fn joints_leave_what_they_should() {
+fn joints_constrain_the_relative_rotation() {
     let angle = |a: Vector3<f64>, b: Vector3<f64>| a.normalize().cross(&b.normalize()).norm();
     for (name, model) in forks() {
         let (assembly, states) = instants(&model);
@@ -181,14 +180,14 @@ fn joints_leave_what_they_should() {
             "spherical" => assert!(off_axis > 0.01 && turned > 0.01, "{off_axis:e}, {turned:e}"),
             "revolute" => assert!(off_axis < 1e-9 && turned > 0.01, "{off_axis:e}, {turned:e}"),
             "clamp" => assert!(turned < 1e-9, "{name}: {turned:e}"),
-            // At an angle, the sections turn together: three angles between their directions stay.
-            _ => assert!(kept_angles(&assembly, states.last().unwrap()) >= 3, "{name}"),
+            // Sections at an angle rotate together: three angles between their directions are constant.
+            _ => assert!(constant_angles(&assembly, states.last().unwrap()) >= 3, "{name}"),
         }
     }
 }
 
-/// How many of the products of r_y, r_z of the rod with r_y, r_z of the branch at the fork are those of the reference state.
-fn kept_angles(assembly: &Assembly, s: &State) -> usize {
+/// Number of constant scalar products of r_y, r_z of the rod with r_y, r_z of the branch at the fork.
+fn constant_angles(assembly: &Assembly, s: &State) -> usize {
     let [rod, branch] =
         [("rod", FORK), ("branch", 0.0)].map(|(body, at)| assembly.mesh(body).unwrap().axes(at));
     let pairs = [(1, 1), (1, 2), (2, 1), (2, 2)].map(|(i, j)| (&rod[i], &branch[j]));
@@ -196,9 +195,9 @@ fn kept_angles(assembly: &Assembly, s: &State) -> usize {
     change.iter().filter(|change| change.abs() < 1e-9).count()
 }
 
-/// A start with velocities: with Φ_q v = 0 and the consistent accelerations, Φ(q + h v + ½ h² a) is of third order.
+/// Φ(q + h v + ½ h² a) is of third order for Φ_q v = 0 and consistent accelerations.
 #[test]
-fn consistent_start_in_motion() {
+fn consistent_start_satisfies_constraints_to_third_order() {
     let model = branched([0.0, 0.6, 0.8], |a, b| Joint::Revolute {
         name: "fork".into(),
         a,
@@ -210,7 +209,7 @@ fn consistent_start_in_motion() {
     });
     let assembly = Model { joints: model.joints[1..].to_vec(), ..model }.assemble().unwrap();
     let mut s = assembly.rest();
-    // All turn about one axis, the branch besides about its hinge.
+    // All bodies rotate about one axis, the branch also about its hinge.
     let spin = rigid(&assembly, &s, Vector3::new(3.0, -5.0, 4.0), Vector3::zeros());
     let hinge = rigid(
         &assembly,
@@ -233,14 +232,14 @@ fn consistent_start_in_motion() {
     assert!((order - 3.0).abs() < 0.1, "order {order}");
 }
 
-/// The ground carries the weight and its moment, the fork the weight of the branch.
+/// Root: weight and its moment. Fork: weight of the branch.
 #[test]
-fn reactions_at_rest() {
+fn reactions_at_rest_are_the_weights() {
     let (assembly, state) = equilibrium(&rod::cantilever(5), 1);
     let root = assembly.reactions(&state).next().unwrap();
     assert_near("force", root.force.y / WEIGHT, 1.0, 1e-9);
     assert_near("force across", root.force.x.hypot(root.force.z), 0.0, 1e-8);
-    // The deflection of two millimetres moves the weight inwards by micrometres.
+    // The deflection of 2 mm shifts the weight inwards by micrometres.
     assert_near("moment", root.moment.z / (0.5 * WEIGHT * rod::LENGTH), 1.0, 1e-5);
 
     let model = branched([0.0, -1.0, 0.0], clamp(Clamped::All));
@@ -248,15 +247,15 @@ fn reactions_at_rest() {
     let [root, fork] = [0, 1].map(|joint| assembly.reactions(&state).nth(joint).unwrap());
     assert_near("force", root.force.y / (1.5 * WEIGHT), 1.0, 1e-9);
     assert_near("force on the branch", fork.force.y / (0.5 * WEIGHT), 1.0, 1e-9);
-    // The rod's slope of 2e-3 at the fork swings the branch inwards.
+    // The slope of 2e-3 at the fork rotates the branch inwards.
     let moment = 0.5 * WEIGHT * rod::LENGTH + 0.5 * WEIGHT * FORK;
     assert_near("moment", root.moment.z / moment, 1.0, 1e-3);
     assert_balance("at rest", &assembly, &state, Vector3::from(model.gravity));
 }
 
-/// A free rod falls by gt²/2, unstrained, and average acceleration keeps its energy to rounding.
+/// Free fall gt²/2 without strain; average acceleration conserves energy to rounding.
 #[test]
-fn free_fall() {
+fn free_fall_conserves_energy() {
     let mut model = rod::free(3);
     let settings = rod::settings(&mut model);
     (settings.scheme, settings.start) = (model::Scheme::AverageAcceleration, Start::Consistent);
@@ -267,7 +266,7 @@ fn free_fall() {
     }
     for ((t, v), a) in run.column("t").iter().zip(run.vectors("tip.v")).zip(run.vectors("tip.a")) {
         assert!((v - Vector3::new(0.0, -rod::GRAVITY * t, 0.0)).norm() < 1e-10, "velocity {v}");
-        // After 20 m, EA ε q/l over the mass of a node is some 1e-6 m/s².
+        // After 20 m the rounding error EA ε q/l per mass of a node is about 1e-6 m/s².
         assert!((a - Vector3::new(0.0, -rod::GRAVITY, 0.0)).norm() < 1e-5, "acceleration {a}");
     }
     assert_near("kinetic energy", *kinetic / (WEIGHT * 0.5 * rod::GRAVITY * 4.0), 1.0, 1e-12);
@@ -276,9 +275,9 @@ fn free_fall() {
     }
 }
 
-/// γ > 1/2 takes energy out of a bent, swinging rod; with γ = 1/2, β = 1/4 a hundred times less is lost or won.
+/// γ > 1/2 dissipates energy; the change with γ = 1/2, β = 1/4 is smaller by a factor of 100.
 #[test]
-fn dissipation() {
+fn adams_dissipates_and_average_acceleration_does_not() {
     let dissipated = |scheme| {
         let mut model = rod::spherical(3);
         let settings = rod::settings(&mut model);
@@ -293,8 +292,10 @@ fn dissipation() {
     assert!(adams > 0.0 && average.abs() < 0.01 * adams, "{adams:e} and {average:e}");
 }
 
-/// Steps of 1 ms to 100 ms, the longest far beyond the period of the rod, end at the same equilibrium: weight and tip force,
-/// q L⁴/8EI + F L³/3EI less the locking of 20 elements, 4.2374 mm. What the predictor does to a stiff beam must not loosen the rule.
+/// Steps of 20 to 100 ms, longer than the period of the rod, converge to the equilibrium under weight and tip force.
+///
+/// q L⁴/8EI + F L³/3EI less the locking of 20 elements is 4.2374 mm. The error of the predictor for a stiff beam must not
+/// affect the stopping rule.
 #[test]
 fn long_steps_end_at_the_equilibrium() {
     let with_force = |step: f64, duration: f64| {
@@ -316,9 +317,9 @@ fn long_steps_end_at_the_equilibrium() {
     }
 }
 
-/// A mirror image costs no strain energy, but matter cannot get there: every element of it is refused, a rotation is not.
+/// A reflection has no strain energy but det J < 0; a rotation by 180° is admissible.
 #[test]
-fn elements_inside_out_are_refused() {
+fn inverted_elements_are_inadmissible() {
     let assembly = rod::free(2).assemble().unwrap();
     let mut state = assembly.rest();
     assert_eq!(assembly.system.inadmissible(&state), None);
@@ -331,9 +332,9 @@ fn elements_inside_out_are_refused() {
         }
     };
     mirror(&mut state, &[1, 2]);
-    assert_eq!(assembly.system.inadmissible(&state), None, "half a turn about the axis");
+    assert_eq!(assembly.system.inadmissible(&state), None, "rotation by 180° about the axis");
     state = assembly.rest();
     mirror(&mut state, &[2]);
-    assert_eq!(assembly.system.inadmissible(&state), Some(0), "z mirrored");
-    assert!(assembly.system.energy(&state).strain.abs() < 1e-6, "at no cost");
+    assert_eq!(assembly.system.inadmissible(&state), Some(0), "reflection of z");
+    assert!(assembly.system.energy(&state).strain.abs() < 1e-6, "strain energy of a reflection");
 }

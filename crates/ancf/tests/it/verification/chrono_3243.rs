@@ -1,9 +1,9 @@
-//! The unit test of Project Chrono's beam 3243 (`UT_ANCFBeam_3243`), the same 24-coordinate element.
+//! Unit test of beam 3243 of Project Chrono (`UT_ANCFBeam_3243`), the same 24-coordinate element.
 //!
 //! One element, 1 × 0.1 × 0.1, ρ = 7850, E = 210e9, ν = 0.3, straight along x, 9.80665 along −z.
 //!
-//! Goal: mass and gravity to all printed digits; stiffness in the reference state by closed forms, since Chrono scales
-//! its shear terms by k = 10(1+ν)/(12+11ν) and this element does not (k = 1).
+//! Goal: mass and gravity to all printed digits. Stiffness in the reference state by closed forms, since Chrono has the
+//! shear factor k = 10(1+ν)/(12+11ν) and this element k = 1.
 
 use std::sync::Arc;
 
@@ -11,6 +11,8 @@ use ancf::mechanics::{Beam24, BeamShape, Profile};
 use ancf::model::{Material, Section};
 use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
+
+use crate::common::assertions::assert_relative;
 
 const AREA: f64 = 0.01;
 const MATERIAL: Material = Material::elastic(7850.0, 210e9, 0.3);
@@ -29,13 +31,15 @@ fn element() -> Beam24 {
 
 const REST: Local<'_> = Local { q: &[0.0; 24], v: &[0.0; 24], a: &[0.0; 24], lambda: &[], t: 0.0, load: 1.0 };
 
-fn assert_relative(what: &str, value: f64, reference: f64) {
-    assert!((value / reference - 1.0).abs() < 1e-9, "{what}: {value} instead of {reference}");
+/// Asserts nine digits.
+#[track_caller]
+fn assert_digits(what: &str, value: f64, reference: f64) {
+    assert_relative(what, value, reference, 1e-9);
 }
 
 /// V1: rows and columns r, r_x, r_y, r_z of both nodes. Closed form: ρl (13A/35, 11Al/210, Al²/105, ..), ρlI/3, ρlI/6.
 #[test]
-fn mass() {
+fn mass_equals_chrono() {
     let (m11, m12, m15, m16) = (29.1571428571429, 4.11190476190476, 10.0928571428571, -2.4297619047619);
     let (m22, m26, m33, m37) =
         (0.747619047619048, -0.560714285714286, 0.0218055555555556, 0.0109027777777778);
@@ -66,7 +70,7 @@ fn mass() {
             if expected == 0.0 {
                 assert!(value.abs() < 1e-15, "M{i}{j} = {value}");
             } else {
-                assert_relative(&format!("M{i}{j}"), value, expected);
+                assert_digits(&format!("M{i}{j}"), value, expected);
             }
         }
     }
@@ -74,12 +78,12 @@ fn mass() {
 
 /// V2: the residual at rest is minus the force of gravity.
 #[test]
-fn gravity() {
+fn gravity_equals_chrono() {
     let mut r = [0.0; 24];
     element().residual(&REST, &mut r);
     let expected = [(2, -384.9110125), (5, -64.1518354166667), (14, -384.9110125), (17, 64.1518354166667)];
     for (at, force) in expected {
-        assert_relative(&format!("coordinate {at}"), -r[at], force);
+        assert_digits(&format!("coordinate {at}"), -r[at], force);
         r[at] = 0.0;
     }
     assert_eq!(r, [0.0; 24]);
@@ -87,7 +91,7 @@ fn gravity() {
 
 /// V4 with k = 1, from the energy of linear elasticity with S₁' = −6(ξ − ξ²)/l, S₂' = 1 − 4ξ + 3ξ², S₃ = y(1 − ξ).
 #[test]
-fn stiffness() {
+fn stiffness_equals_chrono() {
     let mut storage = [0.0; LOCAL * LOCAL];
     let mut k = LocalMatrix::zero(24, &mut storage);
     element().tangent(&REST, Weights::STIFFNESS, &mut k);
@@ -105,20 +109,20 @@ fn stiffness() {
         (6, 1, -shear / 2.0),  // ∫ S₁' (1 − ξ) by G, the x of r_y against the y of r
     ];
     for (i, j, value) in expected {
-        assert_relative(&format!("K{i}{j}"), k.get(i, j), value);
+        assert_digits(&format!("K{i}{j}"), k.get(i, j), value);
     }
-    // Chrono's own digits where its k has no part.
+    // Digits of Chrono for entries without k.
     for (i, j, printed) in [
         (0, 0, 3392307692.30769),
         (3, 0, 282692307.692308),
         (3, 3, 376923076.923077),
         (7, 0, -605769230.769231),
     ] {
-        assert_relative(&format!("K{i}{j} as printed"), k.get(i, j), printed);
+        assert_digits(&format!("K{i}{j} as printed"), k.get(i, j), printed);
     }
-    // And with its k.
+    // Digits of Chrono for entries with k.
     let factor = 10.0 * 1.3 / (12.0 + 11.0 * 0.3);
     for (i, j, printed) in [(1, 1, 823529411.764706), (4, 1, 68627450.9803922), (6, 1, -343137254.901961)] {
-        assert_relative(&format!("K{i}{j} as printed"), k.get(i, j) * factor, printed);
+        assert_digits(&format!("K{i}{j} as printed"), k.get(i, j) * factor, printed);
     }
 }

@@ -1,12 +1,12 @@
-//! Closed forms of one element and of short chains: patch tests of tension, torsion and bending.
+//! Closed forms of few elements: patch tests of tension, torsion and bending.
 //!
 //! ```text
 //!   |/|==========o==========o==========> P, T
 //!   |/|  | | | q = ρAg | | | | | | |
 //! ```
 //!
-//! Source: independent calculation from the energy of the element in closed form; E (s³ − s)/2 A = P is the uniaxial
-//! law of St. Venant and Kirchhoff for ν = 0.
+//! Source: independent calculation from the energy of the element in closed form. E (s³ − s)/2 A = P is the uniaxial law
+//! of St. Venant-Kirchhoff for ν = 0.
 
 use ancf::Model;
 use ancf::analysis::consistent_start;
@@ -21,7 +21,7 @@ fn area(model: &Model) -> f64 {
     model.sections["circle"].moments().area
 }
 
-/// A rod without gravity, pulled by P = `part` EA at its end.
+/// Rod without gravity under the tension P = `part` EA at its end.
 fn pulled(elements: u32, fix: Clamped, part: f64) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
@@ -30,9 +30,9 @@ fn pulled(elements: u32, fix: Clamped, part: f64) -> Model {
     model
 }
 
-/// Uniform stretch s with s³ − s = 2P/EA: a constant state of stress, exact on any mesh.
+/// Uniform stretch s with s³ − s = 2P/EA, exact on any mesh.
 #[test]
-fn uniform_stretch() {
+fn uniform_stretch_is_exact() {
     for (part, stretch) in [
         (0.001, 1.000998503986923),
         (0.01, 1.009853873369681),
@@ -48,15 +48,15 @@ fn uniform_stretch() {
     }
 }
 
-/// u EA/PL of the linear rod: 1 if the axis may stretch at the clamp; 8/9 and so on if r_x is held there too.
+/// Elongation u EA/PL of the linear rod: 1 with free r_x at the clamp, smaller with fixed r_x.
 #[test]
-fn elongation() {
+fn elongation_depends_on_the_clamped_slope() {
     let part = 1e-6;
     let elongation = |elements, fix| {
         let assembly = pulled(elements, fix, part).assemble().unwrap();
         assembly.probes[0].1.sum(&linear(&assembly, &[]).q).x / (part * rod::LENGTH)
     };
-    for (elements, held) in [
+    for (elements, fixed) in [
         (1, 8.0 / 9.0),
         (2, 0.9411764706),
         (4, 0.9705372617),
@@ -65,13 +65,13 @@ fn elongation() {
         (32, 0.9963171522),
     ] {
         assert_near("r_x free", elongation(elements, Clamped::Section), 1.0, 1e-10);
-        assert_near("r_x held", elongation(elements, Clamped::All), held, 1e-9);
+        assert_near("r_x fixed", elongation(elements, Clamped::All), fixed, 1e-9);
     }
 }
 
-/// φ = TL/(G I_p) for every mesh and Poisson ratio: the section does not warp.
+/// φ = TL/(G I_p) for all meshes and Poisson ratios, without warping.
 #[test]
-fn torsion() {
+fn torsion_is_exact_without_warping() {
     let torque = 0.1;
     for (elements, poisson) in [(1, 0.0), (1, 0.3), (3, 0.0), (3, 0.3)] {
         let mut model = rod::cantilever(elements);
@@ -84,14 +84,14 @@ fn torsion() {
         let node = 12 * elements as usize;
         let state = linear(&assembly, &[(node + 8, 0.5 * torque), (node + 10, -0.5 * torque)]);
         let exact = torque * rod::LENGTH / polar;
-        assert_near("turn of r_y", state.q[node + 8] / exact, 1.0, 1e-9);
-        assert_near("turn of r_z", -state.q[node + 10] / exact, 1.0, 1e-9);
+        assert_near("rotation of r_y", state.q[node + 8] / exact, 1.0, 1e-9);
+        assert_near("rotation of r_z", -state.q[node + 10] / exact, 1.0, 1e-9);
     }
 }
 
-/// Tip under uniform load, ν = 0: the coefficients of qL⁴/EI and of qL²/GA.
+/// Tip deflection under uniform load, ν = 0: coefficients of qL⁴/EI and qL²/GA.
 #[test]
-fn uniform_load() {
+fn uniform_load_deflections_have_closed_forms() {
     let tip = |elements, fix, bending: f64, shear: f64| {
         let model = rod::clamped(elements, fix);
         let (material, moments) = (model.materials["steel"], model.sections["circle"].moments());
@@ -111,10 +111,10 @@ fn uniform_load() {
     }
 }
 
-/// One element released from horizontal about a pin: y of r_x(0), r(l), r_x(l) start with −15g/2l, −5g/4, −15g/4l, and
-/// the pin carries mg/16 (a rigid rod: −3g/2 at the tip, mg/4).
+/// One element released from horizontal about a pin: initial accelerations −15g/2l, −5g/4, −15g/4l of r_x(0), r(l), r_x(l)
+/// along y, pin force mg/16 (rigid rod: −3g/2 at the tip, mg/4).
 #[test]
-fn released_about_a_pin() {
+fn release_about_a_pin_has_its_initial_accelerations() {
     for mut model in [rod::revolute(1), rod::spherical(1)] {
         let (length, g) = (0.8, rod::GRAVITY);
         model.gravity = [0.0, -g, 0.0];

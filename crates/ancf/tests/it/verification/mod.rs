@@ -1,6 +1,6 @@
-//! Verification: the element, the joints and the schemes against published and independently computed numbers.
+//! Verification against published and independently computed numbers.
 //!
-//! Files are named after their source. Where a number comes from is said beside it.
+//! Files are named after their source or subject. Each number has its source beside it.
 
 mod balance;
 mod chrono_3243;

@@ -1,4 +1,4 @@
-//! Beams of one element in every formulation, as a model makes them.
+//! Beams of one element in every formulation, assembled from models.
 
 use std::ops::AddAssign;
 
@@ -10,30 +10,30 @@ use nalgebra::{DVector, Rotation3, Vector3};
 
 use super::rod;
 
-/// Distance of the two ends.
+/// Distance of the ends.
 pub(crate) const LENGTH: f64 = 0.7;
 
 pub(crate) const FORMULATIONS: [Formulation; 4] =
     [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic];
 
-/// What a beam of one element is to be.
+/// Definition of a beam of one element.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Make {
+pub(crate) struct BeamCase {
     pub(crate) formulation: Formulation,
     pub(crate) section: Section,
     pub(crate) section_end: Option<Section>,
     pub(crate) poisson: f64,
     pub(crate) law: MaterialLaw,
     pub(crate) damping: Damping,
-    /// An arc with a radius of 0.41, twisted by 0.8 rad; else straight.
-    pub(crate) bent: bool,
+    /// Arc of radius 0.41, twisted by 0.8 rad; otherwise straight.
+    pub(crate) curved: bool,
     pub(crate) slopes: Slopes,
-    /// Turned in space and away from the origin.
+    /// Rotated in space and shifted from the origin.
     pub(crate) tilted: bool,
 }
 
-impl Make {
-    /// A straight beam along x.
+impl BeamCase {
+    /// Straight beam along x.
     pub(crate) fn straight(formulation: Formulation, section: Section, poisson: f64) -> Self {
         Self {
             formulation,
@@ -42,13 +42,13 @@ impl Make {
             poisson,
             law: MaterialLaw::StVenantKirchhoff,
             damping: Damping::default(),
-            bent: false,
+            curved: false,
             slopes: Slopes::Gradient,
             tilted: false,
         }
     }
 
-    /// E = 30, ρ = 2, under gravity.
+    /// Model with E = 30, ρ = 2, under gravity.
     pub(crate) fn model(&self, gravity: Vector3<f64>) -> Model {
         let turn =
             if self.tilted { Rotation3::from_euler_angles(0.4, -1.1, 2.3) } else { Rotation3::identity() };
@@ -64,9 +64,13 @@ impl Make {
             model.sections.insert("end".into(), end);
         }
         *rod::beam(&mut model) = Beam {
-            shape: if self.bent { Shape::Arc { through: place(0.5 * LENGTH, 0.2) } } else { Shape::Straight },
+            shape: if self.curved {
+                Shape::Arc { through: place(0.5 * LENGTH, 0.2) }
+            } else {
+                Shape::Straight
+            },
             up: Some((turn * Vector3::y()).into()),
-            twist: if self.bent { 0.8 } else { 0.0 },
+            twist: if self.curved { 0.8 } else { 0.0 },
             formulation: self.formulation,
             section_end: self.section_end.map(|_| "end".into()),
             slopes: self.slopes,
@@ -75,53 +79,59 @@ impl Make {
         model
     }
 
-    pub(crate) fn specimen(&self, gravity: Vector3<f64>) -> Specimen {
+    /// Assembles the element.
+    pub(crate) fn element(&self, gravity: Vector3<f64>) -> BeamElement {
         let model = self.model(gravity);
         let (slope, length) = (model.bodies[0].slope_length(), model.bodies[0].length());
         let assembly = model.assemble().unwrap();
         let mesh = assembly.mesh("rod").unwrap();
         let term = mesh.terms().remove(0);
         let vectors = mesh.vectors(&assembly.rest()).collect();
-        Specimen { name: self.to_string(), make: *self, term, vectors, slope, length }
+        BeamElement { name: self.to_string(), case: *self, term, vectors, slope, length }
     }
 }
 
-impl std::fmt::Display for Make {
+impl std::fmt::Display for BeamCase {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { formulation, section, section_end, poisson, law, damping, bent, slopes, tilted } = self;
+        let Self { formulation, section, section_end, poisson, law, damping, curved, slopes, tilted } = self;
         write!(f, "{formulation:?}, {section:?} to {section_end:?}, nu = {poisson}, {law:?}, {damping:?}, ")?;
-        write!(f, "bent: {bent}, slopes: {slopes:?}, tilted: {tilted}")
+        write!(f, "curved: {curved}, slopes: {slopes:?}, tilted: {tilted}")
     }
 }
 
-/// An element with its reference vectors.
-pub(crate) struct Specimen {
+/// Beam element with its reference nodal vectors.
+pub(crate) struct BeamElement {
     pub(crate) name: String,
-    pub(crate) make: Make,
+    pub(crate) case: BeamCase,
     pub(crate) term: Box<dyn Term>,
     pub(crate) vectors: Vec<NodalVector>,
     /// Slope length.
     pub(crate) slope: f64,
-    /// Length of its axis.
+    /// Length of the axis.
     pub(crate) length: f64,
 }
 
-impl Specimen {
-    /// E A.
+impl BeamElement {
+    /// Axial rigidity E A.
     pub(crate) fn stiffness(&self) -> f64 {
-        30.0 * self.make.section.moments().area
+        30.0 * self.case.section.moments().area
     }
 
-    /// Coordinates of a rigid motion.
-    pub(crate) fn moved(&self, turn: Rotation3<f64>, shift: Vector3<f64>) -> DVector<f64> {
+    /// Coordinates of a rigid displacement.
+    pub(crate) fn rigid_displacement(&self, turn: Rotation3<f64>, shift: Vector3<f64>) -> DVector<f64> {
         self.field(|e| turn * e - e, shift)
     }
 
-    /// Velocities of a rigid motion with the angular velocity `spin`, from the position `q`.
-    pub(crate) fn spinning(&self, q: &DVector<f64>, spin: Vector3<f64>, drift: Vector3<f64>) -> DVector<f64> {
-        let mut v = self.field(|e| spin.cross(&e), drift);
+    /// Velocities of a rigid motion at the coordinates `q`.
+    pub(crate) fn rigid_velocity(
+        &self,
+        q: &DVector<f64>,
+        angular: Vector3<f64>,
+        linear: Vector3<f64>,
+    ) -> DVector<f64> {
+        let mut v = self.field(|e| angular.cross(&e), linear);
         for k in 0..self.vectors.len() {
-            let turned = spin.cross(&Vector3::from(q.fixed_rows::<3>(3 * k)));
+            let turned = angular.cross(&Vector3::from(q.fixed_rows::<3>(3 * k)));
             v.fixed_rows_mut::<3>(3 * k).add_assign(&turned);
         }
         v
@@ -153,27 +163,32 @@ const SECTIONS: [Section; 5] = [
     },
 ];
 
-/// Every formulation with every section, Poisson's ratio, slope length and frame, straight, bent and tapered; those
-/// with a neo-Hookean law, too.
-pub(crate) fn makes() -> Vec<Make> {
-    let mut makes = Vec::new();
+/// Returns all combinations of formulation, section, Poisson's ratio, slope length and frame: straight, curved, tapered.
+///
+/// The continuum formulation is added with the neo-Hookean law.
+pub(crate) fn beam_cases() -> Vec<BeamCase> {
+    let mut cases = Vec::new();
     for formulation in FORMULATIONS {
         for section in SECTIONS {
             for poisson in [0.0, 0.3] {
-                let plain = Make::straight(formulation, section, poisson);
-                let tilted = Make { tilted: true, slopes: Slopes::Length, ..plain };
-                makes.extend([plain, tilted, Make { bent: true, ..plain }, Make { bent: true, ..tilted }]);
+                let plain = BeamCase::straight(formulation, section, poisson);
+                let tilted = BeamCase { tilted: true, slopes: Slopes::Length, ..plain };
+                cases.extend([
+                    plain,
+                    tilted,
+                    BeamCase { curved: true, ..plain },
+                    BeamCase { curved: true, ..tilted },
+                ]);
                 if let Section::Rectangle { height, width } = section {
                     let end = Section::Rectangle { height: 0.5 * height, width: 1.2 * width };
-                    let tapered = Make { section_end: Some(end), ..plain };
-                    makes.extend([tapered, Make { bent: true, ..tapered }]);
+                    let tapered = BeamCase { section_end: Some(end), ..plain };
+                    cases.extend([tapered, BeamCase { curved: true, ..tapered }]);
                 }
             }
         }
     }
-    let soft = |make: &Make| Make { law: MaterialLaw::NeoHookean, ..*make };
-    makes.extend(
-        makes.iter().filter(|m| m.formulation == Formulation::Continuum).map(soft).collect::<Vec<_>>(),
-    );
-    makes
+    let neo_hookean = |case: &BeamCase| BeamCase { law: MaterialLaw::NeoHookean, ..*case };
+    let continuum = cases.iter().filter(|case| case.formulation == Formulation::Continuum);
+    cases.extend(continuum.map(neo_hookean).collect::<Vec<_>>());
+    cases
 }

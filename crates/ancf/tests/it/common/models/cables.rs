@@ -1,4 +1,4 @@
-//! Cable elements of every kind, and an oracle for them that goes by positions.
+//! Single cable elements for all choices of integration rule, slope length and direction.
 
 use std::sync::Arc;
 
@@ -7,12 +7,12 @@ use nalgebra::{Rotation3, Vector3};
 
 /// Length of an element.
 pub(crate) const LENGTH: f64 = 0.7;
-/// Stubby, so that no part of an energy hides behind another.
+/// Section of a stubby element, so that all parts of the energy are of one magnitude.
 pub(crate) const SECTION: CableSection = CableSection { axial: 2.0, bending: 0.3, line_density: 0.14 };
-/// So much that no part of a force hides behind another.
+/// Strong damping, so that all parts of the force are of one magnitude.
 pub(crate) const DAMPING: CableDamping = CableDamping { retardation: 0.3, mass: 0.5 };
 
-/// An element with its reference coordinates.
+/// Cable element with its reference coordinates.
 pub(crate) struct Cable {
     pub(crate) name: String,
     pub(crate) term: Cable12,
@@ -21,7 +21,7 @@ pub(crate) struct Cable {
     pub(crate) rule: CableRule,
 }
 
-/// One element for every choice of rule, slope length and direction.
+/// Returns one element for each combination of rule, slope length and direction.
 pub(crate) fn cables(damping: CableDamping, gravity: Vector3<f64>) -> Vec<Cable> {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3) * Vector3::x();
     let mut cables = Vec::new();

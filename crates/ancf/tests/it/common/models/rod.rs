@@ -1,6 +1,6 @@
-//! The beam of Kim et al. (2017) in Rust: one metre of steel rod, straight along x, under gravity along −y.
+//! The beam of Kim et al. (2017): a steel rod of 1 m along x, under gravity along −y.
 //!
-//! Table 2 prints a diameter of 0.20 m and no Poisson ratio; 0.02 m and ν = 0 are what its results belong to.
+//! Table 2 prints a diameter of 0.20 m and no Poisson ratio. Its results belong to 0.02 m and ν = 0.
 
 use ancf::Model;
 use ancf::model::{
@@ -13,7 +13,7 @@ pub(crate) const LENGTH: f64 = 1.0;
 /// Acceleration of gravity.
 pub(crate) const GRAVITY: f64 = 9.81;
 
-/// The rod without any joint, two seconds in steps of a millisecond as the paper has it, and a probe at its end.
+/// Rod without joints, with a probe at its end. Analysis as in the paper: 2 s in steps of 1 ms.
 pub(crate) fn free(elements: u32) -> Model {
     let beam = Beam::straight("rod", [[0.0; 3], [LENGTH, 0.0, 0.0]], elements, "circle", "steel");
     let steel = Material::elastic(8030.0, 193e9, 0.0);
@@ -45,18 +45,18 @@ pub(crate) fn free(elements: u32) -> Model {
     }
 }
 
-/// Clamped at its start, all twelve coordinates of the node.
+/// Rod clamped at its start, all twelve coordinates of the node.
 pub(crate) fn cantilever(elements: u32) -> Model {
     clamped(elements, Clamped::All)
 }
 
-/// Clamped at its start in one way or the other.
+/// Rod clamped at its start.
 pub(crate) fn clamped(elements: u32, fix: Clamped) -> Model {
     let clamp = Joint::Clamp { name: "root".into(), a: start(), b: End::Ground, fix: Some(fix) };
     Model { joints: vec![clamp], ..free(elements) }
 }
 
-/// Hinged at its start about z.
+/// Rod with a revolute joint about z at its start.
 pub(crate) fn revolute(elements: u32) -> Model {
     let hinge = Joint::Revolute {
         name: "root".into(),
@@ -70,7 +70,7 @@ pub(crate) fn revolute(elements: u32) -> Model {
     Model { joints: vec![hinge], ..free(elements) }
 }
 
-/// Hung by a ball at its start, a thousand times softer, under gravity along −y and along −z.
+/// Rod with a spherical joint at its start, E = 193 MPa, under gravity along −y and −z.
 pub(crate) fn spherical(elements: u32) -> Model {
     let ball = Joint::Spherical { name: "root".into(), a: start(), b: End::Ground };
     let mut model = Model { joints: vec![ball], gravity: [0.0, -GRAVITY, -GRAVITY], ..free(elements) };
@@ -78,17 +78,17 @@ pub(crate) fn spherical(elements: u32) -> Model {
     model
 }
 
-/// The start of the rod.
+/// Start of the rod.
 pub(crate) fn start() -> Place {
     Place::new("rod", At::Named(Named::Start))
 }
 
-/// The end of the rod.
+/// End of the rod.
 pub(crate) fn end() -> Place {
     Place::new("rod", At::Named(Named::End))
 }
 
-/// The first body.
+/// Returns the beam, the first body.
 pub(crate) fn beam(model: &mut Model) -> &mut Beam {
     match &mut model.bodies[0] {
         Body::Beam(beam) => beam,
@@ -96,12 +96,12 @@ pub(crate) fn beam(model: &mut Model) -> &mut Beam {
     }
 }
 
-/// The only material.
+/// Returns the material.
 pub(crate) fn material(model: &mut Model) -> &mut Material {
     model.materials.values_mut().next().unwrap()
 }
 
-/// Settings of the analysis.
+/// Returns the settings of the analysis.
 pub(crate) fn settings(model: &mut Model) -> &mut Dynamics {
     model.analysis.dynamics_mut().unwrap()
 }

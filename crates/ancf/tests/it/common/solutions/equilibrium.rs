@@ -7,7 +7,7 @@ use ancf::analysis::{Increments, Newton, Statics, Stop};
 use ancf::model::Assembly;
 use ancf::system::State;
 
-/// The equilibrium of a model under its gravity and its forces, which grow from a first step of this part.
+/// Returns the equilibrium under the full load; the first load increment is `1 / steps`.
 pub(crate) fn equilibrium(model: &Model, steps: u32) -> (Assembly, State) {
     let assembly = model.assemble_static().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 100).unwrap();

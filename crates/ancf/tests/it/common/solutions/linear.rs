@@ -1,9 +1,9 @@
-//! The linear static answer.
+//! Linear static displacements.
 
 use ancf::model::Assembly;
 use ancf::system::{EquationsOfMotion, Factor, State, Weights};
 
-/// The linear static answer to the loads of an assembly and to forces on coordinates besides.
+/// Returns the linear static state under the loads of an assembly and additional generalised forces.
 pub(crate) fn linear(assembly: &Assembly, forces: &[(usize, f64)]) -> State {
     let (system, mut state) = (&assembly.system, assembly.rest());
     let (mut matrix, mut x) = (system.matrix(), vec![0.0; system.coordinates() + system.multipliers()]);

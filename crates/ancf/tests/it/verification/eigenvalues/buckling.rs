@@ -1,13 +1,13 @@
-//! Critical loads of columns and strips.
+//! Buckling loads of columns and strips.
 //!
 //! ```text
 //!   |/|=========================== <- P        |/|=========================   strip, lateral
 //!                                                                         | P
 //! ```
 //!
-//! Source: Euler (1744), with shear Engesser (1889), under its own weight Greenhill (1881); lateral buckling Prandtl (1899),
-//! Michell (1899), their constants recomputed from Bessel functions. On the nonlinear path an independent implementation of
-//! the element, and Reissner's rod with k = 1 and the polar moment of area, bent in its plane by shooting, perturbed out of it.
+//! Source: Euler (1744), with shear Engesser (1889), under own weight Greenhill (1881); lateral buckling Prandtl (1899),
+//! Michell (1899), with constants from Bessel functions. On the nonlinear path: independent implementation of the element,
+//! and Reissner's rod with k = 1 and the polar moment of area, bent in its plane by shooting and perturbed out of it.
 
 use ancf::Model;
 use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
@@ -22,14 +22,14 @@ use crate::common::models::rod;
 /// π²EI/4L².
 const EULER: f64 = 3740.132124561166;
 
-/// A force of one at the end of the rod, nothing else.
+/// Model with a force at the end of the rod and without gravity.
 fn loaded(mut model: Model, force: [f64; 3]) -> Assembly {
     model.gravity = [0.0; 3];
     model.loads = vec![Load::force(rod::end(), force)];
     model.assemble().unwrap()
 }
 
-/// The equilibrium under so many times the loads, reached in equal steps.
+/// Equilibrium at a load factor, by equal load steps.
 fn under(assembly: &Assembly, load: f64, steps: u32) -> State {
     let mut state = State { load: 0.0, ..assembly.rest() };
     let mut newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
@@ -44,22 +44,22 @@ fn critical(assembly: &Assembly, s: &State, sense: Sense) -> Result<Vec<Critical
     buckling(&assembly.system, assembly.system.matrix(), s, 2, sense, &Interrupt::default())
 }
 
+/// Lowest critical load factor.
 fn first(assembly: &Assembly, s: &State) -> f64 {
     critical(assembly, s, Sense::Stated).unwrap()[0].factor
 }
 
-/// Approaches the critical load of the nonlinear path: so many times a part of what linear buckling says is left.
-fn approach(assembly: &Assembly, mut load: f64, part: f64, times: u32, steps: u32) -> f64 {
+/// Critical load of the nonlinear path: repeated load increments by a fraction of the critical increment.
+fn approach(assembly: &Assembly, mut load: f64, fraction: f64, times: u32, steps: u32) -> f64 {
     for _ in 0..times {
-        load += part * first(assembly, &under(assembly, load, steps));
+        load += fraction * first(assembly, &under(assembly, load, steps));
     }
     load + first(assembly, &under(assembly, load, steps))
 }
 
-/// About the straight rod, and about the rod under nearly all of that load, which gives the critical point of the nonlinear
-/// path.
+/// Linear buckling, and critical point of the nonlinear path from the equilibrium near it.
 #[test]
-fn column() {
+fn column_buckles_at_eulers_load() {
     for (elements, ratio) in
         [(1, 1.21551828), (2, 1.05213113), (4, 1.01267301), (8, 1.00297393), (16, 1.00055908)]
     {
@@ -72,26 +72,26 @@ fn column() {
     }
 }
 
-/// The rod in another formulation, clamped as that wants it.
+/// Rod in another formulation with a clamped section.
 fn formulated(elements: u32, formulation: Formulation) -> Model {
     let mut model = rod::clamped(elements, Clamped::Section);
     rod::beam(&mut model).formulation = formulation;
     model
 }
 
-/// Shear lowers Euler's load to 1/(1/P + 1/kGA), k = 6/7 for ν = 0; stress in the fibres, as stiff as −P I/A against bending, to
-/// 1/(1 + P/EA) of that.
+/// Shear reduces Euler's load to 1/(1/P + 1/kGA), k = 6/7 for ν = 0. The fibre stress reduces it by the factor
+/// 1/(1 + P/EA), with the bending stiffness −P I/A.
 #[test]
-fn column_that_shears() {
+fn shear_reduces_the_load_to_engessers() {
     let assembly = loaded(formulated(16, Formulation::Linked), [-1.0, 0.0, 0.0]);
     let strain = EULER / 60632738.21428301;
     let engesser = 1.0 / (1.0 + strain * (1.0 + 2.0 * 7.0 / 6.0));
     assert_near("Engesser", first(&assembly, &under(&assembly, 0.0, 1)) / EULER, engesser, 1e-6);
 }
 
-/// A slender rod, of every kind of element.
+/// Slender rod with all kinds of elements.
 #[test]
-fn column_of_any_element() {
+fn slender_columns_of_all_elements_buckle_at_eulers_load() {
     let slender = |mut model: Model| {
         model.sections.insert("circle".into(), Section::Circle { diameter: 0.002 });
         let assembly = loaded(model, [-1.0, 0.0, 0.0]);
@@ -115,7 +115,7 @@ fn column_of_any_element() {
 
 /// qL³/EI = (9/4) j², J₋₁/₃(j) = 0, of a slender column under its own weight.
 #[test]
-fn own_weight() {
+fn own_weight_buckles_at_greenhills_load() {
     let mut model = formulated(16, Formulation::Linked);
     model.gravity = [-1.0, 0.0, 0.0];
     model.sections.insert("circle".into(), Section::Circle { diameter: 0.002 });
@@ -125,9 +125,9 @@ fn own_weight() {
     assert_near("Greenhill", weight / (1515.818455357075 * 1e-4), 7.83734743894348, 7.8e-5);
 }
 
-/// Either plane, either sense, any size of the reference load; a rod that is pulled does not buckle.
+/// Both planes, both senses, any magnitude of the reference load. A rod in tension does not buckle.
 #[test]
-fn senses() {
+fn sense_and_magnitude_of_the_reference_load_are_respected() {
     let column = loaded(rod::cantilever(4), [-1.0, 0.0, 0.0]);
     let rest = under(&column, 0.0, 1);
     let factors = |assembly: &Assembly, sense| -> Vec<f64> {
@@ -145,9 +145,9 @@ fn senses() {
     assert!(factors(&loaded(rod::cantilever(4), [1.0, 0.0, 0.0]), Sense::Stated).is_empty());
 }
 
-/// A load on the clamp moves nothing and buckles nothing.
+/// A load on the clamp causes no buckling.
 #[test]
-fn load_on_the_ground() {
+fn load_on_the_clamp_causes_no_buckling() {
     let mut model = rod::cantilever(4);
     model.gravity = [0.0; 3];
     model.loads = vec![Load::force(rod::start(), [-1.0, 2.0, 3.0])];
@@ -155,9 +155,9 @@ fn load_on_the_ground() {
     assert_eq!(critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either), Ok(Vec::new()));
 }
 
-/// What stands on a hinge or is beyond its critical load has no stiffness to begin with.
+/// Hinged columns have a singular stiffness; columns above the critical load an indefinite one.
 #[test]
-fn nothing_to_lose() {
+fn unstable_initial_states_are_errors() {
     let hinged = loaded(rod::revolute(4), [-1.0, 0.0, 0.0]);
     let rest = State { load: 0.0, ..hinged.rest() };
     assert_eq!(critical(&hinged, &rest, Sense::Stated), Err(EigenError::Singular));
@@ -166,7 +166,7 @@ fn nothing_to_lose() {
     assert_eq!(critical(&column, &beyond, Sense::Stated), Err(EigenError::Indefinite));
 }
 
-/// A strip of E = 71.7 GPa on edge.
+/// Strip on edge with E = 71.7 GPa.
 fn strip(elements: u32, poisson: f64, formulation: Formulation, section: Section) -> Model {
     let mut model = formulated(elements, formulation);
     (rod::material(&mut model).young, rod::material(&mut model).poisson) = (71.7e9, poisson);
@@ -176,10 +176,11 @@ fn strip(elements: u32, poisson: f64, formulation: Formulation, section: Section
 
 const STRIP: Section = Section::Rectangle { height: 0.05, width: 0.005 };
 
-/// PL² = 4.012599343578901 √(EI GJ) at the end, on the axis; qL³ = 12.85376332138332 √(EI GJ) all along. The bending before
-/// is neglected in both, as it is in linear buckling. With St. Venant's J, and with the polar one, five times the load.
+/// Tip load PL² = 4.012599343578901 √(EI GJ) on the axis; uniform load qL³ = 12.85376332138332 √(EI GJ).
+///
+/// Prebuckling bending is neglected, as in linear buckling. St. Venant's J, and the polar moment with five times the load.
 #[test]
-fn lateral() {
+fn lateral_buckling_has_prandtls_load() {
     let m = STRIP.moments();
     let polar = |j| Section::General {
         area: m.area,
@@ -205,7 +206,7 @@ fn lateral() {
             let factors = critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either).unwrap();
             let name = format!("{name}, {formulation:?}");
             assert_near(&name, factors[0].factor.abs() / reference, 1.0, tolerance);
-            // Up or down makes no difference.
+            // Equal loads upwards and downwards.
             assert_near(&name, factors[1].factor / -factors[0].factor, 1.0, 1e-8);
         }
     }
@@ -221,9 +222,9 @@ fn lateral() {
     assert_near("uniform", weight / (12.85376332138332 * root), 1.0, 1e-3);
 }
 
-/// The strip of Bauchau's examples of lateral buckling, 100 × 10 mm, E = 73 GPa, ν = 0.3.
+/// Strip of Bauchau's example of lateral buckling: 100 × 10 mm, E = 73 GPa, ν = 0.3.
 #[test]
-fn lateral_of_another_strip() {
+fn lateral_buckling_equals_bauchaus_example() {
     let section = Section::Rectangle { height: 0.1, width: 0.01 };
     let mut model = strip(64, 0.3, Formulation::Linked, section);
     rod::material(&mut model).young = 73e9;
@@ -232,12 +233,12 @@ fn lateral_of_another_strip() {
     assert_near("Bauchau", factor / 2931.1228258, 1.0, 1e-3);
 }
 
-/// The strip on the nonlinear path, 1818.744681 N for ν = 0 and the polar moment of area (the same shooting gives
-/// 1325.886533 N with the shear modulus of ν = 0.31), approached from 1790 N.
+/// Nonlinear path: 1818.744681 N for ν = 0 and the polar moment of area, approached from 1790 N.
 ///
-/// The critical load is so far above that of linear buckling, 1064.85 N, that what is left of it is overestimated by 1.8.
+/// Shooting gives 1325.886533 N with the shear modulus of ν = 0.31. The critical load is far above that of linear buckling,
+/// 1064.85 N, so that the predicted increment is too large by a factor of 1.8.
 #[test]
-fn strip_bent_before() {
+fn prebuckling_bending_raises_the_lateral_load() {
     for (elements, tolerance) in [(16, 7e-3), (32, 1.4e-3), (64, 3e-4)] {
         let mut model = strip(elements, 0.0, Formulation::Continuum, STRIP);
         model.joints = rod::cantilever(elements).joints;
@@ -247,11 +248,11 @@ fn strip_bent_before() {
     }
 }
 
-/// Clamped in the middle, the outer half is a column of its own.
+/// The outer half of a rod clamped in the middle is a column of half the length.
 #[test]
-fn clamped_in_the_middle() {
+fn rod_clamped_in_the_middle_buckles_as_its_half() {
     let mut model = rod::cantilever(16);
-    let Joint::Clamp { a, .. } = &mut model.joints[0] else { panic!("a clamp") };
+    let Joint::Clamp { a, .. } = &mut model.joints[0] else { panic!("the root is a clamp") };
     a.at = At::Length(0.5 * rod::LENGTH);
     let assembly = loaded(model, [-1.0, 0.0, 0.0]);
     let mut half = rod::cantilever(8);

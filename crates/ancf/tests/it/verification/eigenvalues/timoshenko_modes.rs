@@ -10,22 +10,22 @@ use crate::common::assertions::assert_near;
 use crate::common::models::rod;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum ModeKind {
     Bending,
     Torsion,
     Axial,
-    /// The section changes its size or shape.
+    /// Change of size or shape of the section.
     Section,
 }
 
-/// What the coordinates of a node take part in at the straight state: r, r_x, r_y, r_z, each along x, y, z.
-const KINDS: [Kind; 12] = {
-    use Kind::{Axial, Bending, Section, Torsion};
+/// Kind of motion of each nodal coordinate of the straight rod: r, r_x, r_y, r_z, each along x, y, z.
+const KINDS: [ModeKind; 12] = {
+    use ModeKind::{Axial, Bending, Section, Torsion};
     [Axial, Bending, Bending, Axial, Bending, Bending, Bending, Section, Torsion, Bending, Torsion, Section]
 };
 
-/// The lowest frequencies in Hz of the straight rod, ascending, each with the kind of its motion.
-fn modes(model: &Model) -> Vec<(f64, Kind)> {
+/// Lowest frequencies of the straight rod in Hz, ascending, with the kind of motion.
+fn modes(model: &Model) -> Vec<(f64, ModeKind)> {
     let assembly = model.assemble().unwrap();
     let modes = analysis::modes(
         &assembly.system,
@@ -44,14 +44,14 @@ fn modes(model: &Model) -> Vec<(f64, Kind)> {
     modes.modes.iter().map(|mode| (mode.frequency().unwrap(), kind(&mode.shape))).collect()
 }
 
-/// Frequencies of one kind.
-fn of(kind: Kind, modes: &[(f64, Kind)]) -> Vec<f64> {
+/// Frequencies of one kind of motion.
+fn of(kind: ModeKind, modes: &[(f64, ModeKind)]) -> Vec<f64> {
     modes.iter().filter(|mode| mode.1 == kind).map(|mode| mode.0).collect()
 }
 
-/// Bending modes come in pairs, one in either plane.
-fn assert_bending(name: &str, modes: &[(f64, Kind)], reference: &[f64]) {
-    let bending = of(Kind::Bending, modes);
+/// Asserts pairs of bending frequencies, one for each plane.
+fn assert_bending(name: &str, modes: &[(f64, ModeKind)], reference: &[f64]) {
+    let bending = of(ModeKind::Bending, modes);
     assert!(bending.len() >= 2 * reference.len(), "{name}: {} bending modes", bending.len());
     for (pair, &reference) in bending.chunks(2).zip(reference) {
         assert_near(&format!("{name}, bending"), pair[0], reference, 1e-6);
@@ -60,7 +60,7 @@ fn assert_bending(name: &str, modes: &[(f64, Kind)], reference: &[f64]) {
 }
 
 #[test]
-fn poisson_ratio_0() {
+fn frequencies_converge_to_timoshenkos_beam() {
     let table: [(u32, &[f64], Option<f64>, f64); 6] = [
         (1, &[17.443131], Some(955.62311), 1379.38327),
         (2, &[14.412091, 146.339242], Some(889.06518), 1301.70679),
@@ -73,15 +73,15 @@ fn poisson_ratio_0() {
         let (name, modes) = (format!("{elements} elements"), modes(&rod::cantilever(elements)));
         assert_bending(&name, &modes, bending);
         if let Some(torsion) = torsion {
-            assert_near(&format!("{name}, torsion"), of(Kind::Torsion, &modes)[0], torsion, 1e-5);
+            assert_near(&format!("{name}, torsion"), of(ModeKind::Torsion, &modes)[0], torsion, 1e-5);
         }
-        assert_near(&format!("{name}, axial"), of(Kind::Axial, &modes)[0], axial, 1e-5);
+        assert_near(&format!("{name}, axial"), of(ModeKind::Axial, &modes)[0], axial, 1e-5);
     }
 }
 
-/// With ν = 0.3 bending is that of a beam with (λ+2G)I: 15.910931825754, 99.556825887235, 278.06445474896 Hz.
+/// Limits with (λ+2G)I: 15.910931825754, 99.556825887235, 278.06445474896 Hz.
 #[test]
-fn poisson_ratio_0_3() {
+fn bending_frequencies_lock_for_poisson_ratio_0_3() {
     let mut model = rod::cantilever(32);
     rod::material(&mut model).poisson = 0.3;
     assert_bending("nu = 0.3", &modes(&model), &[15.913959, 99.689403, 278.946341]);

@@ -1,4 +1,4 @@
-//! Vibration about states that are free, loaded or in motion.
+//! Vibration about free, loaded and moving states.
 //!
 //! Source: Euler's beam with free ends, β₁L = 4.730040744862704, β₂L = 7.853204624095838; the compound pendulum,
 //! 3g/2L with the inertia of a thick rod; Wright, Smith, Thresher & Wang (1982), table 1, for the spinning beam clamped on
@@ -19,9 +19,9 @@ fn unit(model: &Model) -> f64 {
     (material.young * moments.yy / (material.density * moments.area)).sqrt() / rod::LENGTH.powi(2)
 }
 
-/// Six rigid modes, then pairs of bending; thin enough for Timoshenko's corrections to be 10⁻⁵ and less. In any units.
+/// Six rigid-body modes, then pairs of bending modes, in any units. Timoshenko's corrections are below 10⁻⁵.
 #[test]
-fn free_free_beam() {
+fn free_beam_has_eulers_frequencies() {
     let thin = |elements| {
         let mut model = rod::free(elements);
         model.sections.insert("circle".into(), Section::Circle { diameter: 0.001 });
@@ -50,20 +50,20 @@ fn free_free_beam() {
     assert_near("in other units", scaled[0] / coarse[0], 1.0, 1e-8);
 }
 
-/// The rod pinned at its upper end swings; pinned at its lower end it falls at the same rate.
+/// Hanging rod: ω²; standing rod: growth rate with −ω².
 #[test]
-fn compound_pendulum() {
+fn compound_pendulum_has_its_frequency() {
     // 3g/2L with J = m (L²/3 + d²/16).
     let exact = 14.71389645776567;
     for (gravity, sign) in [(-rod::GRAVITY, 1.0), (rod::GRAVITY, -1.0)] {
-        let upright = |mut model: Model| {
+        let vertical = |mut model: Model| {
             rod::beam(&mut model).to = [0.0, -rod::LENGTH, 0.0];
             model.gravity = [0.0, gravity, 0.0];
             model
         };
-        let (_, held) = equilibrium(&upright(rod::clamped(8, Clamped::Section)), 1);
-        let assembly = upright(rod::revolute(8)).assemble().unwrap();
-        let state = State { q: held.q, ..assembly.rest() };
+        let (_, loaded) = equilibrium(&vertical(rod::clamped(8, Clamped::Section)), 1);
+        let assembly = vertical(rod::revolute(8)).assemble().unwrap();
+        let state = State { q: loaded.q, ..assembly.rest() };
         let found =
             modes(&assembly.system, assembly.system.matrix(), &state, 1, &Interrupt::default()).unwrap();
         assert_near("squared", found.modes[0].squared / (sign * exact), 1.0, 1e-4);
@@ -71,10 +71,10 @@ fn compound_pendulum() {
     }
 }
 
-/// Out of the plane of its rotation a spinning beam feels its tension only: the frequencies of K and M.
+/// Out-of-plane frequencies of a spinning beam follow from K and M with the centrifugal tension.
 #[test]
-fn spinning_beam() {
-    // Spin, first and second frequency of flap, all over √(EI/ρAL⁴).
+fn spinning_beam_has_the_flap_frequencies_of_wright() {
+    // Spin, first and second flap frequency, relative to √(EI/ρAL⁴).
     for (spin, table) in [(3.0, [4.7973, 23.3203]), (6.0, [7.3604, 26.8091]), (12.0, [13.1702, 37.6031])] {
         let model = Model { gravity: [0.0; 3], ..rod::cantilever(32) };
         let (unit, assembly) = (unit(&model), model.assemble().unwrap());
@@ -96,9 +96,9 @@ fn spinning_beam() {
     }
 }
 
-/// ω² of a column goes through zero at its critical load, linearly: shape of buckling and of vibration are alike.
+/// ω² of a column depends linearly on the load and vanishes at the critical load.
 #[test]
-fn column_above_its_critical_load() {
+fn squared_frequency_vanishes_at_the_critical_load() {
     let column = |part: f64| {
         let mut model = rod::cantilever(16);
         model.gravity = [0.0; 3];

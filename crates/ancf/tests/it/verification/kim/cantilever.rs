@@ -1,11 +1,11 @@
-//! Kim et al. (2017), section 3.1: a cantilever dropped under its own weight from the straight state.
+//! Kim et al. (2017), section 3.1: cantilever released from the straight state under its own weight.
 //!
 //! ```text
 //!   |/|====================  L = 1 m, d = 0.02 m, E = 193 GPa, ρ = 8030 kg/m³, ν = 0
 //!   |/|    | | | | | | |     g = 9.81 m/s²
 //! ```
 //!
-//! Goal: the means of table 5 within 0.002 mm, the static limit of eq. (34), and that units change nothing.
+//! Goal: means of table 5 within 0.002 mm, static limit of eq. (34), equal results in both forms.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 use crate::common::solutions::{Run, distance};
 
-/// Elements; mean tip deflection in mm over all instants, dimensional and non-dimensional.
+/// Number of elements; mean tip deflection in mm over all instants, dimensional and non-dimensional.
 const TABLE_5: [(u32, f64, f64); 6] = [
     (1, -1.357, -1.356),
     (2, -1.870, -1.872),
@@ -25,6 +25,7 @@ const TABLE_5: [(u32, f64, f64); 6] = [
     (20, -2.037, -2.037),
 ];
 
+/// Mean tip deflection in mm.
 fn mean_tip(run: &Run) -> f64 {
     let y = run.column("tip.y");
     1e3 * y.iter().sum::<f64>() / y.len() as f64
@@ -41,7 +42,7 @@ fn means_of_table_5() {
     }
 }
 
-/// Means of an independent implementation of the paper's equations, to four decimals: tighter than the table.
+/// Means to four decimals by an independent implementation of the equations of the paper.
 #[test]
 fn means_of_an_independent_implementation() {
     for (elements, dimensional, scaled) in
@@ -54,7 +55,7 @@ fn means_of_an_independent_implementation() {
     }
 }
 
-/// Eq. (34): −ρAgL⁴/(8EI) = −2.040 mm, which elements approach from above (shear locking, figure 5).
+/// Eq. (34): −ρAgL⁴/(8EI) = −2.040 mm. Deflections converge to it from above (shear locking, figure 5).
 #[test]
 fn static_limit_of_eq_34() {
     let (area, second) = (PI * 0.02_f64.powi(2) / 4.0, PI * 0.02_f64.powi(4) / 64.0);
@@ -68,9 +69,9 @@ fn static_limit_of_eq_34() {
     assert!((tips[5] / limit - 1.0).abs() < 1e-3, "{} and {limit}", tips[5]);
 }
 
-/// At one physical step both forms describe one motion, at the same cost.
+/// Equal motion and iterations of both forms with the same physical step.
 #[test]
-fn forms_agree() {
+fn cantilever_forms_agree() {
     for elements in [1, 5] {
         let model = rod::cantilever(elements);
         let [a, b] = [model.clone(), non_dimensional(model)].map(|model| Run::of(&model));

@@ -1,6 +1,6 @@
-//! Misprints of Kim et al. (2017): each test holds for the formula as it must be and fails for the formula as printed.
+//! Misprints of Kim et al. (2017): each test holds for the corrected formula and fails for the printed one.
 //!
-//! S₂ and Ŝ₆ of eqs (5) and (12) have theirs in `src/mechanics/shape.rs`.
+//! Tests of S₂ and Ŝ₆ of eqs (5) and (12) are in `src/mechanics/shape.rs`.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use crate::common::solutions::equilibrium;
 const LENGTH: f64 = 0.7;
 const SECTION: Section = Section::Rectangle { height: 0.3, width: 0.2 };
 const MATERIAL: Material = Material::elastic(2.0, 30.0, 0.3);
-/// A displacement gradient without any symmetry.
+/// Displacement gradient without symmetry.
 const GRADIENT: Matrix3<f64> = Matrix3::new(0.2, -0.1, 0.3, 0.4, -0.3, 0.15, -0.2, 0.1, 0.25);
 
 fn mass(model: &Model) -> DMatrix<f64> {
@@ -32,9 +32,10 @@ fn mass(model: &Model) -> DMatrix<f64> {
     DMatrix::from_fn(n, n, |i, j| dense[i][j])
 }
 
-/// Eqs (18), (19): kinetic energy in units of F L is ½ ė*ᵀ M* ė* with M* = M / (F T²/L), that is
-/// (1/A*) ∫ ŜᵀŜ dV* with A* = A/L², where the print has ∫ ŜᵀŜ dV*. With the unit of time of eq. (7) the density is
-/// ρ* = 1/A*, and with the printed matrix, in which ρ* = 1, it is not the unit of time.
+/// Eqs (18), (19): kinetic energy in units of F L is ½ ė*ᵀ M* ė* with M* = M / (F T²/L).
+///
+/// Corrected: (1/A*) ∫ ŜᵀŜ dV* with A* = A/L². Printed: ∫ ŜᵀŜ dV*. With the unit of time of eq. (7) the density is
+/// ρ* = 1/A*; the printed matrix with ρ* = 1 has another unit of time.
 #[test]
 fn eqs_18_19_mass_matrix() {
     let mut model = rod::free(2);
@@ -52,11 +53,11 @@ fn eqs_18_19_mass_matrix() {
     let printed = mass(&unit_density);
     assert!(
         (&printed - &right * area).amax() < 1e-14 * printed.amax(),
-        "printed: A* = {area:.1e} times too light"
+        "printed: mass too small by A* = {area:.1e}"
     );
 }
 
-/// λ and 2G terms of an energy density, each with the factor of its cross or shear terms.
+/// Energy density with variable factors of the cross terms of λ and of the shear terms of G.
 fn energy_density(e: &Matrix3<f64>, cross: f64, shear: f64) -> f64 {
     let (lame, d) = (MATERIAL.lame(), e.diagonal());
     let products = d.x * d.y + d.x * d.z + d.y * d.z;
@@ -85,19 +86,19 @@ fn forces(beam: &Beam24, reference: &[Vector3<f64>; 8], e: &[Vector3<f64>; 8]) -
     (std::array::from_fn(|k| Vector3::from_column_slice(&r[3 * k..3 * k + 3])), beam.energy(&at).strain)
 }
 
-/// A bent, twisted, sheared and stretched element: coordinates e.
-fn bent(reference: &[Vector3<f64>; 8]) -> [Vector3<f64>; 8] {
+/// Coordinates e of a bent, twisted, sheared and stretched element.
+fn deformed(reference: &[Vector3<f64>; 8]) -> [Vector3<f64>; 8] {
     std::array::from_fn(|k| {
         let turn = Matrix3::from_fn(|i, j| ((3 * i + j + 2 * k) as f64).sin() * 0.3);
         reference[k] + (GRADIENT + turn) * reference[k]
     })
 }
 
-/// Eq. (27): λ counts each pair of normal strains twice and 4G each shear strain; the print has λ once and 2G.
+/// Eq. (27), corrected: factor 2 of the λ cross terms, 4G for shear strains. Printed: factor 1 and 2G.
 #[test]
 fn eq_27_strain_energy() {
     let (beam, reference) = element();
-    let e = bent(&reference);
+    let e = deformed(&reference);
     let energy = |cross: f64, shear: f64| {
         integrate(LENGTH, SECTION, |x| {
             let strain = green_strain(&deformation_gradient(&e, &shape_gradients(LENGTH, LENGTH, x)));
@@ -111,7 +112,7 @@ fn eq_27_strain_energy() {
     assert!((exact / energy(2.0, 2.0) - 1.0).abs() > 0.01, "printed: 2G");
 }
 
-/// Eq. (31): K(e) e as printed. It is right, and so belongs to the corrected eqs (27) and (28), not to the printed ones.
+/// Eq. (31): K(e) e. The printed form is correct and agrees with the corrected eqs (27) and (28).
 fn forces_of_eq_31(e: &[Vector3<f64>; 8], cross: f64, shear: f64) -> [Vector3<f64>; 8] {
     let lame = MATERIAL.lame();
     let component = |a: usize, i: usize| {
@@ -139,11 +140,11 @@ fn forces_of_eq_31(e: &[Vector3<f64>; 8], cross: f64, shear: f64) -> [Vector3<f6
     std::array::from_fn(|a| Vector3::from_fn(|i, _| component(a, i)))
 }
 
-/// Eq. (28) with half the cross and shear terms, as the print has it, is not the force of eq. (31).
+/// Eq. (28), printed: half of the cross and shear terms, in contradiction to eq. (31).
 #[test]
 fn eq_28_elastic_forces() {
     let (beam, reference) = element();
-    let e = bent(&reference);
+    let e = deformed(&reference);
     let exact = forces(&beam, &reference, &e).0;
     let error = |other: [Vector3<f64>; 8]| {
         let largest = |x: &[Vector3<f64>]| x.iter().map(Vector3::amax).fold(0.0, f64::max);
@@ -154,9 +155,9 @@ fn eq_28_elastic_forces() {
     assert!(error(forces_of_eq_31(&e, 0.5, 0.5)) > 0.01, "printed");
 }
 
-/// Eq. (24): σ_ii = λ tr ε + 2G ε_ii, no sum, where the print has σ_ij for all j: λ tr ε would load shear as well.
+/// Eq. (24), corrected: σ_ii = λ tr ε + 2G ε_ii, no sum. Printed: σ_ij for all j, with λ tr ε in shear stresses.
 ///
-/// In a homogeneous deformation J the end faces carry A J σ e_x, so that the forces on r₁ and r₂ measure σ.
+/// In a homogeneous deformation J the end faces carry A J σ e_x; the forces on r₁ and r₂ measure σ.
 #[test]
 fn eq_24_stress() {
     let (beam, reference) = element();
@@ -171,7 +172,7 @@ fn eq_24_stress() {
     assert!((end - printed).norm() > 0.01 * right.norm());
 }
 
-/// Eq. (36): eₙ₊₁ = eₙ + h vₙ + .., where the print has h vₙ₊₁. Free fall is then too far by g h t.
+/// Eq. (36), corrected: eₙ₊₁ = eₙ + h vₙ + ... Printed: h vₙ₊₁, with an error g h t of free fall.
 #[test]
 fn eq_36_newmark() {
     let (h, steps, g) = (0.01, 100, -rod::GRAVITY);
@@ -179,7 +180,7 @@ fn eq_36_newmark() {
     let mut printed = [0.0, 0.0];
     for _ in 0..steps {
         Scheme::ADAMS.predict(&mut s, &[g], h);
-        s.add(&[0.0], Scheme::ADAMS.weights(h)); // the acceleration stays g
+        s.add(&[0.0], Scheme::ADAMS.weights(h)); // constant acceleration g
         printed[1] += h * g;
         printed[0] += h * printed[1] + 0.5 * h * h * g;
     }
@@ -193,7 +194,7 @@ fn static_tip(model: &Model) -> f64 {
     1e3 * assembly.probes[0].1.value(&state).y
 }
 
-/// Table 2 prints a diameter of 0.20 m. Eq. (34) gives its −2.040 mm and table 5 its −2.037 mm with 0.02 m.
+/// Table 2 prints a diameter of 0.20 m. With 0.02 m eq. (34) gives −2.040 mm and table 5 −2.037 mm.
 #[test]
 fn table_2_diameter() {
     let mut model = rod::cantilever(20);
@@ -202,7 +203,7 @@ fn table_2_diameter() {
     assert_near("0.20 m as printed", static_tip(&model), -0.0204, 5e-4);
 }
 
-/// Table 2 has no Poisson ratio. Table 5 goes to −2.037 mm, near which ν = 0 is; the ν = 0.3 of steel locks.
+/// Table 2 has no Poisson ratio. Table 5 converges to −2.037 mm, as with ν = 0; with ν = 0.3 the element locks.
 #[test]
 fn table_2_poisson_ratio() {
     let mut model = rod::cantilever(20);

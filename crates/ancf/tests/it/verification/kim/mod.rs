@@ -1,4 +1,4 @@
-//! Kim et al. (2017).
+//! Kim et al. (2017): results, units and misprints of the paper.
 
 mod cantilever;
 mod forms;

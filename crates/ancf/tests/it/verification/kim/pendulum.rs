@@ -1,11 +1,11 @@
-//! Kim et al. (2017), sections 3.2 and 3.3: the rod falls from horizontal, hinged about z or hung by a ball.
+//! Kim et al. (2017), sections 3.2 and 3.3: rod released from horizontal on a revolute or spherical joint.
 //!
 //! ```text
 //!   o====================        revolute: gravity along −y; E = 193 GPa
 //!   |  | | | | | | | | |         spherical: gravity along −y and −z; E = 193 MPa
 //! ```
 //!
-//! Goal: figure 8 (near the rigid compound pendulum), figure 12 (y = z), and that units change nothing.
+//! Goal: figure 8 (near the rigid compound pendulum), figure 12 (y = z), equal results in both forms.
 
 use ancf::model::{Step, Stop};
 use ancf::record::Series;
@@ -16,31 +16,31 @@ use super::forms::non_dimensional;
 use crate::common::models::rod;
 use crate::common::solutions::{Run, distance};
 
-fn forms_agree(model: Model) {
+/// Asserts equal motion and iterations of both forms with the same physical step.
+fn assert_forms_agree(model: Model) {
     let [a, b] = [model.clone(), non_dimensional(model)].map(|model| Run::of(&model));
-    let apart = distance(&a.vectors("tip."), &b.vectors("tip."));
-    assert!(apart < 1e-9 * rod::LENGTH, "trajectories {apart:e} apart");
+    let error = distance(&a.vectors("tip."), &b.vectors("tip."));
+    assert!(error < 1e-9 * rod::LENGTH, "distance of the trajectories {error:e}");
     let (a, b) = (a.summary.iterations as f64, b.summary.iterations as f64);
     assert!((a / b - 1.0).abs() < 0.01, "{a} and {b} iterations");
 }
 
-/// At one physical step both forms describe one motion, at the same cost.
 #[test]
 fn forms_agree_for_the_revolute_joint() {
-    forms_agree(rod::revolute(1));
-    forms_agree(rod::revolute(5));
+    assert_forms_agree(rod::revolute(1));
+    assert_forms_agree(rod::revolute(5));
 }
 
 #[test]
 fn forms_agree_for_the_spherical_joint() {
-    forms_agree(rod::spherical(1));
-    forms_agree(rod::spherical(5));
+    assert_forms_agree(rod::spherical(1));
+    assert_forms_agree(rod::spherical(5));
 }
 
-/// t, x, y of the tip of a rigid rod about a pivot, J = m(L²/3 + d²/16), released from horizontal under 9.81 m/s².
+/// t, x, y of the tip of a rigid rod, J = m(L²/3 + d²/16), released from horizontal under 9.81 m/s².
 ///
-/// Independent calculation: θ'' = W² cos θ, W² = 14.71389645776567 / s², by Jacobi's sn, which an eighth-order
-/// Runge-Kutta solution confirms to 1.2e-13.
+/// Independent calculation: θ'' = W² cos θ, W² = 14.71389645776567 / s², by Jacobi's sn. An eighth-order Runge-Kutta
+/// solution agrees to 1.2e-13.
 const RIGID: [[f64; 3]; 8] = [
     [0.25, 0.897555597254, -0.440901292625],
     [0.5, -0.0901281176136, -0.995930179488],
@@ -61,12 +61,12 @@ fn tips(elements: u32, steps_per_second: u32) -> Vec<Vector3<f64>> {
     tips.into_iter().skip(every).step_by(every).collect()
 }
 
+/// Distances from the rigid pendulum.
 fn from_rigid(tips: &[Vector3<f64>]) -> impl Iterator<Item = f64> {
     tips.iter().zip(RIGID).map(|(tip, [_, x, y])| (tip - Vector3::new(x, y, 0.0)).norm())
 }
 
-/// Figure 8: at the paper's step the pendulum follows the rigid one but for what the scheme takes out, an error of
-/// first order in the step.
+/// Figure 8: with the step of the paper the difference from the rigid pendulum is the damping of the scheme, of first order.
 #[test]
 fn revolute_pendulum_of_figure_8() {
     for elements in [1, 5] {
@@ -75,8 +75,7 @@ fn revolute_pendulum_of_figure_8() {
     }
 }
 
-/// Without the error of the scheme, extrapolated to h = 0, the flexible rod is within 5e-4 L of the rigid one in the
-/// mean over time: what is left is its flexibility.
+/// Extrapolated to h = 0, the mean distance from the rigid rod is below 5e-4 L, due to flexibility.
 #[test]
 fn revolute_pendulum_is_nearly_rigid() {
     let (coarse, fine) = (tips(1, 4000), tips(1, 8000));
@@ -85,8 +84,7 @@ fn revolute_pendulum_is_nearly_rigid() {
     assert!(mean < 5e-4 * rod::LENGTH, "{mean:e}");
 }
 
-/// Figure 12: under equal gravity along y and z the motion stays in the plane between them. It is the motion of a
-/// hinged rod in the plane under √2 g.
+/// Figure 12: equal gravity along y and z causes a plane motion, that of a hinged rod under √2 g.
 #[test]
 fn spherical_pendulum_of_figure_12() {
     let root_2 = 2.0_f64.sqrt();
@@ -102,9 +100,9 @@ fn spherical_pendulum_of_figure_12() {
     }
 }
 
-/// The soft rod swings through, bends but hardly stretches, and the scheme takes energy out, never in.
+/// The soft rod swings through with small stretch; the scheme dissipates energy monotonically.
 #[test]
-fn spherical_pendulum_keeps_its_energy_account() {
+fn spherical_pendulum_dissipates_energy_monotonically() {
     let run = Run::of(&rod::spherical(5));
     let tip = run.vectors("tip.");
     assert!(tip.iter().all(|tip| tip.norm() < 1.001 * rod::LENGTH));
@@ -115,9 +113,10 @@ fn spherical_pendulum_keeps_its_energy_account() {
     assert!(dissipated[dissipated.len() - 1] < 0.03 * exchanged);
 }
 
-/// Figure 7 shows some 80 iterations of the dimensional form and one or two of the non-dimensional one. It comes out of a
-/// stopping rule |r| < tolerance in each form's own numbers, near the rounding error of the dimensional residual: where
-/// that is 1e-7, both need at most three; at 5e-9 the dimensional iteration wanders at its floor and mostly never ends.
+/// Figure 7 shows about 80 iterations of the dimensional form and one or two of the non-dimensional one.
+///
+/// The cause is a stopping rule |r| < tolerance in the numbers of each form, near the rounding error of the dimensional
+/// residual. With 1e-7 both forms need at most three iterations; with 5e-9 the dimensional form stagnates at rounding.
 #[test]
 fn iterations_of_figure_7() {
     let summary = |mut model: Model, tolerance| {

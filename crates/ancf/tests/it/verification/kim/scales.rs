@@ -1,7 +1,7 @@
-//! Kim et al. (2017), tables 3 and 6: the units of the non-dimensional form.
+//! Kim et al. (2017), tables 3 and 6: units of the non-dimensional form.
 //!
 //! L = length of the beam, F = weight of one element, T = L √(ρA/F) (eq. 7), hence T = √(L n/g). The paper does not
-//! say what F is; only this choice gives table 3.
+//! define F; only this choice gives table 3.
 
 use ancf::model::ScaleChoice;
 
@@ -9,7 +9,7 @@ use super::forms::non_dimensional_step;
 use crate::common::models::rod;
 use crate::common::solutions::Run;
 
-/// Table 3, digit for digit.
+/// Unit of time to all digits of table 3.
 #[test]
 fn time_of_table_3() {
     for (elements, printed) in
@@ -24,8 +24,9 @@ fn time_of_table_3() {
     }
 }
 
-/// Table 6 counts 2001 instants of the dimensional form and 6263 of the non-dimensional one: 2 s in steps of 1 ms and
-/// of 0.001 T. The latter number needs g = 9.806 m/s² (recovered from the table); 9.81 m/s² gives 6265.
+/// Table 6: 2001 instants of the dimensional form, 6263 of the non-dimensional one, for 2 s in steps of 1 ms and 0.001 T.
+///
+/// 6263 follows from g = 9.806 m/s² (recovered from the table); 9.81 m/s² gives 6265.
 #[test]
 fn instants_of_table_6() {
     let instants = |gravity: f64| {

@@ -1,7 +1,7 @@
-//! Static tips of the cantilever of Kim et al. (2017) under its own weight, and their limits.
+//! Static tip deflections of the cantilever of Kim et al. (2017) under its own weight, and their limits.
 //!
-//! Source: independent implementation of the element in exact quadrature. The limits are those of Reissner's rod with
-//! shear coefficient one (shooting), and for ν > 0 of a rod with (λ+2G)I for EI: the element locks.
+//! Source: independent implementation of the element with exact quadrature. Limits: Reissner's rod with shear coefficient
+//! one (shooting); for ν > 0 with (λ+2G)I instead of EI, since the element locks.
 
 use std::f64::consts::PI;
 
@@ -12,6 +12,7 @@ use crate::common::assertions::assert_near;
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
+/// Tip deflection in mm.
 fn tip(model: &Model) -> f64 {
     let (assembly, state) = equilibrium(model, 1);
     1e3 * assembly.probes[0].1.value(&state).y
@@ -19,7 +20,7 @@ fn tip(model: &Model) -> f64 {
 
 /// Tip in mm, ν = 0; the limit is −2.041186330.
 #[test]
-fn poisson_ratio_0() {
+fn static_tips_converge_for_zero_poisson_ratio() {
     for (elements, reference) in [
         (1, -1.358336145),
         (2, -1.870012968),
@@ -40,7 +41,7 @@ fn poisson_ratio_0() {
 
 /// Tip in mm, ν = 0.3; the limit is −1.516542299.
 #[test]
-fn poisson_ratio_0_3() {
+fn static_tips_lock_for_poisson_ratio_0_3() {
     for (elements, reference) in [
         (1, -1.010246772),
         (2, -1.389787853),
@@ -55,10 +56,11 @@ fn poisson_ratio_0_3() {
     }
 }
 
-/// The square section of equal EI, s⁴/12 = πd⁴/64, measured with Project Chrono's beam 3243, the same element but for
-/// its shear factor k = 10/12: its tips lie lower by (1/k − 1) c qL²/GA, with c = 7/18, 15/34 and then nearly 1/2.
+/// Square section of equal EI, s⁴/12 = πd⁴/64, computed with beam 3243 of Project Chrono.
+///
+/// Chrono has the shear factor k = 10/12: its tips are lower by (1/k − 1) c qL²/GA with c = 7/18, 15/34 and nearly 1/2.
 #[test]
-fn square_section_of_equal_stiffness() {
+fn static_tips_of_a_square_section_equal_chrono() {
     let side = 0.02 * (12.0 * PI / 64.0).powf(0.25);
     let shear = 8030.0 * rod::GRAVITY * rod::LENGTH.powi(2) / (193e9 / 2.0);
     for (elements, c, measured) in [

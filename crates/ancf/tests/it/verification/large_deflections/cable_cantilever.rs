@@ -1,4 +1,4 @@
-//! Cantilevers of cable elements under a dead load at the tip and under their own weight.
+//! Cantilevers of cable elements under a tip load and under their own weight.
 
 use std::f64::consts::PI;
 
@@ -7,12 +7,12 @@ use ancf::mechanics::{BeamShape, CableProfile, CableSection};
 use ancf::system::Weights;
 use nalgebra::Vector3;
 
-use super::cable_chain::{Chain, Root};
+use super::cable_chain::{CableCantilever, Root};
 use crate::common::assertions::assert_near;
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 
-/// The rod of Kim et al. (2017): L = 1, d = 0.02, E = 193e9, ρ = 8030.
+/// Rod of Kim et al. (2017): L = 1, d = 0.02, E = 193e9, ρ = 8030.
 fn rod() -> CableSection {
     let (area, young) = (PI * 0.02 * 0.02 / 4.0, 193e9);
     CableSection {
@@ -28,16 +28,17 @@ fn cantilever(
     section: CableSection,
     gravity: Vector3<f64>,
     force: Vector3<f64>,
-) -> Chain {
+) -> CableCantilever {
     let shape = BeamShape { length: length / f64::from(elements), slope: 1.0 };
     let profile = CableProfile::new(shape, section, gravity);
-    Chain::new(elements as usize, profile, force, Root::Direction)
+    CableCantilever::new(elements as usize, profile, force, Root::Direction)
 }
 
-/// L = 2, ρA = 78, EA = 1e6, EI = 833.333 under its own weight, ρAgL³/EI = 7.35.
-/// Source: EXUDYN's cable element, converged.
+/// L = 2, ρA = 78, EA = 1e6, EI = 833.333 under own weight, ρAgL³/EI = 7.35.
+///
+/// Source: cable element of EXUDYN, converged.
 #[test]
-fn heavy_cantilever() {
+fn heavy_cable_equals_exudyn() {
     let section = CableSection { axial: 1e6, bending: 1e4 / 12.0, line_density: 78.0 };
     let chain = cantilever(2.0, 64, section, GRAVITY, Vector3::zeros());
     let (state, _) = chain.equilibrium(5);
@@ -46,11 +47,11 @@ fn heavy_cantilever() {
     assert_near("y", moved.y, -1.232_510_06, 1e-8);
 }
 
-/// PL²/EI = 10 on the rod: the elastica (0.445004402246249, 0.810609024880296) of Bisshopp & Drucker (1945), with
-/// the rod's stretch (0.445033517081, 0.810808827703) by shooting. The moment at the root is P x, and the axial force at
-/// the tip P sin θ.
+/// PL²/EI = 10. Elastica (0.445004402246249, 0.810609024880296) by Bisshopp & Drucker (1945).
+///
+/// With the stretch of the rod (0.445033517081, 0.810808827703), by shooting. Root moment P x, axial tip force P sin θ.
 #[test]
-fn elastica() {
+fn cable_cantilever_is_the_elastica() {
     let section = rod();
     let load = 10.0 * section.bending;
     let chain = cantilever(1.0, 64, section, Vector3::zeros(), Vector3::new(0.0, load, 0.0));
@@ -67,10 +68,11 @@ fn elastica() {
     assert!(moment.norm() < 1e-3 * root.norm(), "{moment}");
 }
 
-/// The rod under its own weight in one step: EA is 4e4 EI/L², elements are 1/1000 of it long, and Newton's method
-/// ends after four iterations all the same. Limit without shear: 2.040778175 mm (inextensible, by shooting).
+/// Own weight in one load step with EA = 4e4 EI/L² and up to 1000 elements.
+///
+/// Limit without shear: 2.040778175 mm (inextensible, by shooting).
 #[test]
-fn own_weight_of_many_elements() {
+fn own_weight_converges_with_many_cable_elements() {
     for elements in [50, 300, 500, 700, 1000] {
         let chain = cantilever(1.0, elements, rod(), GRAVITY, Vector3::zeros());
         let mut state = chain.rest();

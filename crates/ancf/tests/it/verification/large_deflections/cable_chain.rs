@@ -1,4 +1,4 @@
-//! Straight cantilevers of cable elements along x, made of terms.
+//! Straight cantilevers of cable elements along x, assembled from terms.
 
 use std::sync::Arc;
 
@@ -7,26 +7,26 @@ use ancf::mechanics::{BeamShape, Cable12, CableProfile, Coincide, Force, Marker,
 use ancf::system::{State, System, Term, Weights};
 use nalgebra::Vector3;
 
-/// What a cantilever holds on to at x = 0.
+/// Constrained coordinates at x = 0.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Root {
+pub(super) enum Root {
     /// r and r_x.
     Gradient,
-    /// r and the direction of r_x; the cable may stretch there.
+    /// r and the direction of r_x; the stretch is free.
     Direction,
 }
 
-/// A cantilever with a marker at its end.
-pub(crate) struct Chain {
-    pub(crate) system: System,
+/// Cantilever with a marker at its end.
+pub(super) struct CableCantilever {
+    pub(super) system: System,
     cables: Vec<Cable12>,
-    pub(crate) tip: Marker,
+    pub(super) tip: Marker,
     multipliers: usize,
 }
 
-impl Chain {
-    /// So many elements of a profile, under a force at the tip besides the profile's own gravity.
-    pub(crate) fn new(elements: usize, profile: CableProfile, force: Vector3<f64>, root: Root) -> Self {
+impl CableCantilever {
+    /// Cantilever of equal elements under a tip force and the gravity of the profile.
+    pub(super) fn new(elements: usize, profile: CableProfile, force: Vector3<f64>, root: Root) -> Self {
         let (BeamShape { length, slope }, profile) = (profile.shape(), Arc::new(profile));
         let cable = |k| Cable12::new(std::array::from_fn(|i| 6 * k + i), Vector3::x(), Arc::clone(&profile));
         let cables: Vec<_> = (0..elements).map(cable).collect();
@@ -49,13 +49,13 @@ impl Chain {
         Self { system: System::new(6 * (elements + 1), multipliers, terms), cables, tip, multipliers }
     }
 
-    /// The reference state.
-    pub(crate) fn rest(&self) -> State {
+    /// Reference state.
+    pub(super) fn rest(&self) -> State {
         State::rest(6 * (self.cables.len() + 1), self.multipliers)
     }
 
-    /// The equilibrium under loads that grow in so many equal steps, and the Newton iterations that it took.
-    pub(crate) fn equilibrium(&self, steps: u32) -> (State, u32) {
+    /// Returns the equilibrium by equal load steps, and the number of Newton iterations.
+    pub(super) fn equilibrium(&self, steps: u32) -> (State, u32) {
         let mut state = self.rest();
         let mut newton = Newton::new(self.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
         let mut iterations = 0;
@@ -67,12 +67,12 @@ impl Chain {
     }
 
     /// The displacement of the tip.
-    pub(crate) fn moved(&self, state: &State) -> Vector3<f64> {
+    pub(super) fn moved(&self, state: &State) -> Vector3<f64> {
         self.tip.sum(&state.q)
     }
 
     /// Axial force and bending moment of an element at ξ.
-    pub(crate) fn resultants(&self, state: &State, element: usize, xi: f64) -> (f64, Vector3<f64>) {
+    pub(super) fn resultants(&self, state: &State, element: usize, xi: f64) -> (f64, Vector3<f64>) {
         let own = 6 * element..6 * element + 12;
         self.cables[element].resultants(&state.q[own.clone()], &state.v[own], xi)
     }

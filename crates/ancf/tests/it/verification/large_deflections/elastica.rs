@@ -1,4 +1,4 @@
-//! Large deflections of a cantilever: dead load at its tip, and its own weight.
+//! Cantilever under a dead tip load and under its own weight.
 //!
 //! ```text
 //!   |/|==========
@@ -6,8 +6,8 @@
 //!                  | P
 //! ```
 //!
-//! Source: Reissner (1972), a rod with shear coefficient one and ν = 0, by shooting: the limits; the numbers of meshes by
-//! an independent implementation of the element. Both are near the elastica of Bisshopp & Drucker (1945).
+//! Source of the limits: rod of Reissner (1972) with shear coefficient one and ν = 0, by shooting. Source of the numbers for
+//! meshes: independent implementation of the element. Both are near the elastica of Bisshopp & Drucker (1945).
 
 use ancf::Model;
 use ancf::model::Load;
@@ -23,7 +23,7 @@ fn assert_tip(model: &Model, [x, y]: [f64; 2]) {
     assert_near("y", tip.y, y, 1e-9);
 }
 
-/// The rod without weight under P = α EI/L² at its tip.
+/// Rod without gravity under P = α EI/L² at its tip.
 fn loaded(elements: u32, alpha: f64) -> Model {
     let mut model = rod::cantilever(elements);
     model.gravity = [0.0; 3];
@@ -34,7 +34,7 @@ fn loaded(elements: u32, alpha: f64) -> Model {
 
 /// Limit (0.9435606328, −0.3017658497).
 #[test]
-fn tip_load_1() {
+fn tip_of_alpha_1_equals_independent_meshes() {
     for (elements, tip) in [
         (1, [0.9977824683, -0.0576521783]),
         (2, [0.9885413433, -0.1320283348]),
@@ -49,7 +49,7 @@ fn tip_load_1() {
 
 /// Limit (0.6123490435, −0.7139529967).
 #[test]
-fn tip_load_5() {
+fn tip_of_alpha_5_equals_independent_meshes() {
     for (elements, tip) in [
         (8, [0.6534271805, -0.6748765856]),
         (16, [0.6159224612, -0.7103431521]),
@@ -61,7 +61,7 @@ fn tip_load_5() {
 
 /// Limit (0.4449752850, −0.8109092306).
 #[test]
-fn tip_load_10() {
+fn tip_of_alpha_10_equals_independent_meshes() {
     for (elements, tip) in [
         (8, [0.5047681786, -0.7650597800]),
         (16, [0.4510901415, -0.8056979713]),
@@ -71,9 +71,9 @@ fn tip_load_10() {
     }
 }
 
-/// A thousand times softer under its own weight, β = ρAgL³/EI = 16.33. Limit (0.503917404445, −0.800577428674).
+/// E/1000 under own weight, β = ρAgL³/EI = 16.33. Limit (0.503917404445, −0.800577428674).
 #[test]
-fn own_weight() {
+fn tip_under_own_weight_equals_independent_meshes() {
     for (elements, tip) in [
         (4, [0.7889261908, -0.5459268901]),
         (8, [0.5834281335, -0.7384569996]),

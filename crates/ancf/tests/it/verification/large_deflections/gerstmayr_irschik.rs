@@ -1,4 +1,4 @@
-//! The cable element under a large load at the tip of a cantilever.
+//! Cable element under a large tip load of a cantilever.
 //!
 //! ```text
 //!   |/|==============
@@ -6,15 +6,15 @@
 //!                     | F = 3EI/L², L = 2, section 0.1 × 0.1, E = 2.07e11
 //! ```
 //!
-//! Source: Gerstmayr & Irschik (2008), one element: (−0.3622447299, −0.9941447587); the other meshes from the test of
-//! EXUDYN's `ANCFCable2D`, "ANCFcantileverTest", full integration, with the stretch of the clamped node free. Its
-//! converged list goes by 1, 2, 4, 8 and 64 elements; n = 16 is of the later list, whose Newton iterations end earlier, 2e-10 off.
+//! Source: Gerstmayr & Irschik (2008), one element: (−0.3622447299, −0.9941447587). Other meshes: test "ANCFcantileverTest"
+//! of `ANCFCable2D` of EXUDYN, full integration, free stretch of the clamped node. Its converged list has 1, 2, 4, 8 and 64
+//! elements; n = 16 is from a later list with an earlier end of the Newton iterations, error 2e-10.
 //! Limit by shooting of the rod without shear: (−0.508537304326, −1.207239854550).
 
 use ancf::mechanics::{BeamShape, CableProfile, CableRule, CableSection};
 use nalgebra::Vector3;
 
-use super::cable_chain::{Chain, Root};
+use super::cable_chain::{CableCantilever, Root};
 use crate::common::assertions::assert_near;
 
 fn tip(elements: u32, rule: CableRule, slope: f64, root: Root) -> Vector3<f64> {
@@ -24,7 +24,7 @@ fn tip(elements: u32, rule: CableRule, slope: f64, root: Root) -> Vector3<f64> {
     let shape = BeamShape { length: 2.0 / f64::from(elements), slope };
     let profile = CableProfile::new(shape, section, Vector3::zeros()).integrated(rule);
     let force = Vector3::new(0.0, -0.75 * section.bending, 0.0);
-    let chain = Chain::new(elements as usize, profile, force, root);
+    let chain = CableCantilever::new(elements as usize, profile, force, root);
     let (state, _) = chain.equilibrium(5);
     chain.moved(&state)
 }
@@ -32,11 +32,11 @@ fn tip(elements: u32, rule: CableRule, slope: f64, root: Root) -> Vector3<f64> {
 fn assert_tip(moved: Vector3<f64>, [x, y]: [f64; 2], tolerance: f64) {
     assert_near("x", moved.x, x, tolerance);
     assert_near("y", moved.y, y, tolerance);
-    assert_eq!(moved.z, 0.0, "nothing leaves the plane");
+    assert_eq!(moved.z, 0.0, "displacement out of the plane");
 }
 
 #[test]
-fn full_integration() {
+fn full_integration_equals_the_published_tips() {
     for (elements, reference, tolerance) in [
         (1, [-0.362_244_729_890_505_43, -0.994_144_758_724_973], 1e-12),
         (2, [-0.488_926_308_341_485_8, -1.175_222_865_055_166_6], 1e-12),
@@ -49,16 +49,16 @@ fn full_integration() {
     }
 }
 
-/// What the slope coordinates are called does not matter.
+/// Results do not depend on the slope length.
 #[test]
-fn any_slope_length() {
+fn slope_length_does_not_change_the_tip() {
     let reference = [-0.507_428_715_118_889_2, -1.205_533_702_233_540_4];
     assert_tip(tip(4, CableRule::Full, 0.5, Root::Direction), reference, 1e-12);
 }
 
-/// The rules and the clamps have one limit; of a coarse mesh, Lobatto's points make the most.
+/// All integration rules and clamps have the same limit. On coarse meshes Lobatto points are the most accurate.
 #[test]
-fn limit() {
+fn integration_rules_have_one_limit() {
     let limit = [-0.508_537_304_326, -1.207_239_854_550];
     for rule in [CableRule::Full, CableRule::Reduced, CableRule::Lobatto] {
         for root in [Root::Direction, Root::Gradient] {

@@ -1,4 +1,4 @@
-//! Large static deflections.
+//! Large static deflections of cantilevers.
 
 mod cable_cantilever;
 mod cable_chain;

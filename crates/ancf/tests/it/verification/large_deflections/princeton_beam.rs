@@ -1,12 +1,12 @@
-//! The beam of the Princeton experiment (Dowell & Traybar 1975): a strip bent about both axes and twisted.
+//! Princeton beam experiment (Dowell & Traybar 1975): strip bent about both axes and twisted.
 //!
 //! ```text
 //!   |/|=====================  L = 0.508 m, 12.377 × 3.2024 mm, E = 71.7 GPa
 //!   |/|                    \\  P at an angle from the stiff direction
 //! ```
 //!
-//! Source: the limits by Reissner's rod with k = 1, ν = 0 and the polar moment of area in torsion, to which this
-//! element converges (the strip itself is five times softer in torsion); the meshes by an independent implementation.
+//! Source of the limits: Reissner's rod with k = 1, ν = 0 and the polar moment of area in torsion, to which this element
+//! converges. The strip itself is five times softer in torsion. Source of the meshes: independent implementation.
 
 use ancf::Model;
 use ancf::model::{Load, Section};
@@ -26,9 +26,9 @@ fn strip(elements: u32, load: f64, degrees: f64) -> Model {
     model
 }
 
-/// Tip displacements along the axis, the stiff and the soft direction.
+/// Displacements along the axis, the stiff and the soft direction.
 #[test]
-fn tip_displacements() {
+fn princeton_tips_equal_independent_meshes() {
     for (load, degrees, elements, reference) in [
         // Limit (−.0140523899, −.0076267295, .1079407501).
         (8.896, 45.0, 8, [-0.0124296889, -0.0075515011, 0.1009845921]),

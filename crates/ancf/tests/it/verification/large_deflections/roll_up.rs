@@ -1,12 +1,12 @@
-//! A cantilever rolled up by a moment at its end.
+//! Cantilever rolled up by a moment at its end.
 //!
 //! ```text
 //!   |/|==========)  M        φ = ML/EI; inextensible: θ = φ, a circle of radius EI/M
 //! ```
 //!
-//! Source: the continuum of St. Venant and Kirchhoff with ν = 0 in pure bending, whose strains are the same along the axis:
-//! stretch, thickness and curvature of least energy, three equations solved to ten digits; the angles of meshes by an
-//! independent implementation of the element.
+//! Source: St. Venant-Kirchhoff continuum with ν = 0 in pure bending, with constant strains along the axis. Stretch,
+//! thickness and curvature of least energy are solved to ten digits. Source of the angles of meshes: independent
+//! implementation of the element.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ use crate::common::assertions::assert_near;
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
-/// The rod without weight under M = φ EI over a length of one, about z at its end.
+/// Rod without gravity under the end moment M = φ EI about z, per unit length.
 fn rolled(elements: u32, section: Section, phi: f64, fix: Clamped) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
@@ -31,7 +31,7 @@ const SQUARE: Section = Section::Rectangle { height: 0.05, width: 0.05 };
 const CIRCLE: Section = Section::Circle { diameter: 0.02 };
 
 #[test]
-fn square_by_mesh() {
+fn end_angles_equal_independent_meshes() {
     for (elements, angle) in [(8, 3.0311), (16, 3.1612), (32, 3.17550)] {
         let (assembly, state) = equilibrium(&rolled(elements, SQUARE, PI, Clamped::All), 10);
         let [normal, ..] = assembly.mesh("rod").unwrap().section_frame(&state, rod::LENGTH);
@@ -40,8 +40,9 @@ fn square_by_mesh() {
     }
 }
 
-/// Angle and place of the end seen from a section that is one away from it, as far again from the clamp, which keeps
-/// the section from getting thinner and takes 1.4e-4 of the angle of the square.
+/// Angle and position of the end relative to the section at half the length.
+///
+/// The clamp at the start suppresses the change of thickness there and reduces the angle of the square by 1.4e-4.
 fn far_from_the_clamp(elements: u32, section: Section, phi: f64, formulation: Formulation) -> [f64; 3] {
     let mut model = rolled(2 * elements, section, phi, Clamped::Section);
     let beam = rod::beam(&mut model);
@@ -53,7 +54,7 @@ fn far_from_the_clamp(elements: u32, section: Section, phi: f64, formulation: Fo
     [normal.dot(&y).atan2(normal.dot(&x)).rem_euclid(2.0 * PI), place.dot(&x), place.dot(&y)]
 }
 
-/// θ, x and y of the continuum.
+/// Angle θ and position x, y of the continuum.
 const LIMITS: [(Section, f64, [f64; 3]); 4] = [
     (SQUARE, PI, [3.1787640322, -0.0116541451, 0.6269771869]),
     (CIRCLE, 0.5 * PI, [1.57132966449, 0.636344681286, 0.636684158429]),
@@ -61,9 +62,9 @@ const LIMITS: [(Section, f64, [f64; 3]); 4] = [
     (CIRCLE, 2.0 * PI, [6.31772618396 - 2.0 * PI, 0.0054580371, 9.4272e-5]),
 ];
 
-/// Errors of fourth order: two meshes tell the limit to that of the next order.
+/// Errors are of fourth order; two meshes are extrapolated.
 #[test]
-fn limits() {
+fn roll_up_converges_at_order_four() {
     for (section, phi, limit) in LIMITS {
         let [coarse, fine] = [32, 64].map(|n| far_from_the_clamp(n, section, phi, Formulation::Quadratic));
         for i in 0..3 {
@@ -72,9 +73,9 @@ fn limits() {
     }
 }
 
-/// The element of Kim et al. (2017) gets there too, slower.
+/// Element of Kim et al. (2017), with errors of second order.
 #[test]
-fn limits_of_the_two_node_element() {
+fn roll_up_of_two_node_elements_converges_at_order_two() {
     for (section, phi, limit) in LIMITS {
         let errors = [32, 64].map(|n| {
             let found = far_from_the_clamp(n, section, phi, Formulation::Continuum);
@@ -84,14 +85,14 @@ fn limits_of_the_two_node_element() {
     }
 }
 
-/// A follower about the axis of bending is the same as one that stays.
+/// A follower moment about the bending axis equals a moment of fixed direction.
 #[test]
-fn follower() {
+fn follower_moment_equals_fixed_moment_in_the_plane() {
     let model = rolled(8, SQUARE, PI, Clamped::All);
     let mut other = model.clone();
     let Load::Moment { follower, .. } = &mut other.loads[0] else { panic!("a moment") };
     *follower = true;
     let [a, b] = [model, other].map(|model| equilibrium(&model, 10).1);
-    let apart = a.q.iter().zip(&b.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(apart < 1e-9, "{apart:e}");
+    let error = a.q.iter().zip(&b.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(error < 1e-9, "{error:e}");
 }

@@ -1,4 +1,4 @@
-//! Two bodies, and what ties and loads them, for the laws of terms.
+//! Two bodies with constraints and loads.
 
 use ancf::function::Function;
 use ancf::mechanics::{
@@ -8,11 +8,13 @@ use ancf::model::{Material, Section};
 use ancf::system::Term;
 use nalgebra::{Rotation3, Vector3};
 
-pub(crate) const LENGTH: f64 = 0.7;
-pub(crate) const ORIGIN: Vector3<f64> = Vector3::new(0.1, -0.2, 0.3);
+/// Length of an element.
+const LENGTH: f64 = 0.7;
+/// Start of the first body.
+pub(super) const ORIGIN: Vector3<f64> = Vector3::new(0.1, -0.2, 0.3);
 
-/// A tilted body of two elements.
-pub(crate) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>) -> BeamMesh {
+/// Builds a rotated body of two elements.
+pub(super) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>) -> BeamMesh {
     let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
     let lame = Material::elastic(2.0, 30.0, 0.3).lame();
     let medium = Medium {
@@ -38,14 +40,14 @@ pub(crate) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>)
     BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
 }
 
-/// Two tilted bodies of two elements each.
-pub(crate) fn bodies() -> [BeamMesh; 2] {
+/// Builds two bodies of two elements each, the second one rotated.
+pub(super) fn bodies() -> [BeamMesh; 2] {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     [mesh(0, ORIGIN, Rotation3::identity()), mesh(36, ORIGIN, tilted)]
 }
 
-/// Constraints and loads on two bodies, at nodes and between them.
-pub(crate) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
+/// Returns constraints and loads on two bodies, at nodes and inside elements.
+pub(super) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
     let [a, b] = bodies();
     let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
     let ground = Marker::fixed(across);
@@ -56,7 +58,7 @@ pub(crate) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
         ("point and ground", Box::new(Coincide::points(&point_a, &ground, 5))),
         ("points of one body", Box::new(Coincide::points(&point_a, &a.point(0.0), 5))),
         ("directions", Box::new(Coincide::directions(&direction_a, &direction_b, 5))),
-        ("toward a point", Box::new(Coincide::toward(&point_a, across, 5))),
+        ("gap to a point", Box::new(Coincide::toward(&point_a, across, 5))),
         (
             "drive",
             Box::new(Drive::new(&direction_a, Vector3::z(), 2.0, Function::Ramp { start: 0.0, end: 2.0 }, 5)),

@@ -1,4 +1,4 @@
-//! Bodies of every shape of axis in a fluid.
+//! Bodies of all axis interpolations in a fluid.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use ancf::mechanics::{BeamMesh, Blueprint, Fluid, Formulation, Hull, Medium, Mor
 use ancf::model::{Material, Section};
 use nalgebra::{Rotation3, Vector3};
 
-/// Length of an element: long against displacements, so that no tangent comes near zero.
+/// Length of an element, large against the displacements, so that no tangent vector is close to zero.
 const LENGTH: f64 = 2.0;
 
-/// Two elements each: of a beam of two nodes, of one of three, and of a cable, tilted.
-pub(crate) fn meshes() -> Vec<(&'static str, BeamMesh)> {
+/// Builds rotated bodies of two elements each: two-node beam, three-node beam, cable.
+pub(super) fn meshes() -> Vec<(&'static str, BeamMesh)> {
     let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
     let medium = Medium {
         lame: Material::elastic(2.0, 30.0, 0.3).lame(),
@@ -43,9 +43,10 @@ pub(crate) fn meshes() -> Vec<(&'static str, BeamMesh)> {
     ]
 }
 
-/// The second element of each in a fluid at rest, without drag, and in a current of a thin one, fast against all velocities
-/// below one, in which drag is smooth.
-pub(crate) fn terms(gravity: Vector3<f64>) -> Vec<(String, Morison, bool)> {
+/// Returns terms of the second element of each body with their names, and whether the fluid flows.
+///
+/// The fluid is at rest without drag, or flows fast against all velocities below one, where drag is smooth.
+pub(super) fn immersed_terms(gravity: Vector3<f64>) -> Vec<(String, Morison, bool)> {
     let mut terms = Vec::new();
     for (name, mesh) in meshes() {
         let [tangent, across, _] = mesh.reference_axes(0.5);

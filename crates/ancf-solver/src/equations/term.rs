@@ -68,7 +68,7 @@ impl<'a> LocalMatrix<'a> {
 /// One local share of the equations of motion: an element, one equation of a joint, a load.
 ///
 /// A term is immutable; it adds nothing but depends on nothing beyond the coordinates and multipliers that it names.
-/// What every term must obey (tangent = ∂residual, residual = ∂energy) is checked by `tests/laws.rs`.
+/// What every term must obey (tangent = ∂residual, residual = ∂energy) is checked by `tests/it/terms/laws.rs`.
 ///
 /// A spring between coordinate 3 and the ground, complete:
 ///

@@ -3,8 +3,8 @@
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
 use ancf::model::{
-    Analysis, Assembly, At, Beam, Body, End, Ground, InitialMotion, Joint, Named, Place, Probe, Start,
-    Statics,
+    Analysis, Assembly, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, Named, Place, Probe,
+    Spherical, Start, Statics,
 };
 use ancf::system::{EquationsOfMotion, State};
 use nalgebra::Vector3;
@@ -122,7 +122,7 @@ fn with_gap(to: [f64; 3]) -> Model {
     let beam = rod::beam(&mut model);
     beam.formulation = ancf::model::Formulation::Linked;
     let b = End::Point(Ground { point: to });
-    model.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b });
+    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b }));
     Model { assemble: true, ..model }
 }
 
@@ -164,7 +164,7 @@ fn loose_bodies_are_moved_without_strain() {
     let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
     model.bodies.push(Body::Beam(second));
     let a = Place::new("second", At::Named(Named::Start));
-    model.joints.push(Joint::Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) });
+    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) }));
     let refused = model.check().unwrap_err();
     assert!(refused[0].hint.as_ref().unwrap().ends_with("; `assemble = true` closes the gap"), "{refused}");
     model.assemble = true;
@@ -197,7 +197,7 @@ fn statics_starts_with_closed_gaps() {
     };
     model.bodies.push(Body::Beam(hanger));
     let hanger = Place::new("hanger", At::Named(Named::Start));
-    model.joints.push(Joint::Clamp { name: "hang".into(), a: hanger, b: End::Place(a), fix: None });
+    model.joints.push(Joint::Clamp(Clamp { name: "hang".into(), a: hanger, b: End::Place(a), fix: None }));
     model.analysis = Analysis::Statics(Statics::default());
     model.probes.push(Probe::of_motion("foot", Place::new("hanger", At::Named(Named::Start))));
     model.probes.push(Probe::of_motion("middle", Place::new("rod", At::Length(0.5))));

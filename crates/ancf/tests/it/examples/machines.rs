@@ -125,7 +125,7 @@ fn misaligned_hinge_bends_the_four_bar_out_of_its_plane() {
 fn aligned_four_bar_is_a_parallelogram() {
     let mut model = stepped("four_bar", 0.6, 0.02, 2.0);
     for joint in &mut model.joints {
-        if let ancf::model::Joint::Revolute { axis, .. } = joint {
+        if let ancf::model::Joint::Revolute(ancf::model::Revolute { axis, .. }) = joint {
             *axis = [0.0, 0.0, 1.0];
         }
     }

@@ -4,8 +4,8 @@
 //! relative to L, forces relative to the weight.
 
 use ancf::model::{
-    At, Body, Clamped, End, Joint, Load, Material, Named, Place, Probe, ScaleChoice, Section, Slopes, Start,
-    Step, TimeFunction, Varying,
+    At, Body, Clamp, Clamped, End, Joint, Load, Material, Named, Place, Probe, Revolute, ScaleChoice,
+    Section, Slopes, Spherical, Start, Step, TimeFunction, Varying,
 };
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -36,7 +36,7 @@ fn linkage() -> Model {
     model.bodies.push(Body::Beam(second));
     let place = |body: &str, at| Place::new(body, At::Named(at));
     let tip = place("second", Named::End);
-    model.joints.push(Joint::Revolute {
+    model.joints.push(Joint::Revolute(Revolute {
         name: "elbow".into(),
         a: place("second", Named::Start),
         b: End::Place(rod::end()),
@@ -44,7 +44,7 @@ fn linkage() -> Model {
         drive: None,
         spring: None,
         friction: None,
-    });
+    }));
     model.probes = vec![Probe::of_motion("tip", tip.clone())];
     model.loads = loads(tip);
     model.sections.insert("circle".into(), Section::Rectangle { height: 0.03, width: 0.02 });
@@ -183,7 +183,7 @@ fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
         beam.up = Some(direction(beam.up.unwrap_or([0.0, 1.0, 0.0])));
     }
     for joint in &mut model.joints {
-        if let Joint::Revolute { axis, .. } = joint {
+        if let Joint::Revolute(Revolute { axis, .. }) = joint {
             *axis = direction(*axis);
         }
     }
@@ -234,8 +234,9 @@ fn direction_of_beams_does_not_change_the_motion() {
             }
         };
         for joint in &mut reversed.joints {
-            let (Joint::Clamp { a, b, .. } | Joint::Revolute { a, b, .. } | Joint::Spherical { a, b, .. }) =
-                joint
+            let (Joint::Clamp(Clamp { a, b, .. })
+            | Joint::Revolute(Revolute { a, b, .. })
+            | Joint::Spherical(Spherical { a, b, .. })) = joint
             else {
                 panic!("the systems have no other joints");
             };
@@ -295,7 +296,7 @@ fn clamped_beams_equal_one_beam() {
     let place = |at| Place::new("second", At::Named(at));
     halves.probes[0].on = place(Named::End);
     let (a, b) = (place(Named::Start), End::Place(rod::end()));
-    halves.joints.push(Joint::Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) });
+    halves.joints.push(Joint::Clamp(Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) }));
     assert_equivalent(whole, &halves, identity, [1.0; 2]);
 }
 

@@ -1,6 +1,6 @@
 //! Diagnosis of models: contents, mobility, loose bodies, names of equations.
 
-use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Statics};
+use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Spherical, Statics};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
@@ -42,7 +42,7 @@ fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
 fn unconnected_bodies_are_named() {
     let mut model = with_loose_beams(rod::cantilever(1), &["alone", "one", "two"]);
     let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
-    model.joints.push(Joint::Spherical { name: "elbow".into(), a, b });
+    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b }));
     let diagnosis = model.diagnose().unwrap();
     assert_eq!(diagnosis.unconnected, ["alone"]);
     assert_eq!(diagnosis.unreached, ["one", "two"]);

@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::analysis::{Interrupt, modes};
-use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place};
+use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place, Revolute, Spherical};
 use ancf::system::State;
 
 use crate::common::models::rod;
@@ -34,7 +34,7 @@ fn second(end: Named) -> Place {
 
 fn elbow() -> Joint {
     let (a, b) = (second(Named::Start), End::Place(rod::end()));
-    Joint::Revolute {
+    Joint::Revolute(Revolute {
         name: "elbow".into(),
         a,
         b,
@@ -42,7 +42,7 @@ fn elbow() -> Joint {
         drive: None,
         spring: None,
         friction: None,
-    }
+    })
 }
 
 #[test]
@@ -67,7 +67,9 @@ fn pendulums_rotate_about_their_joints() {
     assert_eq!(motion_names(&rod::revolute(2)), [about("z")]);
     let mut skew = rod::revolute(2);
     rod::beam(&mut skew).up = Some([0.0, 0.3, 1.0]);
-    let Joint::Revolute { axis, .. } = &mut skew.joints[0] else { panic!("the root is a revolute joint") };
+    let Joint::Revolute(Revolute { axis, .. }) = &mut skew.joints[0] else {
+        panic!("the root is a revolute joint")
+    };
     *axis = [0.0, 3.0, 4.0];
     assert_eq!(motion_names(&skew), [about("(0, 0.6, 0.8)")]);
 }
@@ -77,7 +79,7 @@ fn pendulums_rotate_about_their_joints() {
 fn rod_between_two_spherical_joints_spins() {
     let mut model = rod::spherical(3);
     rod::beam(&mut model).to = [2.0, -1.0, 2.0];
-    model.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
+    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
     let axis = "(0.6667, -0.3333, 0.6667)";
     assert_eq!(
         motion_names(&model),
@@ -91,7 +93,7 @@ fn clamped_and_propped_rods_have_no_free_motion() {
         assert!(motion_names(&rod::clamped(2, fix)).is_empty());
     }
     let mut propped = rod::revolute(2);
-    propped.joints.push(Joint::Spherical { name: "far".into(), a: rod::end(), b: End::Ground });
+    propped.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
     assert!(motion_names(&propped).is_empty());
 }
 
@@ -115,7 +117,7 @@ fn motions_of_a_chain_name_all_moving_bodies() {
 /// Two rods at right angles with spherical joints: one rotation of the truss about its diagonal, one spin of each rod.
 #[test]
 fn truss_rotates_about_its_diagonal() {
-    let ball = |name: &str, a, b| Joint::Spherical { name: name.into(), a, b };
+    let ball = |name: &str, a, b| Joint::Spherical(Spherical { name: name.into(), a, b });
     let top = ball("top", second(Named::End), End::Ground);
     let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
@@ -182,7 +184,7 @@ fn long_chain_has_one_motion_per_hinge() {
         model.bodies.push(Body::Beam(link));
         let a = Place::new(&name, At::Named(Named::Start));
         let b = End::Place(Place::new(&before, At::Named(Named::End)));
-        model.joints.push(Joint::Revolute {
+        model.joints.push(Joint::Revolute(Revolute {
             name: format!("hinge {k}"),
             a,
             b,
@@ -190,7 +192,7 @@ fn long_chain_has_one_motion_per_hinge() {
             drive: None,
             spring: None,
             friction: None,
-        });
+        }));
     }
     let assembly = model.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());

@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use ancf::model::{
-    Analysis, At, Beam, Body, Buckling, Clamped, End, Formulation, Ground, Joint, Load, Modes, Named, Path,
-    Place, Statics, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Buckling, Clamp, Clamped, DrivenClamp, End, Formulation, Ground, Joint, Load,
+    Modes, Named, Path, Place, Spherical, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
 use ancf::system::{Sparse, dependences};
@@ -16,11 +16,11 @@ use crate::common::models::rod;
 use crate::common::solutions::{Run, distance};
 
 fn ball(name: &str, a: Place) -> Joint {
-    Joint::Spherical { name: name.into(), a, b: End::Ground }
+    Joint::Spherical(Spherical { name: name.into(), a, b: End::Ground })
 }
 
 fn clamp(name: &str, a: Place, fix: Clamped) -> Joint {
-    Joint::Clamp { name: name.into(), a, b: End::Ground, fix: Some(fix) }
+    Joint::Clamp(Clamp { name: name.into(), a, b: End::Ground, fix: Some(fix) })
 }
 
 fn short(mut model: Model) -> Model {
@@ -167,7 +167,7 @@ fn redundancy_does_not_depend_on_units() {
 fn drive(name: &str, text: &str) -> Joint {
     let time = TimeFunction::Varying(Varying::Expression { text: text.into(), unit: 1.0 });
     let (axis, fix) = ([0.0, 0.0, 1.0], Some(Clamped::Section));
-    Joint::Drive {
+    Joint::Drive(DrivenClamp {
         name: name.into(),
         a: rod::start(),
         axis: Some(axis),
@@ -175,7 +175,7 @@ fn drive(name: &str, text: &str) -> Joint {
         displacement: [0.0; 3],
         time,
         fix,
-    }
+    })
 }
 
 /// Equal drives are redundant; different drives are rejected with a message.
@@ -199,7 +199,8 @@ fn contradicting_joints_are_rejected() {
             .starts_with("equations that contradict `root`: driven direction y")
     );
     let point = |point| End::Point(Ground { point });
-    let pull = |name: &str, to| Joint::Spherical { name: name.into(), a: rod::end(), b: point(to) };
+    let pull =
+        |name: &str, to| Joint::Spherical(Spherical { name: name.into(), a: rod::end(), b: point(to) });
     let mut pulled =
         with(rod::cantilever(2), [pull("here", [0.9, 0.1, 0.0]), pull("there", [0.9, 0.2, 0.0])]);
     pulled.analysis = Analysis::Statics(Statics::default());

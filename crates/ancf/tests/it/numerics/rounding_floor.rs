@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::{Assembly, At, Body, End, Joint, Named, Place};
+use ancf::model::{Assembly, At, Body, End, Joint, Named, Place, Spherical};
 use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 
 use crate::common::models::rod;
@@ -15,7 +15,7 @@ fn two_rods() -> Model {
     let mut second = rod::beam(&mut model).clone();
     (second.name, second.from, second.to) = ("second".into(), [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
     let a = Place::new("second", At::Named(Named::Start));
-    model.joints.push(Joint::Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) });
+    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) }));
     model.bodies.push(Body::Beam(second));
     model
 }

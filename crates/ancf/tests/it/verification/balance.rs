@@ -8,7 +8,9 @@
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_start};
-use ancf::model::{self, Assembly, At, Body, Clamped, End, Joint, Named, Place, Start};
+use ancf::model::{
+    self, Assembly, At, Body, Clamp, Clamped, End, Joint, Named, Place, Revolute, Spherical, Start,
+};
 use ancf::system::{EquationsOfMotion, State, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -41,7 +43,7 @@ fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
 }
 
 fn clamp(fix: Clamped) -> impl FnOnce(Place, End) -> Joint {
-    move |a, b| Joint::Clamp { name: "fork".into(), a, b, fix: Some(fix) }
+    move |a, b| Joint::Clamp(Clamp { name: "fork".into(), a, b, fix: Some(fix) })
 }
 
 /// Soft systems, one for each kind of joint.
@@ -50,17 +52,19 @@ fn forks() -> [(&'static str, Model); 4] {
     [
         ("clamp", branched(along, clamp(Clamped::All))),
         ("clamp of the section", branched(along, clamp(Clamped::Section))),
-        ("spherical", branched(along, |a, b| Joint::Spherical { name: "fork".into(), a, b })),
+        ("spherical", branched(along, |a, b| Joint::Spherical(Spherical { name: "fork".into(), a, b }))),
         (
             "revolute",
-            branched(along, |a, b| Joint::Revolute {
-                name: "fork".into(),
-                a,
-                b,
-                axis: AXIS,
-                drive: None,
-                spring: None,
-                friction: None,
+            branched(along, |a, b| {
+                Joint::Revolute(Revolute {
+                    name: "fork".into(),
+                    a,
+                    b,
+                    axis: AXIS,
+                    drive: None,
+                    spring: None,
+                    friction: None,
+                })
             }),
         ),
     ]
@@ -145,7 +149,7 @@ fn joint_constraints_hold_to_rounding() {
 #[test]
 fn root_reactions_are_rates_of_momenta() {
     let [.., (_, mut hinged)] = forks();
-    hinged.joints[0] = Joint::Revolute {
+    hinged.joints[0] = Joint::Revolute(Revolute {
         name: "root".into(),
         a: rod::start(),
         b: End::Ground,
@@ -153,7 +157,7 @@ fn root_reactions_are_rates_of_momenta() {
         drive: None,
         spring: None,
         friction: None,
-    };
+    });
     for (name, model) in forks().into_iter().chain([("hinged at the root", hinged)]) {
         let (assembly, states) = instants(&model);
         for s in states.iter().step_by(20) {
@@ -198,14 +202,16 @@ fn constant_angles(assembly: &Assembly, s: &State) -> usize {
 /// Φ(q + h v + ½ h² a) is of third order for Φ_q v = 0 and consistent accelerations.
 #[test]
 fn consistent_start_satisfies_constraints_to_third_order() {
-    let model = branched([0.0, 0.6, 0.8], |a, b| Joint::Revolute {
-        name: "fork".into(),
-        a,
-        b,
-        axis: AXIS,
-        drive: None,
-        spring: None,
-        friction: None,
+    let model = branched([0.0, 0.6, 0.8], |a, b| {
+        Joint::Revolute(Revolute {
+            name: "fork".into(),
+            a,
+            b,
+            axis: AXIS,
+            drive: None,
+            spring: None,
+            friction: None,
+        })
     });
     let assembly = Model { joints: model.joints[1..].to_vec(), ..model }.assemble().unwrap();
     let mut s = assembly.rest();

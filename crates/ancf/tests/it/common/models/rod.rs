@@ -4,8 +4,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output, Place,
-    Probe, ScaleChoice, Scheme, Section, Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamp, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output,
+    Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical, Start, Step, Stop,
 };
 
 /// Length L.
@@ -52,13 +52,13 @@ pub(crate) fn cantilever(elements: u32) -> Model {
 
 /// Rod clamped at its start.
 pub(crate) fn clamped(elements: u32, fix: Clamped) -> Model {
-    let clamp = Joint::Clamp { name: "root".into(), a: start(), b: End::Ground, fix: Some(fix) };
+    let clamp = Joint::Clamp(Clamp { name: "root".into(), a: start(), b: End::Ground, fix: Some(fix) });
     Model { joints: vec![clamp], ..free(elements) }
 }
 
 /// Rod with a revolute joint about z at its start.
 pub(crate) fn revolute(elements: u32) -> Model {
-    let hinge = Joint::Revolute {
+    let hinge = Joint::Revolute(Revolute {
         name: "root".into(),
         a: start(),
         b: End::Ground,
@@ -66,13 +66,13 @@ pub(crate) fn revolute(elements: u32) -> Model {
         drive: None,
         spring: None,
         friction: None,
-    };
+    });
     Model { joints: vec![hinge], ..free(elements) }
 }
 
 /// Rod with a spherical joint at its start, E = 193 MPa, under gravity along −y and −z.
 pub(crate) fn spherical(elements: u32) -> Model {
-    let ball = Joint::Spherical { name: "root".into(), a: start(), b: End::Ground };
+    let ball = Joint::Spherical(Spherical { name: "root".into(), a: start(), b: End::Ground });
     let mut model = Model { joints: vec![ball], gravity: [0.0, -GRAVITY, -GRAVITY], ..free(elements) };
     material(&mut model).young /= 1000.0;
     model

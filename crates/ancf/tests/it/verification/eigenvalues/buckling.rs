@@ -12,7 +12,7 @@
 use ancf::Model;
 use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
 use ancf::model::{
-    Assembly, At, Body, Cable, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
+    Assembly, At, Body, Cable, Clamp, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
 };
 use ancf::system::{State, Weights};
 
@@ -252,7 +252,7 @@ fn prebuckling_bending_raises_the_lateral_load() {
 #[test]
 fn rod_clamped_in_the_middle_buckles_as_its_half() {
     let mut model = rod::cantilever(16);
-    let Joint::Clamp { a, .. } = &mut model.joints[0] else { panic!("the root is a clamp") };
+    let Joint::Clamp(Clamp { a, .. }) = &mut model.joints[0] else { panic!("the root is a clamp") };
     a.at = At::Length(0.5 * rod::LENGTH);
     let assembly = loaded(model, [-1.0, 0.0, 0.0]);
     let mut half = rod::cantilever(8);

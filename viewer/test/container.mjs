@@ -40,7 +40,8 @@ export function pack(scene) {
   return Buffer.concat([start, text, spaces, ...parts]);
 }
 
-const asset = (name) => readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
+const asset = (name) =>
+  readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
 
 /** The page of a report: `data` is base64, or the page asks at `source`. */
 export function page(data, source = null) {

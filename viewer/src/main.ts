@@ -6,16 +6,16 @@ import "./styles/stage.css";
 import "./styles/overlay.css";
 import "./styles/panel.css";
 import "./styles/phone.css";
-import { api } from "./api";
-import { App } from "./app";
-import { VIEWS } from "./camera";
-import { iconButton, save } from "./dom";
-import { compose, Film, filmable } from "./film";
-import { ICONS } from "./icons";
-import { help, type Key, listen } from "./keyboard";
-import { SceneError } from "./scene";
-import { follow } from "./source";
-import { Theme } from "./theme";
+import { iconButton, save } from "./base/dom";
+import { ICONS } from "./base/icons";
+import { Theme } from "./base/theme";
+import { VIEWS } from "./draw/camera";
+import { SceneError } from "./scene/scene";
+import { follow } from "./scene/source";
+import { api } from "./ui/api";
+import { App } from "./ui/app";
+import { compose, Film, filmable } from "./ui/export";
+import { help, type Key, listen } from "./ui/keyboard";
 
 function keys(app: App, theme: Theme, ask: () => void): Key[] {
   const { player, choice } = app;

@@ -7,7 +7,7 @@ import { build } from "esbuild";
 
 let Player;
 before(async () => {
-  const entry = join(import.meta.dirname, "../src/player.ts");
+  const entry = join(import.meta.dirname, "../src/ui/player.ts");
   const { outputFiles } = await build({ entryPoints: [entry], bundle: true, format: "esm", write: false });
   const address = `data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`;
   ({ Player } = await import(address));

@@ -1,8 +1,8 @@
 // The clock of the picture: which frame, and how it goes on.
 
-import type { Instant } from "./instant";
-import { failed, isModal, type Scene } from "./scene";
-import { firstShape } from "./shapes";
+import type { Instant } from "../scene/blend";
+import { failed, isModal, type Scene } from "../scene/scene";
+import { firstShape } from "../scene/shapes";
 
 export const SPEEDS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 

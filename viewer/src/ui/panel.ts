@@ -1,8 +1,8 @@
 // Beside the picture: charts, shapes, summary, messages, the model's text.
 
-import type { Charts } from "./charts";
-import { h, save } from "./dom";
-import { isModal, type Scene } from "./scene";
+import { h, save } from "../base/dom";
+import type { Charts } from "../charts/charts";
+import { isModal, type Scene } from "../scene/scene";
 
 type Tab = "Shapes" | "Charts" | "Run";
 

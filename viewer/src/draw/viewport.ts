@@ -1,15 +1,15 @@
 // The picture: renderer, camera and what stands in the scene; drawn on demand.
 
 import * as THREE from "three";
+import type { Settings } from "../base/settings";
+import type { Instant } from "../scene/blend";
+import type { Scene } from "../scene/scene";
 import { Bodies } from "./bodies";
 import { Camera } from "./camera";
-import { grid, Obstacles } from "./ground";
-import type { Instant } from "./instant";
-import { links, markers, reactions } from "./marks";
+import { grid, Obstacles } from "./obstacles";
 import { Points } from "./points";
-import type { Scene } from "./scene";
-import type { Settings } from "./settings";
-import { Shared } from "./shared";
+import { links, markers, reactions } from "./symbols";
+import { Shared } from "./uniforms";
 
 /** Everything that is made anew when the scene changes. */
 interface Contents {

@@ -1,8 +1,8 @@
 // What stands still or moves as a whole: obstacles and the grid on the ground.
 
 import * as THREE from "three";
-import type { Instant } from "./instant";
-import type { Obstacle, Scene, Vector } from "./scene";
+import type { Instant } from "../scene/blend";
+import type { Obstacle, Scene, Vector } from "../scene/scene";
 
 /** A round number (1, 2 or 5 times a power of ten) not below `x`. */
 export function roundUp(x: number): number {

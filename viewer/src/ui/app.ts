@@ -1,23 +1,23 @@
 // The viewer: puts the parts on the page, and everything that changes through one door: `draw`.
 
-import { Abscissa } from "./abscissa";
-import { Charts } from "./charts";
+import { h, quantity } from "../base/dom";
+import { Choice } from "../base/settings";
+import { Abscissa } from "../charts/abscissa";
+import { Charts } from "../charts/charts";
+import { mesh } from "../draw/obstacles";
+import { Triad } from "../draw/triad";
+import { Stage } from "../draw/viewport";
+import { Labels } from "../overlay/labels";
+import { Legend } from "../overlay/legend";
+import { describe, pick, Tip } from "../overlay/picking";
+import type { Instant } from "../scene/blend";
+import { failed, isModal, type Scene } from "../scene/scene";
+import { names } from "../scene/shapes";
 import { Display } from "./display";
-import { h, quantity } from "./dom";
-import { mesh } from "./ground";
-import { describe, pick, Tip } from "./hover";
-import type { Instant } from "./instant";
-import { Labels } from "./labels";
 import { Layout } from "./layout";
-import { Legend } from "./legend";
 import { Panel } from "./panel";
 import { Player } from "./player";
-import { failed, isModal, type Scene } from "./scene";
-import { Choice } from "./settings";
-import { names } from "./shapes";
-import { Stage } from "./stage";
 import { Transport } from "./transport";
-import { Triad } from "./triad";
 
 const MOST_HOVERED = 20_000;
 

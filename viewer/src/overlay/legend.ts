@@ -1,9 +1,9 @@
 // What the colours mean: the map, its range and unit.
 
-import { gradient, span } from "./colours";
-import { h, text } from "./dom";
-import { clean, largest } from "./ranges";
-import type { Field, Scene } from "./scene";
+import { gradient, span } from "../base/colours";
+import { h, text } from "../base/dom";
+import { clean, largest } from "../charts/scales";
+import type { Field, Scene } from "../scene/scene";
 
 export class Legend {
   readonly element = h("div", { class: "legend", role: "img" });

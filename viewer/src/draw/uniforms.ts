@@ -1,7 +1,7 @@
 // Uniforms that all moving things share: the textures of the points and the instant.
 
 import * as THREE from "three";
-import type { Instant } from "./instant";
+import type { Instant } from "../scene/blend";
 import type { Points } from "./points";
 
 export class Shared {

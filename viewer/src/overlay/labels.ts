@@ -1,12 +1,12 @@
 // Names over the picture: of bodies, joints, probes, nodes; values of reactions. None covers another.
 
-import { h, quantity } from "./dom";
-import { type Instant, place, station } from "./instant";
-import { greatest } from "./marks";
-import { clean } from "./ranges";
-import type { Reaction, Scene, Vector } from "./scene";
-import type { Settings } from "./settings";
-import type { Stage } from "./stage";
+import { h, quantity } from "../base/dom";
+import type { Settings } from "../base/settings";
+import { clean } from "../charts/scales";
+import { greatest } from "../draw/symbols";
+import type { Stage } from "../draw/viewport";
+import { type Instant, place, station } from "../scene/blend";
+import type { Reaction, Scene, Vector } from "../scene/scene";
 
 /** More labels than this are no help. */
 const MOST = 120;

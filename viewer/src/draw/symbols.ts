@@ -1,10 +1,10 @@
 // Markers of joints, probes and loads; arrows of reactions; links between bodies.
 
 import * as THREE from "three";
+import type { Numbers, Scene } from "../scene/scene";
 import type { Points } from "./points";
-import type { Numbers, Scene } from "./scene";
-import { ARROW_VERTEX, LINK_VERTEX, MARKER_FRAGMENT, MARKER_VERTEX, SOLID_FRAGMENT } from "./shader";
-import type { Shared } from "./shared";
+import { ARROW_VERTEX, LINK_VERTEX, MARKER_FRAGMENT, MARKER_VERTEX, SOLID_FRAGMENT } from "./shaders/symbols";
+import type { Shared } from "./uniforms";
 
 const SIGNS = ["#e08a00", "#2f80ed", "#d33f6a"];
 /** Force, moment, spring, damper, other links. */

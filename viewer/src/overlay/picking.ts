@@ -1,10 +1,10 @@
 // What is under the pointer: body, place along it, value of the field.
 
-import { h, quantity } from "./dom";
-import { arc, type Instant, radius, station, valueAt } from "./instant";
-import type { Body, Scene } from "./scene";
-import type { Settings } from "./settings";
-import type { Stage } from "./stage";
+import { h, quantity } from "../base/dom";
+import type { Settings } from "../base/settings";
+import type { Stage } from "../draw/viewport";
+import { arc, type Instant, radius, station, valueAt } from "../scene/blend";
+import type { Body, Scene } from "../scene/scene";
 
 export interface Hit {
   body: Body;

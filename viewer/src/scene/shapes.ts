@@ -1,6 +1,6 @@
 // What shapes of vibration and buckling are called.
 
-import { text } from "./dom";
+import { text } from "../base/dom";
 import { isModal, type Scene } from "./scene";
 
 /** "mode 3: 12.34 Hz", "form 1: load factor 2.5": the words before the number, the number, its unit. */

@@ -1,9 +1,9 @@
 // The bar under the picture: play, step, scrub, speed.
 
-import { h, icon, iconButton, quantity } from "./dom";
-import { ICONS } from "./icons";
+import { h, icon, iconButton, quantity } from "../base/dom";
+import { ICONS } from "../base/icons";
+import { isModal, type Scene } from "../scene/scene";
 import { type Player, SPEEDS } from "./player";
-import { isModal, type Scene } from "./scene";
 
 export class Transport {
   readonly element: HTMLElement;

@@ -1,7 +1,7 @@
 // The horizontal axis of the charts, and how it goes with the frames of the picture.
 
-import { ascending, positionOf } from "./player";
-import { isModal, type Scene } from "./scene";
+import { isModal, type Scene } from "../scene/scene";
+import { ascending, positionOf } from "../ui/player";
 
 export class Abscissa {
   readonly xs: number[];

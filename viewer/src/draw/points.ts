@@ -1,8 +1,8 @@
 // Everything that moves, as textures that are uploaded once: stations of bodies, markers, ends of links, arrows.
 
 import * as THREE from "three";
-import { distance } from "./instant";
-import type { Scene, Vector } from "./scene";
+import { distance } from "../scene/blend";
+import type { Scene, Vector } from "../scene/scene";
 
 export const WIDTH = 2048;
 

@@ -1,8 +1,8 @@
 // What the shader of bodies sweeps: rings between two stations, caps at the ends, boxes and spheres; each drawn for
 // many instances at once.
 
-import { radius } from "./instant";
-import type { Body, Scene } from "./scene";
+import { radius } from "../scene/blend";
+import type { Body, Scene } from "../scene/scene";
 
 /** A shape in section coordinates (along d1, d2, d3), to be drawn at each of its instances. */
 export interface Shape {

@@ -1,6 +1,6 @@
 // GLSL of everything that moves: positions come from the textures of points.ts, so that a frame costs no upload.
 
-import { WIDTH } from "./points";
+import { WIDTH } from "../points";
 
 /** A point of an instant: between two frames, then enlarged from the reference. Same formula as instant.ts. */
 export const POINT = /* glsl */ `

@@ -1,9 +1,9 @@
 // The picture as a file, the whole film as a file.
 
-import { colour, css } from "./colours";
-import { text } from "./dom";
-import { ticks } from "./legend";
-import type { Scene } from "./scene";
+import { colour, css } from "../base/colours";
+import { text } from "../base/dom";
+import { ticks } from "../overlay/legend";
+import type { Scene } from "../scene/scene";
 
 /** Draws the picture with its background, title and legend. */
 export function compose(

@@ -1,12 +1,12 @@
 // The bodies, swept on the graphics card; and the ghost of their reference shape.
 
 import * as THREE from "three";
-import { palette, span, table } from "./colours";
+import { palette, span, table } from "../base/colours";
+import type { Scene } from "../scene/scene";
+import { type Batch, batches, STRIDE } from "./batches";
 import type { Points } from "./points";
-import type { Scene } from "./scene";
-import { SWEEP_FRAGMENT, SWEEP_VERTEX } from "./shader";
-import type { Shared } from "./shared";
-import { type Batch, batches, STRIDE } from "./sweep";
+import { SWEEP_FRAGMENT, SWEEP_VERTEX } from "./shaders/symbols";
+import type { Shared } from "./uniforms";
 
 export class Bodies {
   readonly group = new THREE.Group();

@@ -1,6 +1,6 @@
 // What numbers of a chart are drawn where: without rounding noise, and within what uPlot's axes can bear.
 
-import type { Chart, Column } from "./scene";
+import type { Chart, Column } from "../scene/scene";
 
 /** Numbers below this part of the largest of their kind are rounding noise. */
 export const NOISE = 1e-12;

@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { sideways } from "./ground";
-import type { Scene } from "./scene";
+import type { Scene } from "../scene/scene";
+import { sideways } from "./obstacles";
 
 export const VIEWS = ["front", "top", "side", "oblique"] as const;
 export type View = (typeof VIEWS)[number];

@@ -1,9 +1,10 @@
 // Charts of probes, energies and the solver, linked to the time of the picture.
 
 import uPlot from "uplot";
+import { css, nth } from "../base/colours";
+import { h, quantity, text } from "../base/dom";
+import type { Chart, Scene } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
-import { css, nth } from "./colours";
-import { h, quantity, text } from "./dom";
 import {
   around,
   decades,
@@ -14,8 +15,7 @@ import {
   Logarithmic,
   type Range,
   type Scale,
-} from "./ranges";
-import type { Chart, Scene } from "./scene";
+} from "./scales";
 
 type Places = (number | null)[];
 

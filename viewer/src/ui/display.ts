@@ -1,8 +1,8 @@
 // What to see: field of the colours, deformation, and what is drawn besides the bodies.
 
-import { h, text } from "./dom";
-import type { Scene } from "./scene";
-import type { Choice, Settings } from "./settings";
+import { h, text } from "../base/dom";
+import type { Choice, Settings } from "../base/settings";
+import type { Scene } from "../scene/scene";
 
 const SWITCHES: [
   name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat",

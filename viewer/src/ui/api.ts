@@ -1,8 +1,8 @@
 // `window.ancf`: a few handles for tests and for the console.
 
+import { station } from "../scene/blend";
+import type { Vector } from "../scene/scene";
 import type { App } from "./app";
-import { station } from "./instant";
-import type { Vector } from "./scene";
 
 export interface Api {
   /** Fulfilled when the first scene is shown (true), or when it cannot be read (false). */

@@ -1,6 +1,6 @@
 // Keys: what they do, and the list of them.
 
-import { h } from "./dom";
+import { h } from "../base/dom";
 
 /** Names of keys (as of KeyboardEvent.key), what they do in words, what they do. */
 export type Key = [keys: string[], words: string, act: (event: KeyboardEvent) => void];

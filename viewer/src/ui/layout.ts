@@ -1,8 +1,8 @@
 // The page: header, picture with its overlay, player, panel.
 
-import { h, iconButton } from "./dom";
-import { ICONS } from "./icons";
-import type { Scene } from "./scene";
+import { h, iconButton } from "../base/dom";
+import { ICONS } from "../base/icons";
+import type { Scene } from "../scene/scene";
 
 const OUTCOMES = { finished: "finished", stopped: "stopped", failed: "failed", running: "running" };
 

@@ -1,54 +1,38 @@
-// Elements in one line, numbers as text.
+// Helpers for the document: elements, icon buttons, saved files.
 
 type Child = Node | string | null;
 type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
 
-/** An element with attributes (`on...` are listeners) and children. */
+/** Creates an element with attributes and children; attributes `on...` add event listeners. */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
   ...children: Child[]
 ): HTMLElementTagNameMap[K] {
-  const made = document.createElement(tag);
+  const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") made.addEventListener(name.slice(2), value);
-    else if (typeof value === "boolean") made.toggleAttribute(name, value);
-    else made.setAttribute(name, String(value));
+    if (typeof value === "function") element.addEventListener(name.slice(2), value);
+    else if (typeof value === "boolean") element.toggleAttribute(name, value);
+    else element.setAttribute(name, String(value));
   }
-  made.append(...children.filter((c) => c !== null));
-  return made;
+  element.append(...children.filter((c) => c !== null));
+  return element;
 }
 
-/** A button with a picture (path of an svg of 24 by 24) and a name for those who do not see it. */
+/** Creates a button with an icon (SVG path, 24 by 24) and an accessible name. */
 export function iconButton(name: string, path: string, onclick: () => void): HTMLButtonElement {
-  const made = h("button", { type: "button", class: "icon", title: name, "aria-label": name, onclick });
-  made.innerHTML = icon(path);
-  return made;
+  const button = h("button", { type: "button", class: "icon", title: name, "aria-label": name, onclick });
+  button.innerHTML = iconSvg(path);
+  return button;
 }
 
-export function icon(path: string): string {
+/** Returns the SVG markup of an icon path. */
+export function iconSvg(path: string): string {
   return `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>`;
 }
 
-/** A number for people: four digits, an exponent where it saves zeros. */
-export function text(x: number, digits = 4): string {
-  if (Number.isNaN(x)) return "–";
-  if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
-  if (x === 0) return "0";
-  const size = Math.abs(x);
-  const rounded = Number(x.toPrecision(digits));
-  const plain = size >= 1e-3 && size < 1e5;
-  const short = plain ? String(rounded) : rounded.toExponential().replace("e+", "e");
-  return short.replace(/-/g, "−");
-}
-
-/** Number and unit. */
-export function quantity(x: number, unit: string): string {
-  return unit === "" ? text(x) : `${text(x)} ${unit}`;
-}
-
-/** Gives the browser a file to save. */
-export function save(name: string, content: Blob): void {
+/** Starts the download of a file by the browser. */
+export function saveFile(name: string, content: Blob): void {
   const url = URL.createObjectURL(content);
   const link = h("a", { href: url, download: name });
   link.click();

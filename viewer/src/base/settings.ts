@@ -1,9 +1,11 @@
-// What the user has chosen to see.
+// Display options of the user.
 
 export interface Settings {
   /** Name of the field that colours the bodies, "" for none. */
   field: string;
+  /** Scale factor of the displacements from the reference configuration. */
   deformation: number;
+  /** Scale factor of the sections. */
   thickness: number;
   ghost: boolean;
   labels: boolean;
@@ -11,20 +13,21 @@ export interface Settings {
   reactions: boolean;
   markers: boolean;
   grid: boolean;
-  /** Whether the film begins again at its end. */
+  /** True if the animation restarts at its end. */
   repeat: boolean;
 }
 
-export type Changed = (name: keyof Settings) => void;
+export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat";
 
-export class Choice {
+/** Settings with listeners for their changes. */
+export class SettingsStore {
   readonly values: Settings = {
     ...{ field: "", deformation: 1, thickness: 1, ghost: false, labels: true, nodes: false },
     ...{ reactions: true, markers: true, grid: true, repeat: false },
   };
-  private readonly listeners: Changed[] = [];
+  private readonly listeners: ((name: keyof Settings) => void)[] = [];
 
-  listen(listener: Changed): void {
+  listen(listener: (name: keyof Settings) => void): void {
     this.listeners.push(listener);
   }
 
@@ -34,7 +37,7 @@ export class Choice {
     for (const listener of this.listeners) listener(name);
   }
 
-  toggle(name: "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat"): void {
+  toggle(name: Switch): void {
     this.set(name, !this.values[name]);
   }
 }

@@ -1,8 +1,8 @@
-// Dark or light: as the system says, until the user says otherwise.
+// Colour theme (dark or light): that of the system until the user selects one.
 
 const KEY = "ancf-theme";
 
-function stored(): string | null {
+function storedTheme(): string | null {
   try {
     return localStorage.getItem(KEY);
   } catch {
@@ -10,15 +10,15 @@ function stored(): string | null {
   }
 }
 
-function system(): string {
+function systemTheme(): string {
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
 export class Theme {
   constructor(private readonly changed: () => void) {
-    document.documentElement.dataset.theme = stored() ?? system();
+    document.documentElement.dataset.theme = storedTheme() ?? systemTheme();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () =>
-      this.set(stored() ?? system()),
+      this.set(storedTheme() ?? systemTheme()),
     );
   }
 
@@ -27,7 +27,7 @@ export class Theme {
     try {
       localStorage.setItem(KEY, next);
     } catch {
-      // Pages from disk may have no storage: then the choice lasts as long as the page.
+      // Pages opened from a file may have no storage. The selection then lasts until the page is closed.
     }
     this.set(next);
   }

@@ -1,13 +1,13 @@
-// Uniforms that all moving things share: the textures of the points and the instant.
+// Uniforms common to all moving objects: textures of the points, frames and view.
 
 import * as THREE from "three";
-import type { Instant } from "../scene/blend";
-import type { Points } from "./points";
+import type { FrameBlend } from "../scene/blend";
+import type { PointTextures } from "./points";
 
-export class Shared {
+export class SharedUniforms {
   readonly uniforms: Record<string, THREE.IUniform>;
 
-  constructor(points: Points) {
+  constructor(points: PointTextures) {
     this.uniforms = {
       centres: { value: points.centres },
       referenceCentres: { value: points.referenceCentres },
@@ -20,14 +20,14 @@ export class Shared {
     };
   }
 
-  set instant(now: Instant) {
-    (this.uniforms.frames.value as Int32Array).set([now.first, now.second]);
-    this.uniforms.weight.value = now.weight;
-    this.uniforms.scale.value = now.scale;
+  set blend(blend: FrameBlend) {
+    (this.uniforms.frames.value as Int32Array).set([blend.first, blend.second]);
+    this.uniforms.weight.value = blend.weight;
+    this.uniforms.scale.value = blend.scale;
   }
 
-  /** Height and width of the canvas in CSS pixels, and half the tangent of the camera's angle of view. */
-  look(width: number, height: number, fov: number): void {
+  /** Sets the size of the canvas in CSS pixels and the vertical angle of view in degrees. */
+  setView(width: number, height: number, fov: number): void {
     this.uniforms.pixel.value = (2 * Math.tan((fov * Math.PI) / 360)) / Math.max(1, height);
     (this.uniforms.viewport.value as THREE.Vector2).set(width, height);
   }

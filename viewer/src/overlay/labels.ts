@@ -1,153 +1,62 @@
-// Names over the picture: of bodies, joints, probes, nodes; values of reactions. None covers another.
+// Placement of labels over the 3-D view, without overlaps.
 
-import { h, quantity } from "../base/dom";
-import type { Settings } from "../base/settings";
-import { clean } from "../charts/scales";
-import { greatest } from "../draw/symbols";
-import type { Stage } from "../draw/viewport";
-import { type Instant, place, station } from "../scene/blend";
-import type { Reaction, Scene, Vector } from "../scene/scene";
+import { h } from "../base/dom";
+import type { Viewport } from "../draw/viewport";
+import { candidateLabels, type Label, type LabelKind, type LabelSource } from "./candidates";
 
-/** More labels than this are no help. */
-const MOST = 120;
-/** More nodes than this are not even looked at. */
-const MOST_NODES = 3000;
-/** Of more bodies than this the names are seen under the pointer only. */
-const MOST_BODIES = 40;
+/** Upper limit on the number of labels. */
+const MAX_LABELS = 120;
+/** Size of the cells that record the occupied area, in pixels. */
 const CELL = 8;
+/** Height of a line in pixels. */
 const LINE = 18;
-/** How many lines further down a reaction may be written than it should. */
-const DOWN = 5;
+/** Upper limit on the downward shift of a reaction label, in lines. */
+const MAX_SHIFT = 5;
 
-interface Label {
-  /** Its lines; all in one if there is room. */
-  lines: string[];
-  kind: "body" | "marker" | "reaction" | "node";
-  at: Vector;
-}
-
-/** Position of a marker: scaled like the bodies if it has a place in the reference shape. */
-function marker(scene: Scene, index: number, reference: Float32Array, now: Instant): Vector {
-  const { at } = scene.markers[index];
-  const from = 3 * (scene.stations + index);
-  const own = reference.subarray(from, from + 3);
-  return Number.isNaN(own[0])
-    ? place(at, [0, 0, 0] as never, 1, 0, { ...now, scale: 1 })
-    : place(at, own, 1, 0, now);
-}
-
-function size(vectors: ArrayLike<number>, now: Instant): number {
-  const x = [0, 1, 2].map((k) => {
-    const [a, b] = [vectors[3 * now.first + k], vectors[3 * now.second + k]];
-    return a + now.weight * (b - a);
-  });
-  return Math.hypot(...x);
-}
-
-/** The greatest force and moment of all reactions and times, found once. */
-const GREATEST = new WeakMap<Reaction[], [number, number]>();
-
-function greatestOf(reactions: Reaction[]): [number, number] {
-  const known = GREATEST.get(reactions);
-  if (known) return known;
-  const most = (of: (r: Reaction) => Reaction["force"]) =>
-    Math.max(0, ...reactions.map((r) => greatest(of(r))));
-  const found: [number, number] = [most((r) => r.force), most((r) => r.moment)];
-  GREATEST.set(reactions, found);
-  return found;
-}
-
-/** "F 119.4 N" and "M 3.103 N m"; rounding noise is left out. */
-function told(scene: Scene, reaction: Reaction, now: Instant): string[] {
-  const force = scene.units?.force ?? "";
-  const length = scene.units?.length ?? "";
-  const [most, turning] = greatestOf(scene.reactions);
-  const f = clean(size(reaction.force, now), most);
-  const m = clean(size(reaction.moment, now), turning);
-  return [
-    ...(f > 0 ? [`F ${quantity(f, force)}`] : []),
-    ...(m > 0 ? [`M ${quantity(m, force && `${force} ${length}`)}`] : []),
-  ];
-}
-
-/** All labels of an instant, the most important first. */
-function wanted(scene: Scene, reference: Float32Array, settings: Settings, now: Instant): Label[] {
-  const list: Label[] = [];
-  const pulls = new Map(scene.reactions.map((r) => [r.marker, r]));
-  if (settings.labels) {
-    scene.markers.forEach((m, i) => {
-      list.push({ lines: [m.name], kind: "marker", at: marker(scene, i, reference, now) });
-    });
-  }
-  if (settings.reactions) {
-    for (const [i, r] of pulls) {
-      const lines = told(scene, r, now);
-      if (lines.length > 0) list.push({ lines, kind: "reaction", at: marker(scene, i, reference, now) });
-    }
-  }
-  if (settings.labels) {
-    const few = scene.bodies.length <= MOST_BODIES;
-    for (const b of few ? scene.bodies : []) {
-      if (b.count > 0)
-        list.push({ lines: [b.name], kind: "body", at: station(scene, b.first + (b.count >> 1), now) });
-    }
-  }
-  if (settings.nodes) {
-    let left = MOST_NODES;
-    for (const b of scene.bodies) {
-      b.nodes.slice(0, Math.max(0, left)).forEach((s, i) => {
-        list.push({ lines: [String(i)], kind: "node", at: station(scene, s, now) });
-      });
-      left -= b.nodes.length;
-    }
-  }
-  return list;
-}
-
-/** A text and its upper left corner. */
-type Place = [text: string, x: number, y: number];
+/** Text and its upper left corner. */
+type Placement = [text: string, x: number, y: number];
 
 export class Labels {
   readonly element = h("div", { class: "labels", "aria-hidden": "true" });
   private readonly pool: HTMLElement[] = [];
   private readonly widths = new Map<string, number>();
 
-  constructor(private readonly stage: Stage) {}
+  constructor(private readonly viewport: Viewport) {}
 
-  draw(scene: Scene, reference: Float32Array, settings: Settings, now: Instant): void {
-    const taken = new Set<number>();
+  draw(source: LabelSource): void {
+    const { width, height } = this.viewport;
+    const occupied = new Set<number>();
     let shown = 0;
-    for (const label of wanted(scene, reference, settings, now)) {
-      if (shown >= MOST) break;
-      const spot = this.stage.project(label.at);
-      if (!spot || spot[0] < 0 || spot[1] < 0 || spot[0] > this.stage.width || spot[1] > this.stage.height)
-        continue;
-      const place = this.places(label, spot).find(([text, x, y]) => !this.occupied(taken, text, x, y));
-      if (place) this.put(shown++, label.kind, place);
+    for (const label of candidateLabels(source)) {
+      if (shown >= MAX_LABELS) break;
+      const point = this.viewport.project(label.position);
+      if (!point || point[0] < 0 || point[1] < 0 || point[0] > width || point[1] > height) continue;
+      const free = this.placements(label, point).find((p) => this.occupy(occupied, p));
+      if (free) this.show(shown++, label.kind, free);
     }
     for (let i = shown; i < this.pool.length; i++) this.pool[i].hidden = true;
   }
 
-  /** Where a label may stand, the best first: a reaction rather elsewhere and in two lines than not at all. */
-  private places(label: Label, spot: [number, number]): Place[] {
-    const one = label.lines.join(", ");
-    const at = (text: string): Place => [
+  /** Possible placements of a label, the best first. Reactions may be moved and split into two lines. */
+  private placements(label: Label, point: [number, number]): Placement[] {
+    const place = (text: string): Placement => [
       text,
-      ...offset(label.kind, spot, this.width(text), this.stage.width),
+      ...corner(label.kind, point, this.width(text), this.viewport.width),
     ];
-    if (label.kind !== "reaction") return [at(one)];
-    const [, x, y] = at(label.lines.join("\n"));
+    const single = place(label.lines.join(", "));
+    if (label.kind !== "reaction") return [single];
     const text = label.lines.join("\n");
-    const other = spot[0] - this.width(text) - 10;
-    const list = [at(one)];
-    for (let i = 0; i <= DOWN; i++) {
+    const [, x, y] = place(text);
+    const left = point[0] - this.width(text) - 10;
+    const list = [single];
+    for (let i = 0; i <= MAX_SHIFT; i++) {
       list.push([text, x, y + i * LINE]);
-      if (other > 0) list.push([text, other, y + i * LINE]);
+      if (left > 0) list.push([text, left, y + i * LINE]);
     }
     return list;
   }
 
-  private put(index: number, kind: Label["kind"], [text, x, y]: Place): void {
+  private show(index: number, kind: LabelKind, [text, x, y]: Placement): void {
     let element = this.pool[index];
     if (!element) {
       element = h("span");
@@ -160,6 +69,7 @@ export class Labels {
     element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
+  /** Estimated width of a text in pixels. */
   private width(text: string): number {
     const known = this.widths.get(text);
     if (known !== undefined) return known;
@@ -169,29 +79,24 @@ export class Labels {
     return width;
   }
 
-  /** Marks the cells under a label; true if one of them was marked before. */
-  private occupied(taken: Set<number>, text: string, x: number, y: number): boolean {
+  /** Occupies the cells under a label. Returns false, without a change, if one of them is occupied. */
+  private occupy(occupied: Set<number>, [text, x, y]: Placement): boolean {
     const [width, height] = [this.width(text), LINE * text.split("\n").length];
     const cells: number[] = [];
     for (let i = Math.floor(x / CELL); i <= (x + width) / CELL; i++) {
       for (let j = Math.floor(y / CELL); j <= (y + height) / CELL; j++) {
         const cell = i * 4096 + j;
-        if (taken.has(cell)) return true;
+        if (occupied.has(cell)) return false;
         cells.push(cell);
       }
     }
-    for (const cell of cells) taken.add(cell);
-    return false;
+    for (const cell of cells) occupied.add(cell);
+    return true;
   }
 }
 
-/** Upper left corner of a label beside its point, within the picture. */
-function offset(
-  kind: Label["kind"],
-  [x, y]: [number, number],
-  width: number,
-  limit: number,
-): [number, number] {
+/** Upper left corner of a label beside its point, within the width of the view. */
+function corner(kind: LabelKind, [x, y]: [number, number], width: number, limit: number): [number, number] {
   const left = x + width + 14 > limit ? x - width - 10 : x + 10;
   if (kind === "marker") return [left, y - 22];
   if (kind === "reaction") return [left, y + 6];

@@ -1,37 +1,27 @@
-// What the colours mean: the map, its range and unit.
+// Colour legend: name and unit of the field, colour map, values.
 
-import { gradient, span } from "../base/colours";
-import { h, text } from "../base/dom";
-import { clean, largest } from "../charts/scales";
-import type { Field, Scene } from "../scene/scene";
+import { cssGradient } from "../base/colours";
+import { h } from "../base/dom";
+import { formatNumber } from "../base/numbers";
+import { legendValues } from "../scene/fields";
+import type { Scene } from "../scene/scene";
 
-export class Legend {
+export class ColourLegend {
   readonly element = h("div", { class: "legend", role: "img" });
 
+  /** Shows the legend of a field, or nothing if there is no such field. */
   show(scene: Scene, name: string): void {
     const field = scene.fields.find((f) => f.name === name);
     this.element.hidden = !field;
     if (!field) return;
-    const values = ticks(scene, field);
+    const values = legendValues(scene, field).map((v) => formatNumber(v, 3));
     const bar = h("div", { class: "bar" });
-    bar.style.background = gradient(field.diverging, "to top");
+    bar.style.background = cssGradient(field.diverging, "to top");
     const unit = field.unit ? h("span", { class: "unit" }, field.unit) : null;
     this.element.replaceChildren(
       h("div", { class: "name" }, field.name, unit),
-      h("div", { class: "scale" }, bar, h("ol", {}, ...values.map((v) => h("li", {}, text(v, 3))))),
+      h("div", { class: "scale" }, bar, h("ol", {}, ...values.map((v) => h("li", {}, v)))),
     );
-    this.element.setAttribute(
-      "aria-label",
-      `${field.name} from ${text(values[4], 3)} to ${text(values[0], 3)} ${field.unit}`,
-    );
+    this.element.setAttribute("aria-label", `${field.name} from ${values[4]} to ${values[0]} ${field.unit}`);
   }
-}
-
-/** Five values from the top of the map to its bottom, without rounding noise. */
-export function ticks(scene: Scene, field: Field): number[] {
-  const like = scene.fields.filter((f) => f === field || (f.unit === field.unit && f.unit !== ""));
-  const most = Math.max(...like.map((f) => largest(f.range)));
-  const [low, high] = span(field.range, field.diverging);
-  const at = (i: number) => (field.diverging && i === 2 ? 0 : high + (i / 4) * (low - high));
-  return [0, 1, 2, 3, 4].map((i) => clean(at(i), most));
 }

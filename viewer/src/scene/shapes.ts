@@ -1,29 +1,31 @@
-// What shapes of vibration and buckling are called.
+// Labels of vibration and buckling shapes.
 
-import { text } from "../base/dom";
+import { formatNumber } from "../base/numbers";
 import { isModal, type Scene } from "./scene";
 
-/** "mode 3: 12.34 Hz", "form 1: load factor 2.5": the words before the number, the number, its unit. */
-const VALUE = /^(.*: (?:load factor )?)([-+]?[\d.]+(?:e[-+]?\d+)?)(.*)$/i;
+/** Parts of a label such as "mode 3: 12.34 Hz" or "form 1: load factor 2.5": text, number, unit. */
+const LABEL = /^(.*: (?:load factor )?)([-+]?[\d.]+(?:e[-+]?\d+)?)(.*)$/i;
 
-/** Names of the frames; those of shapes with six digits where the charts have them, or as rigid. */
-export function names(scene: Scene): string[] | null {
+/** Labels of the frames. Labels of shapes get six digits if the charts have them, or the word "rigid". */
+export function frameLabels(scene: Scene): string[] | null {
   const { labels, values } = scene.frames;
   if (!labels || !isModal(scene)) return labels;
-  const wanted = scene.analysis === "modes" ? "frequency" : "factor";
-  const column = scene.charts.flatMap((c) => c.columns).find((c) => c.name === wanted);
+  const name = scene.analysis === "modes" ? "frequency" : "factor";
+  const column = scene.charts.flatMap((c) => c.columns).find((c) => c.name === name);
   return labels.map((label, i) => {
-    const [, before, number, unit] = label.match(VALUE) ?? [];
+    const [, prefix, number, unit] = label.match(LABEL) ?? [];
     if (number === undefined) return label;
-    const short = Number(number);
-    if (short === 0 && scene.analysis === "modes") return `${before}rigid`;
+    const rounded = Number(number);
+    if (rounded === 0 && scene.analysis === "modes") return `${prefix}rigid`;
     const exact = column?.values[scene.abscissa.values.indexOf(values[i])] ?? Number.NaN;
-    return Math.abs(exact - short) <= 1e-3 * Math.abs(short) ? `${before}${text(exact, 6)}${unit}` : label;
+    return Math.abs(exact - rounded) <= 1e-3 * Math.abs(rounded)
+      ? `${prefix}${formatNumber(exact, 6)}${unit}`
+      : label;
   });
 }
 
-/** The first shape that is not a motion as a rigid body. */
-export function firstShape(scene: Scene): number {
+/** Index of the first shape that is not a rigid body mode. */
+export function firstElasticShape(scene: Scene): number {
   if (!isModal(scene)) return 0;
   return Math.max(0, scene.frames.labels?.findIndex((label) => !label.endsWith(": rigid")) ?? 0);
 }

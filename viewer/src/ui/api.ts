@@ -1,30 +1,30 @@
-// `window.ancf`: a few handles for tests and for the console.
+// Interface `window.ancf` for tests and for the console.
 
-import { station } from "../scene/blend";
+import { stationPosition } from "../scene/blend";
 import type { Vector } from "../scene/scene";
 import type { App } from "./app";
 
 export interface Api {
-  /** Fulfilled when the first scene is shown (true), or when it cannot be read (false). */
+  /** Resolves when the first scene is shown (true) or cannot be read (false). */
   ready: Promise<boolean>;
-  /** Goes to a time (statics and paths: load factor; modes: number of the shape as in the frames). */
+  /** Moves to a time; for statics and paths a load factor, for modes the number of the shape. */
   setTime(time: number): void;
-  /** The time that is shown. */
+  /** Time of the current frame. */
   readonly time: number;
-  /** The frame that is shown, with a fraction between two frames. */
+  /** Current fractional frame. */
   readonly frame: number;
   readonly playing: boolean;
-  /** Position, as drawn (deformation scale and swing of a mode included), of a station of a body. */
+  /** Drawn position of a station of a body, with scaled displacements. */
   station(body: number, index: number): Vector;
-  /** The same on the canvas, in CSS pixels; null behind the camera. */
-  spot(body: number, index: number): [number, number] | null;
-  /** Share (0 to 1) of the canvas that something other than background and grid covers. */
-  pixels(): number;
+  /** Position of a station on the canvas in CSS pixels; null if it is not visible. */
+  canvasPosition(body: number, index: number): [number, number] | null;
+  /** Share of the canvas (0 to 1) that objects other than the grid cover. */
+  coverage(): number;
 }
 
-export function api(app: App, ready: Promise<boolean>): Api {
-  const at = (body: number, index: number) =>
-    station(app.scene, app.scene.bodies[body].first + index, app.instant);
+export function createApi(app: App, ready: Promise<boolean>): Api {
+  const station = (body: number, index: number) =>
+    stationPosition(app.scene, app.scene.bodies[body].first + index, app.blend);
   return {
     ready,
     setTime: (time) => app.player.seek(time),
@@ -37,8 +37,8 @@ export function api(app: App, ready: Promise<boolean>): Api {
     get playing() {
       return app.player.playing;
     },
-    station: at,
-    spot: (body, index) => app.stage?.project(at(body, index)) ?? null,
-    pixels: () => app.stage?.pixels(app.instant) ?? 0,
+    station,
+    canvasPosition: (body, index) => app.viewport?.project(station(body, index)) ?? null,
+    coverage: () => app.viewport?.coverage(app.blend) ?? 0,
   };
 }

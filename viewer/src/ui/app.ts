@@ -1,211 +1,191 @@
-// The viewer: puts the parts on the page, and everything that changes through one door: `draw`.
+// Application: connects the parts of the page, and updates them in `draw`.
 
-import { h, quantity } from "../base/dom";
-import { Choice } from "../base/settings";
+import { h } from "../base/dom";
+import { formatQuantity } from "../base/numbers";
+import { SettingsStore } from "../base/settings";
 import { Abscissa } from "../charts/abscissa";
 import { Charts } from "../charts/charts";
-import { mesh } from "../draw/obstacles";
+import { gridSpacing } from "../draw/grid";
 import { Triad } from "../draw/triad";
-import { Stage } from "../draw/viewport";
+import { Viewport } from "../draw/viewport";
 import { Labels } from "../overlay/labels";
-import { Legend } from "../overlay/legend";
-import { describe, pick, Tip } from "../overlay/picking";
-import type { Instant } from "../scene/blend";
-import { failed, isModal, type Scene } from "../scene/scene";
-import { names } from "../scene/shapes";
-import { Display } from "./display";
-import { Layout } from "./layout";
-import { Panel } from "./panel";
+import { ColourLegend } from "../overlay/legend";
+import { Tooltip } from "../overlay/tooltip";
+import type { FrameBlend } from "../scene/blend";
+import { hasFailed, isModal, type Scene } from "../scene/scene";
+import { frameLabels } from "../scene/shapes";
+import { DisplayOptions } from "./display";
+import { PageLayout } from "./layout";
+import { SidePanel } from "./panel";
 import { Player } from "./player";
-import { Transport } from "./transport";
+import { TransportBar } from "./transport";
 
-const MOST_HOVERED = 20_000;
+/** Number of stations above which there is no tooltip during playback. */
+const MAX_PICKED_STATIONS = 20_000;
 
 export class App {
-  readonly choice = new Choice();
-  readonly player = new Player(() => this.wake());
-  readonly layout: Layout;
-  stage: Stage | null = null;
-  private scene_: Scene | null = null;
-  private readonly charts = new Charts((x) => this.pickTime(x));
-  private readonly panel = new Panel(this.charts, (frame) => this.choose(frame));
-  private readonly transport = new Transport(this.player);
-  private readonly display = new Display(this.choice);
-  private readonly legend = new Legend();
+  readonly settings = new SettingsStore();
+  readonly player = new Player(() => this.requestDraw());
+  readonly layout: PageLayout;
+  viewport: Viewport | null = null;
+  private currentScene: Scene | null = null;
+  private readonly charts = new Charts((x) => this.goToAbscissa(x));
+  private readonly panel = new SidePanel(this.charts, (frame) => this.selectShape(frame));
+  private readonly transport = new TransportBar(this.player);
+  private readonly display = new DisplayOptions(this.settings);
+  private readonly legend = new ColourLegend();
   private readonly triad = new Triad();
-  private readonly tip = new Tip();
-  /** How wide the squares of the grid are. */
-  private readonly scale = h("div", { class: "mesh" });
+  private readonly tooltip: Tooltip;
+  /** Text with the spacing of the grid. */
+  private readonly gridNote = h("div", { class: "grid-note" });
   private labels: Labels | null = null;
   private abscissa: Abscissa | null = null;
+  /** Reference positions of the points of the viewport. */
   private reference: Float32Array = new Float32Array(0);
-  private asleep = true;
-  private pointer: [number, number] | null = null;
+  private drawRequested = false;
 
   constructor() {
-    this.layout = new Layout(this.panel.element, this.transport.element, this.display.element);
-    this.layout.overlay.append(this.triad.element, this.scale, this.legend.element, this.tip.element);
-    this.choice.listen((name) => {
-      if (name === "field" && this.scene_) this.legend.show(this.scene_, this.choice.values.field);
-      this.stage?.apply(this.choice.values);
-      this.player.repeat = this.choice.values.repeat;
-      this.scale.hidden = !this.choice.values.grid;
+    this.layout = new PageLayout(this.panel.element, this.transport.element, this.display.element);
+    this.tooltip = new Tooltip(this.layout.canvas, () => this.requestDraw());
+    this.layout.overlay.append(this.triad.element, this.gridNote, this.legend.element, this.tooltip.element);
+    this.settings.listen((name) => {
+      const { values } = this.settings;
+      if (name === "field" && this.currentScene) this.legend.show(this.currentScene, values.field);
+      this.viewport?.apply(values);
+      this.player.repeat = values.repeat;
+      this.gridNote.hidden = !values.grid;
     });
-    this.hover();
   }
 
   get scene(): Scene {
-    if (!this.scene_) throw new Error("no scene yet");
-    return this.scene_;
+    if (!this.currentScene) throw new Error("the scene is not loaded");
+    return this.currentScene;
   }
 
-  get instant(): Instant {
-    return this.player.instant(this.choice.values.deformation);
+  get blend(): FrameBlend {
+    return this.player.blend(this.settings.values.deformation);
   }
 
   get caption(): string {
     return this.transport.caption();
   }
 
-  /** Shows a scene: the first one from the beginning, later ones where the user is. */
-  show(scene: Scene): void {
-    scene.frames.labels = names(scene);
-    const again = this.scene_ !== null;
-    if (!this.scene_?.fields.length) this.choice.values.field = scene.fields[0]?.name ?? "";
-    this.scene_ = scene;
-    this.player.load(scene, again);
+  /** Loads a scene. Updates of a live run keep the time and the view. */
+  load(scene: Scene): void {
+    scene.frames.labels = frameLabels(scene);
+    const update = this.currentScene !== null;
+    if (!this.currentScene?.fields.length) this.settings.values.field = scene.fields[0]?.name ?? "";
+    this.currentScene = scene;
+    this.player.load(scene, update);
     this.abscissa = new Abscissa(scene);
     this.layout.load(scene);
     this.panel.load(scene);
     this.charts.load(scene, this.abscissa);
     this.transport.load(scene);
     this.display.load(scene);
-    this.legend.show(scene, this.choice.values.field);
-    this.setStage(scene);
-    this.wake();
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (!again && !calm && !scene.live && !failed(scene) && this.stage) this.player.toggle();
+    this.legend.show(scene, this.settings.values.field);
+    this.loadViewport(scene);
+    this.requestDraw();
+    const autoplay = !update && !scene.live && !hasFailed(scene) && this.viewport !== null;
+    if (autoplay && !prefersReducedMotion()) this.player.toggle();
   }
 
-  private setStage(scene: Scene): void {
+  private loadViewport(scene: Scene): void {
     if (scene.frames.count === 0 || (scene.stations === 0 && scene.obstacles.length === 0)) {
-      this.layout.say("There is nothing to draw.");
+      this.layout.showPlaceholder("The run has nothing to draw.");
       return;
     }
-    const again = this.stage !== null;
-    if (!again && !this.open(scene)) return;
-    this.layout.say("");
-    this.scale.textContent = `grid ${quantity(mesh(scene), scene.units?.length ?? "")}`;
-    this.reference = this.stage?.load(scene) ?? this.reference;
-    this.stage?.apply(this.choice.values);
-    if (!again) this.stage?.camera.view(flat(scene) ? "front" : "oblique");
+    const update = this.viewport !== null;
+    if (!update && !this.openViewport(scene)) return;
+    this.layout.showPlaceholder("");
+    this.gridNote.textContent = `grid ${formatQuantity(gridSpacing(scene), scene.units?.length ?? "")}`;
+    this.reference = this.viewport?.load(scene) ?? this.reference;
+    this.viewport?.apply(this.settings.values);
+    if (!update) this.viewport?.camera.setView(isPlanar(scene) ? "front" : "oblique");
   }
 
-  private open(scene: Scene): boolean {
+  /** Creates the viewport. Returns false if the browser has no WebGL 2. */
+  private openViewport(scene: Scene): boolean {
     const { canvas } = this.layout;
     try {
-      this.stage = new Stage(canvas, scene, () => this.wake());
+      this.viewport = new Viewport(canvas, scene, () => this.requestDraw());
     } catch {
-      this.layout.say(
-        "There is no picture: this browser offers no WebGL 2. Charts and summary are complete.",
+      this.layout.showPlaceholder(
+        "The 3-D view requires WebGL 2, which this browser does not offer. Charts and summary are complete.",
       );
       return false;
     }
-    this.labels = new Labels(this.stage);
+    this.labels = new Labels(this.viewport);
     this.layout.overlay.prepend(this.labels.element);
-    const resize = () => this.stage?.resize(canvas.clientWidth, canvas.clientHeight);
+    const resize = () => this.viewport?.resize(canvas.clientWidth, canvas.clientHeight);
     resize();
     new ResizeObserver(resize).observe(canvas);
     return true;
   }
 
-  /** Asks for a picture; while nothing changes there is none. */
-  wake(): void {
-    if (!this.asleep) return;
-    this.asleep = false;
+  /** Requests a drawing in the next animation frame. Without requests nothing is drawn. */
+  requestDraw(): void {
+    if (this.drawRequested) return;
+    this.drawRequested = true;
     requestAnimationFrame((now) => {
-      this.asleep = true;
+      this.drawRequested = false;
       this.player.tick(now / 1000);
       this.draw();
     });
   }
 
   private draw(): void {
-    const { stage, labels, scene_: scene, instant } = this;
-    this.transport.show();
+    const { viewport, labels, reference, currentScene: scene, blend } = this;
+    const settings = this.settings.values;
+    this.transport.update();
     this.charts.show(this.abscissa?.at(this.player.position) ?? null);
-    this.panel.mark(Math.round(this.player.position));
-    if (!stage || !labels || !scene || scene.frames.count === 0) return;
-    stage.draw(instant);
-    this.triad.draw(stage.camera.camera);
-    labels.draw(scene, this.reference, this.choice.values, instant);
-    this.showTip();
+    this.panel.markShape(Math.round(this.player.position));
+    if (!viewport || !labels || !scene || scene.frames.count === 0) return;
+    viewport.draw(blend);
+    this.triad.draw(viewport.camera.camera);
+    labels.draw({ scene, reference, settings, blend });
+    // Picking must not delay the frames of a large model during playback.
+    if (this.player.playing && scene.stations > MAX_PICKED_STATIONS) this.tooltip.hide();
+    else this.tooltip.update(viewport, scene, settings, blend);
   }
 
-  /** Goes to a place of the charts' axis. */
-  private pickTime(x: number): void {
+  /** Moves to an abscissa of the charts. */
+  private goToAbscissa(x: number): void {
     const frame = this.abscissa?.frame(x);
     if (frame === null || frame === undefined) return;
     if (!isModal(this.scene)) this.player.playing = false;
-    this.player.go(frame);
+    this.player.goTo(frame);
   }
 
-  private choose(frame: number): void {
-    this.player.go(frame);
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (!this.player.playing && !calm) this.player.toggle();
+  private selectShape(frame: number): void {
+    this.player.goTo(frame);
+    if (!this.player.playing && !prefersReducedMotion()) this.player.toggle();
   }
 
-  private hover(): void {
-    const { canvas } = this.layout;
-    const set = (event: PointerEvent) => {
-      const box = canvas.getBoundingClientRect();
-      this.pointer = event.buttons > 0 ? null : [event.clientX - box.left, event.clientY - box.top];
-      this.wake();
-    };
-    canvas.addEventListener("pointermove", set);
-    canvas.addEventListener("pointerup", (event) => set(event));
-    canvas.addEventListener("pointerleave", (event) => {
-      if (event.pointerType === "touch") return;
-      this.pointer = null;
-      this.wake();
-    });
-  }
-
-  private showTip(): void {
-    const { stage, pointer, instant } = this;
-    const { values } = this.choice;
-    const [x, y] = pointer ?? [0, 0];
-    // While a large model plays, its frames must not wait for what is under the pointer.
-    const busy = this.player.playing && this.scene.stations > MOST_HOVERED;
-    const hit = stage && pointer && !busy ? pick(stage, this.scene, values, instant, x, y) : null;
-    this.tip.show(hit && describe(this.scene, values, instant, hit), x, y, stage?.width ?? 0);
-  }
-
-  /** Colours of the theme have changed. */
-  repaint(): void {
+  /** Adapts the charts to the colours of the theme. */
+  applyTheme(): void {
     this.charts.rebuild();
-    this.wake();
+    this.requestDraw();
   }
 
-  /** The next field of the list, then none. */
-  nextField(): void {
+  /** Selects the next field of the list, after the last one none. */
+  selectNextField(): void {
     const names = [...this.scene.fields.map((f) => f.name), ""];
-    this.choice.set("field", names[(names.indexOf(this.choice.values.field) + 1) % names.length]);
-  }
-
-  /** Something that went wrong for good, as a sentence. */
-  fail(sentence: string): void {
-    this.layout.element.classList.add("failed");
-    this.layout.banner.replaceChildren(h("p", { class: "banner failed", role: "alert" }, sentence));
+    const next = (names.indexOf(this.settings.values.field) + 1) % names.length;
+    this.settings.set("field", names[next]);
   }
 }
 
-/** All of it in one plane across the front view's direction. */
-function flat(scene: Scene): boolean {
+function prefersReducedMotion(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+/** True if the motion lies in the plane of the front view. */
+function isPlanar(scene: Scene): boolean {
   const [low, high] = scene.bounds;
   const size = low.map((x, k) => high[k] - x);
-  const thin = size.indexOf(Math.min(...size));
-  const upward = scene.up.map(Math.abs).indexOf(1);
-  return !isModal(scene) && size[thin] < 0.02 * Math.max(...size) && thin === (upward === 2 ? 1 : 2);
+  const thinnest = size.indexOf(Math.min(...size));
+  const vertical = scene.up.map(Math.abs).indexOf(1);
+  const depth = vertical === 2 ? 1 : 2;
+  return !isModal(scene) && size[thinnest] < 0.02 * Math.max(...size) && thinnest === depth;
 }

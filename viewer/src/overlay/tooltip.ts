@@ -32,7 +32,8 @@ export class Tooltip {
   update(viewport: Viewport, scene: Scene, settings: Settings, blend: FrameBlend): void {
     const { pointer } = this;
     const picked = pointer && pickStation(viewport, scene, settings, blend, pointer);
-    if (pointer && picked) this.show(describeStation(scene, settings, blend, picked), pointer, viewport.width);
+    if (pointer && picked)
+      this.show(describeStation(scene, settings, blend, picked), pointer, viewport.width);
     else this.hide();
   }
 

@@ -91,7 +91,11 @@ export class SidePanel {
     const kind = scene.analysis === "buckling" ? "load factor" : "mode";
     return Array.from(scene.frames.values, (value, i) => {
       const label = scene.frames.labels?.[i] ?? `${kind} ${value}`;
-      return h("button", { type: "button", class: "shape-button", onclick: () => this.selectShape(i) }, label);
+      return h(
+        "button",
+        { type: "button", class: "shape-button", onclick: () => this.selectShape(i) },
+        label,
+      );
     });
   }
 }

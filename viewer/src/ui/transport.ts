@@ -17,7 +17,13 @@ export class TransportBar {
   constructor(private readonly player: Player) {
     this.playButton = iconButton("Play (space)", ICONS.play, () => player.toggle());
     this.playButton.classList.add("primary");
-    this.slider = h("input", { type: "range", class: "time-slider", min: 0, step: "any", "aria-label": "time" });
+    this.slider = h("input", {
+      type: "range",
+      class: "time-slider",
+      min: 0,
+      step: "any",
+      "aria-label": "time",
+    });
     this.slider.addEventListener("input", () => {
       player.playing = false;
       player.goTo(Number(this.slider.value));

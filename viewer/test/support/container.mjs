@@ -1,29 +1,29 @@
-// Writes scenes: the binary container and the page around it, as docs of the container say.
+// Writer of scenes: the binary container (documented in the crate ancf-report) and the page around it.
 
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 const TYPES = { f32: Float32Array, f64: Float64Array, i16: Int16Array, u16: Uint16Array, u32: Uint32Array };
 
-/** An array of the header, put into the blob by `pack`. */
-export class Column {
+/** Array of the header that `pack` moves into the blob. */
+export class ArrayData {
   constructor(type, numbers) {
     this.type = type;
     this.data = TYPES[type].from(numbers);
   }
 }
 
-export const f32 = (numbers) => new Column("f32", numbers);
-export const f64 = (numbers) => new Column("f64", numbers);
-export const i16 = (numbers) => new Column("i16", numbers);
-export const u16 = (numbers) => new Column("u16", numbers);
+export const f32 = (numbers) => new ArrayData("f32", numbers);
+export const f64 = (numbers) => new ArrayData("f64", numbers);
+export const i16 = (numbers) => new ArrayData("i16", numbers);
+export const u16 = (numbers) => new ArrayData("u16", numbers);
 
-/** Container of a header whose arrays are `Column`s. */
+/** Container of a header whose arrays are of type `ArrayData`. */
 export function pack(scene) {
   const parts = [];
   let at = 0;
   const header = JSON.stringify(scene, (_, value) => {
-    if (!(value instanceof Column)) return value;
+    if (!(value instanceof ArrayData)) return value;
     const bytes = Buffer.from(value.data.buffer);
     const padded = Buffer.concat([bytes, Buffer.alloc((8 - (bytes.length % 8)) % 8)]);
     const reference = { type: value.type, at, count: value.data.length };
@@ -43,9 +43,9 @@ export function pack(scene) {
 const asset = (name) =>
   readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
 
-/** The page of a report: `data` is base64, or the page asks at `source`. */
+/** Page of a report, with data in base64 or with the address `source` of the data. */
 export function page(data, source = null) {
-  const where = source ? ` data-src="${source}"` : "";
+  const attribute = source ? ` data-src="${source}"` : "";
   const policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; " +
     `img-src data: blob:; font-src data:; ${source ? "connect-src 'self'; " : ""}base-uri 'none'; form-action 'none'`;
@@ -53,11 +53,11 @@ export function page(data, source = null) {
 <meta http-equiv="Content-Security-Policy" content="${policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>ancf</title>
 <link rel="icon" href="data:,"><style>${asset("viewer.css")}</style></head><body>
-<script type="application/octet-stream" id="scene"${where}>${data}</script>
+<script type="application/octet-stream" id="scene"${attribute}>${data}</script>
 <script>${asset("viewer.js")}</script></body></html>`;
 }
 
-/** The page of a report of a scene. */
+/** Page of a report of a scene. */
 export function report(scene) {
   return page(gzipSync(pack(scene)).toString("base64"));
 }

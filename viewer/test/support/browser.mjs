@@ -1,4 +1,4 @@
-// A browser with a page of a scene, and everything it complained about.
+// Browser pages with a scene, and helpers to inspect them.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -15,12 +15,13 @@ function chromium() {
     const found = spawnSync("which", [name], { encoding: "utf8" }).stdout.trim();
     if (found) return found;
   }
-  throw new Error("no Chromium: set CHROMIUM to its path");
+  throw new Error("no Chromium found: install one, or set CHROMIUM to its path");
 }
 
+/** Temporary folder, removed by `close`. */
 export const folder = mkdtempSync(join(tmpdir(), "ancf-viewer-"));
 
-export async function browse() {
+export async function launch() {
   return await puppeteer.launch({
     executablePath: chromium(),
     userDataDir: mkdtempSync(join(folder, "profile-")),
@@ -37,13 +38,16 @@ export async function close(browser) {
 const DESKTOP = { width: 1280, height: 800 };
 let pages = 0;
 
-/** Opens the page of a scene from disk; `before` runs in the page before its scripts. */
+/**
+ * Opens the page of a scene from disk; `before` runs in the page before its scripts.
+ * Returns the tab, the errors and warnings of the console, and whether the scene was read.
+ */
 export async function open(browser, scene, options = {}) {
   const { viewport = DESKTOP, theme = "light", motion = "reduce", html, url, before } = options;
   const tab = await browser.newPage();
-  const complaints = [];
-  tab.on("console", (m) => ["error", "warn"].includes(m.type()) && complaints.push(m.text()));
-  tab.on("pageerror", (e) => complaints.push(String(e)));
+  const problems = [];
+  tab.on("console", (m) => ["error", "warn"].includes(m.type()) && problems.push(m.text()));
+  tab.on("pageerror", (e) => problems.push(String(e)));
   await tab.setViewport(viewport);
   await tab.emulateMediaFeatures([
     { name: "prefers-color-scheme", value: theme },
@@ -59,10 +63,10 @@ export async function open(browser, scene, options = {}) {
   await tab.goto(address);
   const shown = await tab.evaluate(() => window.ancf.ready);
   await settle(tab);
-  return { tab, complaints, shown };
+  return { tab, problems, shown };
 }
 
-/** Waits until what was asked for is drawn. */
+/** Waits until pending changes are drawn. */
 export async function settle(tab) {
   await tab.evaluate(
     () =>
@@ -70,29 +74,31 @@ export async function settle(tab) {
   );
 }
 
-/** The picture as it is on the screen, in bytes of a PNG. */
-export async function picture(tab) {
+/** Screenshot of the 3-D view as base64. */
+export async function screenshot(tab) {
   await settle(tab);
   const stage = await tab.$("canvas[tabindex]");
   return Buffer.from(await stage.screenshot({ type: "png" })).toString("base64");
 }
 
-export const near = (found, wanted, by, what) =>
-  assert.ok(Math.abs(found - wanted) <= by, `${what}: ${found}, not ${wanted}`);
-export const frame = (tab) => tab.evaluate(() => window.ancf.frame);
-export const time = (tab) => tab.evaluate(() => window.ancf.time);
-export const goTo = (tab, t) => tab.evaluate((x) => window.ancf.setTime(x), t);
-export const place = (tab, body, index) => tab.evaluate((b, i) => window.ancf.station(b, i), body, index);
+export const assertNear = (found, expected, tolerance, name) =>
+  assert.ok(Math.abs(found - expected) <= tolerance, `${name}: ${found}, expected ${expected}`);
+export const currentFrame = (tab) => tab.evaluate(() => window.ancf.frame);
+export const currentTime = (tab) => tab.evaluate(() => window.ancf.time);
+export const setTime = (tab, t) => tab.evaluate((x) => window.ancf.setTime(x), t);
+export const stationPosition = (tab, body, index) =>
+  tab.evaluate((b, i) => window.ancf.station(b, i), body, index);
 
-/** Value that the legend of the first chart shows for a column. */
-export const legend = (tab, label) =>
+/** Value of a column in the legend of the first chart. */
+export const legendValue = (tab, label) =>
   tab.evaluate((name) => {
     const rows = [...document.querySelectorAll(".chart:first-child .u-series")];
     const row = rows.find((r) => r.querySelector(".u-label").textContent.startsWith(name));
     return Number(row.querySelector(".u-value").textContent.replace("−", "-").split(" ")[0]);
   }, label);
 
-export const plotBox = (tab) =>
+/** Plotting area of the first chart in page coordinates. */
+export const plotArea = (tab) =>
   tab.evaluate(() => {
     const { left, top, width, height } = document.querySelector(".u-over").getBoundingClientRect();
     return { left, top, width, height };

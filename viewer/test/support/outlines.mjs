@@ -1,4 +1,4 @@
-// Outlines of sections: y, z and the normal there.
+// Outlines of sections: y, z and components of the normal.
 
 export function circle(radius, corners = 24) {
   return Array.from({ length: corners }, (_, i) => {

@@ -20,7 +20,7 @@ export interface Label {
   position: Vector;
 }
 
-/** Scene with the reference positions of its points, and what is drawn of it. */
+/** Scene with the reference positions of its points, the display options and the current frames. */
 export interface LabelSource {
   scene: Scene;
   reference: Float32Array;

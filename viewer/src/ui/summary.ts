@@ -19,7 +19,7 @@ export function summaryTable(scene: Scene): HTMLElement {
     rows.push(row("units", `${length}, ${time}, ${force}`));
   }
   if (!scene.summary.some(([name]) => name === "program")) rows.push(row("program", scene.program));
-  if (scene.sha256) rows.push(row("SHA-256 of the model", scene.sha256, { class: "hash" }));
+  if (scene.sha256) rows.push(row("model SHA-256", scene.sha256, { class: "hash" }));
   return h("section", {}, h("h3", {}, "Summary"), h("table", {}, h("tbody", {}, ...rows)));
 }
 

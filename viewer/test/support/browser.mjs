@@ -77,8 +77,8 @@ export async function settle(tab) {
 /** Screenshot of the 3-D view as base64. */
 export async function screenshot(tab) {
   await settle(tab);
-  const stage = await tab.$("canvas[tabindex]");
-  return Buffer.from(await stage.screenshot({ type: "png" })).toString("base64");
+  const canvas = await tab.$("canvas[tabindex]");
+  return Buffer.from(await canvas.screenshot({ type: "png" })).toString("base64");
 }
 
 export const assertNear = (found, expected, tolerance, name) =>

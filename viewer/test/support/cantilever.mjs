@@ -1,6 +1,6 @@
 // Scene of a vibrating cantilever with known displacements.
 
-import { f32, f64 } from "./container.mjs";
+import { f32, f64, i16 } from "./container.mjs";
 import { rectangle } from "./outlines.mjs";
 import { emptyScene, encodeField, rotatedDirectors } from "./scene.mjs";
 

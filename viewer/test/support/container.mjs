@@ -41,7 +41,7 @@ export function pack(scene) {
 }
 
 const asset = (name) =>
-  readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
+  readFileSync(new URL(`../../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
 
 /** Page of a report, with data in base64 or with the address `source` of the data. */
 export function page(data, source = null) {

@@ -1,8 +1,10 @@
+//! Factors of couplings in other units.
+
 use crate::model::{Coupled, Coupling, Freed, Model};
 use crate::units::{Dimension, Scales, number};
 
 impl Model {
-    /// The couplings in other units.
+    /// Couplings in other units. The unit of a factor depends on the coordinate of the joint.
     pub(crate) fn scaled_couplings(&self, s: &Scales) -> Vec<Coupling> {
         let part = |part: &Coupled| {
             let of = match self.coupled(part) {

@@ -1,17 +1,12 @@
-//! Joints in other units.
+//! Conversion of joints to other units.
 
-use crate::model::{End, Ground, Joint};
-use crate::units::{Dimension, Scales, vector};
+use crate::model::Joint;
+use crate::units::{Dimension, Scaled, Scales, vector};
 
-impl End {
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        match self {
-            Self::Ground => Self::Ground,
-            Self::Place(place) => Self::Place(place.scaled(s)),
-            Self::Point(Ground { point }) => {
-                Self::Point(Ground { point: vector(point, Dimension::LENGTH, s) })
-            }
-        }
+impl Scaled for Joint {
+    fn scaled(self, scales: &Scales) -> Self {
+        // The inherent function.
+        Self::scaled(self, scales)
     }
 }
 

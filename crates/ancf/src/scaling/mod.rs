@@ -1,4 +1,4 @@
-//! Models in other units.
+//! Conversion of models to other units.
 
 mod choice_rule;
 mod couplings;

@@ -7,7 +7,7 @@ use super::acting::{AngularDrive, AngularSpring, LinearDrive, LinearFriction, Li
 use super::end::End;
 use crate::model::bodies::Place;
 use crate::model::functions::TimeFunction;
-use crate::units::{Dimension, Scales, number};
+use crate::units::{Dimension, Scaled, Scales, number};
 
 /// Two shafts that meet: ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

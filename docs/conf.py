@@ -1,4 +1,4 @@
-"""The site: `cargo xtask docs` builds it, runs every code cell and every notebook, and fails on any warning."""
+"""Sphinx configuration. `cargo xtask docs` builds the site, runs cells and notebooks, and fails on any warning."""
 
 import ast
 import inspect
@@ -12,7 +12,7 @@ import ancf
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
-# Figures of cells go into the pages, wherever else they would be drawn.
+# Embed the figures of cells in the pages, independent of the environment.
 os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
 project = "ancf"
@@ -48,11 +48,11 @@ napoleon_use_ivar = True
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
 ELSEWHERE = {"architecture": "ARCHITECTURE.md", "contributing": "CONTRIBUTING.md", "changes": "CHANGELOG.md"}
-"""Pages that are files at the root: the page of the same name in `docs` only leads there."""
+"""Pages whose text is a file at the root. The page of the same name in `docs` only links to it."""
 
 
 def read(app: "Sphinx", name: str, source: list[str]) -> None:
-    """Put files from the root in their places, and let links lead to what the site has."""
+    """Replace stub pages by the files at the root, and rewrite links to targets on the site."""
     page = DOCS / f"{name}.md"
     text, file = source[0], page
     if name in ELSEWHERE:
@@ -63,7 +63,7 @@ def read(app: "Sphinx", name: str, source: list[str]) -> None:
 
 
 def led(link: re.Match[str], file: Path, page: Path) -> str:
-    """A link of a file as it is on a page of the site: other pages, files to download; folders are only named."""
+    """Return a link rewritten for a page of the site. Links to folders without an index become plain text."""
     words, path, anchor = link.group(1), link.group(2), link.group(3) or ""
     target = (file.parent / path).resolve()
     if not target.exists():
@@ -76,10 +76,10 @@ def led(link: re.Match[str], file: Path, page: Path) -> str:
 
 
 def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
-    """Bars are bars; attributes of parts of a model are what they are built with, their types as they are written."""
+    """Escape bars, and document attributes of model classes as parameters with their source types."""
     lines[:] = [line.replace("|", r"\|") for line in lists(lines)]
     if what in {"attribute", "property"}:
-        # An empty comment; else napoleon takes what is before a colon for a type.
+        # Empty comment: otherwise napoleon takes the text before a colon as a type.
         lines[:0] = ["..", ""]
     if what == "class" and isinstance(thing, type) and "Attributes" in lines:
         types = stated(thing)
@@ -88,20 +88,20 @@ def keys(app: "Sphinx", what: str, name: str, thing: object, options: object, li
 
 
 def lists(lines: list[str]) -> list[str]:
-    """Tables of two columns, which a docstring has for its readers, as lists."""
+    """Convert tables of two columns in docstrings to lists."""
     heads = [k - 1 for k, line in enumerate(lines) if re.fullmatch(r"\|[-|]+\|", line)]
     rows = [line for k, line in enumerate(lines) if k not in heads and k - 1 not in heads]
     return [re.sub(r"^\| (.+?) \| (.+) \|$", r"* \1: \2", line) for line in rows]
 
 
 def stated(part: type) -> dict[str, str]:
-    """Attributes of a class with their types, in the words of its source."""
+    """Return the attributes of a class with their types as written in the source."""
     body = ast.parse(inspect.getsource(part)).body[0].body  # type: ignore[attr-defined]
     found = {item.target.id: ast.unparse(item.annotation) for item in body if isinstance(item, ast.AnnAssign)}
     return {name: f"{name} : {text.replace(' | None', ', optional')}" for name, text in found.items()}
 
 
 def setup(app: "Sphinx") -> None:
-    """Read pages by `read`, and docstrings by `keys` before napoleon does."""
+    """Register `read` for pages, and `keys` for docstrings, before napoleon."""
     app.connect("source-read", read)
     app.connect("autodoc-process-docstring", keys, priority=400)

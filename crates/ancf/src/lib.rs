@@ -69,7 +69,9 @@
 pub mod assembly;
 mod checking;
 pub mod diagnosis;
+pub mod errors;
 mod failure;
+pub mod joints;
 pub mod model;
 pub mod reading;
 pub mod record;
@@ -80,7 +82,8 @@ mod simulate;
 pub mod units;
 
 pub use ancf_solver as solver;
-pub use model::{Model, ModelError, ModelErrors};
+pub use errors::{ModelError, ModelErrors};
+pub use model::Model;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{Checkpoint, Error, Mismatch, Observer, Outcome, Simulation, Summary, simulate};
 pub use units::Scales;

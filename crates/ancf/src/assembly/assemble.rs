@@ -4,8 +4,9 @@ use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, Measure};
-use crate::assembly::joint_equations::{Holds, JointEquations};
-use crate::model::{Clock, Model, ModelErrors, Probe};
+use crate::errors::ModelErrors;
+use crate::joints::JointEquations;
+use crate::model::{Clock, Model, Probe};
 
 impl Model {
     /// Assembles a valid model whose functions are supplied.

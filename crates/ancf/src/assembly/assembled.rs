@@ -3,12 +3,12 @@ use std::collections::BTreeSet;
 use ancf_mechanics::bodies::BeamMesh;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, Kind, Marker};
-use ancf_solver::equations::{EquationsOfMotion, State, System, Term};
+use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};
 use super::redundant::Redundant;
-use crate::assembly::joint_equations::{Closed, Freedom, JointEquations};
+use crate::joints::{Closed, Freedom, JointEquations};
 use crate::model::Quantity;
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -69,7 +69,7 @@ impl Assembly {
     pub fn freedoms(&self) -> impl Iterator<Item = (&str, &Freedom)> {
         self.joints
             .iter()
-            .flat_map(|joint| joint.freedoms().iter().map(|freedom| (joint.name.as_str(), freedom)))
+            .flat_map(|joint| joint.freedoms.iter().map(|freedom| (joint.name.as_str(), freedom)))
     }
 
     /// The bodies and their names.
@@ -119,10 +119,10 @@ impl Assembly {
             first += body.coordinates();
         }
         for joint in &self.joints {
-            if equation < first + joint.coordinates() {
+            if equation < first + joint.coordinates.len() {
                 return format!("joint `{}`, its freedom", joint.name);
             }
-            first += joint.coordinates();
+            first += joint.coordinates.len();
         }
         for (name, body) in &self.bodies {
             if equation < first + body.multipliers() {
@@ -131,10 +131,10 @@ impl Assembly {
             first += body.multipliers();
         }
         for joint in &self.joints {
-            if equation < first + joint.multipliers() {
-                return format!("joint `{}`, {}", joint.name, joint.ties()[equation - first]);
+            if equation < first + joint.multipliers.len() {
+                return format!("joint `{}`, {}", joint.name, joint.names()[equation - first]);
             }
-            first += joint.multipliers();
+            first += joint.multipliers.len();
         }
         match self.couplings.get(equation.wrapping_sub(first)) {
             Some(name) => format!("coupling `{name}`"),

@@ -3,9 +3,9 @@ use std::collections::BTreeSet;
 use ancf_solver::equations::{INDEPENDENT, State, Term};
 
 use super::redundant::{Constraints, Owner, Redundant};
-use crate::assembly::joint_equations::JointEquations;
-use crate::model::{Analysis, Clock, Model, ModelError};
-use crate::schema::Finding;
+use crate::errors::{Finding, ModelError};
+use crate::joints::JointEquations;
+use crate::model::{Analysis, Clock, Model};
 
 /// Instants of a motion at which they are compared.
 const INSTANTS: u32 = 128;

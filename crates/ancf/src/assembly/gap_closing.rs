@@ -5,8 +5,9 @@ use ancf_solver::equations::{EquationsOfMotion, State, System, Weights};
 use ancf_solver::newton::{Failure, Newton, SolveError, Stop};
 
 use super::assembled::Assembly;
-use crate::assembly::joint_equations::{Closed, Gap, JointEquations};
-use crate::model::{Clock, Model, ModelError, ModelErrors};
+use crate::errors::{ModelError, ModelErrors};
+use crate::joints::{Closed, Gap, JointEquations};
+use crate::model::{Clock, Model};
 
 /// Gaps that are none, relative to the length of the model.
 const GAP: f64 = 1e-12;

@@ -3,9 +3,13 @@
 use ancf_mechanics::constraints::{Measure as Measured, Tie};
 use ancf_mechanics::kinematics::{Attachment, ElementAxis};
 use ancf_solver::equations::Term;
+use nalgebra::Vector3;
 
-use crate::assembly::joint_equations::{Holds, JointEquations};
-use crate::model::{Beam, Body, Clock, Coupled, Coupling, Formulation, Joint, Model, Place};
+use crate::joints::{
+    Coupled, Coupling, End, Freed, Gap, Ground, Joint, JointBuilder, JointEnds, JointEquations, JointKind,
+    Numbering,
+};
+use crate::model::{Beam, Body, Clock, Formulation, Model, Place};
 
 impl Model {
     /// Numbers of coordinates and multipliers of bodies and joints.
@@ -14,25 +18,70 @@ impl Model {
         joints: &[JointEquations],
     ) -> [usize; 2] {
         let of_bodies = bodies.iter().map(|(_, body)| [body.coordinates(), body.multipliers()]);
-        let of_joints = joints.iter().map(|joint| [joint.coordinates(), joint.multipliers()]);
+        let of_joints = joints.iter().map(|joint| [joint.coordinates.len(), joint.multipliers.len()]);
         of_bodies.chain(of_joints).fold([0, 0], |[n, m], [c, l]| [n + c, m + l])
     }
 
-    /// The equations of the joints, multipliers counted on from the bodies' and from joint to joint.
+    /// The equations of the joints; coordinates and multipliers are numbered after those of the bodies.
     pub(crate) fn joint_equations(
         &self,
         bodies: &[(String, ancf_mechanics::bodies::Body)],
         clock: Clock,
     ) -> Vec<JointEquations> {
-        let mut first = Self::numbers(bodies, &[]);
-        let held = Held { model: self, bodies };
+        let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
         let equations = self.joints.iter().enumerate().map(|(number, joint)| {
-            let (locking, coupled) = (self.is_locking(joint), |freed| self.is_coupled(number, freed));
-            let equations = JointEquations::new(joint, locking, first, clock, coupled, &held);
-            first = [first[0] + equations.coordinates(), first[1] + equations.multipliers()];
+            let coupled = |freed| self.is_coupled(number, freed);
+            let numbering = Numbering { coordinate, multiplier, clock };
+            let equations = self.equations_of(joint.kind(), bodies, numbering, &coupled);
+            (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
             equations.with_gap(self.gap(joint))
         });
         equations.collect()
+    }
+
+    /// The equations of one joint.
+    fn equations_of(
+        &self,
+        joint: &dyn JointKind,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        numbering: Numbering,
+        coupled: &dyn Fn(Freed) -> bool,
+    ) -> JointEquations {
+        let (place, stated) = joint.ends();
+        let a = self.attachment(bodies, place);
+        let (b, beam) = match stated {
+            End::Place(place) => (self.attachment(bodies, place), self.beam(bodies, place)),
+            End::Point(Ground { point }) if joint.spans() => {
+                (Attachment::ground(Vector3::from(*point)), None)
+            }
+            End::Ground | End::Point(_) => (Attachment::ground(a.point.reference()), None),
+        };
+        let ends = JointEnds { a: &a, b: &b, stated, beam, on_continuum: self.is_continuum(place) };
+        let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
+        joint.build(&mut builder);
+        builder.finish()
+    }
+
+    /// The treatment of the gap of a joint in the analysis.
+    pub(crate) fn gap(&self, joint: &Joint) -> Gap {
+        let moves = self.analysis.dynamics().is_some();
+        let is_drawn = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
+        match () {
+            () if is_drawn => Gap::Drawn,
+            () if self.assemble => Gap::Closed,
+            () => Gap::Kept,
+        }
+    }
+
+    /// Element axes of a flexible body, and the arc length of a place on it.
+    fn beam(
+        &self,
+        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        place: &Place,
+    ) -> Option<(Vec<ElementAxis>, f64)> {
+        let index = self.body_of(place);
+        let axes = bodies[index].1.mesh()?.element_axes().collect();
+        Some((axes, self.bodies[index].arc_length(place.at)))
     }
 
     /// The equations of the couplings, by multipliers after those of the joints.
@@ -44,7 +93,7 @@ impl Model {
         let [_, first] = Self::numbers(bodies, joints);
         let part = |measure: Measured, part: &Coupled| {
             let (joint, freed) = self.coupled(part)?;
-            let coordinate = joints[joint].freedoms().iter().find_map(|freedom| freedom.coupled(freed))?;
+            let coordinate = joints[joint].freedoms.iter().find_map(|freedom| freedom.coupled(freed))?;
             Some(measure.plus(coordinate, part.factor))
         };
         let tie = |(k, coupling): (usize, &Coupling)| {
@@ -55,27 +104,9 @@ impl Model {
         self.couplings.iter().enumerate().map(tie).collect()
     }
 
-    /// Whether the first end of a joint is on a beam of the continuum formulation.
-    fn is_locking(&self, joint: &Joint) -> bool {
-        let body = &self.bodies[self.body_of(joint.ends().0)];
+    /// True if a place is on a beam of the continuum formulation.
+    fn is_continuum(&self, place: &Place) -> bool {
+        let body = &self.bodies[self.body_of(place)];
         matches!(body, Body::Beam(Beam { formulation: Formulation::Continuum, .. }))
-    }
-}
-
-/// The bodies of a model, for its joints to hold on to.
-struct Held<'a> {
-    model: &'a Model,
-    bodies: &'a [(String, ancf_mechanics::bodies::Body)],
-}
-
-impl Holds for Held<'_> {
-    fn attachment(&self, place: &Place) -> Attachment {
-        self.model.attachment(self.bodies, place)
-    }
-
-    fn beam(&self, place: &Place) -> Option<(Vec<ElementAxis>, f64)> {
-        let index = self.model.body_of(place);
-        let axes = self.bodies[index].1.mesh()?.element_axes().collect();
-        Some((axes, self.model.bodies[index].arc_length(place.at)))
     }
 }

@@ -7,7 +7,6 @@ mod contacts;
 mod contradictions;
 mod gap_closing;
 mod inputs;
-mod joint_equations;
 mod joints;
 mod loads;
 mod redundant;
@@ -16,5 +15,4 @@ mod start;
 
 pub use assembled::{Assembly, Measure};
 pub(crate) use contradictions::contradictions;
-pub use joint_equations::{Closed, Freedom};
 pub use redundant::Redundant;

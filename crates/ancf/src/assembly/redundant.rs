@@ -6,7 +6,7 @@ use std::fmt;
 use ancf_solver::equations::{Dependence, Level, Local, State, Term, all_constraint_rows, dependences};
 use ancf_solver::factor::Sparse;
 
-use crate::assembly::joint_equations::JointEquations;
+use crate::joints::JointEquations;
 
 /// Redundant equations agree if no more than this part of what they say is left over.
 const AGREE: f64 = 1e-9;
@@ -107,8 +107,8 @@ impl<'a> Constraints<'a> {
     /// The joint or the coupling that a multiplier belongs to, if it is one of either.
     pub(crate) fn owner(&self, multiplier: usize) -> Option<Owner> {
         let coupling = multiplier.checked_sub(self.multipliers - self.couplings.len());
-        let after = self.joints.partition_point(|joint| joint.range().start <= multiplier);
-        let joint = || (0..after).rev().find(|&k| self.joints[k].range().contains(&multiplier));
+        let after = self.joints.partition_point(|joint| joint.multipliers.start <= multiplier);
+        let joint = || (0..after).rev().find(|&k| self.joints[k].multipliers.contains(&multiplier));
         coupling.map(Owner::Coupling).or_else(|| joint().map(Owner::Joint))
     }
 
@@ -131,7 +131,7 @@ impl<'a> Constraints<'a> {
         let (coupling, equation) = match own {
             Owner::Joint(k) => {
                 let joint = &self.joints[k];
-                (false, joint.ties()[row - joint.range().start].clone())
+                (false, joint.names()[row - joint.multipliers.start].clone())
             }
             Owner::Coupling(_) => (true, "coupling".to_owned()),
         };

@@ -3,9 +3,9 @@
 use ancf_mechanics::elements::is_inertia;
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, finding, is_direction, no_direction, unknown};
+use super::findings::{COINCIDENT, is_direction, no_direction, unknown};
+use crate::errors::{Finding, finding, number};
 use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Shape, beams_of, bodies_of};
-use crate::schema::{Finding, number};
 
 /// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
 pub(crate) fn bodies(model: &Model) -> Vec<Finding> {

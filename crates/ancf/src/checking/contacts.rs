@@ -1,8 +1,8 @@
 //! The rules of contacts that the schema cannot say.
 
-use super::findings::{body, finding, is_direction, named, no_direction, rule_of_place, unknown_body};
+use super::findings::{body, is_direction, named, no_direction, rule_of_place, unknown_body};
+use crate::errors::{Finding, finding, quoted};
 use crate::model::{Against, Body, Contact, Model};
-use crate::schema::{Finding, quoted};
 
 /// Bodies are there and have a radius; obstacles have a direction and something with directions that carries them.
 pub(crate) fn contacts(model: &Model) -> Vec<Finding> {

@@ -2,26 +2,13 @@
 
 use nalgebra::Vector3;
 
-use crate::model::{At, Body, End, Model, ModelError, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
-use crate::schema::{Finding, did_you_mean, listed, nearest, number, quoted};
+use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
+use crate::joints::End;
+use crate::model::{At, Body, Model, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
+use crate::schema::did_you_mean;
 
 /// How far apart, relative to the longer body, two places may be that a joint connects.
 pub(crate) const COINCIDENT: f64 = 1e-6;
-
-pub(crate) fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
-    ModelError::new(path, found, wanted).into()
-}
-
-impl Finding {
-    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.error = self.error.hint(hint);
-        self
-    }
-
-    pub(crate) fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
-        Self { rests_on: paths.into_iter().collect(), ..self }
-    }
-}
 
 /// Whether a vector has a direction, as numbers go.
 pub(crate) fn is_direction(vector: [f64; 3]) -> bool {

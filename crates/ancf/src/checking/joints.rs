@@ -3,42 +3,25 @@
 use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, finding, is_direction, no_direction, unknown};
+use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
-use crate::model::{
-    Acting, Beam, Body, Coupled, End, Formulation, Freed, Joint, Model, TimeFunction, Varying, joints_of,
-};
-use crate::schema::{Finding, number, quoted};
+use crate::errors::{Finding, finding, number, quoted};
+use crate::joints::{Acting, Coupled, End, Freed, Joint};
+use crate::model::{Model, TimeFunction, Varying, joints_of};
 
-/// Axes whose sine is less than this are parallel.
-const PARALLEL: f64 = 1e-3;
-
-/// Axes are directions, and those of a universal joint are two.
+/// Axes are directions.
 pub(crate) fn axes(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let axes = match joint {
-            Joint::Revolute { axis, .. } => vec![("axis", *axis)],
-            Joint::Cylindrical(joint) => vec![("axis", joint.axis)],
-            Joint::Prismatic(joint) => vec![("axis", joint.axis)],
-            Joint::PointOnLine(joint) => vec![("axis", joint.axis)],
-            Joint::Planar(joint) => vec![("normal", joint.normal)],
-            Joint::Universal(joint) => vec![("axis_a", joint.axis_a), ("axis_b", joint.axis_b)],
-            _ => Vec::new(),
-        };
-        let wrong = axes.iter().filter(|(_, axis)| !is_direction(*axis));
-        let wrong: Vec<_> = wrong.map(|(key, axis)| no_direction(format!("{path}.{key}"), *axis)).collect();
-        if let (Joint::Universal(joint), true) = (joint, wrong.is_empty()) {
-            let [a, b] = [joint.axis_a, joint.axis_b].map(|axis| Vector3::from(axis).normalize());
-            if a.cross(&b).norm() < PARALLEL {
-                let key = format!("{path}.axis_b");
-                let error = finding(key, "a direction along `axis_a`", "an arm of the cross of its own");
-                findings.push(error.rests_on([format!("{path}.axis_a")]));
-            }
-        }
-        findings.extend(wrong);
+        let wrong = joint.kind().axes().into_iter().filter(|(_, axis)| !is_direction(*axis));
+        findings.extend(wrong.map(|(key, axis)| no_direction(format!("{path}.{key}"), axis)));
     }
     findings
+}
+
+/// Rules that the kinds of joints state themselves.
+pub(crate) fn kinds(model: &Model) -> Vec<Finding> {
+    joints_of(model).flat_map(|(path, joint)| joint.kind().check(&path, model)).collect()
 }
 
 /// What spans two points has two; the ground has a point for nothing else that is new.
@@ -46,12 +29,9 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, b) = joint.ends();
         let key = format!("{path}.b");
-        let drawn = matches!(
-            joint,
-            Joint::Clamp { .. } | Joint::Revolute { .. } | Joint::Spherical { .. } | Joint::Drive { .. }
-        );
+        let drawn = joint.kind().accepts_ground_point();
         let wanted = "a place on another body or a point of the ground, `{ point = [x, y, z] }`";
-        match (joint.spans(), b) {
+        match (joint.kind().spans(), b) {
             (true, End::Ground) => Some(finding(key, "\"ground\"", wanted)),
             (true, b) => {
                 let (_, body) = body(model, a)?;
@@ -77,38 +57,13 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
     joints_of(model).filter_map(rule).collect()
 }
 
-/// Points slide along beams whose tangent is continuous.
-pub(crate) fn slides(model: &Model) -> Vec<Finding> {
-    let wanted = "a place on a cable or on a beam of two-node elements";
-    let rule = |(path, joint): (String, &Joint)| {
-        let Joint::Slide(slide) = joint else { return None };
-        let End::Place(place) = &slide.b else {
-            return Some(finding(format!("{path}.b"), "the ground", wanted));
-        };
-        let quadratic = "a beam of formulation \"quadratic\", whose tangent has kinks";
-        let found = match body(model, place)?.1 {
-            Body::Beam(Beam { formulation: Formulation::Quadratic, .. }) => quadratic,
-            Body::Beam(_) | Body::Cable(_) if place.offset == [0.0; 3] => return None,
-            Body::Beam(_) | Body::Cable(_) => {
-                let wanted = "none: points slide along the axis";
-                return Some(finding(format!("{path}.b.offset"), "an arm", wanted));
-            }
-            Body::Rigid(_) => "a rigid body",
-            Body::Mass(_) => "a point mass",
-        };
-        Some(finding(format!("{path}.b.body"), found, wanted).rests_on(["bodies".into()]))
-    };
-    joints_of(model).filter_map(rule).collect()
-}
-
 /// Drives state one amount, start at the undeformed state and do not jump; rates have integrals.
 pub(crate) fn acting(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let linear = if matches!(joint, Joint::Cylindrical(_)) { "feed" } else { "drive" };
-        let turning = (joint.turning(), "drive", ["angle", "rate"]);
-        for (acting, key, names) in [turning, (joint.moving(), linear, ["displacement", "speed"])] {
-            findings.extend(rule_of_drive(model, &format!("{path}.{key}"), &acting, names));
+        let (turning, moving) = (joint.kind().turning(), joint.kind().moving());
+        for (acting, names) in [(turning, ["angle", "rate"]), (moving, ["displacement", "speed"])] {
+            findings.extend(rule_of_drive(model, &format!("{path}.{}", acting.table), &acting, names));
         }
     }
     findings
@@ -150,24 +105,6 @@ fn scale(model: &Model, own: &str) -> f64 {
     if own == "angle" { 1.0 } else { model.length() }
 }
 
-/// Rods whose lengths are led start from what they are, and stay lengths.
-pub(crate) fn distances(model: &Model) -> Vec<Finding> {
-    let rule = |(path, joint): (String, &Joint)| {
-        let Joint::Distance(distance) = joint else { return None };
-        let key = format!("{path}.time");
-        if distance.change != 0.0 && distance.time.jumps() {
-            return Some(finding(key, "a function that jumps", "one that bodies can follow"));
-        }
-        let start = distance.change * distance.time.compile().ok()?.value(0.0);
-        (is_dynamic(model) && start.abs() > 1e-6 * model.length()).then(|| {
-            let found = format!("a change of {} at t = 0", number(start));
-            let error = finding(key, found, "a motion that starts from the undeformed state, at 0");
-            Finding { absence: true, ..error.rests_on([format!("{path}.change")]) }
-        })
-    };
-    joints_of(model).filter_map(rule).collect()
-}
-
 /// Couplings name freedoms that are there, each once, with factors.
 pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -192,7 +129,7 @@ fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -
         let names = model.joints.iter().map(Joint::name).collect();
         return Some(unknown(key, "joint", &part.joint, names).rests_on(["joints".into()]));
     };
-    let listed = match joint.freedoms() {
+    let listed = match joint.kind().freedoms() {
         [] => None,
         [Freed::Angle] => Some("\"angle\""),
         [Freed::Displacement] => Some("\"displacement\""),

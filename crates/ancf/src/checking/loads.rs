@@ -1,8 +1,8 @@
 //! The rules of loads that the schema cannot say, but for those of functions of time.
 
-use super::findings::{finding, named, unknown_body};
+use super::findings::{named, unknown_body};
+use crate::errors::{Finding, finding, number, quoted};
 use crate::model::{At, Beam, Body, Load, Model, ON_AXIS, loads_of};
-use crate::schema::{Finding, number, quoted};
 
 /// Loads per length are on bodies that are there, on a part of them that has a length.
 pub(crate) fn stretches(model: &Model) -> Vec<Finding> {

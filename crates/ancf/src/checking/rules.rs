@@ -6,12 +6,14 @@ use std::collections::hash_map::Entry;
 use nalgebra::Vector3;
 
 use super::bodies::{bodies, cables, formulations};
-use super::capabilities::abilities;
+use super::capabilities::capabilities;
 use super::contacts::contacts;
-use super::findings::{COINCIDENT, body, finding, places_of, rule_of_place};
+use super::findings::{COINCIDENT, body, places_of, rule_of_place};
 use super::scheme::{scheme, time};
-use crate::model::{End, Joint, Model, ON_AXIS, Place, Section, bodies_of, joints_of};
-use crate::schema::{Finding, join, number, quoted};
+use crate::errors::{Finding, finding, number, quoted};
+use crate::joints::{End, Joint};
+use crate::model::{Model, ON_AXIS, Place, Section, bodies_of, joints_of};
+use crate::schema::join;
 use crate::units::ScaleChoice;
 
 /// Elements beyond which a model is taken for a slip of the pen.
@@ -22,19 +24,13 @@ const BYTES_PER_ELEMENT: f64 = 12e3;
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
-    let of_times = [
-        super::time_functions::functions,
-        super::time_functions::drives,
-        super::time_functions::ground_points,
-        abilities,
-    ];
+    let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
     let of_loads = [contacts, super::loads::stretches, super::loads::fluids, super::loads::bases];
     let of_joints = [
         super::joints::axes,
         super::joints::spans,
-        super::joints::slides,
+        super::joints::kinds,
         super::joints::acting,
-        super::joints::distances,
         super::joints::couplings,
     ];
     let special = of_times.iter().chain(&of_loads).chain(&of_joints);
@@ -132,7 +128,7 @@ fn places(model: &Model) -> Vec<Finding> {
 fn joints(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        if let ((a, End::Place(b)), false) = (joint.ends(), joint.spans()) {
+        if let ((a, End::Place(b)), false) = (joint.ends(), joint.kind().spans()) {
             findings.extend(rule_of_joint(model, &path, joint, [a, b]));
         }
     }
@@ -152,7 +148,7 @@ fn rule_of_joint(model: &Model, path: &str, joint: &Joint, [a, b]: [&Place; 2]) 
                 .rests_on(ends(path, &path_a, &path_b)),
         );
     }
-    let (apart, closes) = ((r_a - r_b).norm(), joint.closes());
+    let (apart, closes) = ((r_a - r_b).norm(), joint.kind().closes());
     (!(model.assemble && closes) && apart > COINCIDENT * length).then(|| {
         let found = format!("a place that is {} away from `a`", number(apart));
         let at = |r: Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));

@@ -1,8 +1,7 @@
 //! The rules of an analysis in time: its steps and its scheme fit each other and the model.
 
-use super::findings::finding;
+use crate::errors::{Finding, finding, number};
 use crate::model::{Dynamics, Model, Scheme, Step};
-use crate::schema::{Finding, number};
 
 /// Steps beyond which an analysis is taken for a slip of the pen.
 const MAX_STEPS: f64 = 1e9;

@@ -2,14 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::findings::{COINCIDENT, body, finding, is_direction, no_direction};
-use crate::model::{Analysis, End, Joint, Model, TimeFunction, Varying, joints_of};
-use crate::schema::{Finding, number};
-
-/// An angle that is none, in radians.
-const TURNED: f64 = 1e-6;
-/// What is wanted of a prescribed motion.
-const STARTS: &str = "a motion that starts from the undeformed state, at 0";
+use super::findings::{COINCIDENT, body};
+use crate::errors::{Finding, finding, number, quoted};
+use crate::joints::{End, Joint};
+use crate::model::{Analysis, Model, TimeFunction, Varying, joints_of};
 
 /// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
 pub(crate) fn functions(model: &Model) -> Vec<Finding> {
@@ -53,7 +49,7 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
             let rest: String = text.chars().skip(error.at).collect();
             let found = match rest.as_str() {
                 "" => "its end".to_owned(),
-                rest => crate::schema::quoted(rest),
+                rest => quoted(rest),
             };
             let found = format!("{found} at character {}", error.at + 1);
             Some(finding(path, found, error.wanted))
@@ -66,34 +62,6 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
     }
 }
 
-/// Drives have an axis and start from the undeformed state, without jumps.
-pub(crate) fn drives(model: &Model) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for (path, joint) in joints_of(model) {
-        let Joint::Drive { axis, angle, displacement, time, .. } = joint else { continue };
-        if let Some(axis) = axis.filter(|axis| !is_direction(*axis)) {
-            findings.push(no_direction(format!("{path}.axis"), axis));
-        }
-        let key = format!("{path}.time");
-        let jumps = time.jumps();
-        let start = time.compile().map_or(0.0, |function| function.value(0.0));
-        let turned = if axis.is_some() { angle * start } else { 0.0 };
-        let moved = Vector3::from(*displacement).norm() * start;
-        if jumps {
-            findings.push(finding(key, "a function that jumps", "one that bodies can follow"));
-        } else if is_dynamic(model) && turned.abs() > TURNED {
-            let found = format!("an angle of {} at t = 0", number(turned));
-            let error = finding(key, found, STARTS);
-            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.angle")]) });
-        } else if is_dynamic(model) && moved.abs() > COINCIDENT * model.length() {
-            let found = format!("a displacement of {} at t = 0", number(moved));
-            let error = finding(key, found, STARTS);
-            findings.push(Finding { absence: true, ..error.rests_on([format!("{path}.displacement")]) });
-        }
-    }
-    findings
-}
-
 pub(crate) fn is_dynamic(model: &Model) -> bool {
     matches!(model.analysis, Analysis::Dynamics(_))
 }
@@ -102,7 +70,7 @@ pub(crate) fn is_dynamic(model: &Model) -> bool {
 pub(crate) fn ground_points(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
-        if joint.spans() {
+        if joint.kind().spans() {
             return None;
         }
         let (owner, body) = body(model, a)?;

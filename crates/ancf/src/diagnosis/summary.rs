@@ -7,7 +7,9 @@ use serde::Serialize;
 
 use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
-use crate::model::{Body, End, Joint, Load, Model, ModelErrors};
+use crate::errors::ModelErrors;
+use crate::joints::{End, Joint};
+use crate::model::{Body, Load, Model};
 
 /// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,8 +69,8 @@ impl Model {
         };
         let closed = assembly.closed();
         Ok(Diagnosis {
-            bodies: count(self.bodies.iter().map(Body::kind)),
-            joints: count(self.joints.iter().map(Joint::kind)),
+            bodies: count(self.bodies.iter().map(noun)),
+            joints: count(self.joints.iter().map(|joint| joint.kind().noun())),
             loads: self.count_loads(),
             coordinates: system.coordinates(),
             equations: system.multipliers(),
@@ -101,7 +103,7 @@ impl Model {
     /// 6 for each body, a cable too, and 3 for a point mass, less what each joint ties of two rigid bodies, and one for
     /// each coupling.
     fn gruebler(&self) -> isize {
-        let tied = self.joints.iter().map(Joint::ties).sum::<usize>() + self.couplings.len();
+        let tied = self.joints.iter().map(removed).sum::<usize>() + self.couplings.len();
         let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
         free.sum::<isize>() - tied as isize
     }
@@ -146,50 +148,19 @@ impl Assembly {
     }
 }
 
-impl Body {
-    const fn kind(&self) -> &'static str {
-        match self {
-            Self::Beam(_) => "beam",
-            Self::Cable(_) => "cable",
-            Self::Rigid(_) => "rigid body",
-            Self::Mass(_) => "point mass",
-        }
+/// Noun of the kind of a body.
+const fn noun(body: &Body) -> &'static str {
+    match body {
+        Body::Beam(_) => "beam",
+        Body::Cable(_) => "cable",
+        Body::Rigid(_) => "rigid body",
+        Body::Mass(_) => "point mass",
     }
 }
 
-impl Joint {
-    const fn kind(&self) -> &'static str {
-        match self {
-            Self::Clamp { .. } => "clamp",
-            Self::Revolute { .. } => "revolute",
-            Self::Spherical { .. } => "spherical",
-            Self::Drive { .. } => "drive",
-            Self::Universal(_) => "universal joint",
-            Self::Cylindrical(_) => "cylindrical joint",
-            Self::Prismatic(_) => "prismatic joint",
-            Self::Planar(_) => "planar joint",
-            Self::PointOnLine(_) => "point on a line",
-            Self::Distance(_) => "rod",
-            Self::Slide(_) => "slide",
-            Self::Bushing(_) => "bushing",
-            Self::Spring(_) => "spring",
-        }
-    }
-
-    /// How many motions it takes from two rigid bodies, those that it drives among them.
-    fn ties(&self) -> usize {
-        let drives = self.times().iter().filter(|(key, _)| !key.is_empty()).count();
-        drives
-            + match self {
-                Self::Clamp { .. } | Self::Drive { .. } => 6,
-                Self::Revolute { .. } | Self::Prismatic(_) => 5,
-                Self::Universal(_) | Self::Cylindrical(_) => 4,
-                Self::Spherical { .. } | Self::Planar(_) => 3,
-                Self::PointOnLine(_) | Self::Slide(_) => 2,
-                Self::Distance(_) => 1,
-                Self::Bushing(_) | Self::Spring(_) => 0,
-            }
-    }
+/// Degrees of freedom that a joint removes between two rigid bodies, those that it drives among them.
+fn removed(joint: &Joint) -> usize {
+    joint.kind().removes() + joint.times().iter().filter(|(key, _)| !key.is_empty()).count()
 }
 
 fn count(kinds: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {

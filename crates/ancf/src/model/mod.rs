@@ -3,9 +3,7 @@
 mod analyses;
 mod bodies;
 mod contacts;
-mod error;
 mod functions;
-mod joints;
 mod loads;
 mod queries;
 mod sections;
@@ -15,32 +13,36 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::units::{ScaleChoice, Scaled, Units};
+use crate::units::Scaled;
 
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
     Start, Statics, Step, Stop,
 };
-pub(crate) use bodies::ON_AXIS;
 pub use bodies::{
     At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Against, Contact};
-pub use error::{ModelError, ModelErrors, Position};
-pub(crate) use functions::Clock;
 pub use functions::{TimeFunction, Varying};
-pub(crate) use joints::Acting;
-pub use joints::{
-    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamped, Coupled, Coupling, Cylindrical, Distance,
-    End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar, PointOnLine, PointSpring,
-    Prismatic, Slide, Universal,
-};
-pub(crate) use loads::Stretch;
 pub use loads::{Fluid, Load};
-pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 pub use sections::{Damping, Material, MaterialLaw, Section};
 
+pub use crate::errors::{ModelError, ModelErrors, Position};
+pub use crate::joints::{
+    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, Clamped, Coupled, Coupling, Cylindrical,
+    Distance, DrivenClamp, End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar,
+    PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
+};
+pub use crate::units::{ScaleChoice, Units};
+pub(crate) use bodies::ON_AXIS;
+pub(crate) use functions::Clock;
+pub(crate) use loads::Stretch;
+pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
+
 // TEMPORARY FACADE
+#[doc(hidden)]
+pub use crate::errors::nearest;
+pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
 // END
 
 /// Flexible multibody model as stated by the user.

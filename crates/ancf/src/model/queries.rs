@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
+use crate::joints::{Coupled, Freed, Joint, JointContext};
 use crate::model::Model;
 use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
 use crate::model::contacts::Contact;
 use crate::model::functions::{Clock, TimeFunction, Varying};
-use crate::model::joints::{Coupled, Freed, Joint};
 use crate::model::loads::Load;
 use crate::model::sections::Section;
 
@@ -64,7 +64,7 @@ impl Model {
     /// Number of the joint and free coordinate of a member of a coupling; `None` if they do not exist.
     pub(crate) fn coupled(&self, part: &Coupled) -> Option<(usize, Freed)> {
         let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
-        let freedoms = self.joints[joint].freedoms();
+        let freedoms = self.joints[joint].kind().freedoms();
         let freed = part.of.or_else(|| freedoms.first().copied())?;
         freedoms.contains(&freed).then_some((joint, freed))
     }
@@ -103,7 +103,25 @@ impl Model {
     /// Mutable functions of time.
     pub(crate) fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
         let of_loads = self.loads.iter_mut().filter_map(Load::time_mut);
-        of_loads.chain(self.joints.iter_mut().flat_map(Joint::times_mut))
+        of_loads.chain(self.joints.iter_mut().flat_map(|joint| joint.kind_mut().times_mut()))
+    }
+}
+
+impl JointContext for Model {
+    fn body(&self, place: &Place) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.name() == place.body)
+    }
+
+    fn point(&self, place: &Place) -> Option<Vector3<f64>> {
+        Self::point(self, place)
+    }
+
+    fn length(&self) -> f64 {
+        Self::length(self)
+    }
+
+    fn is_dynamic(&self) -> bool {
+        self.analysis.dynamics().is_some()
     }
 }
 

@@ -5,8 +5,9 @@ use toml::Value;
 
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
-use crate::model::{Clock, Load, Model, ModelError, ModelErrors, TimeFunction, Varying, loads_of};
-use crate::schema::{Finding, SCHEMA, Survey, quoted};
+use crate::errors::{Finding, ModelError, ModelErrors, quoted};
+use crate::model::{Clock, Load, Model, TimeFunction, Varying, loads_of};
+use crate::schema::{SCHEMA, Survey};
 
 impl Model {
     /// Makes a model of data such as a table of another language, and checks it.

@@ -1,8 +1,8 @@
 use serde_json::Value as Json;
 use toml::Value;
 
-use crate::model::{ModelError, ModelErrors};
-use crate::schema::{SCHEMA, Survey, did_you_mean, listed, nearest, quoted};
+use crate::errors::{ModelError, ModelErrors, listed, nearest, quoted};
+use crate::schema::{SCHEMA, Survey, did_you_mean};
 
 /// Checks a part of a model by itself: types, ranges, words and keys, as the schema has them.
 ///

@@ -2,14 +2,14 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::{fs, io};
 
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::Value;
 
 use super::check::judge;
-use crate::model::{Model, ModelError, ModelErrors};
-use crate::schema::{Document, Finding, Survey, position};
+use crate::errors::{Finding, ModelError, ModelErrors};
+use crate::model::Model;
+use crate::schema::{Document, Survey, position};
 
 /// Bytes beyond which a file is taken for something else than a model.
 const LARGEST: u64 = 100_000_000;

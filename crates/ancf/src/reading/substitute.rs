@@ -5,10 +5,8 @@ use std::borrow::Cow;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use crate::model::ModelError;
-use crate::schema::{
-    SCHEMA, Step, did_you_mean, forms, found, keys, kind, listed, nearest, quoted, segments, spelt, tag,
-};
+use crate::errors::{ModelError, listed, nearest, quoted};
+use crate::schema::{SCHEMA, Step, did_you_mean, forms, found, keys, kind, segments, spelt, tag};
 
 /// Keys whose texts are names of something, and where that is.
 const REFERENCES: [(&str, &str); 5] = [

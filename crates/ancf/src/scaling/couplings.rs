@@ -1,6 +1,7 @@
 //! Factors of couplings in other units.
 
-use crate::model::{Coupled, Coupling, Freed, Model};
+use crate::joints::{Coupled, Coupling, Freed};
+use crate::model::Model;
 use crate::units::{Dimension, Scales, number};
 
 impl Model {

@@ -2,5 +2,4 @@
 
 mod choice_rule;
 mod couplings;
-mod joints;
 mod model;

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::schema_check::join;
-use crate::model::ModelError;
+use crate::errors::ModelError;
 
 /// A step of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]

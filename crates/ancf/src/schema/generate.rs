@@ -9,6 +9,7 @@ use serde_json::Value as Json;
 use toml::Value;
 
 use super::units::add_units;
+use crate::errors::{listed, quoted};
 use crate::model::Model;
 use crate::units::Scaled;
 
@@ -170,37 +171,4 @@ pub(crate) fn found(value: &Value) -> String {
         Value::Array(items) => format!("an array of {}", items.len()),
         Value::Table(_) => "a table".into(),
     }
-}
-
-/// A number in as few digits as tell it from others.
-pub(crate) fn number(x: f64) -> String {
-    let size = x.abs();
-    if x == 0.0 || !x.is_finite() || (1e-4..1e7).contains(&size) { x.to_string() } else { format!("{x:e}") }
-}
-
-/// A text in quotes, shortened if it is long.
-pub(crate) fn quoted(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{:?}", format!("{}…", &text[..end])),
-        None => format!("{text:?}"),
-    }
-}
-
-/// `a, b or c`.
-pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> String {
-    let mut words: Vec<_> = words.into_iter().collect();
-    match words.pop() {
-        Some(end) if !words.is_empty() => format!("{} {last} {end}", words.join(", ")),
-        end => end.unwrap_or_default(),
-    }
-}
-
-/// The candidate that was probably meant by a word, if at most a third of the letters differ.
-pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word = word.to_lowercase();
-    let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
-    let near = candidates.into_iter().map(|candidate| (distance(candidate), candidate));
-    let (distance, candidate) = near.min_by_key(|(distance, _)| *distance)?;
-    let (length, own) = (word.chars().count(), candidate.chars().count());
-    (distance < own && distance <= 1.max(length.max(own) / 3)).then_some(candidate)
 }

@@ -7,8 +7,8 @@ mod syntax;
 mod units;
 
 pub(crate) use address::{Step, segments, spelt};
-pub(crate) use generate::{SCHEMA, forms, found, keys, kind, listed, number, quoted, tag};
-pub use generate::{nearest, schema, schema_text};
+pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
+pub use generate::{schema, schema_text};
 pub use schema_check::join;
-pub(crate) use schema_check::{Finding, Survey, did_you_mean};
+pub(crate) use schema_check::{Survey, did_you_mean};
 pub(crate) use syntax::{Document, position};

@@ -7,28 +7,8 @@ use std::collections::BTreeMap;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::generate::{
-    allows, forms, found, is_free, keys, kind, listed, nearest, quoted, required, tag, wanted, wanted_of,
-};
-use crate::model::ModelError;
-
-/// An error and what decides whether and where it is reported.
-#[derive(Debug)]
-pub(crate) struct Finding {
-    pub(crate) error: ModelError,
-    /// Other paths it rests on: if one of them had to be mended, the finding means nothing.
-    pub(crate) rests_on: Vec<String>,
-    /// Whether something is not there, which an error of syntax may have hidden.
-    pub(crate) absence: bool,
-    /// Whether it is the key that is wrong, not its value.
-    pub(crate) at_key: bool,
-}
-
-impl From<ModelError> for Finding {
-    fn from(error: ModelError) -> Self {
-        Self { error, rests_on: Vec::new(), absence: false, at_key: false }
-    }
-}
+use super::generate::{allows, forms, found, is_free, keys, kind, required, tag, wanted, wanted_of};
+use crate::errors::{Finding, ModelError, listed, nearest, quoted};
 
 /// What a comparison with the schema brought to light.
 #[derive(Debug, Default)]

@@ -7,7 +7,7 @@ use toml::de::{DeInteger, DeString, DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
 use super::schema_check::join;
-use crate::model::{ModelError, Position};
+use crate::errors::{ModelError, Position};
 
 /// Errors of syntax after which the rest of a text is not looked at.
 const MANY: usize = 20;

@@ -3,7 +3,7 @@ use std::io;
 use thiserror::Error;
 
 use super::checkpoint::Mismatch;
-use crate::model::ModelErrors;
+use crate::errors::ModelErrors;
 
 /// Why a run could not be done or recorded. That the numerics gave up is not an error but an [`Outcome`].
 #[derive(Debug, Error)]

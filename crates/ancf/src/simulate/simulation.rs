@@ -1,7 +1,8 @@
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
-use crate::model::{Model, ModelErrors};
+use crate::errors::ModelErrors;
+use crate::model::Model;
 use crate::units::{Chosen, Scales};
 
 /// A model that is ready to run: checked, scaled, assembled.

@@ -5,11 +5,6 @@ pub(crate) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
     x / scales.unit(of)
 }
 
-/// Converts a vector of a dimension into the units of `scales`.
-pub(crate) fn vector(x: [f64; 3], of: Dimension, scales: &Scales) -> [f64; 3] {
-    x.map(|x| number(x, of, scales))
-}
-
 /// Quantities of one dimension: numbers, and arrays and options of numbers.
 pub(crate) trait Convert {
     /// The same quantity in the units of `scales`.

@@ -9,7 +9,7 @@ mod unit_tree;
 
 pub(crate) use ancf_derive::Scaled;
 pub use choice::{Chosen, ScaleChoice};
-pub(crate) use convert::{Convert, number, vector};
+pub(crate) use convert::{Convert, number};
 pub use names::Units;
 pub(crate) use scaled::Scaled;
 pub use scales::{Dimension, Scales};

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::bodies::Place;
+use crate::model::Place;
 use crate::units::Scaled;
 
 /// Second end of a joint.

@@ -3,7 +3,7 @@ use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use crate::model::Freed;
+use super::coupling::Freed;
 use crate::units::Dimension;
 
 /// An angle or a displacement by which a joint moves, as it is recorded.

@@ -5,7 +5,7 @@ use ancf_mechanics::functions::Function;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::functions::{Clock, TimeFunction};
+use crate::model::{Clock, TimeFunction};
 use crate::units::Scaled;
 
 /// Prescribes the angle of a joint: by `angle` or by `rate`.
@@ -112,7 +112,10 @@ pub struct LinearFriction {
 
 /// Drive, spring and friction along a free angle or displacement of a joint.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Acting<'a> {
+pub struct Acting<'a> {
+    /// Table that states the drive: `"drive"` or `"feed"`.
+    pub(crate) table: &'static str,
+    /// Prescribed motion.
     pub(crate) drive: Option<Led<'a>>,
     /// Stiffness, damping and position without spring force.
     pub(crate) spring: Option<[f64; 3]>,
@@ -122,7 +125,7 @@ pub(crate) struct Acting<'a> {
 
 /// Prescribed angle or displacement.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Led<'a> {
+pub struct Led<'a> {
     /// Factor of the coordinate, or of its rate.
     pub(crate) amounts: [Option<f64>; 2],
     pub(crate) time: &'a TimeFunction,
@@ -144,6 +147,7 @@ impl<'a> Acting<'a> {
     ) -> Self {
         let led = |d: &'a AngularDrive| Led { amounts: [d.angle, d.rate], time: &d.time };
         Self {
+            table: "drive",
             drive: drive.as_ref().map(led),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
             friction: friction.map(|f| [f.moment, f.rate]),
@@ -158,6 +162,7 @@ impl<'a> Acting<'a> {
     ) -> Self {
         let led = |d: &'a LinearDrive| Led { amounts: [d.displacement, d.speed], time: &d.time };
         Self {
+            table: "drive",
             drive: drive.as_ref().map(led),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
             friction: friction.map(|f| [f.force, f.speed]),

@@ -1,7 +1,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::joint::Joint;
 use crate::units::Scaled;
 
 /// Coupled joints, such as gears, racks, belts and screws.
@@ -40,16 +39,4 @@ pub enum Freed {
     Angle,
     /// Displacement along the axis.
     Displacement,
-}
-
-impl Joint {
-    /// Free coordinates that can be coupled.
-    pub(crate) const fn freedoms(&self) -> &'static [Freed] {
-        match self {
-            Self::Revolute { .. } => &[Freed::Angle],
-            Self::Cylindrical(_) => &[Freed::Angle, Freed::Displacement],
-            Self::Prismatic(_) | Self::Slide(_) => &[Freed::Displacement],
-            _ => &[],
-        }
-    }
 }

@@ -5,6 +5,13 @@ use ancf_mechanics::constraints::{Measure, Part};
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use nalgebra::Vector3;
 
+/// Name of the equations that constrain the position.
+pub(crate) const POSITION: &str = "position";
+/// Name of the equations that constrain a point to a line.
+pub(crate) const GUIDE: &str = "guide";
+/// Name of the equations that keep axes parallel.
+pub(crate) const AXIS: &str = "axis";
+
 /// r_a − r_b.
 pub(crate) fn apart(a: &Attachment, b: &Attachment) -> Marker {
     Marker::combined([(1.0, &a.point), (-1.0, &b.point)])

@@ -1,0 +1,40 @@
+use super::error::ModelError;
+
+/// An error of a model, with the conditions on which it is reported.
+#[derive(Debug)]
+pub struct Finding {
+    /// The error.
+    pub error: ModelError,
+    /// Paths on which the finding depends: if one of them is wrong itself, the finding is dropped.
+    pub rests_on: Vec<String>,
+    /// True if a part is missing, which an error of syntax may have hidden.
+    pub absence: bool,
+    /// True if the key is wrong, not its value.
+    pub at_key: bool,
+}
+
+impl From<ModelError> for Finding {
+    fn from(error: ModelError) -> Self {
+        Self { error, rests_on: Vec::new(), absence: false, at_key: false }
+    }
+}
+
+/// Finding at the path of a key: what was found there, and what is expected.
+pub fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
+    ModelError::new(path, found, wanted).into()
+}
+
+impl Finding {
+    /// Adds a suggestion.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.error = self.error.hint(hint);
+        self
+    }
+
+    /// Sets the paths on which the finding depends.
+    #[must_use]
+    pub fn rests_on(self, paths: impl IntoIterator<Item = String>) -> Self {
+        Self { rests_on: paths.into_iter().collect(), ..self }
+    }
+}

@@ -1,0 +1,55 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::joints::parts::{Capability, Clamped, End, JointBuilder, JointKind};
+use crate::model::Place;
+use crate::units::Scaled;
+
+/// A clamp: ties position and orientation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Clamp {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end; the ground by default.
+    #[serde(default)]
+    pub b: End,
+    /// Which gradients are tied besides the position: `"all"` for beams of the continuum formulation, `"section"`
+    /// for all else, by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fix: Option<Clamped>,
+}
+
+impl JointKind for Clamp {
+    fn word(&self) -> &'static str {
+        "clamp"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        6
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        builder.coincide();
+        builder.clamp(self.fix);
+    }
+
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [Some((Capability::Direction, "a clamp")); 2]
+    }
+
+    fn closes(&self) -> bool {
+        true
+    }
+}

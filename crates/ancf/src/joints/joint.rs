@@ -1,0 +1,108 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::clamp::Clamp;
+use super::cylindrical::Cylindrical;
+use super::distance::Distance;
+use super::drive::DrivenClamp;
+use super::planar::Planar;
+use super::point_on_line::PointOnLine;
+use super::prismatic::Prismatic;
+use super::revolute::Revolute;
+use super::slide::Slide;
+use super::spherical::Spherical;
+use super::universal::Universal;
+use crate::joints::elastic::{Bushing, PointSpring};
+use crate::joints::parts::{Clamped, End, JointKind};
+use crate::model::{Place, TimeFunction};
+use crate::units::Scaled;
+
+/// Declares the kinds of joints of model files: variant and data of each.
+macro_rules! joint_kinds {
+    ($($kind:ident($data:ident),)*) => {
+        /// A joint between a body and the ground or another body.
+        ///
+        /// Reactions are reported as the force and the moment that the joint exerts on its end `a`.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+        #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+        #[expect(missing_docs, reason = "the data of each kind are documented")]
+        pub enum Joint {
+            $($kind($data),)*
+        }
+
+        impl Joint {
+            /// The joint as an implementation of its kind.
+            pub fn kind(&self) -> &dyn JointKind {
+                match self {
+                    $(Self::$kind(joint) => joint,)*
+                }
+            }
+
+            /// The joint as a mutable implementation of its kind.
+            pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
+                match self {
+                    $(Self::$kind(joint) => joint,)*
+                }
+            }
+        }
+
+        $(impl From<$data> for Joint {
+            fn from(joint: $data) -> Self {
+                Self::$kind(joint)
+            }
+        })*
+    };
+}
+
+joint_kinds! {
+    Clamp(Clamp),
+    Revolute(Revolute),
+    Spherical(Spherical),
+    Drive(DrivenClamp),
+    Universal(Universal),
+    Cylindrical(Cylindrical),
+    Prismatic(Prismatic),
+    Planar(Planar),
+    PointOnLine(PointOnLine),
+    Distance(Distance),
+    Slide(Slide),
+    Bushing(Bushing),
+    Spring(PointSpring),
+}
+
+impl Joint {
+    /// A clamp with the default of its bodies.
+    pub fn clamp(name: &str, a: Place, b: End) -> Self {
+        Self::clamped(name, a, b, None)
+    }
+
+    /// A clamp of stated gradients.
+    pub fn clamped(name: &str, a: Place, b: End, fix: Option<Clamped>) -> Self {
+        Self::Clamp(Clamp { name: name.into(), a, b, fix })
+    }
+
+    /// A hinge without drive, spring and friction.
+    pub fn revolute(name: &str, a: Place, b: End, axis: [f64; 3]) -> Self {
+        Self::Revolute(Revolute { name: name.into(), a, b, axis, drive: None, spring: None, friction: None })
+    }
+
+    /// A ball joint.
+    pub fn spherical(name: &str, a: Place, b: End) -> Self {
+        Self::Spherical(Spherical { name: name.into(), a, b })
+    }
+
+    /// Name in outputs and messages.
+    pub fn name(&self) -> &str {
+        self.kind().name()
+    }
+
+    /// The two ends.
+    pub fn ends(&self) -> (&Place, &End) {
+        self.kind().ends()
+    }
+
+    /// Functions of time, with the suffix of the table that holds each one.
+    pub fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
+        self.kind().times()
+    }
+}

@@ -1,0 +1,38 @@
+//! Joints: one file a kind, and one line each in `joint.rs`.
+//!
+//! A kind of joint implements [`JointKind`]: data and units, needs and checks, constraint equations, symbol in drawings.
+
+mod clamp;
+mod cylindrical;
+mod distance;
+mod drive;
+mod elastic;
+mod joint;
+mod parts;
+mod planar;
+mod point_on_line;
+mod prismatic;
+mod revolute;
+mod slide;
+mod spherical;
+mod universal;
+
+pub use clamp::Clamp;
+pub use cylindrical::Cylindrical;
+pub use distance::Distance;
+pub use drive::DrivenClamp;
+pub use elastic::{Bushing, PointSpring};
+pub use joint::Joint;
+pub use parts::{
+    Acting, AngularDrive, AngularFriction, AngularSpring, Capability, Clamped, Closed, Coupled, Coupling,
+    End, Freed, Freedom, Ground, JointBuilder, JointContext, JointKind, JointTerm, Led, LinearDrive,
+    LinearFriction, LinearSpring, Symbol,
+};
+pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
+pub use planar::Planar;
+pub use point_on_line::PointOnLine;
+pub use prismatic::Prismatic;
+pub use revolute::Revolute;
+pub use slide::Slide;
+pub use spherical::Spherical;
+pub use universal::Universal;

@@ -1,0 +1,254 @@
+use std::fmt;
+
+use ancf_mechanics::bodies::across;
+use ancf_mechanics::constraints::{Angle, Coincide, Drive, Measure, Perpendicular, Slide, Target, Tie};
+use ancf_mechanics::forces::{Friction, Spring, Strut};
+use ancf_mechanics::functions::Function;
+use ancf_mechanics::kinematics::{Attachment, ElementAxis, Marker};
+use nalgebra::Vector3;
+
+use super::acting::Acting;
+use super::clamped::{Clamped, reference};
+use super::coupling::Freed;
+use super::end::{End, Ground};
+use super::equations::{JointEquations, Part};
+use super::freedom::{Freedom, Source};
+use super::measures;
+use super::term::JointTerm;
+use crate::model::{Clock, TimeFunction};
+
+/// The ends of a joint as attachments to bodies.
+pub(crate) struct JointEnds<'a> {
+    pub(crate) a: &'a Attachment,
+    pub(crate) b: &'a Attachment,
+    /// The second end as stated.
+    pub(crate) stated: &'a End,
+    /// Element axes of the second body and the arc length there, for points that slide along it.
+    pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
+    /// True if the first end is on a beam of the continuum formulation.
+    pub(crate) on_continuum: bool,
+}
+
+/// First free coordinate and multiplier, and the rule for functions of time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Numbering {
+    pub(crate) coordinate: usize,
+    pub(crate) multiplier: usize,
+    pub(crate) clock: Clock,
+}
+
+/// Builder of the equations of one joint.
+///
+/// A [`JointKind`](super::JointKind) adds constraints, springs and friction in [`build`](super::JointKind::build). Coordinates
+/// and multipliers are numbered in the order in which they are added.
+pub struct JointBuilder<'a> {
+    ends: JointEnds<'a>,
+    coupled: &'a dyn Fn(Freed) -> bool,
+    clock: Clock,
+    equations: JointEquations,
+}
+
+impl fmt::Debug for JointBuilder<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.equations.fmt(f)
+    }
+}
+
+impl<'a> JointBuilder<'a> {
+    /// A builder without equations. `coupled` states which joint coordinates a coupling uses.
+    pub(crate) fn new(
+        name: &str,
+        ends: JointEnds<'a>,
+        numbering: Numbering,
+        coupled: &'a dyn Fn(Freed) -> bool,
+    ) -> Self {
+        let Numbering { coordinate, multiplier, clock } = numbering;
+        let equations = JointEquations {
+            name: name.to_owned(),
+            coordinates: coordinate..coordinate,
+            multipliers: multiplier..multiplier,
+            position: None,
+            parts: Vec::new(),
+            freedoms: Vec::new(),
+        };
+        Self { ends, coupled, clock, equations }
+    }
+
+    /// The finished equations.
+    pub(crate) fn finish(self) -> JointEquations {
+        self.equations
+    }
+
+    /// Attachment of the first end.
+    pub fn a(&self) -> &'a Attachment {
+        self.ends.a
+    }
+
+    /// Attachment of the second end.
+    pub fn b(&self) -> &'a Attachment {
+        self.ends.b
+    }
+
+    /// Function of time for the analysis: constant in statics, where loads and drives grow by the load factor.
+    pub fn function(&self, time: &TimeFunction) -> Function {
+        self.clock.function(time)
+    }
+
+    /// Reserves a coordinate of the joint; returns its number.
+    pub fn coordinate(&mut self) -> usize {
+        self.equations.coordinates.end += 1;
+        self.equations.coordinates.end - 1
+    }
+
+    /// Reserves multipliers; returns the number of the first one.
+    pub fn multipliers(&mut self, count: usize) -> usize {
+        self.equations.multipliers.end += count;
+        self.equations.multipliers.end - count
+    }
+
+    /// Adds a term.
+    pub fn add(&mut self, term: impl JointTerm + 'static) {
+        self.equations.parts.push(Part { term: Box::new(term), reacts: true });
+    }
+
+    /// Constrains the points of both ends to coincide; their gap is kept, closed, or closed with the load factor.
+    pub fn coincide(&mut self) {
+        let first = self.multipliers(3);
+        self.equations.position = Some(match self.ends.stated {
+            End::Point(Ground { point }) => Coincide::toward(&self.a().point, Vector3::from(*point), first),
+            _ => Coincide::points(&self.a().point, &self.b().point, first),
+        });
+    }
+
+    /// Prescribes the rotation of the first end about an axis.
+    pub fn prescribe_rotation(
+        &mut self,
+        axis: Vector3<f64>,
+        angle: f64,
+        function: &Function,
+        fix: Option<Clamped>,
+    ) {
+        let here = self.a();
+        for &direction in self.fixed(fix).of(&reference(here)) {
+            let first = self.multipliers(3);
+            self.add(Drive::new(&here.direction(direction), axis, angle, function.clone(), first));
+        }
+    }
+
+    pub(crate) fn fixed(&self, fix: Option<Clamped>) -> Clamped {
+        let default = if self.ends.on_continuum { Clamped::All } else { Clamped::Section };
+        fix.unwrap_or(default)
+    }
+
+    /// Constrains two directions to keep their angle.
+    pub fn keep_angle(&mut self, a: &Marker, b: &Marker, name: Option<&'static str>) {
+        let first = self.multipliers(1);
+        let angle = Perpendicular::new(a, b, first);
+        self.add(if let Some(name) = name { angle.named(name) } else { angle });
+    }
+
+    /// Constrains an axis of the first end to stay parallel to that of the second one.
+    pub fn parallel(&mut self, axis: Vector3<f64>, name: &'static str) {
+        for normal in across(axis) {
+            self.keep_angle(&self.a().direction(axis), &self.b().direction(normal), Some(name));
+        }
+    }
+
+    /// Constrains directions of both ends to coincide.
+    pub(crate) fn coincide_directions(&mut self, directions: &[Vector3<f64>]) {
+        for &direction in directions {
+            let first = self.multipliers(3);
+            let (a, b) = (self.a().direction(direction), self.b().direction(direction));
+            self.add(Coincide::directions(&a, &b, first));
+        }
+    }
+
+    /// Constrains a measure to its target.
+    pub fn prescribe(&mut self, name: &'static str, measure: Measure, target: Target) {
+        let multiplier = self.multipliers(1);
+        self.add(Tie::driven(measure, target, multiplier).named(name));
+    }
+
+    /// Constrains measures to their reference values: a number of them for each name.
+    pub fn keep(&mut self, names: &[(&'static str, usize)], measures: Vec<Measure>) {
+        let names = names.iter().flat_map(|&(name, count)| std::iter::repeat_n(name, count));
+        names.zip(measures).for_each(|(name, measure)| self.prescribe(name, measure, Target::NONE));
+    }
+
+    /// Records the angle about an axis, and adds the actions along it.
+    pub fn angle(&mut self, axis: Vector3<f64>, acting: &Acting<'_>) {
+        let markers = measures::hinge(self.a(), self.b(), axis);
+        let mut coordinate = None;
+        if (self.coupled)(Freed::Angle) || acting.is_some() {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let [p, u, v] = &markers;
+            self.add(Angle::new(own, p, [u, v], multiplier));
+            self.act(own, acting);
+            coordinate = Some(own);
+        }
+        self.equations.freedoms.push(Freedom { source: Source::Angle(markers), coordinate });
+    }
+
+    /// Records the displacement along an axis of the second end, and adds the actions along it.
+    pub fn displacement(&mut self, axis: Vector3<f64>, acting: &Acting<'_>) {
+        let measure = measures::along(self.a(), self.b(), axis);
+        let mut coordinate = None;
+        if (self.coupled)(Freed::Displacement) || acting.is_some() {
+            let (own, multiplier) = (self.coordinate(), self.multipliers(1));
+            let tie = Tie::defining(own, measure.clone(), multiplier);
+            self.add(tie.named("definition of the displacement"));
+            self.act(own, acting);
+            coordinate = Some(own);
+        }
+        self.equations.freedoms.push(Freedom { source: Source::Displacement(measure), coordinate });
+    }
+
+    /// Constrains the first point to the axis of the second body, and adds the actions along it.
+    pub fn slide(&mut self, acting: &Acting<'_>) {
+        let Some((axes, start)) = self.ends.beam.take() else { return };
+        let (own, first) = (self.coordinate(), self.multipliers(3));
+        // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
+        for (k, slide) in
+            Slide::along(axes.into_iter(), &self.a().point, own, start, first).into_iter().enumerate()
+        {
+            self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
+        }
+        self.act(own, acting);
+        self.equations.freedoms.push(Freedom { source: Source::Position(start), coordinate: Some(own) });
+    }
+
+    /// Records the distance of the two points.
+    pub fn length(&mut self) {
+        let source = Source::Length(measures::apart(self.a(), self.b()));
+        self.equations.freedoms.push(Freedom { source, coordinate: None });
+    }
+
+    /// Adds a spring and a damper along a measure.
+    pub fn spring(&mut self, measure: Measure, stiffness: f64, damping: f64) {
+        self.add(Spring::new(measure, stiffness, damping));
+    }
+
+    /// Adds a spring and a damper between the two points, free of force at a length; in tension only if stated.
+    pub fn strut(&mut self, [stiffness, damping]: [f64; 2], length: Option<f64>, tension_only: bool) {
+        let apart = measures::apart(self.a(), self.b());
+        let length = length.unwrap_or_else(|| apart.reference().norm());
+        let strut = Strut::new(&self.a().point, &self.b().point, stiffness, damping, length);
+        self.add(if tension_only { strut.rope() } else { strut });
+        self.length();
+    }
+
+    /// Adds drive, spring and friction of a joint coordinate.
+    fn act(&mut self, coordinate: usize, acting: &Acting<'_>) {
+        let measure = || Measure::coordinate(coordinate);
+        if let Some(drive) = &acting.drive {
+            self.prescribe("drive", measure(), drive.target(self.clock));
+        }
+        if let Some([stiffness, damping, rest]) = acting.spring {
+            let rest = Target::new(rest, Function::ONE);
+            self.add(Spring::set(measure(), stiffness, damping, rest));
+        }
+        if let Some([force, creep]) = acting.friction {
+            self.add(Friction::new(measure(), force, creep));
+        }
+    }
+}

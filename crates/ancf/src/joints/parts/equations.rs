@@ -1,0 +1,114 @@
+use std::fmt;
+use std::ops::Range;
+
+use ancf_mechanics::constraints::{Coincide, Wrench};
+use ancf_solver::equations::{State, Term};
+use nalgebra::Vector3;
+
+use super::freedom::Freedom;
+use super::term::JointTerm;
+
+/// Result of closing the gaps of a model, in the units of the assembly.
+#[derive(Clone, Debug)]
+pub struct Closed {
+    /// The closed state, at rest and without loads.
+    pub state: State,
+    /// Name and distance of the ends of each joint that was open.
+    pub gaps: Vec<(String, f64)>,
+    /// Name of each body that moved, and the largest displacement of its nodes.
+    pub moved: Vec<(String, f64)>,
+}
+
+/// Treatment of the gap between the ends of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gap {
+    /// The gap is kept.
+    Kept,
+    /// The gap closes with the load factor.
+    Drawn,
+    /// The gap is closed.
+    Closed,
+}
+
+/// A term of a joint.
+pub(crate) struct Part {
+    pub(crate) term: Box<dyn JointTerm>,
+    /// True if the reaction of the term is part of that of the joint.
+    pub(crate) reacts: bool,
+}
+
+/// Equations of one joint.
+pub(crate) struct JointEquations {
+    pub(crate) name: String,
+    /// Range of the coordinates of the joint's own.
+    pub(crate) coordinates: Range<usize>,
+    /// Range of the multipliers.
+    pub(crate) multipliers: Range<usize>,
+    /// Constraint of the position, whose gap is treated as a whole.
+    pub(crate) position: Option<Coincide>,
+    pub(crate) parts: Vec<Part>,
+    /// Angles and displacements by which the joint moves.
+    pub(crate) freedoms: Vec<Freedom>,
+}
+
+impl fmt::Debug for JointEquations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, coordinates, multipliers, freedoms, .. } = self;
+        let mut debug = f.debug_struct("JointEquations");
+        debug.field("name", name).field("coordinates", coordinates).field("multipliers", multipliers);
+        debug.field("freedoms", freedoms).finish_non_exhaustive()
+    }
+}
+
+impl JointEquations {
+    /// Sets the treatment of the gap.
+    pub(crate) fn with_gap(mut self, gap: Gap) -> Self {
+        self.position = self.position.map(|position| match gap {
+            Gap::Kept => position.kept(),
+            Gap::Drawn => position.drawn(),
+            Gap::Closed => position.closed(),
+        });
+        self
+    }
+
+    /// Vector between the ends in the reference configuration; zero for joints that cannot close a gap.
+    pub(crate) fn gap(&self) -> Vector3<f64> {
+        self.position.as_ref().map_or_else(Vector3::zeros, Coincide::gap)
+    }
+
+    /// Terms of the joint, in the order of their multipliers.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = Box<dyn Term>> {
+        let position = self.position.iter().map(JointTerm::boxed);
+        position.chain(self.parts.iter().map(|part| part.term.boxed()))
+    }
+
+    /// Force and moment that the joint exerts on its end `a`.
+    pub(crate) fn reaction(&self, s: &State) -> Wrench {
+        let position = self.position.iter().map(|position| position.reaction(s));
+        let parts = self.parts.iter().filter(|part| part.reacts).map(|part| part.term.reaction(s));
+        position.chain(parts).fold(Wrench::default(), |sum, part| Wrench {
+            force: sum.force + part.force,
+            moment: sum.moment + part.moment,
+        })
+    }
+
+    /// Names of the constraint equations; equal names are numbered.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let mut terms: Vec<Box<dyn Term>> = self.terms().collect();
+        terms.retain(|term| !term.multipliers().is_empty());
+        terms.sort_by_key(|term| term.multipliers().start);
+        // The terms of a slide share multipliers.
+        terms.dedup_by_key(|term| term.multipliers().start);
+        let names = terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.tie(k)));
+        let names: Vec<String> = names.collect();
+        let number = |i: usize| {
+            let same = |range: &[String]| range.iter().filter(|name| **name == names[i]).count();
+            let ordinals = ["first", "second", "third", "fourth", "fifth", "sixth"];
+            match (same(&names), ordinals.get(same(&names[..i]))) {
+                (2.., Some(ordinal)) => format!("{}, {ordinal} equation", names[i]),
+                _ => names[i].clone(),
+            }
+        };
+        (0..names.len()).map(number).collect()
+    }
+}

@@ -1,0 +1,134 @@
+use std::fmt;
+
+use nalgebra::Vector3;
+
+use super::acting::Acting;
+use super::builder::JointBuilder;
+use super::coupling::Freed;
+use super::end::End;
+use crate::errors::Finding;
+use crate::model::{Body, Place, TimeFunction};
+
+/// A kind of joint between a body and the ground or another body.
+///
+/// An implementation states the data of the joint, its demands on the two ends, its checks, its equations and its symbol in
+/// drawings. Kinds of model files are registered in `joints/joint.rs`; a program adds its own by
+/// [`SimulationBuilder::with`](crate::SimulationBuilder::with).
+pub trait JointKind: fmt::Debug + Send + Sync {
+    /// Word of the kind in model files.
+    fn word(&self) -> &'static str;
+
+    /// Noun of the kind in messages and counts.
+    fn noun(&self) -> &'static str {
+        self.word()
+    }
+
+    /// Name in outputs and messages.
+    fn name(&self) -> &str;
+
+    /// The two ends; the first one receives the reaction.
+    fn ends(&self) -> (&Place, &End);
+
+    /// Number of degrees of freedom that the joint removes between two rigid bodies, drives excluded (Grübler's count).
+    fn removes(&self) -> usize;
+
+    /// Adds the constraint equations, springs and friction of the joint.
+    fn build(&self, builder: &mut JointBuilder<'_>);
+
+    /// Capabilities that the joint requires of its ends, with a noun phrase for messages.
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [None, None]
+    }
+
+    /// Functions of time, with the suffix of the table that holds each one: `""` for the joint itself.
+    fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
+        Vec::new()
+    }
+
+    /// Mutable functions of time, in the order of [`times`](Self::times).
+    fn times_mut(&mut self) -> Vec<&mut TimeFunction> {
+        Vec::new()
+    }
+
+    /// Directions that must not vanish, with their keys.
+    fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
+        Vec::new()
+    }
+
+    /// Joint coordinates that a coupling can use.
+    fn freedoms(&self) -> &'static [Freed] {
+        &[]
+    }
+
+    /// Drive, spring and friction along the angle of the joint.
+    fn turning(&self) -> Acting<'_> {
+        Acting::default()
+    }
+
+    /// Drive, spring and friction along the displacement of the joint.
+    fn moving(&self) -> Acting<'_> {
+        Acting::default()
+    }
+
+    /// True if a gap between the ends can be closed before the analysis, and if the second end may be a ground point.
+    fn closes(&self) -> bool {
+        false
+    }
+
+    /// True if the second end may be a ground point towards which the joint moves the first one.
+    fn accepts_ground_point(&self) -> bool {
+        self.closes()
+    }
+
+    /// True if the joint spans two distinct points.
+    fn spans(&self) -> bool {
+        false
+    }
+
+    /// Symbol in drawings.
+    fn symbol(&self) -> Symbol {
+        Symbol::Marker
+    }
+
+    /// Findings of checks that the kind alone requires. `path` is that of the joint in the model.
+    fn check(&self, _path: &str, _context: &dyn JointContext) -> Vec<Finding> {
+        Vec::new()
+    }
+}
+
+/// Properties of the model on which the checks of a joint depend.
+pub trait JointContext {
+    /// Body of a place.
+    fn body(&self, place: &Place) -> Option<&Body>;
+
+    /// Point of a place in the reference configuration.
+    fn point(&self, place: &Place) -> Option<Vector3<f64>>;
+
+    /// Characteristic length of the model.
+    fn length(&self) -> f64;
+
+    /// True if the analysis is a motion.
+    fn is_dynamic(&self) -> bool;
+}
+
+/// Capability that a joint, a load or a probe requires of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Capability {
+    /// Directions to constrain: all bodies but point masses.
+    Direction,
+    /// A section or a frame that rotates about any axis: beams and rigid bodies.
+    Section,
+    /// A section whose rotation is prescribed by a clamp: beams.
+    DrivenSection,
+    /// Section forces, strain and stress: beams and cables.
+    Strain,
+}
+
+/// Symbol of a joint in drawings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symbol {
+    /// Marker at the first end.
+    Marker,
+    /// Line between the two ends, of a style that its name states: `"spring"`, `"rod"`.
+    Line(&'static str),
+}

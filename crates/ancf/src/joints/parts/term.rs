@@ -1,0 +1,28 @@
+use ancf_mechanics::constraints::{Angle, Coincide, Drive, Perpendicular, Slide, Tie, Wrench};
+use ancf_mechanics::forces::{Friction, Spring, Strut};
+use ancf_solver::equations::{State, Term};
+
+/// A term of a joint: a constraint or a force that reports its reaction.
+pub trait JointTerm: Term {
+    /// Force and moment that the term exerts on the end `a` in a state.
+    fn reaction(&self, s: &State) -> Wrench;
+
+    /// Copies the term for the system of equations.
+    fn boxed(&self) -> Box<dyn Term>;
+}
+
+macro_rules! joint_terms {
+    ($($term:ty),* $(,)?) => {
+        $(impl JointTerm for $term {
+            fn reaction(&self, s: &State) -> Wrench {
+                Self::reaction(self, s)
+            }
+
+            fn boxed(&self) -> Box<dyn Term> {
+                Box::new(self.clone())
+            }
+        })*
+    };
+}
+
+joint_terms! { Angle, Coincide, Drive, Friction, Perpendicular, Slide, Spring, Strut, Tie }

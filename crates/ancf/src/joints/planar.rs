@@ -1,0 +1,61 @@
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::parts::measures;
+use crate::joints::parts::{Capability, End, JointBuilder, JointKind};
+use crate::model::Place;
+use crate::units::Scaled;
+
+/// A plate on a plane: leaves displacements in a plane and rotation about its normal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Planar {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end, which carries the plane; the ground by default.
+    #[serde(default)]
+    pub b: End,
+    /// Normal of the plane in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
+    pub normal: [f64; 3],
+}
+
+impl JointKind for Planar {
+    fn word(&self) -> &'static str {
+        "planar"
+    }
+
+    fn noun(&self) -> &'static str {
+        "planar joint"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        3
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        let normal = Vector3::from(self.normal).normalize();
+        let measures = measures::planar(builder.a(), builder.b(), normal);
+        builder.keep(&[("plane", 1), ("normal", 2)], measures);
+    }
+
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [Some((Capability::Section, "a planar joint")); 2]
+    }
+
+    fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
+        vec![("normal", self.normal)]
+    }
+}

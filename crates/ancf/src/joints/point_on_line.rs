@@ -1,0 +1,62 @@
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::parts::measures;
+use crate::joints::parts::{Acting, Capability, End, JointBuilder, JointKind};
+use crate::model::Place;
+use crate::units::Scaled;
+
+/// A point on a straight line: leaves displacement along it and all rotations.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct PointOnLine {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end, which carries the line; the ground by default.
+    #[serde(default)]
+    pub b: End,
+    /// Direction of the line in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
+    pub axis: [f64; 3],
+}
+
+impl JointKind for PointOnLine {
+    fn word(&self) -> &'static str {
+        "point_on_line"
+    }
+
+    fn noun(&self) -> &'static str {
+        "point on a line"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        2
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        let axis = Vector3::from(self.axis).normalize();
+        let measures = measures::on_line(builder.a(), builder.b(), axis);
+        builder.keep(&[(measures::GUIDE, 2)], measures);
+        builder.displacement(axis, &Acting::default());
+    }
+
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [None, Some((Capability::Section, "a guide line"))]
+    }
+
+    fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
+        vec![("axis", self.axis)]
+    }
+}

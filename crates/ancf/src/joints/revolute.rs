@@ -1,0 +1,88 @@
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::joints::parts::{
+    Acting, AngularDrive, AngularFriction, AngularSpring, Capability, End, Freed, JointBuilder, JointKind,
+};
+use crate::model::{Place, TimeFunction};
+use crate::units::Scaled;
+
+/// A hinge: ties the position and leaves rotation about one axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Revolute {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end; the ground by default.
+    #[serde(default)]
+    pub b: End,
+    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
+    pub axis: [f64; 3],
+    /// Prescribes the angle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drive: Option<AngularDrive>,
+    /// A torsion spring and a damper.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spring: Option<AngularSpring>,
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<AngularFriction>,
+}
+
+impl JointKind for Revolute {
+    fn word(&self) -> &'static str {
+        "revolute"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        5
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        let axis = Vector3::from(self.axis).normalize();
+        builder.coincide();
+        builder.parallel(axis, "hinge axis");
+        builder.angle(axis, &self.turning());
+    }
+
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [Some((Capability::Section, "a hinge")); 2]
+    }
+
+    fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
+        self.drive.iter().map(|drive| (".drive", &drive.time)).collect()
+    }
+
+    fn times_mut(&mut self) -> Vec<&mut TimeFunction> {
+        self.drive.iter_mut().map(|drive| &mut drive.time).collect()
+    }
+
+    fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
+        vec![("axis", self.axis)]
+    }
+
+    fn freedoms(&self) -> &'static [Freed] {
+        &[Freed::Angle]
+    }
+
+    fn turning(&self) -> Acting<'_> {
+        Acting::turning(&self.drive, &self.spring, &self.friction)
+    }
+
+    fn closes(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,46 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::joints::parts::{End, JointBuilder, JointKind};
+use crate::model::Place;
+use crate::units::Scaled;
+
+/// A ball joint: ties the position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Spherical {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end; the ground by default.
+    #[serde(default)]
+    pub b: End,
+}
+
+impl JointKind for Spherical {
+    fn word(&self) -> &'static str {
+        "spherical"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        3
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        builder.coincide();
+    }
+
+    fn closes(&self) -> bool {
+        true
+    }
+}

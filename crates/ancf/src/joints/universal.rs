@@ -1,0 +1,80 @@
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::parts::measures;
+use crate::errors::{Finding, finding};
+use crate::joints::parts::{Capability, End, JointBuilder, JointContext, JointKind};
+use crate::model::Place;
+use crate::units::Scaled;
+
+/// Sine of the angle below which two axes count as parallel.
+const PARALLEL: f64 = 1e-3;
+
+/// Two shafts that meet: ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct Universal {
+    /// Name in outputs and messages.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// The end that receives the reaction.
+    pub a: Place,
+    /// The other end; the ground by default.
+    #[serde(default)]
+    pub b: End,
+    /// Direction of the arm of the cross that is fixed to `a`, in the undeformed state.
+    #[unit(none)]
+    pub axis_a: [f64; 3],
+    /// Direction of the arm of the cross that is fixed to `b`, in the undeformed state, not along the other.
+    #[unit(none)]
+    pub axis_b: [f64; 3],
+}
+
+impl JointKind for Universal {
+    fn word(&self) -> &'static str {
+        "universal"
+    }
+
+    fn noun(&self) -> &'static str {
+        "universal joint"
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        (&self.a, &self.b)
+    }
+
+    fn removes(&self) -> usize {
+        4
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        let arms = [self.axis_a, self.axis_b].map(|axis| Vector3::from(axis).normalize());
+        let measures = measures::universal(builder.a(), builder.b(), arms);
+        builder.keep(&[(measures::POSITION, 3), ("angle of the arms", 1)], measures);
+    }
+
+    fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
+        [Some((Capability::Section, "a universal joint")); 2]
+    }
+
+    fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
+        vec![("axis_a", self.axis_a), ("axis_b", self.axis_b)]
+    }
+
+    fn check(&self, path: &str, _context: &dyn JointContext) -> Vec<Finding> {
+        let [a, b] = [self.axis_a, self.axis_b].map(|axis| Vector3::from(axis).normalize());
+        // A direction that vanishes has no cross product: it is reported by itself.
+        let parallel = a.cross(&b).norm() < PARALLEL;
+        let found = parallel.then(|| {
+            let key = format!("{path}.axis_b");
+            let error = finding(key, "a direction along `axis_a`", "an arm of the cross of its own");
+            error.rests_on([format!("{path}.axis_a")])
+        });
+        found.into_iter().collect()
+    }
+}

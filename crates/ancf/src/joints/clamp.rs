@@ -3,10 +3,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{Capability, Clamped, End, JointBuilder, JointKind};
 use crate::model::Place;
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A clamp: ties position and orientation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Clamp {
     /// Name in outputs and messages.
@@ -51,12 +51,5 @@ impl JointKind for Clamp {
 
     fn closes(&self) -> bool {
         true
-    }
-}
-
-impl Clamp {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        Self { a: self.a.scaled(s), b: self.b.scaled(s), ..self }
     }
 }

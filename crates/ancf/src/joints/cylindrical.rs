@@ -7,10 +7,10 @@ use crate::joints::parts::{
     Acting, AngularDrive, AngularSpring, Capability, End, Freed, JointBuilder, JointKind, LinearDrive,
 };
 use crate::model::{Place, TimeFunction};
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A pin in a sleeve: leaves rotation about an axis and displacement along it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Cylindrical {
     /// Name in outputs and messages.
@@ -22,6 +22,7 @@ pub struct Cylindrical {
     #[serde(default)]
     pub b: End,
     /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
     pub axis: [f64; 3],
     /// Prescribes the angle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -91,15 +92,5 @@ impl JointKind for Cylindrical {
 
     fn moving(&self) -> Acting<'_> {
         Acting { table: "feed", ..Acting::moving(&self.feed, &None, &None) }
-    }
-}
-
-impl Cylindrical {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, axis, drive, spring, feed } = self;
-        let (drive, feed) = (drive.map(|drive| drive.scaled(s)), feed.map(|feed| feed.scaled(s)));
-        let spring = spring.map(|spring| spring.scaled(s));
-        Self { name, a: a.scaled(s), b: b.scaled(s), axis, drive, spring, feed }
     }
 }

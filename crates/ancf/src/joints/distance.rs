@@ -6,10 +6,10 @@ use super::parts::measures;
 use crate::errors::{Finding, finding, number};
 use crate::joints::parts::{End, JointBuilder, JointContext, JointKind, Symbol};
 use crate::model::{Place, TimeFunction};
-use crate::units::{Dimension, Scales, number as converted};
+use crate::units::Scaled;
 
 /// A massless rod with balls at its ends: keeps the distance of two points, or leads it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Distance {
     /// Name in outputs and messages.
@@ -20,6 +20,7 @@ pub struct Distance {
     /// The other end: a place or a point of the ground, elsewhere than `a`.
     pub b: End,
     /// By how much the distance grows, times the function of time, length; 0 by default.
+    #[unit(length)]
     #[serde(default)]
     pub change: f64,
     /// Function of time; 1 by default. Statics ignores it and changes the distance with the load.
@@ -84,14 +85,5 @@ impl JointKind for Distance {
             Finding { absence: true, ..error.rests_on([format!("{path}.change")]) }
         });
         found.into_iter().collect()
-    }
-}
-
-impl Distance {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, change, time } = self;
-        let change = converted(change, Dimension::LENGTH, s);
-        Self { name, a: a.scaled(s), b: b.scaled(s), change, time: time.scaled(s) }
     }
 }

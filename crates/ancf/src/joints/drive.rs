@@ -7,10 +7,10 @@ use super::parts::measures;
 use crate::errors::{Finding, finding, number};
 use crate::joints::parts::{Capability, Clamped, End, JointBuilder, JointContext, JointKind};
 use crate::model::{Place, TimeFunction};
-use crate::units::{Dimension, Scales, vector};
+use crate::units::Scaled;
 
 /// A clamp to a frame that rotates about the place and moves as prescribed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct DrivenClamp {
     /// Name in outputs and messages.
@@ -19,12 +19,15 @@ pub struct DrivenClamp {
     /// The end whose motion is prescribed; it receives the reaction.
     pub a: Place,
     /// Direction of the axis in the global frame; its length does not matter. Without one the frame does not turn.
+    #[unit(none)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<[f64; 3]>,
     /// Angle by which the function of time is multiplied, in radians; 1 by default.
+    #[unit(radian)]
     #[serde(default = "one")]
     pub angle: f64,
     /// Displacement by which the function of time is multiplied, length; none by default.
+    #[unit(length)]
     #[serde(default)]
     pub displacement: [f64; 3],
     /// Function of time; statics ignores it, turns and moves with the load.
@@ -50,13 +53,6 @@ const STARTS: &str = "a motion that starts from the undeformed state, at 0";
 impl DrivenClamp {
     fn moves(&self) -> bool {
         self.displacement != [0.0; 3]
-    }
-
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, axis, angle, displacement, time, fix } = self;
-        let displacement = vector(displacement, Dimension::LENGTH, s);
-        Self { name, a: a.scaled(s), axis, angle, displacement, time: time.scaled(s), fix }
     }
 }
 

@@ -15,7 +15,7 @@ use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
 use crate::joints::parts::{Clamped, End, JointKind};
 use crate::model::{Place, TimeFunction};
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// Declares the kinds of joints of model files: variant and data of each.
 macro_rules! joint_kinds {
@@ -23,7 +23,7 @@ macro_rules! joint_kinds {
         /// A joint between a body and the ground or another body.
         ///
         /// Reactions are reported as the force and the moment that the joint exerts on its end `a`.
-        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
         #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
         #[expect(missing_docs, reason = "the data of each kind are documented")]
         pub enum Joint {
@@ -42,13 +42,6 @@ macro_rules! joint_kinds {
             pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
                 match self {
                     $(Self::$kind(joint) => joint,)*
-                }
-            }
-
-            /// Converts into other units.
-            pub(crate) fn scaled(self, scales: &Scales) -> Self {
-                match self {
-                    $(Self::$kind(joint) => Self::$kind(joint.scaled(scales)),)*
                 }
             }
         }

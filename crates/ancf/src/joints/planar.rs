@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::parts::measures;
 use crate::joints::parts::{Capability, End, JointBuilder, JointKind};
 use crate::model::Place;
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A plate on a plane: leaves displacements in a plane and rotation about its normal.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Planar {
     /// Name in outputs and messages.
@@ -20,6 +20,7 @@ pub struct Planar {
     #[serde(default)]
     pub b: End,
     /// Normal of the plane in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
     pub normal: [f64; 3],
 }
 
@@ -56,12 +57,5 @@ impl JointKind for Planar {
 
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("normal", self.normal)]
-    }
-}
-
-impl Planar {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        Self { a: self.a.scaled(s), b: self.b.scaled(s), ..self }
     }
 }

@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::parts::measures;
 use crate::joints::parts::{Acting, Capability, End, JointBuilder, JointKind};
 use crate::model::Place;
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A point on a straight line: leaves displacement along it and all rotations.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct PointOnLine {
     /// Name in outputs and messages.
@@ -20,6 +20,7 @@ pub struct PointOnLine {
     #[serde(default)]
     pub b: End,
     /// Direction of the line in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
     pub axis: [f64; 3],
 }
 
@@ -57,12 +58,5 @@ impl JointKind for PointOnLine {
 
     fn axes(&self) -> Vec<(&'static str, [f64; 3])> {
         vec![("axis", self.axis)]
-    }
-}
-
-impl PointOnLine {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        Self { a: self.a.scaled(s), b: self.b.scaled(s), ..self }
     }
 }

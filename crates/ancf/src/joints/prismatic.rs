@@ -7,10 +7,10 @@ use crate::joints::parts::{
     Acting, Capability, End, Freed, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
 use crate::model::{Place, TimeFunction};
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A slider in a straight guide: leaves displacement along an axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Prismatic {
     /// Name in outputs and messages.
@@ -22,6 +22,7 @@ pub struct Prismatic {
     #[serde(default)]
     pub b: End,
     /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
     pub axis: [f64; 3],
     /// Prescribes the displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -84,21 +85,5 @@ impl JointKind for Prismatic {
 
     fn moving(&self) -> Acting<'_> {
         Acting::moving(&self.drive, &self.spring, &self.friction)
-    }
-}
-
-impl Prismatic {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, axis, drive, spring, friction } = self;
-        Self {
-            name,
-            a: a.scaled(s),
-            b: b.scaled(s),
-            axis,
-            drive: drive.map(|drive| drive.scaled(s)),
-            spring: spring.map(|spring| spring.scaled(s)),
-            friction: friction.map(|friction| friction.scaled(s)),
-        }
     }
 }

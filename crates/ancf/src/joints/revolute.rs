@@ -6,10 +6,10 @@ use crate::joints::parts::{
     Acting, AngularDrive, AngularFriction, AngularSpring, Capability, End, Freed, JointBuilder, JointKind,
 };
 use crate::model::{Place, TimeFunction};
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A hinge: ties the position and leaves rotation about one axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Revolute {
     /// Name in outputs and messages.
@@ -21,6 +21,7 @@ pub struct Revolute {
     #[serde(default)]
     pub b: End,
     /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    #[unit(none)]
     pub axis: [f64; 3],
     /// Prescribes the angle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -83,21 +84,5 @@ impl JointKind for Revolute {
 
     fn closes(&self) -> bool {
         true
-    }
-}
-
-impl Revolute {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, axis, drive, spring, friction } = self;
-        Self {
-            name,
-            a: a.scaled(s),
-            b: b.scaled(s),
-            axis,
-            drive: drive.map(|drive| drive.scaled(s)),
-            spring: spring.map(|spring| spring.scaled(s)),
-            friction: friction.map(|friction| friction.scaled(s)),
-        }
     }
 }

@@ -6,10 +6,10 @@ use crate::joints::parts::{
     Acting, End, Freed, JointBuilder, JointContext, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
 use crate::model::{Beam, Body, Formulation, Place, TimeFunction};
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A bead on a beam: a point slides along the axis of a beam, bent as it is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Slide {
     /// Name in outputs and messages.
@@ -73,19 +73,6 @@ impl JointKind for Slide {
 }
 
 impl Slide {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, drive, spring, friction } = self;
-        Self {
-            name,
-            a: a.scaled(s),
-            b: b.scaled(s),
-            drive: drive.map(|drive| drive.scaled(s)),
-            spring: spring.map(|spring| spring.scaled(s)),
-            friction: friction.map(|friction| friction.scaled(s)),
-        }
-    }
-
     /// Finding if the second end is not on an axis with a continuous tangent.
     fn misfit(&self, path: &str, context: &dyn JointContext) -> Option<Finding> {
         let wanted = "a place on a cable or on a beam of two-node elements";

@@ -3,10 +3,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{End, JointBuilder, JointKind};
 use crate::model::Place;
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// A ball joint: ties the position.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Spherical {
     /// Name in outputs and messages.
@@ -42,12 +42,5 @@ impl JointKind for Spherical {
 
     fn closes(&self) -> bool {
         true
-    }
-}
-
-impl Spherical {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        Self { a: self.a.scaled(s), b: self.b.scaled(s), ..self }
     }
 }

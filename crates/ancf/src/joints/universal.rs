@@ -6,13 +6,13 @@ use super::parts::measures;
 use crate::errors::{Finding, finding};
 use crate::joints::parts::{Capability, End, JointBuilder, JointContext, JointKind};
 use crate::model::Place;
-use crate::units::Scales;
+use crate::units::Scaled;
 
 /// Sine of the angle below which two axes count as parallel.
 const PARALLEL: f64 = 1e-3;
 
 /// Two shafts that meet: ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Universal {
     /// Name in outputs and messages.
@@ -24,8 +24,10 @@ pub struct Universal {
     #[serde(default)]
     pub b: End,
     /// Direction of the arm of the cross that is fixed to `a`, in the undeformed state.
+    #[unit(none)]
     pub axis_a: [f64; 3],
     /// Direction of the arm of the cross that is fixed to `b`, in the undeformed state, not along the other.
+    #[unit(none)]
     pub axis_b: [f64; 3],
 }
 
@@ -74,12 +76,5 @@ impl JointKind for Universal {
             error.rests_on([format!("{path}.axis_a")])
         });
         found.into_iter().collect()
-    }
-}
-
-impl Universal {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        Self { a: self.a.scaled(s), b: self.b.scaled(s), ..self }
     }
 }

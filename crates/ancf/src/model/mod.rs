@@ -1,4 +1,4 @@
-//! Data of a model as its user states it: plain values in the user's units.
+//! Data of a model as stated by the user: plain values in the user's units.
 
 mod analyses;
 mod bodies;
@@ -12,6 +12,8 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::units::Scaled;
 
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
@@ -43,25 +45,26 @@ pub use crate::errors::nearest;
 pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
 // END
 
-/// A flexible multibody model as its user states it.
+/// Flexible multibody model as stated by the user.
 ///
-/// Every number is in the user's own coherent units (m-kg-s, mm-t-s, ...). The same type is read from TOML,
-/// built in Rust, printed, and rewritten in other units by [`Model::scaled`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...). A model is read from TOML or built in Rust.
+/// [`Model::scaled`] converts it to other units.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     title = "ancf model",
-    description = "A flexible multibody model.\n\nEvery number is in your own coherent units (m-kg-s, mm-t-s, ...)."
+    description = "Flexible multibody model.\n\nAll numbers are in any coherent system of units (m-kg-s, mm-t-s, ...)."
 )]
 pub struct Model {
-    /// A line that says what this model is.
+    /// Title in one line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// What its units are called, for axes and result files; nothing is converted.
+    /// Names of the units, for axes and result files. Nothing is converted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units: Option<Units>,
     /// Acceleration of gravity, length/time²; no gravity by default.
     #[serde(default)]
+    #[unit(length / time^2)]
     pub gravity: [f64; 3],
     /// Materials by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -72,36 +75,36 @@ pub struct Model {
     /// The bodies, flexible and rigid.
     #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
-    /// Joints that tie bodies to the ground or to each other.
+    /// Joints between bodies, or between a body and the ground.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<Joint>,
-    /// Gears, racks, belts: joints that move together.
+    /// Couplings of joints, such as gears, racks and belts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub couplings: Vec<Coupling>,
     /// Loads besides gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Load>,
-    /// Whether gaps between the places of joints are closed before the analysis begins; they are refused by default.
+    /// True to close gaps of joints before the analysis. Gaps are errors by default.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub assemble: bool,
-    /// What bodies may touch: obstacles and each other.
+    /// Contacts of bodies with obstacles and with each other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Contact>,
-    /// Units in which the equations are solved; the user's own by default.
+    /// Units in which the equations are solved; those of the model by default.
     #[serde(default)]
     pub scales: ScaleChoice,
-    /// What to compute.
+    /// Analysis to run.
     pub analysis: Analysis,
-    /// Points whose motion is recorded.
+    /// Places where results are recorded.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,
-    /// What is written, and how often.
+    /// Content and frequency of the output.
     #[serde(default)]
     pub output: Output,
 }
 
 impl Model {
-    /// What its units are called, in words if it does not name them.
+    /// Names of the units, or `length`, `time` and `force` if the model does not name them.
     pub fn unit_names(&self) -> Units {
         self.units.clone().unwrap_or_else(Units::in_words)
     }

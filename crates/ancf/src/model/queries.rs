@@ -1,4 +1,4 @@
-//! Queries on a model: derived quantities, and parts with the paths of their keys.
+//! Queries on a model: derived quantities, and components with the paths of their keys.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ use crate::model::loads::Load;
 use crate::model::sections::Section;
 
 impl Model {
-    /// The mass of all bodies.
+    /// Total mass of all bodies.
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
@@ -20,7 +20,9 @@ impl Model {
         self.bodies.iter().map(mass).sum()
     }
 
-    /// The length of the longest body; of rigid ones only, the largest of their distances and radii of gyration.
+    /// Reference length: length of the longest flexible body.
+    ///
+    /// Without flexible bodies, the largest distance of rigid bodies and joints or radius of gyration.
     pub fn length(&self) -> f64 {
         let longest = self.bodies.iter().map(Body::length).fold(0.0, f64::max);
         if longest > 0.0 {
@@ -37,20 +39,20 @@ impl Model {
         if reach > 0.0 { reach } else { 1.0 }
     }
 
-    /// The point of a place in the reference state, if there is one.
+    /// Point of a place in the reference state; `None` if the place does not exist.
     pub(crate) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
         let body = self.bodies.iter().find(|body| body.name() == place.body)?;
         Some(body.point(place.at)? + Vector3::from(place.offset))
     }
 
-    /// ρA and the smaller E I of a flexible body.
+    /// Mass per length ρA and smaller bending stiffness E I of a flexible body.
     pub(crate) fn line(&self, body: &Body) -> (f64, f64) {
         let Some((section, material)) = body.stuff() else { return (0.0, 0.0) };
         let (material, section) = (&self.materials[material], self.sections[section].moments());
         (material.density * section.area, material.young * section.yy.min(section.zz))
     }
 
-    /// The section of a flexible body of a valid model at a part of its length, from 0 to 1.
+    /// Section of a flexible body of a valid model at a fraction of its length, from 0 to 1.
     pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
         let start = self.sections[body.stuff()?.0];
         Some(match body {
@@ -59,7 +61,7 @@ impl Model {
         })
     }
 
-    /// The joint and the freedom that a part of a coupling names, if they are there.
+    /// Number of the joint and free coordinate of a member of a coupling; `None` if they do not exist.
     pub(crate) fn coupled(&self, part: &Coupled) -> Option<(usize, Freed)> {
         let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
         let freedoms = self.joints[joint].kind().freedoms();
@@ -67,18 +69,18 @@ impl Model {
         freedoms.contains(&freed).then_some((joint, freed))
     }
 
-    /// Whether couplings name a freedom of a joint.
+    /// True if a coupling contains a free coordinate of a joint.
     pub(crate) fn is_coupled(&self, joint: usize, freed: Freed) -> bool {
         let mut parts = self.couplings.iter().flat_map(|coupling| &coupling.joints);
         parts.any(|part| self.coupled(part) == Some((joint, freed)))
     }
 
-    /// What functions of time are in the analysis of a model.
+    /// Treatment of functions of time in the analysis.
     pub(crate) const fn clock(&self) -> Clock {
         if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
     }
 
-    /// Whether there are functions of time for the program to supply that are supplied already, or are not yet.
+    /// True if the model has functions of time by name that are supplied (`already`), or not yet supplied.
     pub(crate) fn has_functions(&self, already: bool) -> bool {
         let is_one = |time: &TimeFunction| match time {
             TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == already,
@@ -87,7 +89,7 @@ impl Model {
         self.time_functions().iter().any(|(_, time)| is_one(time))
     }
 
-    /// All functions of time with their paths.
+    /// Functions of time with their paths.
     pub(crate) fn time_functions(&self) -> Vec<(String, &TimeFunction)> {
         let of_loads =
             loads_of(self).filter_map(|(path, load)| load.time().map(|time| (format!("{path}.time"), time)));
@@ -98,7 +100,7 @@ impl Model {
         of_loads.chain(of_joints).collect()
     }
 
-    /// The same, to be changed.
+    /// Mutable functions of time.
     pub(crate) fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
         let of_loads = self.loads.iter_mut().filter_map(Load::time_mut);
         of_loads.chain(self.joints.iter_mut().flat_map(|joint| joint.kind_mut().times_mut()))
@@ -124,7 +126,7 @@ impl JointContext for Model {
 }
 
 impl Contact {
-    /// Numbers of the bodies of a model that are meant.
+    /// Numbers of the bodies in contact.
     pub(crate) fn bodies(&self, model: &Model) -> Vec<usize> {
         let carrier = self.with.on().map(|place| place.body.as_str());
         let meant = |name: &str| match self.bodies.is_empty() {
@@ -136,7 +138,7 @@ impl Contact {
             .collect()
     }
 
-    /// The radius of a body, if there is one: that of a section which is round and everywhere the same.
+    /// Contact radius of a body: as stated, or that of a round, constant section.
     pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
         let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
         let own = || model.sections.get(body.stuff()?.0).filter(|_| !tapered)?.radius();

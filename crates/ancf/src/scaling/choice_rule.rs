@@ -1,22 +1,24 @@
+//! Choice of the units of the equations.
+
 use nalgebra::Vector3;
 
 use crate::model::Model;
 use crate::units::{Chosen, ScaleChoice, Scales};
 
-/// What the units of a model are taken from.
+/// Quantities of a model from which its units are chosen.
 struct Largest {
     name: String,
     length: f64,
     line_mass: f64,
-    /// The unit of force without gravity, and what it is.
+    /// Unit of force without gravity, and its formula.
     force: f64,
     of_force: &'static str,
 }
 
 impl Model {
-    /// The units in which the equations of this model are to be solved.
+    /// Chooses the units in which the equations of this model are solved.
     ///
-    /// The model must be a valid one (see [`Model::check`]).
+    /// The model must be valid (see [`Model::check`]).
     pub fn scales(&self) -> Chosen {
         if self.scales == ScaleChoice::None {
             return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
@@ -44,7 +46,7 @@ impl Model {
         Chosen { scales, reason }
     }
 
-    /// The longest flexible body; of rigid ones only, all of them.
+    /// Quantities of the longest flexible body, or of the whole model if all bodies are rigid.
     fn largest(&self) -> Largest {
         let flexible = self.bodies.iter().filter(|body| body.is_flexible());
         if let Some(body) = flexible.max_by(|a, b| a.length().total_cmp(&b.length())) {

@@ -1,9 +1,11 @@
+//! Factors of couplings in other units.
+
 use crate::joints::{Coupled, Coupling, Freed};
 use crate::model::Model;
 use crate::units::{Dimension, Scales, number};
 
 impl Model {
-    /// The couplings in other units.
+    /// Couplings in other units. The unit of a factor depends on the coordinate of the joint.
     pub(crate) fn scaled_couplings(&self, s: &Scales) -> Vec<Coupling> {
         let part = |part: &Coupled| {
             let of = match self.coupled(part) {

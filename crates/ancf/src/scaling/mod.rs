@@ -1,6 +1,5 @@
-//! Models in other units.
+//! Conversion of models to other units.
 
 mod choice_rule;
 mod couplings;
-mod joints;
 mod model;

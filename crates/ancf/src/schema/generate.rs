@@ -8,18 +8,25 @@ use schemars::transform::RecursiveTransform;
 use serde_json::Value as Json;
 use toml::Value;
 
+use super::units::add_units;
 use crate::errors::{listed, quoted};
 use crate::model::Model;
+use crate::units::Scaled;
 
 /// The schema as the reader of models uses it.
 pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| schema().to_value());
 
 /// The JSON Schema (draft 2020-12) of a model file, generated from [`Model`].
+///
+/// The keyword `x-unit` states the unit of a key as a product of powers, such as `force/length^2`.
 pub fn schema() -> Schema {
-    SchemaSettings::draft2020_12()
+    let schema = SchemaSettings::draft2020_12()
         .with_transform(RecursiveTransform(without_links))
         .into_generator()
-        .into_root_schema_for::<Model>()
+        .into_root_schema_for::<Model>();
+    let mut json = schema.to_value();
+    add_units(&mut json, "", &Model::unit_tree());
+    Schema::try_from(json).expect("an object is a schema")
 }
 
 /// The text of `docs/model.schema.json`, by which an editor completes and checks model files.

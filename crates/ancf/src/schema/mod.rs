@@ -4,6 +4,7 @@ mod address;
 mod generate;
 mod schema_check;
 mod syntax;
+mod units;
 
 pub(crate) use address::{Step, segments, spelt};
 pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};

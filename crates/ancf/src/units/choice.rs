@@ -2,39 +2,43 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::scales::Scales;
+use crate::units::Scaled;
 
-/// How the units of the equations are chosen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Choice of the units in which the equations are solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum ScaleChoice {
-    /// The user's own: the dimensional form.
+    /// Units of the model: the dimensional form of the equations.
     #[default]
     None,
-    /// Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7). For one beam under gravity.
+    /// Units of Kim et al. (2017), for one beam under gravity: length of the beam, weight of one element, time by eq. (7).
     Paper,
-    /// The longest body's length L; the weight of that body, or E I/L² without gravity; time by eq. (7); each rounded to a
-    /// power of two, so that nothing is lost on the way to these units and back.
+    /// Length L and weight of the longest body, or E I/L² without gravity, and time by eq. (7) of Kim et al. (2017). Each is
+    /// rounded to a power of two, so that conversion is exact.
     Auto,
-    /// Given by number.
+    /// Given units.
     Given {
         /// Unit of length.
+        #[unit(length)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         length: f64,
         /// Unit of force.
+        #[unit(force)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         force: f64,
-        /// Unit of time; by eq. (7) with the ρA of the longest body if left out.
+        /// Unit of time; by default eq. (7) of Kim et al. (2017) with the ρA of the longest body.
+        #[unit(time)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(extend("exclusiveMinimum" = 0))]
         time: Option<f64>,
     },
 }
 
-/// The units chosen for a model, and why.
+/// Units chosen for a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chosen {
-    /// The units.
+    /// Units of the equations.
     pub scales: Scales,
-    /// How they were chosen, in words.
+    /// Reason for the choice, in words.
     pub reason: String,
 }

@@ -3,9 +3,14 @@
 mod choice;
 mod convert;
 mod names;
+mod scaled;
 mod scales;
+mod unit_tree;
 
+pub(crate) use ancf_derive::Scaled;
 pub use choice::{Chosen, ScaleChoice};
-pub(crate) use convert::{number, vector};
+pub(crate) use convert::{Convert, number};
 pub use names::Units;
+pub(crate) use scaled::Scaled;
 pub use scales::{Dimension, Scales};
+pub(crate) use unit_tree::UnitTree;

@@ -4,30 +4,31 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::scales::Dimension;
+use crate::units::Scaled;
 
-/// What the units of the model's numbers are called. Nothing is converted: these are names for axes, legends and result files.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Names of the units of a model, for axes, legends and result files. Nothing is converted.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Units {
-    /// The unit of length, such as `"m"`.
+    /// Name of the unit of length, such as `"m"`.
     #[schemars(length(min = 1))]
     pub length: String,
-    /// The unit of time, such as `"s"`.
+    /// Name of the unit of time, such as `"s"`.
     #[schemars(length(min = 1))]
     pub time: String,
-    /// The unit of force, such as `"N"`.
+    /// Name of the unit of force, such as `"N"`.
     #[schemars(length(min = 1))]
     pub force: String,
 }
 
 impl Units {
-    /// Names that say what the units are of.
+    /// Names of the quantities: `length`, `time`, `force`.
     pub fn in_words() -> Self {
         let [length, time, force] = ["length", "time", "force"].map(str::to_owned);
         Self { length, time, force }
     }
 
-    /// The unit of a dimension, such as `N/m²`; empty of a number.
+    /// Name of the unit of a dimension, such as `N/m²`; empty for a number.
     pub fn of(&self, dimension: Dimension) -> String {
         let Dimension { length, time, force } = dimension;
         let powers = [(&self.force, force), (&self.length, length), (&self.time, time)];

@@ -1,11 +1,11 @@
-//! Units of length, time and force: the only place that knows how a number changes with them.
+//! Dimensions of quantities, and units of length, time and force.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The dimension of a quantity as exponents of length, time and force.
+/// Dimension of a quantity: exponents of length, time and force.
 ///
-/// A force is (0, 0, 1), a modulus (−2, 0, 1), a density F T² L⁻⁴ is (−4, 2, 1).
+/// A force has (0, 0, 1), a modulus (−2, 0, 1), a density F T² L⁻⁴ has (−4, 2, 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dimension {
     /// Exponent of length.
@@ -17,7 +17,7 @@ pub struct Dimension {
 }
 
 impl Dimension {
-    /// A pure number.
+    /// Pure number.
     pub const NUMBER: Self = Self::new(0, 0, 0);
     /// L.
     pub const LENGTH: Self = Self::new(1, 0, 0);
@@ -49,18 +49,18 @@ impl Dimension {
     /// Mass times L², of moments of inertia.
     pub const INERTIA: Self = Self::new(1, 2, 1);
 
-    /// The dimension Lˡ Tᵗ Fᶠ.
+    /// Dimension Lˡ Tᵗ Fᶠ.
     pub const fn new(length: i32, time: i32, force: i32) -> Self {
         Self { length, time, force }
     }
 }
 
-/// Units of length, time and force that turn a model into the same model in other numbers.
+/// Units of length, time and force in which a model is rewritten.
 ///
-/// A quantity x of dimension Lˡ Tᵗ Fᶠ has the number x* = x / (Lˡ Tᵗ Fᶠ) in these units. Scales form a group:
-/// [`Scales::UNIT`] changes nothing, [`Scales::then`] composes, [`Scales::inverse`] undoes.
+/// A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units. Scales form a group with the
+/// identity [`Scales::UNIT`], the composition [`Scales::then`] and the inverse [`Scales::inverse`].
 ///
-/// Units: the user's own, whatever coherent system that is.
+/// Scales are measured in the units of the model, any coherent system.
 /// Source: Kim et al. (2017), eqs (7), (8), (26), (33).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -77,29 +77,29 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// The user's own units.
+    /// Units of the model.
     pub const UNIT: Self = Self { length: 1.0, time: 1.0, force: 1.0 };
 
-    /// Units whose time follows from T = L √(ρA/F) (Kim et al. 2017, eq. 7).
+    /// Units with the time T = L √(ρA/F) (Kim et al. 2017, eq. 7).
     ///
-    /// `line_mass` is ρA, the mass per length of the beam.
+    /// `line_mass` is the mass per length ρA of the beam.
     pub fn from_force(length: f64, force: f64, line_mass: f64) -> Self {
         Self { length, time: length * (line_mass / force).sqrt(), force }
     }
 
-    /// The nearest powers of two: numbers then change their exponents only, not a bit else.
+    /// Nearest powers of two. Conversion to these units is exact: only the binary exponents of numbers change.
     #[must_use]
     pub fn rounded(&self) -> Self {
         let near = |x: f64| x.log2().round().exp2();
         Self { length: near(self.length), time: near(self.time), force: near(self.force) }
     }
 
-    /// The unit of a quantity of dimension `of`, Lˡ Tᵗ Fᶠ.
+    /// Unit Lˡ Tᵗ Fᶠ of a quantity of dimension `of`.
     pub fn unit(&self, of: Dimension) -> f64 {
         self.length.powi(of.length) * self.time.powi(of.time) * self.force.powi(of.force)
     }
 
-    /// First these units, then `next` ones on top of them.
+    /// Composition: units `next`, measured in these units.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         Self {
@@ -109,7 +109,7 @@ impl Scales {
         }
     }
 
-    /// The units that undo these.
+    /// Inverse: conversion to these units and then to their inverse is the identity.
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self { length: 1.0 / self.length, time: 1.0 / self.time, force: 1.0 / self.force }

@@ -3,10 +3,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{Capability, End, JointBuilder, JointKind, Symbol, measures};
 use crate::model::Place;
-use crate::units::{Dimension, Scales, number};
+use crate::units::Scaled;
 
 /// An elastic mount: springs and dampers between two places that coincide, three along and three about the axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Bushing {
     /// Name in outputs and messages.
@@ -18,8 +18,10 @@ pub struct Bushing {
     #[serde(default)]
     pub b: End,
     /// Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
+    #[unit([force / length; 3], [force * length / radian; 3])]
     pub stiffness: [f64; 6],
     /// Dampings along x, y, z, force time/length, and about x, y, z, force length time; none by default.
+    #[unit([force * time / length; 3], [force * length * time / radian; 3])]
     #[serde(default)]
     pub damping: [f64; 6],
 }
@@ -55,17 +57,5 @@ impl JointKind for Bushing {
 
     fn symbol(&self) -> Symbol {
         Symbol::Line("bushing")
-    }
-}
-
-impl Bushing {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, stiffness, damping } = self;
-        let six = |x: [f64; 6], time: i32| {
-            let of = |k: usize| Dimension::new(if k < 3 { -1 } else { 1 }, time, 1);
-            std::array::from_fn(|k| number(x[k], of(k), s))
-        };
-        Self { name, a: a.scaled(s), b: b.scaled(s), stiffness: six(stiffness, 0), damping: six(damping, 1) }
     }
 }

@@ -3,10 +3,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{End, JointBuilder, JointKind, Symbol};
 use crate::model::Place;
-use crate::units::{Dimension, Scales, number};
+use crate::units::Scaled;
 
 /// A spring and a damper between two points.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct PointSpring {
     /// Name in outputs and messages.
@@ -17,14 +17,17 @@ pub struct PointSpring {
     /// The other end: a place or a point of the ground, elsewhere than `a`.
     pub b: End,
     /// Stiffness, force/length.
+    #[unit(force / length)]
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub stiffness: f64,
     /// Damping, force time/length.
+    #[unit(force * time / length)]
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub damping: f64,
     /// Length at which it is free of force; the distance in the undeformed state by default.
+    #[unit(length)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0))]
     pub length: Option<f64>,
@@ -64,21 +67,5 @@ impl JointKind for PointSpring {
             (false, 0.0) => "damper",
             (false, _) => "spring",
         })
-    }
-}
-
-impl PointSpring {
-    /// Converts into other units.
-    pub(crate) fn scaled(self, s: &Scales) -> Self {
-        let Self { name, a, b, stiffness, damping, length, tension_only } = self;
-        Self {
-            name,
-            a: a.scaled(s),
-            b: b.scaled(s),
-            stiffness: number(stiffness, Dimension::new(-1, 0, 1), s),
-            damping: number(damping, Dimension::new(-1, 1, 1), s),
-            length: length.map(|x| number(x, Dimension::LENGTH, s)),
-            tension_only,
-        }
     }
 }

@@ -1,37 +1,42 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Joints that move together: the sum of their angles and displacements, times factors, stays zero. Gears, racks, belts, screws.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+use crate::units::Scaled;
+
+/// Coupled joints, such as gears, racks, belts and screws.
+///
+/// The sum of the angles and displacements of the joints, multiplied by their factors, is zero.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Coupling {
     /// Name in messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The joints and their factors, 63 at most.
+    /// Joints and their factors, at most 63.
     #[schemars(length(min = 2))]
     pub joints: Vec<Coupled>,
 }
 
-/// A joint of a coupling.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Joint of a coupling.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Coupled {
     /// Name of the joint.
     pub joint: String,
     /// Factor, not zero: a number for an angle, 1/length for a displacement.
+    #[unit(depends)]
     pub factor: f64,
-    /// Which freedom of the joint; by default the angle, if it has one.
+    /// Coupled coordinate of the joint; by default the angle, if the joint has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<Freed>,
 }
 
-/// A freedom of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Free coordinate of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Freed {
-    /// The angle about the axis.
+    /// Angle about the axis.
     Angle,
-    /// The displacement along the axis.
+    /// Displacement along the axis.
     Displacement,
 }

@@ -2,26 +2,28 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::model::Place;
+use crate::units::Scaled;
 
-/// What a joint ties its first end to.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Second end of a joint.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum End {
-    /// The fixed frame: `"ground"`.
+    /// Fixed frame: `"ground"`.
     #[default]
     Ground,
-    /// A place on another body.
+    /// Place on another body.
     #[serde(untagged)]
     Place(Place),
-    /// A point of the fixed frame, to which statics draws the first end by the load.
+    /// Point of the fixed frame. In statics the load factor moves the first end to it.
     #[serde(untagged)]
     Point(Ground),
 }
 
-/// A point of the fixed frame.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Point of the fixed frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {
-    /// The point, length.
+    /// Coordinates of the point, length.
+    #[unit(length)]
     pub point: [f64; 3],
 }

@@ -3,16 +3,17 @@ use serde::{Deserialize, Serialize};
 
 use super::equilibrium::{Buckling, Modes, Path, Statics};
 use super::solver_settings::{NewtonMethod, Stop};
+use crate::units::Scaled;
 
-/// What to compute.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Analysis to run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Analysis {
-    /// Motion from rest in the undeformed state.
+    /// Motion that starts in the undeformed state.
     Dynamics(Dynamics),
-    /// Equilibrium under growing loads.
+    /// Equilibrium under increasing loads.
     Statics(Statics),
-    /// A path of equilibria by arc length.
+    /// Equilibrium path by arc length continuation.
     Path(Path),
     /// Natural frequencies and mode shapes.
     Modes(Modes),
@@ -21,12 +22,12 @@ pub enum Analysis {
 }
 
 impl Analysis {
-    /// The settings, if it is one of motion.
+    /// Settings of a dynamic analysis.
     pub const fn dynamics(&self) -> Option<&Dynamics> {
         if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }
     }
 
-    /// The settings to be changed, if it is one of motion.
+    /// Mutable settings of a dynamic analysis.
     pub const fn dynamics_mut(&mut self) -> Option<&mut Dynamics> {
         if let Self::Dynamics(dynamics) = self { Some(dynamics) } else { None }
     }
@@ -35,31 +36,32 @@ impl Analysis {
 /// Settings of a dynamic analysis by a scheme of the generalized-α family on the index-3 equations.
 ///
 /// Source: Kim et al. (2017), appendix; Arnold & Brüls (2007).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Dynamics {
     /// Duration, time.
+    #[unit(time)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
-    /// Step, time; always the user's, whatever the scales.
+    /// Step size, time; in the units of the model, whatever the scales.
     pub step: Step,
-    /// Scheme of time integration.
+    /// Time integration scheme.
     #[serde(default)]
     pub scheme: Scheme,
     /// Accelerations and multipliers at the start.
     #[serde(default)]
     pub start: Start,
-    /// When the Newton iteration of a step ends.
+    /// Convergence criterion of the Newton iteration.
     #[serde(default)]
     pub stop: Stop,
-    /// Newton's method with a new tangent in each iteration, or with tangents that are used again.
+    /// Newton's method with a new tangent in each iteration, or with reused tangents.
     #[serde(default)]
     pub newton: NewtonMethod,
-    /// Newton iterations after which a step has failed.
+    /// Maximum number of Newton iterations of a step.
     #[serde(default = "Dynamics::max_iterations")]
     #[schemars(range(min = 1))]
     pub max_iterations: u32,
-    /// How often a failed step of fixed size may be halved before the run ends.
+    /// Maximum number of successive halvings of a failed step of fixed size.
     #[serde(default = "Dynamics::max_halvings")]
     #[schemars(range(max = 30))]
     pub max_halvings: u32,
@@ -74,7 +76,7 @@ impl Dynamics {
         10
     }
 
-    /// Settings for a duration and a step, all else by default.
+    /// Settings of a duration and a step, with default values otherwise.
     pub const fn new(duration: f64, step: f64) -> Self {
         Self {
             duration,
@@ -89,24 +91,31 @@ impl Dynamics {
     }
 }
 
-/// Steps of one size, or as large as a tolerance permits.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Fixed or adaptive step size.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum Step {
-    /// Of this size, time; the last one ends with the duration and may be shorter.
-    Fixed(#[schemars(extend("exclusiveMinimum" = 0))] f64),
-    /// By error control; wants a scheme of second order.
+    /// Fixed step size, time. The last step ends with the duration and may be shorter.
+    Fixed(
+        #[unit(time)]
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        f64,
+    ),
+    /// Step size by error control; requires a scheme of second order.
     #[schemars(extend("additionalProperties" = false))]
     Adaptive {
-        /// Error that the motion may gather over the duration, a root mean square displacement relative to the length of the
+        /// Error tolerance of the motion over the duration: root mean square displacement relative to the length of the
         /// longest body.
+        #[unit(number)]
         #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.1))]
         tolerance: f64,
-        /// First step, time; found by itself if left out.
+        /// First step, time; estimated by default.
+        #[unit(time)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(extend("exclusiveMinimum" = 0))]
         initial: Option<f64>,
-        /// Largest step, time.
+        /// Largest step, time; not limited by default.
+        #[unit(time)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(extend("exclusiveMinimum" = 0))]
         largest: Option<f64>,
@@ -114,7 +123,7 @@ pub enum Step {
 }
 
 impl Step {
-    /// The size, if it is fixed.
+    /// Step size, if it is fixed.
     pub const fn fixed(&self) -> Option<f64> {
         match *self {
             Self::Fixed(step) => Some(step),
@@ -123,52 +132,57 @@ impl Step {
     }
 }
 
-/// A scheme of time integration, by name or by number.
+/// Time integration scheme, by name or by parameters.
 ///
 /// Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977); Chung & Hulbert (1993).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Scheme {
-    /// Newmark with γ = 0.70, β = 0.36: first order, strongly damping; the choice of the paper.
+    /// Newmark with γ = 0.70, β = 0.36: first order, strong numerical damping. Used by Kim et al. (2017).
     #[default]
     Adams,
-    /// Newmark with γ = 1/2, β = 1/4: second order, keeps the energy of linear systems; with joints, reactions alternate.
+    /// Newmark with γ = 1/2, β = 1/4: second order, conserves the energy of linear systems. Joint reactions oscillate.
     AverageAcceleration,
-    /// Newmark with γ = 1/2, β = 1/6: second order, stable for small steps only; refused with joints, where it never is.
+    /// Newmark with γ = 1/2, β = 1/6: second order, conditionally stable. Rejected with joints, where it is unstable.
     LinearAcceleration,
-    /// Newmark with γ = 1/2, β = 0: explicit, hence refused for equations with constraints.
+    /// Newmark with γ = 1/2, β = 0: explicit. Rejected for equations with constraints.
     CentralDifference,
-    /// Newmark with any pair.
+    /// Newmark with given parameters.
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     Pair {
-        /// γ; 1/2 for second order, more for damping.
+        /// γ; 1/2 for second order, larger for numerical damping.
+        #[unit(number)]
         #[schemars(range(min = 0, max = 1))]
         gamma: f64,
         /// β > 0.
+        #[unit(number)]
         #[schemars(range(min = 0, max = 1))]
         beta: f64,
     },
-    /// Generalized-α: second order, in reactions too, damps what the step does not resolve.
+    /// Generalized-α: second order, also in reactions. Damps frequencies that the step does not resolve.
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     GeneralizedAlpha {
-        /// Part of a vibration of infinite frequency that survives a step: 0 ends it, 1 damps nothing, 0.8 is a good choice.
+        /// Spectral radius at infinite frequency: 0 removes such vibrations in one step, 1 is without damping. Recommended:
+        /// 0.8.
+        #[unit(number)]
         #[schemars(range(min = 0, max = 1))]
         spectral_radius: f64,
     },
-    /// The scheme of Hilber, Hughes and Taylor: second order, in reactions too, damps high frequencies.
+    /// Scheme of Hilber, Hughes and Taylor: second order, also in reactions. Damps high frequencies.
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     Hht {
-        /// From −1/3, most damping, to 0, none.
+        /// α from −1/3, maximum damping, to 0, no damping.
+        #[unit(number)]
         #[schemars(extend("minimum" = -1.0 / 3.0, "maximum" = 0))]
         alpha: f64,
     },
 }
 
 impl Scheme {
-    /// Its four numbers.
+    /// Parameters of the scheme.
     pub const fn numbers(&self) -> ancf_solver::dynamics::Scheme {
         use ancf_solver::dynamics::Scheme;
         match *self {
@@ -184,12 +198,12 @@ impl Scheme {
 }
 
 /// Accelerations and multipliers at the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Start {
-    /// Those that satisfy the equations of motion.
+    /// Initial values that satisfy the equations of motion.
     #[default]
     Consistent,
-    /// All zero, as Kim et al. (2017) have it.
+    /// Zero, as in Kim et al. (2017).
     Zero,
 }

@@ -2,21 +2,24 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::solver_settings::Stop;
+use crate::units::Scaled;
 
-/// Settings of an equilibrium under growing loads: all of them, gravity among them, act `load` times.
+/// Settings of an equilibrium under increasing loads. The factor `load` multiplies all loads, gravity included.
 ///
-/// Increments are chosen by themselves: all at once first, halves of what fails, twice what went well.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Load increments are automatic. A failed increment is halved, the one after a success doubled.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Statics {
-    /// The load factor to reach.
+    /// Final load factor.
+    #[unit(number)]
     pub load: f64,
-    /// The part of the way that is tried first.
+    /// First increment, as a fraction of the final load factor.
+    #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1))]
     pub first: f64,
-    /// When the Newton iteration of an increment ends.
+    /// Convergence criterion of the Newton iteration.
     pub stop: Stop,
-    /// Newton iterations after which an increment has failed.
+    /// Maximum number of Newton iterations of an increment.
     #[schemars(range(min = 1))]
     pub max_iterations: u32,
 }
@@ -27,24 +30,27 @@ impl Default for Statics {
     }
 }
 
-/// Settings of a path of equilibria by arc length, through limit points, snap-through and snap-back.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Settings of an equilibrium path by arc length continuation, through limit points, snap-through and snap-back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Path {
-    /// The load factor at which the path ends, when it first gets there.
+    /// Load factor at which the path ends.
+    #[unit(number)]
     pub load: f64,
-    /// The most points.
+    /// Maximum number of points.
     #[schemars(range(min = 1, max = 1_000_000))]
     pub points: u32,
-    /// The first step, as a change of the load factor.
+    /// First step, as a change of the load factor.
+    #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub first: f64,
-    /// The largest step of arc length; one that begins the path changes the load factor by as much.
+    /// Largest step of arc length, scaled by the change of the load factor in a first step of equal length.
+    #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub largest: f64,
-    /// When the Newton iteration of a point ends.
+    /// Convergence criterion of the Newton iteration.
     pub stop: Stop,
-    /// Newton iterations after which a step has failed.
+    /// Maximum number of Newton iterations of a step.
     #[schemars(range(min = 1))]
     pub max_iterations: u32,
 }
@@ -55,25 +61,25 @@ impl Default for Path {
     }
 }
 
-/// The state about which modes and critical loads are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// State about which natural modes are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum About {
-    /// The undeformed state, free of loads and stress.
+    /// Undeformed state, free of loads and stress.
     #[default]
     Reference,
-    /// The equilibrium under all loads.
+    /// Equilibrium under all loads.
     Equilibrium,
 }
 
 /// Settings of natural frequencies and mode shapes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Modes {
-    /// How many of the lowest, rigid ones included.
+    /// Number of the lowest modes, rigid body modes included.
     #[schemars(range(min = 1, max = 10_000))]
     pub count: u32,
-    /// About which state.
+    /// State about which the equations are linearised.
     pub about: About,
 }
 
@@ -83,14 +89,14 @@ impl Default for Modes {
     }
 }
 
-/// Settings of linear buckling: load factors at which the stiffness vanishes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Settings of linear buckling: load factors at which the stiffness becomes singular.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Buckling {
-    /// How many of the lowest.
+    /// Number of the lowest load factors.
     #[schemars(range(min = 1, max = 10_000))]
     pub count: u32,
-    /// Which way the loads grow.
+    /// Sign of the load factors.
     pub sense: Sense,
 }
 
@@ -100,16 +106,16 @@ impl Default for Buckling {
     }
 }
 
-/// Which way the loads grow.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Sign of the load factors of buckling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Sense {
-    /// As they are stated.
+    /// Positive: loads act as stated.
     #[default]
     Stated,
-    /// Reversed.
+    /// Negative: loads are reversed.
     Reversed,
-    /// Either way.
+    /// Both signs.
     Either,
 }
 

@@ -1,39 +1,44 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// When Newton's method makes a new tangent.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+use crate::units::Scaled;
+
+/// Update of the tangent in Newton's method.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum NewtonMethod {
-    /// When it is cheaper than more iterations with an old one; the same solutions in less time. Rules in absolute
-    /// numbers for the end of the iteration, and redundant joints, want the full method and get it.
+    /// Modified Newton: a new tangent only if it is cheaper than more iterations with the old one. Absolute convergence
+    /// criteria and redundant joints use the full method instead.
     #[default]
     Modified,
-    /// In each iteration.
+    /// Full Newton: a new tangent in each iteration.
     Full,
 }
 
-/// When a Newton iteration ends.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Convergence criterion of a Newton iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "rule", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Stop {
-    /// Unit-blind: the energy |Δz·r| of the increment is at most tolerance² times the largest energy met, or the
-    /// residual is down to its own rounding error.
+    /// Energy criterion, independent of units. The energy |Δz·r| of the increment is at most tolerance² times the largest
+    /// energy of the run, or the residual reaches its rounding error.
     Energy {
-        /// Relative size of the increment in the energy norm.
+        /// Relative magnitude of the increment in the energy norm.
+        #[unit(number)]
         #[serde(default = "Stop::energy")]
         #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.01))]
         tolerance: f64,
     },
-    /// |r|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
+    /// Residual |r|₂ below an absolute number *in the units of the solver*.
     Residual {
-        /// Bound on the Euclidean norm of the residual.
+        /// Upper bound of the Euclidean norm of the residual.
+        #[unit(none)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         tolerance: f64,
     },
-    /// |Δq|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
+    /// Increment |Δq|₂ below an absolute number *in the units of the solver*.
     Increment {
-        /// Bound on the Euclidean norm of the increment of the coordinates.
+        /// Upper bound of the Euclidean norm of the increment of the coordinates.
+        #[unit(none)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         tolerance: f64,
     },

@@ -6,26 +6,27 @@ use serde::{Deserialize, Serialize};
 use super::motion::InitialMotion;
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
+use crate::units::Scaled;
 
 /// Rounding of a position along an axis, relative to its length.
 pub(crate) const ON_AXIS: f64 = 1e-9;
 
-/// A body of the model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Body of the model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Body {
-    /// A beam that bends, twists, stretches and shears.
+    /// Beam with bending, torsion, axial and shear deformation.
     Beam(Beam),
-    /// A cable: a line that stretches and bends, equally about every axis across, and has no torsion.
+    /// Cable with axial and isotropic bending deformation, without torsion.
     Cable(Cable),
-    /// A body that does not deform.
+    /// Rigid body.
     Rigid(Rigid),
-    /// A point mass.
+    /// Point mass.
     Mass(PointMass),
 }
 
 impl Body {
-    /// The name by which joints, loads and probes refer to the body.
+    /// Name of the body in joints, loads and probes.
     pub fn name(&self) -> &str {
         match self {
             Self::Beam(beam) => &beam.name,
@@ -35,7 +36,7 @@ impl Body {
         }
     }
 
-    /// Names of section, at the start, and material of a flexible body.
+    /// Names of the start section and of the material of a flexible body.
     pub fn stuff(&self) -> Option<(&str, &str)> {
         match self {
             Self::Beam(beam) => Some((&beam.section, &beam.material)),
@@ -44,12 +45,12 @@ impl Body {
         }
     }
 
-    /// Whether it is a beam or a cable.
+    /// True for beams and cables.
     pub const fn is_flexible(&self) -> bool {
         matches!(self, Self::Beam(_) | Self::Cable(_))
     }
 
-    /// How it moves at the start.
+    /// Initial motion.
     pub const fn motion(&self) -> &InitialMotion {
         match self {
             Self::Beam(beam) => &beam.motion,
@@ -59,7 +60,7 @@ impl Body {
         }
     }
 
-    /// Number of elements; none of a rigid body.
+    /// Number of elements, 0 for a rigid body.
     pub const fn elements(&self) -> u32 {
         match self {
             Self::Beam(beam) => beam.elements,
@@ -68,7 +69,7 @@ impl Body {
         }
     }
 
-    /// Start and end of the axis; of a rigid body, its centre.
+    /// Start and end of the axis; the centre of a rigid body, twice.
     pub const fn span(&self) -> [[f64; 3]; 2] {
         match self {
             Self::Beam(beam) => [beam.from, beam.to],
@@ -77,9 +78,9 @@ impl Body {
         }
     }
 
-    /// The axis in the reference state, with its start as the origin; `None` if there is no such curve.
+    /// Axis in the reference state, relative to its start; `None` if there is no such curve.
     ///
-    /// Seen from its start, a curve is the same wherever in the world it is.
+    /// The origin at the start keeps the curve, with its rounding, independent of the place of the body.
     pub fn curve(&self) -> Option<Curve> {
         let [from, to] = self.span().map(Vector3::from);
         match self {
@@ -89,7 +90,7 @@ impl Body {
         }
     }
 
-    /// Length of the axis; 0 if there is none.
+    /// Length of the axis, 0 without an axis.
     pub fn length(&self) -> f64 {
         self.curve().map_or(0.0, |curve| curve.length())
     }
@@ -104,7 +105,7 @@ impl Body {
         }
     }
 
-    /// The point of a position in the reference state; `None` if the body has no such position.
+    /// Point of a position in the reference state; `None` if the body has no such position.
     pub fn point(&self, at: At) -> Option<Vector3<f64>> {
         let from = Vector3::from(self.span()[0]);
         match (self, at) {
@@ -118,7 +119,7 @@ impl Body {
         }
     }
 
-    /// Slope length ℓ, by which nodal gradients are multiplied.
+    /// Slope length ℓ, the factor of the nodal gradients.
     pub fn slope_length(&self) -> f64 {
         let slopes = match self {
             Self::Beam(beam) => beam.slopes,
@@ -131,7 +132,7 @@ impl Body {
         }
     }
 
-    /// Where the section's y-axis points at the start, if that is normal to the tangent.
+    /// Direction of the section's y-axis at the start; `None` if `up` is parallel to the tangent.
     pub fn up(&self) -> Option<Vector3<f64>> {
         let (_, tangent) = self.curve()?.at(0.0);
         let up = match self {
@@ -143,50 +144,54 @@ impl Body {
     }
 }
 
-/// A beam of ANCF elements.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Beam of ANCF elements.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Beam {
-    /// The name by which joints, loads and probes refer to the beam.
+    /// Name of the beam in joints, loads and probes.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// Where the axis starts, length.
+    /// Start of the axis, length.
+    #[unit(length)]
     pub from: [f64; 3],
-    /// Where the axis ends, length.
+    /// End of the axis, length.
+    #[unit(length)]
     pub to: [f64; 3],
-    /// How the axis goes from start to end; straight by default. Free of stress.
+    /// Shape of the axis between start and end; straight by default. This state is free of stress.
     #[serde(default, skip_serializing_if = "Shape::is_straight")]
     pub shape: Shape,
-    /// A direction that fixes the section's y-axis at the start: its part normal to the axis. Global y by default, global z
-    /// for a beam along y.
+    /// Direction whose part normal to the axis is the section's y-axis at the start. Global y by default, global z for a
+    /// beam along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[unit(none)]
     pub up: Option<[f64; 3]>,
-    /// Angle by which the section turns about the axis from start to end, in radians; free of stress.
+    /// Rotation of the section about the axis from start to end, in radians. This state is free of stress.
     #[serde(default)]
+    #[unit(radian)]
     pub twist: f64,
-    /// Number of elements, all of one length.
+    /// Number of elements of equal length.
     #[schemars(range(min = 1))]
     pub elements: u32,
-    /// Which element, and which of its strains are how stiff.
+    /// Element type and elasticity law.
     #[serde(default)]
     pub formulation: Formulation,
     /// Name of the section, a key of `sections`.
     pub section: String,
-    /// Name of the section at the end, of the same kind; sizes in between are interpolated linearly. The same by default.
+    /// Name of the section at the end, of the same kind; dimensions vary linearly. The start section by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section_end: Option<String>,
     /// Name of the material, a key of `materials`.
     pub material: String,
-    /// What the nodal slope coordinates are.
+    /// Definition of the nodal slope coordinates.
     #[serde(default)]
     pub slopes: Slopes,
-    /// How it moves at the start of a motion; at rest by default.
+    /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
 }
 
 impl Beam {
-    /// A straight beam in the continuum formulation, all else by default.
+    /// Straight beam in the continuum formulation, with default values otherwise.
     pub fn straight(
         name: &str,
         [from, to]: [[f64; 3]; 2],
@@ -212,73 +217,75 @@ impl Beam {
     }
 }
 
-/// Which element, and which of its strains are how stiff.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Element type and elasticity law of a beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Formulation {
-    /// Two nodes, 24 coordinates, three-dimensional elasticity: that of Kim et al. (2017), with its locking. Bending has
-    /// (λ+2G) I for E I, torsion the polar moment of area, and errors fall with 1/(3n²).
+    /// Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element locks: the bending stiffness
+    /// is (λ+2G) I instead of E I, the torsion constant is the polar moment of area. Errors decrease as 1/(3n²).
     #[default]
     Continuum,
-    /// The same element with the elasticity of a rod: Poisson's effect on the axis only, shear factors, St. Venant's torsion
-    /// constant (Gerstmayr, Matikainen & Mikkola 2008).
+    /// Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). Poisson's effect acts on the
+    /// axis only. Shear factors and St. Venant's torsion constant apply.
     Enhanced,
-    /// The same with linked strains, which frees it from shear locking: one element is exact for end loads.
+    /// Enhanced element with linked strains, free of shear locking. One element is exact for end loads.
     Linked,
-    /// Three nodes, 27 coordinates, with the elasticity of a rod, integrated at two points (Nachbagauer, Gruber & Gerstmayr
-    /// 2013).
+    /// Three nodes, 27 coordinates, elasticity of a rod, two integration points (Nachbagauer, Gruber & Gerstmayr 2013).
     Quadratic,
 }
 
-/// A cable of gradient-deficient ANCF elements: two nodes, 12 coordinates.
+/// Cable of gradient-deficient ANCF elements with two nodes and 12 coordinates.
 ///
 /// Source: Gerstmayr & Shabana (2006); Gerstmayr & Irschik (2008).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Cable {
-    /// The name by which joints, loads and probes refer to the cable.
+    /// Name of the cable in joints, loads and probes.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// Where the axis starts, length.
+    /// Start of the axis, length.
+    #[unit(length)]
     pub from: [f64; 3],
-    /// Where the axis ends, length.
+    /// End of the axis, length.
+    #[unit(length)]
     pub to: [f64; 3],
-    /// Number of elements, all of one length.
+    /// Number of elements of equal length.
     #[schemars(range(min = 1))]
     pub elements: u32,
-    /// Name of the section, a key of `sections`; it bends equally about every axis across.
+    /// Name of the section, a key of `sections`. Its two second moments of area must be equal.
     pub section: String,
     /// Name of the material, a key of `materials`.
     pub material: String,
-    /// What the nodal slope coordinates are.
+    /// Definition of the nodal slope coordinates.
     #[serde(default)]
     pub slopes: Slopes,
-    /// How it moves at the start of a motion; at rest by default.
+    /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
 }
 
-/// What the slope coordinates of a node are: ℓ r_x, ℓ r_y, ℓ r_z.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Slope coordinates of a node: ℓ r_x, ℓ r_y, ℓ r_z.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Slopes {
-    /// The gradients themselves, ℓ = 1 (Kim et al. 2017, eq. 2).
+    /// Gradients, ℓ = 1 (Kim et al. 2017, eq. 2).
     #[default]
     Gradient,
-    /// The gradients times the length of an element, ℓ = l (Kim et al. 2017, eq. 10).
+    /// Gradients times the element length, ℓ = l (Kim et al. 2017, eq. 10).
     Length,
 }
 
-/// A point of a body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Point of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
     /// Name of the body.
     pub body: String,
-    /// Where on its axis, or where on a rigid body.
+    /// Position on the axis, or on a rigid body.
     pub at: At,
-    /// A rigid arm from there, fixed to the section, in the global frame at the start, length; none by default.
+    /// Rigid arm from this position, fixed to the section, in the global frame at the start, length; none by default.
     #[serde(default, skip_serializing_if = "is_zero")]
+    #[unit(length)]
     pub offset: [f64; 3],
 }
 
@@ -287,33 +294,39 @@ fn is_zero(offset: &[f64; 3]) -> bool {
 }
 
 impl Place {
-    /// A place without an arm.
+    /// Place without an arm.
     pub fn new(body: &str, at: At) -> Self {
         Self { body: body.into(), at, offset: [0.0; 3] }
     }
 }
 
-/// A position on a body: of a beam or a cable `"start"`, `"center"`, `"end"` or the arc length from the start; of a rigid
-/// body `"center"` or a point.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Position on a body.
+///
+/// On a beam or a cable: `"start"`, `"center"`, `"end"` or the arc length from the start. On a rigid body: `"center"` or a
+/// point.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum At {
-    /// One that has a name.
+    /// Named position.
     Named(Named),
     /// Arc length from the start in the undeformed state, length.
-    Length(#[schemars(extend("minimum" = 0))] f64),
-    /// A point of a rigid body, where it is at the start, length.
-    Point([f64; 3]),
+    Length(
+        #[unit(length)]
+        #[schemars(extend("minimum" = 0))]
+        f64,
+    ),
+    /// Point of a rigid body in the global frame at the start, length.
+    Point(#[unit(length)] [f64; 3]),
 }
 
-/// Positions that have names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Named positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Named {
-    /// Where the axis starts.
+    /// Start of the axis.
     Start,
-    /// The middle of the axis, or the centre of mass of a rigid body.
+    /// Middle of the axis, or centre of mass of a rigid body.
     Center,
-    /// Where the axis ends.
+    /// End of the axis.
     End,
 }

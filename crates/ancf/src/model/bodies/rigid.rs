@@ -3,50 +3,57 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::motion::InitialMotion;
+use crate::units::Scaled;
 
-/// A rigid body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Rigid body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Rigid {
-    /// The name by which joints, loads and probes refer to the body.
+    /// Name of the body in joints, loads and probes.
     #[schemars(length(min = 1))]
     pub name: String,
     /// Centre of mass at the start, length.
+    #[unit(length)]
     pub center: [f64; 3],
     /// Mass, force time²/length.
     #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(mass)]
     pub mass: f64,
     /// Moments of inertia `[xx, yy, zz]` about the centre along the global axes at the start, mass length².
+    #[unit(mass * length^2)]
     pub inertia: [f64; 3],
-    /// Off-diagonal entries `[xy, xz, yz]` of the same tensor; none by default.
+    /// Off-diagonal entries `[xy, xz, yz]` of the inertia tensor, mass length²; zero by default.
     #[serde(default)]
+    #[unit(mass * length^2)]
     pub products: [f64; 3],
-    /// How it moves at the start of a motion; at rest by default.
+    /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
 }
 
 impl Rigid {
-    /// The tensor of inertia about the centre.
+    /// Inertia tensor about the centre of mass.
     pub fn tensor(&self) -> Matrix3<f64> {
         let ([xx, yy, zz], [xy, xz, yz]) = (self.inertia, self.products);
         Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
     }
 }
 
-/// A point mass, which has no orientation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Point mass, without orientation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct PointMass {
-    /// The name by which joints, loads and probes refer to the mass.
+    /// Name of the mass in joints, loads and probes.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// Where it is at the start, length.
+    /// Position at the start, length.
+    #[unit(length)]
     pub center: [f64; 3],
     /// Mass, force time²/length.
     #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(mass)]
     pub mass: f64,
-    /// How it moves at the start of a motion; at rest by default.
+    /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
 }

@@ -5,44 +5,52 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How the axis of a beam goes from its start to its end in the reference state, which is free of stress.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+use crate::units::Scaled;
+
+/// Shape of the axis of a beam in the reference state, which is free of stress.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
-    /// Along a line.
+    /// Straight line.
     #[default]
     Straight,
-    /// Along the arc of a circle.
+    /// Arc of a circle.
     Arc {
-        /// A point between start and end.
+        /// Point between start and end, length.
+        #[unit(length)]
         through: [f64; 3],
     },
-    /// Along a helix.
+    /// Helix.
     Helix {
-        /// A point of the helix's axis.
+        /// Point of the helix's axis, length.
+        #[unit(length)]
         center: [f64; 3],
-        /// Direction of the helix's axis; the helix turns about it by the right hand.
+        /// Direction of the helix's axis. The helix turns about it by the right-hand rule.
+        #[unit(none)]
         axis: [f64; 3],
         /// Number of turns.
+        #[unit(number)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         turns: f64,
     },
-    /// Along a natural cubic spline.
+    /// Natural cubic spline.
     Spline {
-        /// The points between start and end.
+        /// Points between start and end, length.
+        #[unit(length)]
         #[schemars(length(min = 1))]
         through: Vec<[f64; 3]>,
     },
 }
 
 impl Shape {
-    /// Whether it is a line.
+    /// True for a straight line.
     pub const fn is_straight(&self) -> bool {
         matches!(self, Self::Straight)
     }
 
-    /// The curve from start to end, with the start as its origin; `None` if there is none: points coincide or are on a
-    /// line, a radius vanishes.
+    /// Curve from start to end, relative to the start.
+    ///
+    /// `None` if points coincide, if points of an arc lie on a line, or if the radius of a helix is zero.
     pub fn curve(&self, start: Vector3<f64>, end: Vector3<f64>) -> Option<Curve> {
         let (from, to) = (Vector3::zeros(), end - start);
         let seen = |point: &[f64; 3]| Vector3::from(*point) - start;

@@ -1,4 +1,4 @@
-//! Functions of time by which loads and drives are multiplied.
+//! Functions of time that multiply loads and drives.
 
 mod time_function;
 

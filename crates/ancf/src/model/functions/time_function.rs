@@ -4,13 +4,15 @@ use ancf_mechanics::functions::{Expression, ExpressionError, External, Function,
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A function of time by which a load or an angle is multiplied: a number, or a table that says how it varies.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+use crate::units::Scaled;
+
+/// Function of time that multiplies a load or the motion of a drive: a number or a table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum TimeFunction {
-    /// The same at all times.
-    Constant(f64),
-    /// It varies.
+    /// Constant function.
+    Constant(#[unit(number)] f64),
+    /// Varying function.
     Varying(Varying),
 }
 
@@ -20,66 +22,77 @@ impl Default for TimeFunction {
     }
 }
 
-/// How a function varies in time. All values are pure numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Variation of a function in time. All values are pure numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Varying {
-    /// Linear between points, held before the first and after the last.
+    /// Linear interpolation between points, constant before the first and after the last.
     Table {
-        /// Times of the points, in order; two equal ones are a jump. Time.
+        /// Times of the points in ascending order, time. Two equal times are a jump.
+        #[unit(time)]
         #[schemars(length(min = 1))]
         times: Vec<f64>,
         /// Values at these times.
+        #[unit(number)]
         #[schemars(length(min = 1))]
         values: Vec<f64>,
     },
-    /// 0 until the start, then linear up to 1 at the end, then 1.
+    /// Ramp: 0 until the start, linear up to 1 at the end, then 1.
     Ramp {
-        /// Where it leaves 0, time.
+        /// End of the value 0, time.
         #[serde(default)]
+        #[unit(time)]
         start: f64,
-        /// Where it reaches 1, time.
+        /// Begin of the value 1, time.
+        #[unit(time)]
         end: f64,
     },
-    /// 0, then 1 from a time on.
+    /// Step: 0, then 1 from a time on.
     Step {
-        /// Where it becomes 1, time.
+        /// Time of the step from 0 to 1, time.
         #[serde(default)]
+        #[unit(time)]
         at: f64,
-        /// Where it becomes 0 again, time; never by default.
+        /// Time of the step back to 0, time; never by default.
+        #[unit(time)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         until: Option<f64>,
     },
-    /// sin(2π f t + φ).
+    /// Sine: sin(2π f t + φ).
     Sine {
-        /// Frequency f, cycles per time.
+        /// Frequency f, cycles/time.
+        #[unit(cycle / time)]
         #[schemars(extend("minimum" = 0))]
         frequency: f64,
-        /// Phase φ in radians.
+        /// Phase φ, in radians.
         #[serde(default)]
+        #[unit(radian)]
         phase: f64,
     },
-    /// A formula in t.
+    /// Formula in t.
     Expression {
-        /// The formula in t, the time, such as `if(t < 2, t^2/4, 1)`.
+        /// Formula in the time t, such as `if(t < 2, t^2/4, 1)`.
         #[schemars(length(min = 1))]
         text: String,
-        /// The t of the formula when one unit of time has passed; 1 by default.
+        /// Increase of the t of the formula per unit of time, 1/time; 1 by default.
         #[serde(default = "one")]
+        #[unit(1 / time)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
     },
-    /// A function that the program supplies under this name; the command line has none.
+    /// Function that the calling program supplies under a name. The command line has none.
     External {
         /// The name under which the program supplies it.
         #[schemars(length(min = 1))]
         name: String,
-        /// The t of the function when one unit of time has passed; 1 by default.
+        /// Increase of the t of the function per unit of time, 1/time; 1 by default.
         #[serde(default = "one")]
+        #[unit(1 / time)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
-        /// The function, once it is supplied ([`Model::supply`]).
+        /// The supplied function ([`Model::supply`](crate::model::Model::supply)).
         #[serde(skip)]
+        #[unit(none)]
         #[schemars(skip)]
         supplied: Option<External>,
     },
@@ -90,12 +103,12 @@ fn one() -> f64 {
 }
 
 impl TimeFunction {
-    /// One that the program supplies under a name.
+    /// Function that the calling program supplies under a name.
     pub fn external(name: &str) -> Self {
         Self::Varying(Varying::External { name: name.into(), unit: 1.0, supplied: None })
     }
 
-    /// Whether its value jumps, as far as is known: formulas and programs do not tell.
+    /// True if the value is known to jump. Jumps of formulas and of supplied functions are not known.
     pub(crate) fn jumps(&self) -> bool {
         match self {
             Self::Varying(Varying::Step { .. }) => true,
@@ -104,10 +117,10 @@ impl TimeFunction {
         }
     }
 
-    /// The function to be evaluated: 0 in the place of one that is not yet supplied.
+    /// Compiles the function for evaluation. A function that is not yet supplied is replaced by 0.
     ///
     /// # Errors
-    /// If a formula is not understood.
+    /// If a formula has a syntax error.
     pub fn compile(&self) -> Result<Function, ExpressionError> {
         Ok(match self {
             Self::Constant(value) => Function::Constant(*value),
@@ -128,19 +141,19 @@ impl TimeFunction {
     }
 }
 
-/// What functions of time are when a model is assembled.
+/// Treatment of the functions of time in the assembly of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Clock {
-    /// As given, for dynamics.
+    /// As stated, for dynamics.
     Runs,
-    /// 0, for the closing of gaps: drives have not begun.
+    /// 0, for closing gaps before drives begin.
     Waits,
-    /// 1, for statics: loads have their full values and grow by the load factor.
+    /// 1, for statics, where the load factor varies the loads.
     Stands,
 }
 
 impl Clock {
-    /// The function to be evaluated, of a checked model.
+    /// Compiles a function of time of a checked model.
     pub(crate) fn function(self, time: &TimeFunction) -> Function {
         match self {
             Self::Runs => time.compile().expect("the formulas of a checked model can be read"),

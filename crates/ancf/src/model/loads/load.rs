@@ -5,105 +5,115 @@ use serde::{Deserialize, Serialize};
 use super::fluid::Fluid;
 use crate::model::bodies::{At, Named, Place};
 use crate::model::functions::TimeFunction;
-use crate::units::Scales;
+use crate::units::{Scaled, Scales};
 
-/// A load on bodies. Gravity is a property of the model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Load on bodies. Gravity is a key of the model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Load {
-    /// A force on a point of the axis.
+    /// Force at a point of a body.
     Force {
-        /// Where it acts.
+        /// Point of application.
         on: Place,
-        /// The force in the global frame; of a follower, in the undeformed state.
+        /// Force vector in the global frame, of a follower in the undeformed state; force.
+        #[unit(force)]
         force: [f64; 3],
-        /// Whether it turns with the section.
+        /// True for a load that rotates with the section.
         #[serde(default)]
         follower: bool,
-        /// Function of time by which it is multiplied; statics ignores it.
+        /// Function of time that multiplies the load. Statics ignores it.
         #[serde(default)]
         time: TimeFunction,
     },
-    /// A moment on a section.
+    /// Moment on a section or on a rigid body.
     Moment {
-        /// Where it acts.
+        /// Point of application.
         on: Place,
-        /// The moment in the global frame; of a follower, in the undeformed state.
+        /// Moment vector in the global frame, of a follower in the undeformed state; force length.
+        #[unit(force * length)]
         moment: [f64; 3],
-        /// Whether it turns with the section.
+        /// True for a load that rotates with the section.
         #[serde(default)]
         follower: bool,
-        /// Function of time by which it is multiplied; statics ignores it.
+        /// Function of time that multiplies the load. Statics ignores it.
         #[serde(default)]
         time: TimeFunction,
     },
-    /// A force per length along an axis.
+    /// Force per length along the axis of a body.
     DistributedForce {
         /// Name of the body.
         body: String,
-        /// Where it begins; at the start of the body by default.
+        /// Start of the load; the start of the axis by default.
         #[serde(default = "start")]
         from: At,
-        /// Where it ends; at the end of the body by default.
+        /// End of the load; the end of the axis by default.
         #[serde(default = "end")]
         to: At,
-        /// The force per undeformed length, in the global frame; of a follower, in that of each section.
+        /// Force per undeformed length in the global frame, of a follower in the frame of each section; force/length.
+        #[unit(force / length)]
         force: [f64; 3],
-        /// Likewise at `to`, if it varies: linearly, from `force` at `from`.
+        /// Force per undeformed length at `to`, force/length. The load varies linearly from `force` at `from`. Constant by
+        /// default.
         #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[unit(force / length)]
         force_end: Option<[f64; 3]>,
-        /// Whether it turns with the sections.
+        /// True for a load that rotates with the sections.
         #[serde(default)]
         follower: bool,
-        /// Function of time by which it is multiplied; statics ignores it.
+        /// Function of time that multiplies the load. Statics ignores it.
         #[serde(default)]
         time: TimeFunction,
     },
-    /// A moment per length on the sections of a beam.
+    /// Moment per length on the sections of a beam.
     DistributedMoment {
         /// Name of the body.
         body: String,
-        /// Where it begins; at the start of the body by default.
+        /// Start of the load; the start of the axis by default.
         #[serde(default = "start")]
         from: At,
-        /// Where it ends; at the end of the body by default.
+        /// End of the load; the end of the axis by default.
         #[serde(default = "end")]
         to: At,
-        /// The moment per undeformed length, in the global frame; of a follower, in that of each section.
+        /// Moment per undeformed length in the global frame, of a follower in the frame of each section; force.
+        #[unit(force)]
         moment: [f64; 3],
-        /// Likewise at `to`, if it varies: linearly, from `moment` at `from`.
+        /// Moment per undeformed length at `to`, force. The load varies linearly from `moment` at `from`. Constant by default.
         #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[unit(force)]
         moment_end: Option<[f64; 3]>,
-        /// Whether it turns with the sections.
+        /// True for a load that rotates with the sections.
         #[serde(default)]
         follower: bool,
-        /// Function of time by which it is multiplied; statics ignores it.
+        /// Function of time that multiplies the load. Statics ignores it.
         #[serde(default)]
         time: TimeFunction,
     },
-    /// The ground accelerates without turning; all that is computed is relative to it.
+    /// Translational acceleration of the ground. All results are relative to the ground.
     BaseAcceleration {
         /// Acceleration of the ground, length/time².
+        #[unit(length / time^2)]
         acceleration: [f64; 3],
-        /// Function of time by which it is multiplied; statics ignores it.
+        /// Function of time that multiplies the load. Statics ignores it.
         #[serde(default)]
         time: TimeFunction,
     },
-    /// A fluid around bodies: drag, added mass and buoyancy.
+    /// Fluid around bodies: drag, added mass and buoyancy.
     Fluid(Fluid),
-    /// A force on a point that the program computes from time, position and velocity of the point; the command line has none.
-    /// In statics the velocity is 0, the time 1.
+    /// Force at a point, computed by a function of time, position and velocity of the point.
+    ///
+    /// The calling program supplies the function; the command line has none. In statics the velocity is 0 and the time is 1.
     External {
-        /// Where it acts.
+        /// Point of application.
         on: Place,
         /// The name under which the program supplies it.
         #[schemars(length(min = 1))]
         name: String,
-        /// What the model's units of length, time and force are in those of the function; the same by default.
+        /// Units of length, time and force of the model, measured in units of the function; equal by default.
         #[serde(default = "own")]
         units: Scales,
-        /// The function, once it is supplied ([`Model::supply_force`](crate::model::Model::supply_force)).
+        /// The supplied function ([`Model::supply_force`](crate::model::Model::supply_force)).
         #[serde(skip)]
+        #[unit(none)]
         #[schemars(skip)]
         supplied: Option<ForceFunction>,
     },
@@ -121,7 +131,7 @@ fn end() -> At {
     At::Named(Named::End)
 }
 
-/// Part of a body, and a load per length at its two ends.
+/// Part of a body, with a load per length at its two ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch<'a> {
     pub body: &'a str,
@@ -131,22 +141,22 @@ pub(crate) struct Stretch<'a> {
 }
 
 impl Load {
-    /// A force of constant size and direction.
+    /// Force of constant magnitude and direction.
     pub fn force(on: Place, force: [f64; 3]) -> Self {
         Self::Force { on, force, follower: false, time: TimeFunction::default() }
     }
 
-    /// A moment of constant size and direction.
+    /// Moment of constant magnitude and direction.
     pub fn moment(on: Place, moment: [f64; 3]) -> Self {
         Self::Moment { on, moment, follower: false, time: TimeFunction::default() }
     }
 
-    /// A force that the program supplies under a name.
+    /// Force by a function that the calling program supplies under a name.
     pub fn external(on: Place, name: &str) -> Self {
         Self::External { on, name: name.into(), units: Scales::UNIT, supplied: None }
     }
 
-    /// The place where it acts, if it acts at one.
+    /// Point of application of a concentrated load.
     pub const fn on(&self) -> Option<&Place> {
         match self {
             Self::Force { on, .. } | Self::Moment { on, .. } | Self::External { on, .. } => Some(on),
@@ -154,7 +164,7 @@ impl Load {
         }
     }
 
-    /// Where a load per length acts.
+    /// Loaded part of a body, of a load per length.
     pub(crate) fn stretch(&self) -> Option<Stretch<'_>> {
         match self {
             Self::DistributedForce { body, from, to, force: load, force_end: last, .. }
@@ -165,7 +175,7 @@ impl Load {
         }
     }
 
-    /// Whether it turns with the section.
+    /// True for a load that rotates with the section.
     pub const fn is_follower(&self) -> bool {
         match self {
             Self::Force { follower, .. }
@@ -176,12 +186,12 @@ impl Load {
         }
     }
 
-    /// Whether it is a moment, at a place or per length.
+    /// True for moments and moments per length.
     pub const fn is_moment(&self) -> bool {
         matches!(self, Self::Moment { .. } | Self::DistributedMoment { .. })
     }
 
-    /// Its function of time, if it has one.
+    /// Function of time, if the load has one.
     pub const fn time(&self) -> Option<&TimeFunction> {
         match self {
             Self::Force { time, .. }
@@ -194,7 +204,7 @@ impl Load {
         }
     }
 
-    /// The same to be changed.
+    /// Mutable function of time, if the load has one.
     pub(crate) const fn time_mut(&mut self) -> Option<&mut TimeFunction> {
         match self {
             Self::Force { time, .. }

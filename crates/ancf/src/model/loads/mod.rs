@@ -1,4 +1,4 @@
-//! Loads of a model and their functions of time.
+//! Loads of a model.
 
 mod fluid;
 mod load;

@@ -2,18 +2,23 @@ use ancf_mechanics::sections::Lame;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::units::Scaled;
+
 /// An isotropic elastic material with damping.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Density ρ, mass/volume.
+    #[unit(mass / length^3)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
     /// Young's modulus E, force/area.
+    #[unit(force / length^2)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub young: f64,
     /// Poisson's ratio ν, −1 < ν < 0.5; 0 by default.
     #[serde(default)]
+    #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5))]
     pub poisson: f64,
     /// How stress follows strain.
@@ -25,7 +30,7 @@ pub struct Material {
 }
 
 /// How stress follows strain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum MaterialLaw {
     /// St. Venant and Kirchhoff: ½(λ tr² E + 2G E:E) of Green's strain.
@@ -36,13 +41,15 @@ pub enum MaterialLaw {
 }
 
 /// What dissipates in a material.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Damping {
     /// Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt. Time.
+    #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub strain: f64,
     /// Rate α of the mass-proportional damping, the force −α v per mass. 1/time.
+    #[unit(1 / time)]
     #[schemars(extend("minimum" = 0))]
     pub mass: f64,
 }

@@ -1,0 +1,205 @@
+//! Code of the implementation.
+
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::ext::IdentExt;
+use syn::spanned::Spanned;
+use syn::{Data, DeriveInput, Fields, Ident, Variant};
+
+use crate::attribute::FieldUnit;
+
+/// The implementation of `Scaled` for a type.
+pub(crate) fn scaled(input: &DeriveInput) -> syn::Result<TokenStream> {
+    if !input.generics.params.is_empty() {
+        return Err(syn::Error::new_spanned(&input.generics, "generic types are not supported"));
+    }
+    let name = &input.ident;
+    let (conversion, units) = match &input.data {
+        Data::Struct(data) => {
+            let Form { pattern, value, units } = Form::new(&quote!(Self), &data.fields)?;
+            (quote!({ let #pattern = self; #value }), units)
+        }
+        Data::Enum(data) => of_enum(data.variants.iter())?,
+        Data::Union(_) => return Err(syn::Error::new_spanned(name, "unions have no units")),
+    };
+    Ok(quote! {
+        #[automatically_derived]
+        impl crate::units::Scaled for #name {
+            fn scaled(self, scales: &crate::units::Scales) -> Self {
+                let _ = scales;
+                #conversion
+            }
+
+            fn unit_tree() -> crate::units::UnitTree {
+                #units
+            }
+        }
+    })
+}
+
+/// Conversion and units of an enumeration.
+fn of_enum<'a>(variants: impl Iterator<Item = &'a Variant>) -> syn::Result<(TokenStream, TokenStream)> {
+    let (mut arms, mut forms) = (Vec::new(), Vec::new());
+    for variant in variants {
+        let (ident, word) = (&variant.ident, snake_case(&variant.ident));
+        let Form { pattern, value, units } = Form::new(&quote!(Self::#ident), &variant.fields)?;
+        arms.push(quote!(#pattern => #value));
+        forms.push(quote!((#word, #units)));
+    }
+    Ok((quote!(match self { #(#arms,)* }), quote!(crate::units::UnitTree::Forms(vec![#(#forms),*]))))
+}
+
+/// A struct or a variant.
+struct Form {
+    /// Pattern that binds all fields.
+    pattern: TokenStream,
+    /// The same form with converted fields.
+    value: TokenStream,
+    /// Units of the fields.
+    units: TokenStream,
+}
+
+impl Form {
+    fn new(path: &TokenStream, fields: &Fields) -> syn::Result<Self> {
+        let (mut bindings, mut values, mut units) = (Vec::new(), Vec::new(), Vec::new());
+        for (at, field) in fields.iter().enumerate() {
+            let binding = format_ident!("field_{at}");
+            let (value, unit) = converted(&binding, &field.ty, &FieldUnit::of(field)?);
+            bindings.push(binding);
+            values.push(value);
+            units.push(unit);
+        }
+        Ok(match fields {
+            Fields::Named(fields) => {
+                let names: Vec<_> = fields.named.iter().flat_map(|field| &field.ident).collect();
+                let keys = names.iter().map(|name| name.unraw().to_string());
+                Self {
+                    pattern: quote!(#path { #(#names: #bindings),* }),
+                    value: quote!(#path { #(#names: #values),* }),
+                    units: quote!(crate::units::UnitTree::Keys(vec![#((#keys, #units)),*])),
+                }
+            }
+            Fields::Unnamed(fields) if fields.unnamed.len() == 1 => Self {
+                pattern: quote!(#path(#(#bindings),*)),
+                value: quote!(#path(#(#values),*)),
+                units: quote!(#(#units)*),
+            },
+            Fields::Unnamed(fields) => {
+                return Err(syn::Error::new_spanned(fields, "tuples of several fields have no keys"));
+            }
+            Fields::Unit => Self {
+                pattern: path.clone(),
+                value: path.clone(),
+                units: quote!(crate::units::UnitTree::None),
+            },
+        })
+    }
+}
+
+/// Expressions of the converted value of a field and of its unit.
+fn converted(name: &Ident, ty: &syn::Type, unit: &FieldUnit) -> (TokenStream, TokenStream) {
+    // Errors point to the type, the code belongs to the macro.
+    let span = ty.span().resolved_at(Span::call_site());
+    match unit {
+        FieldUnit::Nested => (
+            quote_spanned!(span=> <#ty as crate::units::Scaled>::scaled(#name, scales)),
+            quote_spanned!(span=> <#ty as crate::units::Scaled>::unit_tree()),
+        ),
+        FieldUnit::Unchanged => (name.to_token_stream(), quote!(crate::units::UnitTree::None)),
+        FieldUnit::One(unit) => {
+            let (text, dimension) = (&unit.text, unit.dimension());
+            let value = if unit.is_number() {
+                name.to_token_stream()
+            } else {
+                quote_spanned!(span=> <#ty as crate::units::Convert>::converted(#name, #dimension, scales))
+            };
+            (value, quote!(crate::units::UnitTree::Unit(#text)))
+        }
+        FieldUnit::Components(units) => {
+            let texts = units.iter().map(|unit| &unit.text);
+            let dimensions = units.iter().map(crate::unit::Unit::dimension);
+            let names: Vec<_> = (0..units.len()).map(|at| format_ident!("component_{at}")).collect();
+            let value = quote_spanned!(span=> {
+                let [#(#names),*] = #name;
+                [#(crate::units::Convert::converted(#names, #dimensions, scales)),*]
+            });
+            (value, quote!(crate::units::UnitTree::Components(&[#(#texts),*])))
+        }
+    }
+}
+
+/// The word by which a variant is called in files.
+fn snake_case(ident: &Ident) -> String {
+    let mut word = String::new();
+    for letter in ident.unraw().to_string().chars() {
+        if letter.is_uppercase() && !word.is_empty() {
+            word.push('_');
+        }
+        word.extend(letter.to_lowercase());
+    }
+    word
+}
+
+#[cfg(test)]
+mod tests {
+    use syn::parse_quote;
+
+    use super::*;
+
+    #[test]
+    fn words_of_variants() {
+        for (ident, word) in [("Clamp", "clamp"), ("PointOnLine", "point_on_line"), ("Hht", "hht")] {
+            assert_eq!(snake_case(&format_ident!("{ident}")), word);
+        }
+    }
+
+    #[test]
+    fn unsupported_types_are_errors() {
+        let inputs: [DeriveInput; 4] = [
+            parse_quote!(
+                struct Pair(#[unit(length)] f64, #[unit(time)] f64);
+            ),
+            parse_quote!(
+                struct Any<T> {
+                    x: T,
+                }
+            ),
+            parse_quote!(union Bits { #[unit(length)] x: f64 }),
+            parse_quote!(
+                enum Load {
+                    Force {
+                        #[unit(newton)]
+                        force: f64,
+                    },
+                }
+            ),
+        ];
+        for input in inputs {
+            assert!(scaled(&input).is_err(), "{}", input.to_token_stream());
+        }
+    }
+
+    #[test]
+    fn structs_and_enums_are_expanded() {
+        let spring: DeriveInput = parse_quote! {
+            struct Spring { #[unit(force / length)] stiffness: f64, place: Place, #[unit(none)] axis: [f64; 3] }
+        };
+        let code = scaled(&spring).unwrap().to_string();
+        assert!(code.contains("Dimension :: new (- 1i32 , 0i32 , 1i32)"), "{code}");
+        assert!(
+            code.contains("< Place as crate :: units :: Scaled > :: scaled (field_1 , scales)"),
+            "{code}"
+        );
+        assert!(code.contains("axis : field_2"), "{code}");
+        let at: DeriveInput = parse_quote!(
+            enum At {
+                Named(Named),
+                Length(#[unit(length)] f64),
+                Start,
+            }
+        );
+        let code = scaled(&at).unwrap().to_string();
+        assert!(code.contains("(\"length\" , crate :: units :: UnitTree :: Unit (\"length\"))"), "{code}");
+        assert!(code.contains("Self :: Start => Self :: Start"), "{code}");
+    }
+}

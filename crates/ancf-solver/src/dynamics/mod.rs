@@ -1,4 +1,4 @@
-//! Time integration: schemes, steps of fixed and of controlled size, initial conditions.
+//! Time integration: schemes, fixed and controlled step sizes, initial conditions.
 
 mod adaptive;
 mod estimate;

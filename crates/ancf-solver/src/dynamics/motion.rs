@@ -6,18 +6,18 @@ use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
 use crate::newton::NewtonMemory;
 
-/// Where a motion is: what moves on with each accepted step.
+/// Integration state that each accepted step advances.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Motion {
     pub(crate) state: State,
-    /// The scheme's auxiliary acceleration aₙ, for the step `h` that led here.
+    /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
     pub(crate) auxiliary: Vec<f64>,
     pub(crate) h: f64,
-    /// Whether accelerations are consistent and there is no step before.
+    /// True if the accelerations are consistent and there is no previous step.
     pub(crate) fresh: bool,
-    /// By how many halvings the next step begins: one less than the last one needed.
+    /// Number of halvings at the start of the next step: one less than in the last step.
     pub(crate) halvings: u32,
-    /// A step that is not completed yet.
+    /// Divided step that is not complete.
     pub(crate) divided: Option<Divided>,
     pub(crate) trend: Trend,
     /// Energy and power of the state.
@@ -26,32 +26,32 @@ pub(crate) struct Motion {
     pub(crate) exchanged: Power,
 }
 
-/// What is left of a step that was divided: so many parts h up to a time.
+/// Remainder of a divided step: a number of substeps h up to a time.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Divided {
     pub(crate) to: f64,
     pub(crate) h: f64,
     pub(crate) left: u64,
     pub(crate) halvings: u32,
-    /// On the parts done.
+    /// Report of the completed substeps.
     pub(crate) report: StepReport,
 }
 
-/// All on which the rest of a motion depends besides equations, scheme and rules; of [`Dynamics`](super::time_stepper::Dynamics).
+/// Saved state of [`Dynamics`](super::time_stepper::Dynamics), without equations, scheme and rules.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct DynamicsMemory {
     pub(crate) motion: Motion,
-    /// The pairs whose terms are among the equations: the order of elimination, and so rounding, depends on them.
+    /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
     pub(crate) met: Vec<Met>,
     pub(crate) newton: NewtonMemory,
 }
 
-/// A memory is not one of these dynamics.
+/// The saved state does not belong to this integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the memory is not one of these equations and rules, or damaged")]
 pub struct Unknown;
 
-/// Reports of more iterations than this are damaged.
+/// Largest plausible count in a report. Larger counts indicate damaged data.
 const MOST: u32 = u32::MAX / 4;
 
 impl Motion {
@@ -70,7 +70,7 @@ impl Motion {
         }
     }
 
-    /// Whether it is one of so many unknowns, and makes sense.
+    /// Returns true if the state has the given sizes and is plausible.
     pub(crate) fn is_sound(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
         let Self { energy, power, exchanged, h, .. } = self;
         let energies = [energy.kinetic, energy.strain, energy.potential];
@@ -98,19 +98,19 @@ impl Divided {
 }
 
 impl StepReport {
-    /// Whether its counts can be added to.
+    /// Returns true if the counts can be summed without overflow.
     pub fn is_sound(&self) -> bool {
         [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MOST)
     }
 }
 
 impl DynamicsMemory {
-    /// The time of the state.
+    /// Returns the time of the state.
     pub fn time(&self) -> f64 {
         self.motion.state.t
     }
 
-    /// The time to which a step leads that was divided and not completed.
+    /// Returns the end time of a divided step that is not complete.
     pub fn under_way(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }

@@ -7,7 +7,7 @@ use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};
 use crate::newton::{Current, Failure, Newton, Report, SolveError};
 use crate::sparse::SparseMatrix;
 
-/// Integration of equations of motion in time.
+/// Time integration of the equations of motion.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) eom: Current<'a, E>,
@@ -15,18 +15,19 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) newton: Newton,
     max_halvings: u32,
     pub(crate) motion: Motion,
-    /// The pairs met when the last step was accepted, if there are others now.
+    /// Pairs at the last accepted step, if they have changed since.
     met: Option<Vec<Met>>,
-    /// The state before the current attempt.
+    /// State before the current attempt.
     before: State,
-    /// aₙ and aₙ₊₁ of the current attempt.
+    /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
 }
 
 impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
-    /// Starts from a state, accelerations as they are (see [`restart`](Self::restart)); a step whose iteration fails is halved
-    /// up to `max_halvings` times.
+    /// Starts from a state with its accelerations (see [`restart`](Self::restart)).
+    ///
+    /// A step whose iteration fails is halved up to `max_halvings` times.
     pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
         newton.reuse(&start);
         let auxiliary = start.a.clone();
@@ -43,28 +44,29 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
     }
 
-    /// The current state.
+    /// Returns the current state.
     pub fn state(&self) -> &State {
         &self.motion.state
     }
 
-    /// The energies of the current state.
+    /// Returns the energies of the current state.
     pub fn energy(&self) -> Energy {
         self.motion.energy
     }
 
-    /// Work supplied and energy dissipated since the start, by the trapezoidal rule over the steps.
+    /// Returns the work supplied and the energy dissipated since the start, by the trapezoidal rule.
     pub fn exchanged(&self) -> Power {
         self.motion.exchanged
     }
 
-    /// Begins anew at a time t, at q and v as they are: at the start, and where loads or prescribed motions jump.
+    /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
     ///
-    /// Velocities are projected onto Φ_q v + Φ_t = 0, accelerations and multipliers follow from the equations of motion, and
-    /// the scheme gets start values of its own. At a jump take the last step to `t.next_down()`, where loads are still those before it.
+    /// Velocities are projected onto Φ_q v + Φ_t = 0. Accelerations and multipliers follow from the equations of
+    /// motion, and the scheme computes its start values. The last step before a jump must end at `t.next_down()`, where
+    /// the loads have not jumped.
     ///
     /// # Errors
-    /// If the mass matrix with the constraints is singular; the state is then as it was.
+    /// If the mass matrix with the constraints is singular. The state is then unchanged.
     pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
         self.before.copy_from(&self.motion.state);
         let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
@@ -88,7 +90,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         if self.motion.h > 0.0 {
-            // A blow: prescribed motions whose rates jump do the work of impulses on the mean of both rates.
+            // Velocity jump: adds the impulsive work, computed with the mean velocity.
             self.motion.exchanged.work += self.motion.energy.kinetic - before;
         }
         accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
@@ -100,7 +102,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(())
     }
 
-    /// Projects velocities onto Φ_q v + Φ_t = 0, and leaves accelerations and multipliers as they are.
+    /// Projects velocities onto Φ_q v + Φ_t = 0. Accelerations and multipliers remain unchanged.
     ///
     /// # Errors
     /// If the mass matrix with the constraints is singular.
@@ -114,12 +116,13 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(())
     }
 
-    /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not. After
-    /// that, steps grow again by a factor of two each.
+    /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
+    ///
+    /// Afterwards the step size doubles with each step up to its full size.
     ///
     /// # Errors
-    /// If the smallest permitted step fails; the state is then that of the last converged part of the step, from which the same
-    /// step goes on if it is asked for again.
+    /// If the smallest permitted step fails. The state is then that of the last converged substep. A repeated call
+    /// resumes the step there.
     pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
         let divided = self.motion.divided.filter(|divided| divided.to == to);
         let Divided { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
@@ -147,12 +150,14 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(report)
     }
 
-    /// The time to which a step leads that was divided and not completed.
+    /// Returns the end time of a divided step that is not complete.
     pub fn under_way(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }
 
-    /// Tries a step h that ends at the time `to`. Its end is then to be accepted or taken back; a failed one is taken back already.
+    /// Attempts a step h that ends at the time `to`.
+    ///
+    /// The caller accepts or reverts the result. A failed attempt has already been reverted.
     pub(crate) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
         self.take_in()?;
         self.before.copy_from(&self.motion.state);
@@ -172,17 +177,19 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             let Some((eom, matrix)) = self.eom.completed(&self.motion.state) else {
                 return Ok(Report { iterations: spent + done.iterations, ..done });
             };
-            // Something acts at the end that was not among the equations.
+            // A term that is active at the end was not included.
             self.take_back();
             self.renew(eom, matrix)?;
             spent += done.iterations;
         }
     }
 
-    /// Takes in the terms that may soon act. To be called before the first look at the energy; steps do it by themselves.
+    /// Includes the terms that may become active soon. Must be called before the first evaluation of the energy.
+    ///
+    /// Steps call it automatically.
     ///
     /// # Errors
-    /// If memory does not suffice.
+    /// If the memory does not suffice.
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.motion.state) {
             Some((eom, matrix)) => {
@@ -230,12 +237,12 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(done)
     }
 
-    /// Returns to the state before the attempt.
+    /// Reverts to the state before the attempt.
     pub(crate) fn take_back(&mut self) {
         self.motion.state.copy_from(&self.before);
     }
 
-    /// Makes the end of the attempt the current state.
+    /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &Report, report: &mut StepReport) {
         self.motion.h = self.motion.state.t - self.before.t;
         self.motion.trend.note(&self.before, &self.motion.state, self.motion.h, &self.newton.tangent.factor);
@@ -258,22 +265,22 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.keep();
     }
 
-    /// To what is now a run returns that breaks off in the next step.
+    /// Saves the state to which a failed next step returns.
     fn keep(&mut self) {
         self.met = None;
         self.newton.tangent.keep();
     }
 
-    /// All on which the rest of the motion depends, as of the last accepted step.
+    /// Returns the saved state as of the last accepted step.
     pub fn memory(&self) -> DynamicsMemory {
         let met = self.met.clone().unwrap_or_else(|| self.eom.met());
         DynamicsMemory { motion: self.motion.clone(), met, newton: self.newton.memory() }
     }
 
-    /// Goes on from a memory, to the last bit as the dynamics would have gone on that it is one of.
+    /// Resumes from a saved state. Later steps are identical to the last bit.
     ///
     /// # Errors
-    /// If it is no memory of such dynamics; they are then of no use.
+    /// If the saved state does not belong to this integration. The integration is then in an undefined state.
     pub fn recall(&mut self, memory: &DynamicsMemory) -> Result<(), Unknown> {
         let DynamicsMemory { motion, met, newton } = memory;
         let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
@@ -293,7 +300,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         if is_finite && recalled.is_ok() { Ok(()) } else { Err(Unknown) }
     }
 
-    /// The largest constraint at a level.
+    /// Returns the largest magnitude of the constraints at a level.
     fn largest(&mut self, level: Level) -> f64 {
         self.eom.constraints(&self.motion.state, level, &mut self.phi);
         self.phi.iter().fold(0.0, |largest, phi| phi.abs().max(largest))

@@ -5,19 +5,19 @@ use crate::factor::{Factor, SingularMatrix};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
-/// Why eigenvalues were not found.
+/// Cause of failure of an eigenvalue analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum EigenError {
     /// The matrix to be inverted has no usable factorisation.
     #[error("the matrix is singular: a joint repeats another, or a motion is held by nothing")]
     Singular,
-    /// The inner product is not positive: a stiffness that is none, or a negative mass.
+    /// The inner product is not positive definite: missing stiffness or negative mass.
     #[error("the matrix of the inner product is not positive definite: the state is not stable")]
     Indefinite,
-    /// The permitted number of passes was not enough.
+    /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,
-    /// It was ended from outside.
+    /// The interrupt flag was set.
     #[error("the search was interrupted")]
     Interrupted,
 }
@@ -28,33 +28,33 @@ impl From<SingularMatrix> for EigenError {
     }
 }
 
-/// T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
+/// Operator T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
 ///
-/// S comes with its border, [S, Φ_qᵀ; Φ_q, 0], and all vectors with a tail of zeros in the place of multipliers, so that
-/// the borders of A and B, whatever they are, have no effect.
+/// S is bordered, [S, Φ_qᵀ; Φ_q, 0], and all vectors have zeros in the place of multipliers. The borders of A and B
+/// therefore have no effect.
 #[derive(Debug)]
 pub(crate) struct Operator<'a> {
-    /// The factors of S.
+    /// Factors of S.
     pub(crate) factor: &'a mut Factor,
-    /// S.
+    /// Matrix S.
     pub(crate) left: &'a SparseMatrix,
-    /// A.
+    /// Matrix A.
     pub(crate) right: &'a SparseMatrix,
-    /// B.
+    /// Matrix B of the inner product.
     pub(crate) inner: &'a SparseMatrix,
     /// Number of coordinates.
     pub(crate) coordinates: usize,
-    /// What may end the search.
+    /// Interrupt flag that stops the search.
     pub(crate) interrupt: &'a Interrupt,
 }
 
 impl Operator<'_> {
-    /// T x.
+    /// Computes T x.
     pub(crate) fn apply(&mut self, x: &DVector<f64>) -> Result<DVector<f64>, EigenError> {
         self.solve(self.right.times(x.as_slice()).into())
     }
 
-    /// S⁻¹ f.
+    /// Computes S⁻¹ f.
     fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
         if self.interrupt.is_set() {
             return Err(EigenError::Interrupted);
@@ -66,8 +66,9 @@ impl Operator<'_> {
         Ok(f)
     }
 
-    /// S⁻¹ of `count` random forces, each as large on a coordinate as the root of B's diagonal, which makes them blind to
-    /// units; the same in every run.
+    /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run.
+    ///
+    /// The forces are scaled by the root of the diagonal of B, which makes them independent of units.
     pub(crate) fn start(&mut self, count: usize) -> Result<Vec<DVector<f64>>, EigenError> {
         let (mut random, n) = (Random(24), self.left.pattern().size());
         let size: Vec<f64> = (0..n).map(|i| self.inner.diagonal_of(i).abs().sqrt()).collect();
@@ -75,7 +76,7 @@ impl Operator<'_> {
     }
 }
 
-/// Numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
+/// Pseudo-random numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
 #[derive(Debug)]
 pub(crate) struct Random(pub(crate) u64);
 
@@ -88,52 +89,52 @@ impl Random {
     }
 }
 
-/// An approximate eigenpair T x = θ x.
+/// Approximate eigenpair T x = θ x.
 #[derive(Clone, Debug)]
 pub(crate) struct Pair {
-    /// θ.
+    /// Eigenvalue θ.
     pub(crate) value: f64,
-    /// x with xᵀ B x = 1.
+    /// Eigenvector x with xᵀ B x = 1.
     pub(crate) vector: DVector<f64>,
 }
 
-/// Which eigenvalues θ of T are wanted, and how well.
+/// Selection of the eigenvalues θ of T, and their accuracy.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Search {
-    /// How many.
+    /// Number of eigenvalues.
     pub(crate) count: usize,
-    /// Those first of which this is largest.
+    /// Sort key. Eigenvalues with the largest key come first.
     pub(crate) key: fn(f64) -> f64,
-    /// Those only of which it exceeds this part of the largest |θ|.
+    /// Smallest key, relative to the largest |θ|.
     pub(crate) least: f64,
-    /// Converged when |T x − θ x| ≤ tolerance · |θ|, or when it is down to the rounding error of T.
+    /// Tolerance: converged when |T x − θ x| ≤ tolerance · |θ|, or at the rounding error of T.
     pub(crate) tolerance: f64,
-    /// The largest number of blocks of a space.
+    /// Maximum number of blocks of a space.
     pub(crate) depth: usize,
 }
 
-/// The best pairs of a space, best first, and whether the wanted ones among them have converged.
+/// Best eigenpairs of a space, best first.
 #[derive(Debug)]
 pub(crate) struct Found {
-    /// As many as the starting block has, if there are so many, for it to be replaced by them.
+    /// Eigenpairs, at most as many as vectors of the starting block, which they may replace.
     pub(crate) pairs: Vec<Pair>,
-    /// How many of them are wanted.
+    /// Number of requested pairs.
     pub(crate) wanted: usize,
-    /// Whether those have converged.
+    /// True if the requested pairs have converged.
     pub(crate) converged: bool,
 }
 
-/// What is left of a vector counts as nothing below this part of it.
+/// Size of a remainder, relative to the vector, below which the vector is dependent.
 const NOTHING: f64 = 1e-10;
-/// A square below zero by more than this part of what it is a sum of is negative.
+/// Negative squares, relative to the sum of the magnitudes, beyond which the inner product is indefinite.
 const NEGATIVE: f64 = 1e-10;
-/// A residual within this many times the asymmetry of VᵀBTV cannot be told from rounding.
+/// Multiple of the asymmetry of VᵀBTV below which a residual is rounding error.
 const ROUNDING: f64 = 10.0;
 
-/// Rayleigh-Ritz on the Krylov space of a block: span(X, TX, T²X, ...), grown until the wanted eigenvalues converge.
+/// Applies the Rayleigh-Ritz method to the block Krylov space span(X, TX, T²X, ...), enlarged until convergence.
 ///
-/// A block of p vectors finds eigenvalues of any multiplicity up to p, which one vector does not. Orthogonalised in full,
-/// twice, vector by vector: a dependent vector is just left out.
+/// A block of p vectors finds eigenvalues of any multiplicity up to p, unlike a single vector. The basis is fully
+/// orthogonalised, twice, vector by vector. Dependent vectors are dropped.
 ///
 /// Source: Ruhe (1979), the band Lanczos method; Parlett (1980), chapter 13.
 pub(crate) fn krylov(
@@ -166,7 +167,7 @@ pub(crate) fn krylov(
     }
 }
 
-/// An orthonormal basis V and T V = V H, column by column as far as T was applied.
+/// Orthonormal basis V and T V = V H, for the columns to which T was applied.
 struct Space<'a> {
     inner: &'a SparseMatrix,
     basis: Vec<DVector<f64>>,
@@ -183,7 +184,7 @@ struct Ritz {
 }
 
 impl Space<'_> {
-    /// Orthogonalises a vector and adds what is left of it to the basis; returns its coefficients.
+    /// Orthogonalises a vector and adds the remainder to the basis. Returns its coefficients.
     fn insert(&mut self, mut x: DVector<f64>) -> Result<Vec<f64>, EigenError> {
         let mut coefficients = vec![0.0; self.basis.len()];
         let (mut image, square) = self.image(&x)?;
@@ -192,7 +193,7 @@ impl Space<'_> {
         }
         let before = square.max(0.0).sqrt();
         let mut size = before;
-        // Once more after a loss of digits; what then is left of the loss is rounding.
+        // Repetition after a loss of digits. The remaining loss is rounding error.
         for _ in 0..3 {
             for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
                 let dot = v.dot(&image);
@@ -213,19 +214,19 @@ impl Space<'_> {
         Ok(coefficients)
     }
 
-    /// B x and xᵀ B x.
+    /// Computes B x and xᵀ B x.
     fn image(&self, x: &DVector<f64>) -> Result<(DVector<f64>, f64), EigenError> {
         let image = DVector::from(self.inner.times(x.as_slice()));
         let square = x.dot(&image);
         if square.is_finite() { Ok((image, square)) } else { Err(EigenError::Singular) }
     }
 
-    /// Entry (i, j) of H; zero where a column ended before a vector joined the basis.
+    /// Returns entry (i, j) of H. It is zero if the basis vector was added after the column.
     fn entry(&self, i: usize, j: usize) -> f64 {
         self.columns[j].get(i).copied().unwrap_or(0.0)
     }
 
-    /// The eigenpairs of the symmetric part of VᵀBTV; its skew part is rounding.
+    /// Computes the eigenpairs of the symmetric part of VᵀBTV. Its skew part is rounding error.
     fn ritz(&self, search: &Search) -> Ritz {
         let (n, all) = (self.columns.len(), self.basis.len());
         let h = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
@@ -248,7 +249,7 @@ impl Space<'_> {
         Ritz { values, vectors, order, wanted, converged }
     }
 
-    /// The k-th best pair.
+    /// Returns the k-th best pair.
     fn pair(&self, ritz: &Ritz, k: usize) -> Pair {
         let at = ritz.order[k];
         let mut vector = DVector::zeros(self.basis[0].len());

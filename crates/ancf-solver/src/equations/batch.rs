@@ -6,17 +6,17 @@ use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::term::Term;
 
-/// The most terms that a batch evaluates side by side.
+/// Maximum number of terms that a batch evaluates side by side.
 pub const LANES: usize = 8;
 
-/// One number of each term of a batch.
+/// One number for each term of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
 
-/// The part of a state that a batch sees: [`Local`](super::term::Local) for each of its terms, side by side.
+/// State variables of the terms of a batch, side by side: one [`Local`](super::term::Local) per lane.
 ///
-/// Lanes beyond the number of terms repeat the last one.
+/// Lanes beyond the number of terms repeat the last term.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLanes<'a> {
     /// Coordinates.
@@ -25,53 +25,54 @@ pub struct LocalLanes<'a> {
     pub v: &'a [Lanes],
     /// Accelerations.
     pub a: &'a [Lanes],
-    /// Load factor: a load acts so many times.
+    /// Load factor s, which multiplies all loads.
     pub load: f64,
 }
 
-/// Up to [`LANES`] terms of the same kind and size, without multipliers, that are evaluated at once: the arithmetic of each is
-/// done in a lane of the machine's vectors.
+/// Group of up to [`LANES`] terms of the same kind and size, without multipliers, evaluated by SIMD lanes.
 ///
-/// What it computes is what its terms compute one by one, but for rounding: they are its definition, and stay for whatever is
-/// not asked for at every iteration.
+/// A batch computes the same sums as its terms, except for rounding. The terms remain the definition. They also serve
+/// the quantities that are not evaluated at every iteration.
 pub trait Batch: Send + Sync {
-    /// Number of its terms.
+    /// Returns the number of terms.
     fn count(&self) -> usize;
 
-    /// Adds their shares of the residual, a row for each coordinate.
+    /// Adds the residuals of the terms, one row for each coordinate.
     fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
-    /// Sets their shares of the tangent, the lower triangle by columns: entry (i, j), i ≥ j, of n coordinates is at
-    /// j n − j (j + 1)/2 + i.
+    /// Sets the tangents of the terms, stored as the lower triangle by columns.
+    ///
+    /// Entry (i, j), i ≥ j, of n coordinates has the index j n − j (j + 1)/2 + i.
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
-    /// The sum of their energies.
+    /// Returns the sum of the energies of the terms.
     fn energy(&self, at: &LocalLanes<'_>) -> Energy;
 
-    /// The first of them that cannot be in this state ([`Term::is_admissible`](super::term::Term::is_admissible)).
+    /// Returns the first term that does not admit this state
+    /// ([`Term::is_admissible`](super::term::Term::is_admissible)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
-    /// The sum of their powers ([`Term::power`](super::term::Term::power)).
+    /// Returns the sum of the powers of the terms ([`Term::power`](super::term::Term::power)).
     fn power(&self, at: &LocalLanes<'_>) -> Power;
 }
 
-/// The most coordinates of a term of a batch.
+/// Maximum number of coordinates of a term in a batch.
 const WIDTH: usize = 32;
 
-/// A batch among the terms of a system.
+/// Batch together with the position of its terms in a system.
 pub(crate) struct Batched {
-    /// The number of its first term.
+    /// Index of its first term.
     pub(crate) first: usize,
     pub(crate) batch: Box<dyn Batch>,
-    /// Coordinate i of term l at i × LANES + l.
+    /// Global coordinates: local coordinate i of term l is stored at i × LANES + l.
     coordinates: Vec<u32>,
 }
 
 impl Batched {
-    /// A batch of the `terms` from the `first` one on.
+    /// Creates a batch of consecutive `terms`, starting at index `first`.
     ///
     /// # Panics
-    /// If these are not alike, or too many or too large: a mistake in code, not in input.
+    /// If the terms differ in size, or are too many or too large. This is a programming error, not an input error.
     pub(crate) fn new(first: usize, batch: Box<dyn Batch>, terms: &[Arc<dyn Term>]) -> Self {
         let own = &terms[first..first + batch.count()];
         let width = own[0].coordinates().len();
@@ -85,25 +86,25 @@ impl Batched {
         Self { first, coordinates: (0..width).flat_map(of).collect(), batch }
     }
 
-    /// The numbers of its terms.
+    /// Returns the indices of the terms.
     pub(crate) fn terms(&self) -> Range<usize> {
         self.first..self.first + self.batch.count()
     }
 
-    /// The range of its coordinates.
+    /// Returns the range of the coordinates.
     pub(crate) fn range(&self) -> Range<usize> {
         let (least, most) = self.coordinates.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
         least as usize..most as usize + 1
     }
 
-    /// Gathers from a vector.
+    /// Gathers entries of a global vector.
     fn gather(&self, from: &[f64], to: &mut [Lanes]) {
         for (to, coordinates) in to.iter_mut().zip(self.coordinates.as_chunks::<LANES>().0) {
             to.0 = std::array::from_fn(|l| from[coordinates[l] as usize]);
         }
     }
 
-    /// Adds rows to a vector that begins at a coordinate.
+    /// Adds local rows to a section of a global vector that starts at coordinate `first`.
     fn add(&self, rows: &[Lanes], sum: &mut [f64], first: usize) {
         for (row, coordinates) in rows.iter().zip(self.coordinates.chunks_exact(LANES)) {
             for (value, &c) in row.0.iter().zip(coordinates).take(self.batch.count()) {
@@ -113,7 +114,7 @@ impl Batched {
     }
 }
 
-/// The unknowns of a batch, gathered from a state.
+/// State variables of a batch, gathered from a global state.
 pub(crate) struct GatheredLanes {
     q: [Lanes; WIDTH],
     v: [Lanes; WIDTH],
@@ -124,7 +125,7 @@ impl GatheredLanes {
     const NONE: [Lanes; WIDTH] = [Lanes([0.0; LANES]); WIDTH];
     pub(crate) const EMPTY: Self = Self { q: Self::NONE, v: Self::NONE, a: Self::NONE };
 
-    /// Coordinates and velocities; accelerations are left as they are, since only residuals depend on them.
+    /// Gathers coordinates and velocities. Accelerations are left unchanged, since only residuals depend on them.
     pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &Batched) -> LocalLanes<'a> {
         let Self { q, v, a } = self;
         let width = of.coordinates.len() / LANES;
@@ -133,7 +134,7 @@ impl GatheredLanes {
         LocalLanes { q: &q[..width], v: &v[..width], a: &a[..width], load: s.load }
     }
 
-    /// Adds the residual of a batch to that of all, from a coordinate on.
+    /// Adds the residual of a batch to a section of the global residual that starts at coordinate `first`.
     pub(crate) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
         of.gather(&s.a, &mut self.a);
@@ -144,13 +145,13 @@ impl GatheredLanes {
     }
 }
 
-/// The lower triangles of a batch.
+/// Lower triangles of the tangents of a batch.
 pub(crate) struct LowerLanes([Lanes; WIDTH * (WIDTH + 1) / 2]);
 
 impl LowerLanes {
     pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); WIDTH * (WIDTH + 1) / 2]);
 
-    /// Adds the tangents of a batch at gathered unknowns to the values of a matrix, from one on.
+    /// Adds the tangents of a batch to a section of the matrix values.
     pub(crate) fn add_tangent(
         &mut self,
         of: &Batched,

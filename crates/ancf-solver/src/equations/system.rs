@@ -13,23 +13,23 @@ use super::term::{LOCAL, Local, LocalMatrix, Term};
 use super::thread_parts::{Parts, hull};
 use crate::sparse::{Lists, Pattern, SparseMatrix};
 
-/// Equations of motion as the sum of terms: gather, evaluate, scatter.
+/// Equations of motion as a sum of terms: gather, evaluate, scatter.
 pub struct System {
     coordinates: usize,
     multipliers: usize,
     terms: Vec<Arc<dyn Term>>,
-    /// What adds terms besides, and the pairs whose terms are the last ones, in ascending order.
+    /// Searches that add terms, and the pairs of the last terms in ascending order.
     encounters: Arc<[Arc<dyn Encounters>]>,
     met: Vec<Met>,
-    /// The terms that have multipliers.
+    /// Indices of the terms with multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
-    /// Where each term's matrix goes.
+    /// Scatter map of each term.
     scatters: Vec<Scatter>,
-    /// What evaluates terms side by side, and the terms that are evaluated one by one.
+    /// Batches, and the indices of the terms that are evaluated one by one.
     batches: Arc<[Batched]>,
     alone: Vec<usize>,
-    /// The batches by the rows and by the entries to which they add.
+    /// Batches, grouped by residual rows and by matrix entries.
     by_rows: Parts,
     by_entries: Parts,
 }
@@ -44,10 +44,10 @@ impl fmt::Debug for System {
     }
 }
 
-/// Pairs within this part of the margin are taken in before they act.
+/// Distance, relative to the search margin, below which pairs are included before they become active.
 const SOON: f64 = 0.5;
 
-/// The unknowns of one term, gathered from a state.
+/// State variables of one term, gathered from a global state.
 struct Gathered {
     q: [f64; LOCAL],
     v: [f64; LOCAL],
@@ -79,17 +79,20 @@ impl Gathered {
 }
 
 impl System {
-    /// The sum of `terms` over so many coordinates and multipliers.
+    /// Creates the sum of `terms` over the given numbers of coordinates and multipliers.
     ///
     /// # Panics
-    /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
+    /// If a term has more than [`LOCAL`] unknowns or an unknown out of range. This is a programming error, not an input
+    /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
         let terms = terms.into_iter().map(Arc::from).collect();
         Self::made_of(coordinates, multipliers, terms, Arc::default(), Vec::new())
     }
 
-    /// The same with terms that come and go; none of them is here before it is asked for
-    /// ([`ahead`](EquationsOfMotion::ahead), [`completed`](EquationsOfMotion::completed)).
+    /// Adds searches for terms that are active in some states only.
+    ///
+    /// None of these terms is included before [`ahead`](EquationsOfMotion::ahead) or
+    /// [`completed`](EquationsOfMotion::completed) is called.
     #[must_use]
     pub fn with(self, encounters: Vec<Arc<dyn Encounters>>) -> Self {
         Self { encounters: encounters.into(), ..self }
@@ -126,10 +129,10 @@ impl System {
         }
     }
 
-    /// The same with terms evaluated side by side: each batch with the number of its first term.
+    /// Evaluates terms in batches, each given with the index of its first term.
     ///
     /// # Panics
-    /// If the terms are not alike: a mistake in code, not in input.
+    /// If the terms of a batch differ in size. This is a programming error, not an input error.
     #[must_use]
     pub fn batched(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
         let batches = batches.into_iter().map(|(first, batch)| Batched::new(first, batch, &self.terms));
@@ -148,7 +151,7 @@ impl System {
         Self { batches, alone, by_rows, by_entries, ..self }
     }
 
-    /// The same with the terms of other pairs, in ascending order.
+    /// Replaces the terms of the pairs by those of other pairs, in ascending order.
     fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
         let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
         let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
@@ -160,8 +163,9 @@ impl System {
         (system, matrix)
     }
 
-    /// The same with multipliers that redundant constraints leave undetermined: forces are shared by them in the least
-    /// squares ([`Factor`](crate::factor::Factor)). To be told before any matrix is made.
+    /// Marks multipliers that redundant constraints leave undetermined. Must be called before any matrix is created.
+    ///
+    /// The factorisation distributes their forces in the least-squares sense ([`Factor`](crate::factor::Factor)).
     #[must_use]
     pub fn sharing(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
         let coordinates = self.coordinates;
@@ -170,17 +174,17 @@ impl System {
         self
     }
 
-    /// The terms.
+    /// Returns the terms.
     pub fn terms(&self) -> &[Arc<dyn Term>] {
         &self.terms
     }
 
-    /// A zero matrix of this pattern.
+    /// Creates a zero matrix of the pattern of the system.
     pub fn matrix(&self) -> SparseMatrix {
         SparseMatrix::zero(Arc::clone(&self.pattern))
     }
 
-    /// Adds a vector summed over some of the terms: `share` adds to the local rows.
+    /// Adds a vector summed over some terms; `share` adds to the local rows.
     fn add<'a>(
         &self,
         terms: impl Iterator<Item = &'a Arc<dyn Term>>,
@@ -205,7 +209,7 @@ impl System {
         }
     }
 
-    /// Adds a matrix summed over some of the terms: `share` adds to the lower triangle of the local one.
+    /// Adds a matrix summed over some terms; `share` adds to the lower triangle of the local matrix.
     fn add_matrix(
         &self,
         terms: impl Iterator<Item = usize>,
@@ -223,7 +227,7 @@ impl System {
         }
     }
 
-    /// Batches by their numbers.
+    /// Returns the batches of the given indices.
     fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a Batched> {
         batches.iter().map(|&i| &self.batches[i as usize])
     }
@@ -243,13 +247,13 @@ impl System {
         })
     }
 
-    /// The terms that no batch evaluates.
+    /// Returns the terms outside all batches.
     fn alone(&self) -> impl Iterator<Item = &Arc<dyn Term>> {
         self.alone.iter().map(|&i| &self.terms[i])
     }
 }
 
-/// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
+/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
 fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
     let multipliers = term.multipliers().map(move |m| coordinates + m);
     term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
@@ -338,7 +342,7 @@ impl EquationsOfMotion for System {
     fn completed(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near(&self.encounters, s);
         lacks(&self.met, &near, 0.0).then(|| {
-            // Those of the start of the step stay, so that repeating it comes to an end.
+            // The pairs of the start of the step are kept, so that repetitions of the step terminate.
             let mut met: Vec<Met> =
                 near.iter().map(|(pair, _)| *pair).chain(self.met.iter().copied()).collect();
             met.sort_unstable();

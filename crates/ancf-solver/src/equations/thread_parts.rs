@@ -1,26 +1,26 @@
 use std::ops::{AddAssign, Range};
 
-/// Items of a sum by the part of a vector to which they add; the parts are done at the same time by all threads.
+/// Partition of the items of a sum into parts that threads process in parallel.
 ///
-/// Items that add to more than one part come after all parts. Parts depend on the items only, not on the threads, and
-/// each entry is summed in one order: results are the same to the last digit with any number of threads. Few items
-/// make one part, which costs nothing.
+/// Each part adds to its own section of a vector. Items that add to more than one section follow after all parts. The
+/// partition depends on the items only, not on the threads, and each entry is summed in a fixed order. Results are
+/// therefore identical to the last digit for any number of threads. A small number of items forms a single part.
 pub(crate) struct Parts {
     parts: Vec<Part>,
     between: Vec<u32>,
 }
 
-/// A part of the vector, up to the next one, and the items that add to it only.
+/// Section of the vector, up to the next part, and the items that add to this section only.
 struct Part {
     first: usize,
     items: Vec<u32>,
 }
 
-/// Items of a part. Measured: with 512 elements a part takes some 100 μs, and its thread is woken in 5.
+/// Items per part. Measured with 512 elements: about 100 µs per part, and 5 µs to wake a thread.
 const ITEMS: usize = 64;
 
 impl Parts {
-    /// Parts of items that add to the given ranges of entries.
+    /// Partitions items that add to the given ranges of entries.
     pub(crate) fn new(ranges: &[Range<usize>]) -> Self {
         let mut order: Vec<u32> = (0..ranges.len() as u32).collect();
         order.sort_by_key(|&item| ranges[item as usize].start);
@@ -37,13 +37,13 @@ impl Parts {
         Self { parts, between }
     }
 
-    /// Adds to a vector: `work` adds items to a part of it that begins at the given entry.
+    /// Adds to a vector; `work` adds items to a section that starts at the given entry.
     pub(crate) fn add_to(&self, values: &mut [f64], work: impl Fn(&[u32], &mut [f64], usize) + Sync) {
         split(&self.parts, values, 0, &|part, values| work(&part.items, values, part.first));
         work(&self.between, values, 0);
     }
 
-    /// The sum of what `work` finds of items.
+    /// Sums the results of `work` over all items.
     pub(crate) fn sum<T: Default + AddAssign + Send>(&self, work: impl Fn(&[u32]) -> T + Sync) -> T {
         let plus = |mut a: T, b: T| {
             a += b;
@@ -53,18 +53,18 @@ impl Parts {
         plus(parts, work(&self.between))
     }
 
-    /// What `work` finds first.
+    /// Returns the first result of `work`.
     pub(crate) fn find<T: Send>(&self, work: impl Fn(&[u32]) -> Option<T> + Sync) -> Option<T> {
         fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| work(&self.between))
     }
 }
 
-/// The least range that holds all of them.
+/// Returns the smallest range that contains all ranges.
 pub(crate) fn hull(ranges: impl Iterator<Item = Range<usize>>) -> Range<usize> {
     ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
 }
 
-/// Does the parts of a vector, of which `values` begins at an entry.
+/// Processes the parts of a vector; `values` starts at the entry `first`.
 fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part, &mut [f64]) + Sync)) {
     match parts {
         [] => {}
@@ -78,7 +78,7 @@ fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part
     }
 }
 
-/// Puts together what is found of the parts, neighbours first.
+/// Combines the results of the parts pairwise, neighbours first.
 fn fold<T: Send>(
     parts: &[Part],
     work: &(impl Fn(&[u32]) -> T + Sync),
@@ -99,7 +99,7 @@ fn fold<T: Send>(
 mod tests {
     use super::*;
 
-    /// Each item once, also those across parts, in the same way by one thread and by many.
+    /// Every item is processed once, including items across parts, for one and for several threads.
     #[test]
     fn each_item_once() {
         let count = 10 * ITEMS + 7;

@@ -1,8 +1,8 @@
-//! Arithmetic on dense panels, in quads: to be called within [`pulp::Arch::dispatch`], hence all inline.
+//! Dense kernels for supernodes in quads. They are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
 use crate::sparse::{LANES, Quad, Shape};
 
-/// y += s x.
+/// Computes y += s x.
 #[inline(always)]
 fn add_product(y: &mut Quad, s: f64, x: &Quad) {
     for lane in 0..LANES {
@@ -10,7 +10,7 @@ fn add_product(y: &mut Quad, s: f64, x: &Quad) {
     }
 }
 
-/// y += x ∘ z.
+/// Computes y += x ∘ z.
 #[inline(always)]
 fn add_products(y: &mut Quad, x: &Quad, z: &Quad) {
     for lane in 0..LANES {
@@ -23,11 +23,11 @@ fn sum(x: &Quad) -> f64 {
     (x[0] + x[2]) + (x[1] + x[3])
 }
 
-/// Eliminates the columns of a panel from one another: A = L D Lᵀ for the own rows, L for those below.
+/// Factorises the columns of a supernode: A = L D Lᵀ for its own rows, L for the rows below.
 ///
-/// In `front`, whose columns are of full height, they become L D; `l` becomes L, zero on and above the diagonal; `inverse`
-/// D⁻¹. Returns whether all pivots are such: finite, their inverse too, and not just the rounding error of what was subtracted
-/// from them, the largest part of which is kept in `sizes` (quads of its own rows).
+/// In `front`, whose columns have full height, the result is L D. `l` receives L, zero on and above the diagonal, and
+/// `inverse` receives D⁻¹. Returns true if all pivots and their inverses are finite and above their rounding error. The
+/// rounding error is relative to the largest subtracted number, recorded in `sizes` (quads of the own rows).
 #[inline(always)]
 pub(crate) fn eliminate(
     shape: Shape,
@@ -62,7 +62,7 @@ pub(crate) fn eliminate(
     good
 }
 
-/// Eliminates up to four columns from one another.
+/// Factorises up to four columns.
 #[inline(always)]
 fn eliminate_columns<const N: usize>(
     shape: Shape,
@@ -74,7 +74,7 @@ fn eliminate_columns<const N: usize>(
 ) -> bool {
     let (height, length, mut good) = (shape.height, shape.height - four, true);
     let (mut pivots, mut by) = ([0.0; N], [0.0; N]);
-    // The factors of each column with those before, from the quad of the diagonals.
+    // Factors of each column with the previous columns, from the quad of the diagonal.
     let mut factors = [[0.0; LANES]; N];
     let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four]);
     for c in 0..N {
@@ -113,7 +113,7 @@ fn eliminate_columns<const N: usize>(
     good
 }
 
-/// x/d for 1/d, as exact as a division: rows that are equal stay equal, and their difference zero.
+/// Computes x/d from 1/d with the accuracy of a division: equal rows remain equal, and their difference remains zero.
 ///
 /// Source: Markstein (1990).
 #[inline(always)]
@@ -126,7 +126,7 @@ fn quotient(x: &Quad, d: f64, by: f64) -> Quad {
     quotient
 }
 
-/// Raises sizes to those of a product.
+/// Raises sizes to the magnitudes of a product.
 #[inline(always)]
 fn raise(sizes: &mut Quad, x: &Quad, y: &Quad) {
     for lane in 0..LANES {
@@ -135,8 +135,9 @@ fn raise(sizes: &mut Quad, x: &Quad, y: &Quad) {
     }
 }
 
-/// Subtracts what four columns make of some quads of rows of four columns: L D of the rows times L of the columns, which is in
-/// the quad of rows `at`.
+/// Subtracts the products of four columns from some quads of rows of four columns.
+///
+/// The product is L D of the rows times L of the columns, which is in the quad of rows `at`.
 #[inline(always)]
 fn subtract<const N: usize>(
     shape: Shape,
@@ -182,7 +183,7 @@ fn subtract_from_own<const N: usize>(
     }
 }
 
-/// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.
+/// Computes the update matrix of a factorised supernode: A − L D Lᵀ of the rows below.
 #[inline(always)]
 pub(crate) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
     let (own, below) = (shape.own(), shape.below());
@@ -201,7 +202,7 @@ pub(crate) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Qua
     }
 }
 
-/// Four columns and some quads of rows of it.
+/// Computes four columns and some quads of rows of the update matrix.
 #[inline(always)]
 fn leave<const N: usize>(
     shape: Shape,
@@ -226,7 +227,7 @@ fn leave<const N: usize>(
     }
 }
 
-/// Solves L y = x for the own rows and takes what they make of those below: x is of full height.
+/// Solves L y = x for the own rows and updates the rows below; x has full height.
 #[inline(always)]
 pub(crate) fn forward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
     for four in 0..shape.own() {
@@ -258,7 +259,7 @@ fn forward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     }
 }
 
-/// Solves Lᵀ y = x for the own rows, those below being known: x is of full height.
+/// Solves Lᵀ y = x for the own rows with known rows below; x has full height.
 #[inline(always)]
 pub(crate) fn backward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
     for four in (0..shape.own()).rev() {
@@ -292,7 +293,7 @@ fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     x[0] = own;
 }
 
-/// y += A x of a symmetric panel: x and y are of full height.
+/// Adds A x of a symmetric supernode to y; x and y have full height.
 #[inline(always)]
 pub(crate) fn multiply(shape: Shape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
     for four in 0..shape.own() {

@@ -1,9 +1,10 @@
-//! The front of a panel: a dense matrix with columns of full height, its own first, then those of the quads of rows below. To be
-//! called within [`pulp::Arch::dispatch`], hence all inline.
+//! Frontal matrix of a supernode: dense columns of full height, first its own, then those of the quads of rows below.
+//!
+//! The functions are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
 use crate::sparse::{LANES, Quad, Run, Shape};
 
-/// Begins a front with the entries of K.
+/// Initialises a front with the entries of K.
 #[inline(always)]
 pub(crate) fn fill(shape: Shape, front: &mut [Quad], k: &[Quad]) {
     for (j, column) in front.chunks_exact_mut(shape.height).enumerate() {
@@ -15,7 +16,7 @@ pub(crate) fn fill(shape: Shape, front: &mut [Quad], k: &[Quad]) {
     }
 }
 
-/// Adds what a child leaves.
+/// Adds the update matrix of a child (extend-add).
 #[inline(always)]
 pub(crate) fn take_in(shape: Shape, front: &mut [Quad], runs: &[Run], form: Shape, update: &[Quad]) {
     match runs {
@@ -24,13 +25,13 @@ pub(crate) fn take_in(shape: Shape, front: &mut [Quad], runs: &[Run], form: Shap
     }
 }
 
-/// The column of a front for a row.
+/// Returns the column of a front for a row.
 #[inline(always)]
 fn column_of(shape: Shape, row: usize) -> usize {
     if row < shape.columns { row } else { shape.columns + row - LANES * shape.own() }
 }
 
-/// Adds what a child leaves if its rows follow each other and begin with a quad.
+/// Adds the update matrix of a child whose rows are consecutive and start with a quad.
 #[inline(always)]
 fn take_in_run(shape: Shape, front: &mut [Quad], run: &Run, form: Shape, update: &[Quad]) {
     let (into, first) = (run.into as usize / LANES, column_of(shape, run.into as usize));
@@ -43,7 +44,7 @@ fn take_in_run(shape: Shape, front: &mut [Quad], run: &Run, form: Shape, update:
     }
 }
 
-/// Adds what a child leaves run by run.
+/// Adds the update matrix of a child run by run.
 #[inline(always)]
 fn take_in_runs(shape: Shape, front: &mut [Quad], runs: &[Run], form: Shape, update: &[Quad]) {
     let mut c = 0;

@@ -5,44 +5,45 @@ use pulp::{Arch, NullaryFnOnce};
 use super::substitution::{Backward, Forward, SubtractProduct, View, add_outside, copy_outside};
 use crate::sparse::{Branch, Branches, LANES, LEAST, Panel, Panels, Quad, Shape, Stretch, children, fork};
 
-/// LDLᵀ of a symmetric matrix in panels, without pivoting, by the multifrontal method.
+/// Supernodal LDLᵀ of a symmetric matrix without pivoting, by the multifrontal method.
 ///
-/// Each panel is eliminated in a dense matrix of its own, the front, which takes in the panel's entries of K and what its children
-/// leave; what it leaves itself waits on a stack until its parent is there. L is stored as the matrix is. Branches are done at the
-/// same time, the trunk after them, or before them in backward substitution.
+/// Each supernode is eliminated in a dense frontal matrix. The front assembles the entries of K and the update matrices
+/// of the children. Its own update matrix stays on a stack until the parent is assembled. L is stored like the matrix.
+/// Subtrees are processed in parallel. The trunk follows after them, or precedes them in backward substitution.
 ///
 /// Source: Duff & Reid (1983); Liu (1992).
 #[derive(Debug)]
 pub(crate) struct Ldlt {
-    /// L, zero on and above the diagonal.
+    /// Factor L, zero on and above the diagonal.
     l: Vec<f64>,
-    /// D⁻¹.
+    /// Inverse pivots D⁻¹.
     inverse: Vec<f64>,
     branches: Branches,
-    /// Where the trunk is worked on, and each branch.
+    /// Working storage of the trunk and of each subtree.
     trunk: Space,
     spaces: Vec<Space>,
 }
 
-/// A pivot is zero, not finite, or nothing but rounding error.
+/// A pivot is zero, not finite, or below its rounding error.
 pub(crate) struct BadPivot;
 
-/// Where panels are worked on one after the other.
+/// Working storage for the sequential elimination of supernodes.
 #[derive(Debug)]
 struct Space {
     front: Vec<Quad>,
     stack: Vec<Quad>,
-    /// Number of quads on the stack; none after a bad pivot.
+    /// Number of quads on the stack, or `None` after a bad pivot.
     top: Option<usize>,
-    /// Parts of vectors, of the height of a panel.
+    /// Sections of vectors with the height of a supernode.
     part: Vec<Quad>,
     product: Vec<Quad>,
-    /// Rows of a vector outside the branch.
+    /// Rows of a vector outside the subtree.
     outside: Vec<f64>,
 }
 
 impl Space {
-    /// For panels in some ranges, what is left outside them, and what branches leave to them apart.
+    /// Allocates storage for supernodes in some ranges. Update matrices that leave the ranges or come from subtrees are
+    /// kept elsewhere.
     fn new(panels: &Panels, ranges: &[Range<usize>], outside: usize, branches: &[Branch]) -> Self {
         let all = || ranges.iter().cloned().flatten().map(|at| panels.panels[at]);
         let most = |of: fn(Shape, Shape) -> usize| {
@@ -61,7 +62,7 @@ impl Space {
     }
 }
 
-/// The most quads that wait at once for parents.
+/// Returns the maximum number of quads on the stack of update matrices.
 fn stack_height(panels: &Panels, ranges: &[Range<usize>], branches: &[Branch]) -> usize {
     let (mut height, mut most) = (0, 0);
     for at in ranges.iter().cloned().flatten() {
@@ -73,14 +74,14 @@ fn stack_height(panels: &Panels, ranges: &[Range<usize>], branches: &[Branch]) -
     most
 }
 
-/// The branch with a root.
+/// Returns the subtree with a given root.
 #[inline(always)]
 fn branch_of(branches: &[Branch], root: usize) -> Option<usize> {
     branches.binary_search_by_key(&root, Branch::root).ok()
 }
 
 impl Ldlt {
-    /// Memory for matrices in the given panels.
+    /// Allocates storage for matrices with the given supernodes.
     pub(crate) fn new(panels: &Panels) -> Self {
         Self::with(panels, Branches::new(panels, LEAST))
     }
@@ -103,7 +104,7 @@ impl Ldlt {
     /// Factorises a matrix.
     ///
     /// # Errors
-    /// At a pivot that is zero, not finite, or nothing but rounding error.
+    /// If a pivot is zero, not finite, or below its rounding error.
     pub(crate) fn factorise(&mut self, panels: &Panels, k: &[f64]) -> Result<(), BadPivot> {
         let Self { l, inverse, branches: Branches { branches, trunk: ranges }, trunk, spaces } = self;
         fork(
@@ -139,7 +140,7 @@ impl Ldlt {
         if is_good(trunk) { Ok(()) } else { Err(BadPivot) }
     }
 
-    /// Solves K x = b in place, in positions.
+    /// Solves K x = b in place, by position.
     pub(crate) fn solve(&mut self, panels: &Panels, x: &mut [f64]) {
         let Self { l, inverse, branches: Branches { branches, trunk: ranges }, trunk, spaces } = self;
         let (l, inverse, part) = (&l[..], &inverse[..], &mut trunk.part[..]);
@@ -182,7 +183,7 @@ impl Ldlt {
         );
     }
 
-    /// r −= K x in positions, with a matrix in the same panels.
+    /// Computes r −= K x by position, for a matrix with the same supernodes.
     pub(crate) fn subtract_product(&mut self, panels: &Panels, k: &[f64], x: &[f64], r: &mut [f64]) {
         let Self { branches: Branches { branches, trunk: ranges }, trunk, spaces, .. } = self;
         let x = || View::whole(panels, x);
@@ -207,13 +208,13 @@ impl Ldlt {
         }
     }
 
-    /// D⁻¹.
+    /// Returns the inverse pivots D⁻¹.
     pub(crate) fn inverse_pivots(&self) -> &[f64] {
         &self.inverse
     }
 }
 
-/// What branches leave to the trunk.
+/// Update matrices that subtrees pass to the trunk.
 #[derive(Clone, Copy, Default)]
 struct Left<'a> {
     branches: &'a [Branch],
@@ -227,7 +228,7 @@ impl<'a> Left<'a> {
     }
 }
 
-/// The elimination of some panels.
+/// Elimination of a range of supernodes.
 struct Factorise<'a> {
     panels: &'a Panels,
     k: &'a [f64],
@@ -251,7 +252,7 @@ impl NullaryFnOnce for Factorise<'_> {
             let l = self.l.of(panel.values()).as_chunks_mut().0;
             let (inverse, left) = (self.inverse.of(panel.own()), self.left);
             let work = Work { panels: self.panels, at, panel, k, l, inverse, front, stack, sizes, top, left };
-            // The usual forms again, for the compiler to know their sizes.
+            // Common shapes are repeated as constants, so that the compiler knows their sizes.
             let done = match panel.shape() {
                 Shape { columns: 12, height: 6 } => work.eliminate(Shape { columns: 12, height: 6 }),
                 shape => work.eliminate(shape),
@@ -265,7 +266,7 @@ impl NullaryFnOnce for Factorise<'_> {
     }
 }
 
-/// All that the elimination of one panel needs.
+/// Data for the elimination of one supernode.
 struct Work<'a> {
     panels: &'a Panels,
     at: usize,
@@ -282,7 +283,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Returns the new number of quads on the stack if all pivots are good.
+    /// Eliminates a supernode. Returns the new number of quads on the stack if all pivots are good.
     #[inline(always)]
     fn eliminate(self, shape: Shape) -> Option<usize> {
         let (height, own, below) = (shape.height, shape.own(), shape.below());
@@ -313,10 +314,10 @@ mod tests {
     use crate::sparse::Lists;
     use crate::sparse::Pattern;
 
-    /// With branches and without: the same to rounding; by one thread and by many: the same to the last digit.
+    /// Subtrees change the result by rounding only. The number of threads does not change the result.
     #[test]
     fn branches_change_nothing() {
-        // Nodes of three coordinates: a comb, each tooth of which is a chain that hangs on the one before.
+        // Nodes with three coordinates in a comb: each tooth is a chain attached to the previous tooth.
         let node = |n: u32| 3 * n..3 * n + 3;
         let links = (1..600).map(|n| (if n % 60 == 0 { n - 60 } else { n - 1 }, n));
         let blocks: Lists = links.map(|(a, b)| node(a).chain(node(b)).collect::<Vec<_>>()).collect();

@@ -4,12 +4,12 @@ use pulp::NullaryFnOnce;
 
 use crate::sparse::{Branch, LANES, Panel, Panels, Quad, Run, Shape, Stretch};
 
-/// A vector as a branch sees it: its own positions, and the rows below its root, which are outside. The trunk sees all.
+/// View of a vector for a subtree: its own positions, and the rows below its root, stored outside. The trunk sees all.
 pub(crate) struct View<'a, S> {
     panels: &'a Panels,
-    /// The root of the branch.
+    /// Root of the subtree.
     root: usize,
-    /// The first position.
+    /// First position of the subtree.
     first: usize,
     inside: S,
     outside: S,
@@ -57,7 +57,7 @@ impl<S: Deref<Target = [f64]>> View<'_, S> {
         }
     }
 
-    /// Whether a run is inside, and where it is there or outside.
+    /// Returns true if a run is inside, and its range inside or outside.
     #[inline(always)]
     fn place(&self, run: &Run) -> (bool, Range<usize>) {
         let at = run.first as usize - self.first;
@@ -71,7 +71,7 @@ impl<S: Deref<Target = [f64]>> View<'_, S> {
         row.expect("a root has all rows of its subtree") - LANES * self.panels.panels[self.root].shape().own()
     }
 
-    /// Copies the rows of a panel, zeros in between.
+    /// Copies the rows of a supernode, with zeros for the padding.
     #[inline(always)]
     fn gather(&self, part: &mut [Quad], panel: &Panel, runs: &[Run]) {
         part.fill([0.0; LANES]);
@@ -86,19 +86,19 @@ impl<S: Deref<Target = [f64]>> View<'_, S> {
     }
 }
 
-/// Adds what a branch has collected outside.
+/// Adds the outside rows of a subtree to a vector.
 pub(crate) fn add_outside(panels: &Panels, branch: &Branch, outside: &[f64], x: &mut [f64]) {
     let rows = panels.runs(branch.root()).iter().flat_map(Run::positions);
     rows.zip(outside).for_each(|(at, y)| x[at] += y);
 }
 
-/// Tells a branch what it needs from outside.
+/// Copies the outside rows of a subtree from a vector.
 pub(crate) fn copy_outside(panels: &Panels, branch: &Branch, x: &[f64], outside: &mut [f64]) {
     let rows = panels.runs(branch.root()).iter().flat_map(Run::positions);
     rows.zip(outside).for_each(|(at, y)| *y = x[at]);
 }
 
-/// Solves L y = x in place for some panels, and takes what they make of rows below.
+/// Forward substitution: solves L y = x in place for some supernodes and updates the rows below.
 pub(crate) struct Forward<'a> {
     pub(crate) panels: &'a Panels,
     pub(crate) range: Range<usize>,
@@ -135,7 +135,7 @@ impl NullaryFnOnce for Forward<'_> {
     }
 }
 
-/// Solves D Lᵀ y = x in place for some panels; rows below are known.
+/// Backward substitution: solves D Lᵀ y = x in place for some supernodes with known rows below.
 pub(crate) struct Backward<'a> {
     pub(crate) panels: &'a Panels,
     pub(crate) range: Range<usize>,
@@ -168,7 +168,7 @@ impl NullaryFnOnce for Backward<'_> {
     }
 }
 
-/// r −= K x for some panels.
+/// Product r −= K x for some supernodes.
 pub(crate) struct SubtractProduct<'a> {
     pub(crate) panels: &'a Panels,
     pub(crate) range: Range<usize>,

@@ -1,6 +1,6 @@
 use std::ops::Deref;
 
-/// The equations of motion that an analysis was given, or those that have taken their place since.
+/// Equations of motion with the active set of terms: the given equations or their latest replacement.
 #[derive(Debug)]
 pub(crate) struct Current<'a, E: ?Sized> {
     given: &'a E,

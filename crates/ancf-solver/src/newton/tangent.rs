@@ -5,13 +5,16 @@ use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{Course, Factor};
 use crate::sparse::SparseMatrix;
 
-/// The factorised tangent of Newton's method, and how long it is of use.
+/// Factorised tangent of Newton's method with the policy of its reuse.
 ///
-/// In steps of time it is used again, in further iterations and in further steps, as long as this is cheaper than a new
-/// one. An iteration with an old tangent is a fixed-point iteration whose increments fall by a rate θ each; θ tells how
-/// many iterations are left. A new tangent is made within a step if more than [`WORTH`] of them are, and before a step if those
-/// since the last new tangent would have made up for one. Where tangents age within a step, as in fast rotations, a number of
-/// steps begin with new ones before an old one is tried again, twice as many after each disappointment.
+/// In time integration the tangent is reused in later iterations and steps while this costs less than a new tangent.
+/// An iteration with an old tangent is a fixed-point iteration with the convergence rate θ. The rate predicts the
+/// number of remaining iterations.
+///
+/// * Within a step, a new tangent is computed if more than [`WORTH`] iterations remain.
+/// * Before a step, a new tangent is computed if the extra iterations since the last one exceed its cost.
+/// * Tangents age within a step in fast rotations. A number of steps then starts with new tangents, and each further
+///   failure of an old tangent doubles this number.
 ///
 /// Source: Hairer & Wanner (1996), section IV.8; Deuflhard (2011), section 2.1, for the rate as a monitor.
 #[derive(Debug)]
@@ -19,63 +22,63 @@ pub(crate) struct Tangent {
     pub(crate) matrix: SparseMatrix,
     pub(crate) factor: Factor,
     usage: Usage,
-    /// As of the last step that was accepted.
+    /// Usage as of the last accepted step.
     kept: Usage,
-    /// If it may be used again.
+    /// States of the computed tangents, if reuse is permitted.
     made: Option<Box<Made>>,
 }
 
-/// How a tangent was of use so far.
+/// Usage of a tangent so far.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Usage {
     policy: Policy,
-    /// What it was made for; none if it is of no further use.
+    /// Weights of the tangent, or `None` if it is not reusable.
     weights: Option<Weights>,
-    /// Since when it is there.
+    /// Age of the tangent.
     age: Age,
-    /// Whether an iteration of the present solution did without a new one.
+    /// True if an iteration of the current solution used an old tangent.
     reused: bool,
-    /// θ of the last iteration that had the same tangent as the one before.
+    /// Rate θ of the last two iterations with the same tangent.
     rate: Option<f64>,
-    /// The fewest iterations of a solution since it was made, and those beyond in all solutions.
+    /// Fewest iterations of a solution with this tangent, and the sum of the iterations in excess of it.
     fewest: u32,
     beyond: u32,
-    /// So many solutions begin with a new one; so many did after the last disappointment.
+    /// Number of next solutions that start with a new tangent, and the length of the last such pause.
     pause: u32,
     last_pause: u32,
-    /// What became of its factors until the last accepted step, if they are of further use.
+    /// History of the factors until the last accepted step, if they are reusable.
     factor: Course,
 }
 
-/// The states at which tangents were made.
+/// States at which tangents were computed.
 #[derive(Debug)]
 struct Made {
     now: State,
-    /// That of the last accepted step, if there is another now.
+    /// State of the tangent at the last accepted step, if there is a newer tangent.
     kept: State,
     is_new: bool,
 }
 
-/// What the further use of a tangent depends on: factors are large, and made again.
+/// Saved state of a tangent. The factors are large, so they are not saved but computed again.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct TangentMemory {
     usage: Usage,
-    /// Where it was made, if it is of further use.
+    /// State at which the tangent was computed, if it is reusable.
     made: Option<State>,
 }
 
-/// When a new tangent is made.
+/// Policy for new tangents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Policy {
-    /// In each iteration.
+    /// A new tangent in each iteration.
     Always,
-    /// When the old one is no longer worth while.
+    /// A new tangent when the old one no longer pays off.
     WhenDue,
-    /// In each iteration of this solution, when due in others.
+    /// A new tangent in each iteration of the current solution, then `WhenDue`.
     AlwaysNow,
 }
 
-/// Since when a tangent is there.
+/// Age of a tangent: computed for this iteration, for this solution or before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Age {
     Iteration,
@@ -83,22 +86,22 @@ enum Age {
     Old,
 }
 
-/// A new factorised tangent costs about as much as so many iterations with an old one.
+/// Cost of a new factorised tangent, in iterations with an old one.
 const WORTH: u32 = 3;
-/// Weights of the tangent that differ by less than this part are alike.
+/// Relative difference of weights up to which a tangent is reusable.
 const ALIKE: f64 = 1e-2;
-/// The longest pause.
+/// Longest pause of the reuse.
 const LONGEST: u32 = 64;
 
 impl Tangent {
-    /// For tangents of the pattern of `matrix`, a new one in each iteration.
+    /// Creates storage for tangents with the pattern of `matrix`, with a new tangent in each iteration.
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, Failure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| Failure::Memory)?;
         let usage = Usage::new();
         Ok(Self { matrix, factor, usage, kept: usage, made: None })
     }
 
-    /// Takes a matrix of another pattern in the place of its own.
+    /// Replaces the matrix by one of another pattern.
     pub(crate) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
         let Usage { policy, pause, last_pause, .. } = self.usage;
         let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
@@ -107,7 +110,8 @@ impl Tangent {
         Ok(())
     }
 
-    /// Lets tangents be used again, unless there are redundant constraints: these agree along the exact tangent only.
+    /// Permits the reuse of tangents, except with redundant constraints, which are consistent only along the exact
+    /// tangent.
     pub(crate) fn reuse(&mut self, s: &State) {
         if !self.matrix.pattern().is_sharing() {
             self.usage.policy = Policy::WhenDue;
@@ -115,17 +119,17 @@ impl Tangent {
         }
     }
 
-    /// Whether they may be.
+    /// Returns true if the reuse of tangents is permitted.
     pub(crate) fn is_reusable(&self) -> bool {
         self.usage.policy != Policy::Always
     }
 
-    /// The next iteration needs a new one.
+    /// Requests a new tangent for the next iteration.
     pub(crate) fn renew(&mut self) {
         self.usage.weights = None;
     }
 
-    /// Whether a solution that failed may be found with newer tangents; the next one then has them.
+    /// Requests newer tangents after a failed solution. Returns true if a repetition may succeed.
     pub(crate) fn improve(&mut self) -> bool {
         self.renew();
         match (self.usage.reused, self.usage.age) {
@@ -136,13 +140,13 @@ impl Tangent {
         self.usage.reused
     }
 
-    /// Matrix and factor for another use; the next iteration needs a new tangent.
+    /// Lends the matrix and the factor for another use. The next iteration needs a new tangent.
     pub(crate) fn lend(&mut self) -> (&mut SparseMatrix, &mut Factor) {
         self.renew();
         (&mut self.matrix, &mut self.factor)
     }
 
-    /// To be told at the start of a solution.
+    /// Starts a solution with the given weights.
     pub(crate) fn begin(&mut self, w: Weights) {
         let alike = |own: f64, other: f64| (own - other).abs() <= ALIKE * other.abs();
         let fits = |own: Weights| alike(own.q, w.q) && alike(own.v, w.v) && alike(own.a, w.a);
@@ -153,7 +157,7 @@ impl Tangent {
         self.usage.reused = false;
     }
 
-    /// To be told at the end of a solution that was found.
+    /// Ends a converged solution.
     pub(crate) fn end(&mut self, iterations: u32) {
         self.usage.fewest = self.usage.fewest.min(iterations);
         self.usage.beyond += iterations - self.usage.fewest;
@@ -163,14 +167,14 @@ impl Tangent {
         self.settle();
     }
 
-    /// What was for the present solution only is over.
+    /// Resets the policy of the current solution.
     fn settle(&mut self) {
         if self.usage.policy == Policy::AlwaysNow {
             self.usage.policy = Policy::WhenDue;
         }
     }
 
-    /// Makes a new one at a state, unless there is one that is of use.
+    /// Computes and factorises the tangent at a state, unless an old one is reusable.
     pub(crate) fn prepare(
         &mut self,
         eom: &dyn EquationsOfMotion,
@@ -191,14 +195,14 @@ impl Tangent {
         Ok(())
     }
 
-    /// Takes note of the rate θ by which the last increment was smaller than the one before it in its solution.
+    /// Records the rate θ of the last two increments of a solution.
     pub(crate) fn note(&mut self, rate: Option<f64>) {
         if self.usage.age != Age::Iteration {
             self.usage.rate = rate.or(self.usage.rate);
         }
     }
 
-    /// What an increment of this size leaves: θ/(1 − θ) times it, nothing that counts if the tangent was new for it.
+    /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
     pub(crate) fn left(&self, size: f64) -> f64 {
         match self.usage.rate {
             _ if self.usage.age == Age::Iteration => 0.0,
@@ -207,8 +211,9 @@ impl Tangent {
         }
     }
 
-    /// Decides on the next iteration: what is left is to fall to a part of the last increment. Returns false if the
-    /// present solution is better begun anew.
+    /// Chooses the tangent of the next iteration, given the target for the remainder relative to the last increment.
+    ///
+    /// Returns false if the current solution should be restarted.
     pub(crate) fn foresee(&mut self, part: f64) -> bool {
         let Some(rate) = self.usage.rate else { return true };
         let left = (part * (1.0 - rate)).ln() / rate.ln();
@@ -225,7 +230,7 @@ impl Tangent {
         rate < 1.0
     }
 
-    /// An old tangent was of no use.
+    /// Extends the pause of the reuse: the reused tangent did not converge.
     fn regret(&mut self) {
         self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, LONGEST);
         self.usage.pause = self.usage.last_pause;
@@ -260,21 +265,21 @@ impl Made {
 }
 
 impl Tangent {
-    /// To be told after each accepted step: to this a run returns that breaks off in the next.
+    /// Saves the usage after an accepted step, to which a failed next step returns.
     pub(crate) fn keep(&mut self) {
         let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
         self.kept = Usage { factor, ..self.usage };
         self.made.iter_mut().for_each(|made| made.is_new = false);
     }
 
-    /// As of the last accepted step.
+    /// Returns the saved state as of the last accepted step.
     pub(crate) fn memory(&self) -> TangentMemory {
         let at = |made: &Made| if made.is_new { made.kept.clone() } else { made.now.clone() };
         let made = self.made.as_deref().filter(|_| self.kept.weights.is_some()).map(at);
         TangentMemory { usage: self.kept, made }
     }
 
-    /// Goes on from a memory of this size: the tangent is made again where it was made.
+    /// Resumes from a saved state of this size. The tangent is computed again at its original state.
     pub(crate) fn recall(
         &mut self,
         eom: &dyn EquationsOfMotion,
@@ -291,7 +296,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// Whether a memory is one of such a tangent.
+    /// Returns true if a saved state is valid for this tangent.
     pub(crate) fn knows(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
         let TangentMemory { usage, made } = memory;
         let finite = |w: Weights| [w.q, w.v, w.a].iter().all(|x| x.is_finite());

@@ -2,19 +2,20 @@ use super::index_lists::Lists;
 use super::ordering::Ranks;
 use super::supernodes::{Panel, Panels, Run};
 
-/// The unknowns in the order of elimination and the panels that it gives.
+/// Elimination order of the unknowns and the resulting supernodes.
 pub(crate) struct Elimination {
-    /// The unknown at each position.
+    /// Unknown at each position.
     pub(crate) order: Vec<u32>,
     pub(crate) panels: Panels,
 }
 
-/// No parent.
+/// Marker of a missing parent.
 const NONE: u32 = u32::MAX;
 
 impl Elimination {
-    /// Eliminates ranks of unknowns from a sum of dense blocks, each rank at once. Panels are ordered such that a subtree of
-    /// the elimination tree is one piece.
+    /// Eliminates the unknowns of a sum of dense blocks rank by rank.
+    ///
+    /// The supernodes are ordered such that each subtree of the elimination tree is contiguous.
     ///
     /// Source: Liu (1990), the elimination tree and its postorder; Duff & Reid (1983), the multifrontal method.
     pub(crate) fn new(ranks: &Ranks, blocks: &Lists) -> Self {
@@ -62,7 +63,7 @@ impl Elimination {
     }
 }
 
-/// Says where in their parents the runs of all panels are: a parent has all rows of its children but its own.
+/// Sets the positions of all runs in the parents. A parent contains all rows of its children except its own.
 fn tell_parents(panels: &mut Panels, parents: &[Option<u32>]) {
     for (child, parent) in parents.iter().enumerate() {
         let first = panels.panels[child].runs as usize;
@@ -73,16 +74,16 @@ fn tell_parents(panels: &mut Panels, parents: &[Option<u32>]) {
     }
 }
 
-/// Unknowns of a rank that are adjacent to the same others: the rows of a panel consist of such.
+/// Segments: unknowns of one rank with equal adjacency. The rows of a supernode consist of segments.
 struct Segments {
     order: Vec<u32>,
-    /// Where each begins in the order, and the end.
+    /// Start of each segment in the order, and the end.
     starts: Vec<u32>,
-    /// The panel of each.
+    /// Supernode of each segment.
     panel: Vec<u32>,
-    /// The first segment of each panel, and the end.
+    /// First segment of each supernode, and the end.
     of_panels: Vec<u32>,
-    /// The segment of each unknown.
+    /// Segment of each unknown.
     of: Vec<u32>,
 }
 
@@ -122,7 +123,9 @@ impl Segments {
     }
 }
 
-/// For each panel the later segments of the blocks of which it is the first: what these tie besides, elimination ties too.
+/// Returns for each supernode the later segments of the blocks that it is the first to touch.
+///
+/// Elimination couples these segments.
 fn first_touched(segments: &Segments, blocks: &Lists) -> Lists {
     let mut pairs = Vec::new();
     let mut touched = Vec::new();
@@ -138,11 +141,13 @@ fn first_touched(segments: &Segments, blocks: &Lists) -> Lists {
     Lists::by_key(segments.of_panels.len() - 1, pairs.iter().copied())
 }
 
-/// The rows of each panel in segments, ascending, those of its children included, and its parent: the panel of the first.
+/// Computes the rows of each supernode as ascending segments, including those of its children, and its parent.
+///
+/// The parent is the supernode of the first row.
 fn fill(segments: &Segments, touched: Lists) -> (Lists, Vec<u32>) {
     let count = touched.len();
     let (mut rows, mut parent) = (Lists::new(), Vec::with_capacity(count));
-    // Children as linked lists: the first of each panel, the next of each child.
+    // Children as linked lists: the first child of each supernode, and the next sibling of each child.
     let (mut children, mut next) = (vec![NONE; count], vec![NONE; count]);
     let mut seen = vec![NONE; segments.count()];
     let mut own: Vec<u32> = Vec::new();
@@ -172,19 +177,19 @@ fn fill(segments: &Segments, touched: Lists) -> (Lists, Vec<u32>) {
     (rows, parent)
 }
 
-/// Where a panel comes in the postorder, and of how many panels its subtree is.
+/// Position of a supernode in the postorder, and the size of its subtree.
 struct Place {
     at: u32,
     subtree: u32,
 }
 
-/// The postorder of a tree in which parents come after their children: each subtree becomes one piece.
+/// Computes the postorder of a tree whose parents follow their children. Each subtree becomes contiguous.
 fn postorder(parent: &[u32]) -> Vec<Place> {
     let mut places: Vec<Place> = parent.iter().map(|_| Place { at: 0, subtree: 1 }).collect();
     for (child, &parent) in parent.iter().enumerate().filter(|(_, parent)| **parent != NONE) {
         places[parent as usize].subtree += places[child].subtree;
     }
-    // The end of what is still free, of each subtree and of the whole.
+    // End of the free positions of each subtree and of the whole tree.
     let (mut free, mut end) = (vec![0; parent.len()], parent.len() as u32);
     for panel in (0..parent.len()).rev() {
         let end = match parent[panel] {

@@ -1,4 +1,4 @@
-//! Sparse symmetric matrices: pattern, elimination order, supernodes.
+//! Sparse symmetric matrices: pattern, elimination order and supernodes.
 
 mod elimination;
 mod index_lists;

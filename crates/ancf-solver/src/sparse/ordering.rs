@@ -7,14 +7,15 @@ use faer::sparse::linalg::amd;
 
 use super::index_lists::Lists;
 
-/// Coordinates without mass and the multipliers that determine them, of each term that has such.
+/// Massless coordinates of a term and the multipliers that determine them.
 pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
 
-/// The unknowns in ranks, the order of elimination: a group of coordinates, then what has to follow it.
+/// Unknowns in ranks, which define the order of elimination. A rank is a group of coordinates and its dependent
+/// unknowns.
 pub(crate) struct Ranks {
-    /// The unknowns of each rank, in order; multipliers count after coordinates.
+    /// Unknowns of each rank in order. Multipliers are numbered after coordinates.
     pub(crate) unknowns: Lists,
-    /// A number for each unknown: those next to each other that have the same one are adjacent to the same others.
+    /// Label of each unknown. Neighbours with equal labels have equal adjacency.
     pub(crate) labels: Vec<u32>,
 }
 
@@ -27,7 +28,7 @@ impl Ranks {
         let all_massless = || massless.iter().flat_map(|(late, _)| late.iter().copied());
         let mut is_massless = vec![false; coordinates];
         all_massless().for_each(|c| (is_massless[c], rank[c]) = (true, None));
-        // What touches nothing comes last.
+        // Unknowns without a block come last.
         let end = coordinates as u32;
         let before = last_coordinates(multipliers, blocks, &rank);
         let mut defines = vec![false; multipliers];
@@ -40,7 +41,7 @@ impl Ranks {
         let rank_of = |m: usize| if defines[m] { before[m] } else { after[m] };
         rank.extend((0..multipliers).map(rank_of));
         let of = |kind: bool| (0..multipliers).filter(move |&m| defines[m] == kind).map(|m| coordinates + m);
-        // What is at one rank comes in this order.
+        // Order of the unknowns within a rank.
         let (defining, other) = (of.clone()(true), of(false));
         let regular = (0..coordinates).filter(|&c| !is_massless[c]);
         let late = (0..coordinates).filter(|&c| is_massless[c]);
@@ -56,7 +57,7 @@ impl Ranks {
     }
 }
 
-/// Zero for coordinates with mass, a number of the first block for whatever else.
+/// Labels coordinates with mass by zero and all other unknowns by the number of their first block.
 fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &[bool]) -> Vec<u32> {
     let mut labels = vec![0; coordinates + multipliers];
     for (b, block) in blocks.iter().enumerate() {
@@ -70,7 +71,7 @@ fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &
     labels
 }
 
-/// For each multiplier the last place among the coordinates that it touches, of those that have one.
+/// Returns for each multiplier the last rank among the coordinates of its blocks, for coordinates with a rank.
 fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
     let mut last: Vec<Option<u32>> = vec![None; multipliers];
     let coordinates = rank.len();
@@ -85,7 +86,7 @@ fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) ->
     last
 }
 
-/// The groups of coordinates in the order of elimination.
+/// Computes the groups of coordinates in the order of elimination.
 fn ordered_groups(coordinates: usize, blocks: &Lists) -> Lists {
     let (group_of, count) = groups(coordinates, blocks);
     let mut turn = vec![0; count];
@@ -95,14 +96,14 @@ fn ordered_groups(coordinates: usize, blocks: &Lists) -> Lists {
     Lists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
 }
 
-/// Whether a block has no multipliers.
+/// Returns true if a block has no multipliers.
 fn is_free(block: &[u32], coordinates: usize) -> bool {
     block.iter().all(|&u| (u as usize) < coordinates)
 }
 
-/// Coordinates grouped by the set of blocks that they belong to: group of each coordinate, number of groups.
+/// Groups coordinates by the set of blocks that contain them. Returns the group of each coordinate and the group count.
 ///
-/// Blocks with multipliers do not count, nor do those within another: a joint or a load does not part a node.
+/// Blocks with multipliers and blocks contained in another block are ignored, so joints and loads do not split a node.
 fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
     let free = || blocks.iter().zip(0..).filter(|(block, _)| is_free(block, coordinates));
     let of =
@@ -119,7 +120,7 @@ fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
     for (block, b) in free().filter(|(block, b)| !is_within_another(block, *b)) {
         classes.part(b, block.iter().map(|&c| c as usize));
     }
-    // Coordinates of blocks with multipliers only.
+    // Coordinates that belong only to blocks with multipliers.
     let alone: Vec<bool> = classes.class.iter().map(|&class| class == 0).collect();
     for (block, b) in blocks.iter().zip(0..).filter(|(block, _)| !is_free(block, coordinates)) {
         let own = block.iter().map(|&c| c as usize);
@@ -128,16 +129,16 @@ fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
     classes.numbered()
 }
 
-/// A partition that blocks refine.
+/// Partition of the coordinates that is refined block by block.
 struct Classes {
-    /// Class of each coordinate; zero before any block.
+    /// Class of each coordinate. It is zero before the first block.
     class: Vec<u32>,
-    /// For each class, the block that split it last and the class that this made.
+    /// Last block that split each class, and the new class of this split.
     split: Vec<(u32, u32)>,
 }
 
 impl Classes {
-    /// Parts the members of a block from those that are not.
+    /// Separates the members of a block from the other coordinates of their classes.
     fn part(&mut self, block: u32, members: impl Iterator<Item = usize>) {
         for c in members {
             let class = self.class[c] as usize;
@@ -149,7 +150,7 @@ impl Classes {
         }
     }
 
-    /// Classes numbered as they come, and their number; what no block has touched is a class of its own.
+    /// Numbers the classes in order of appearance. Each coordinate without a block forms a class of its own.
     fn numbered(mut self) -> (Vec<u32>, usize) {
         let mut number: Vec<Option<u32>> = vec![None; self.split.len()];
         let mut count = 0;
@@ -164,7 +165,7 @@ impl Classes {
     }
 }
 
-/// The other groups with which each group shares a block, ascending.
+/// Returns the adjacent groups of each group in ascending order. Groups are adjacent if they share a block.
 fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
     let clusters: Lists = blocks
         .iter()
@@ -190,8 +191,8 @@ fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
         .collect()
 }
 
-/// The order of elimination of a graph: leaves from all sides at once, so that trees end in their middle; what is left by
-/// minimum degree.
+/// Computes the elimination order of a graph: leaves from all sides, so that trees end at their centre, then minimum
+/// degree.
 fn elimination(graph: &Lists) -> Vec<u32> {
     let mut degree: Vec<usize> = graph.iter().map(<[u32]>::len).collect();
     let (mut order, mut is_out) = (Vec::with_capacity(graph.len()), vec![false; graph.len()]);
@@ -215,7 +216,7 @@ fn elimination(graph: &Lists) -> Vec<u32> {
     order
 }
 
-/// Approximate minimum degree order of a part of a graph.
+/// Computes the approximate minimum degree order of a part of a graph.
 fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
     let count = part.len();
     if count == 0 {
@@ -237,6 +238,6 @@ fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
     let mut memory = MemBuffer::new(amd::order_scratch::<usize>(count, rows.len()));
     let done =
         amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
-    // AMD fails only when indices overflow; the natural order is then as good as any.
+    // AMD fails only on index overflow. The natural order is then used.
     if done.is_ok() { order } else { (0..count).collect() }
 }

@@ -2,28 +2,32 @@ use std::ops::Range;
 
 use super::supernodes::{Panel, Panels};
 
-/// Panels that are eliminated at the same time by all threads: disjoint subtrees, and the *trunk*, which is all the rest.
+/// Partition of the supernodes into disjoint subtrees, processed in parallel, and the *trunk* of the remaining
+/// supernodes.
 ///
-/// They depend on the structure only, not on the threads: results are the same to the last digit with any number of threads.
+/// The partition depends on the structure only. Results are therefore identical to the last digit for any number of
+/// threads.
 #[derive(Debug)]
 pub(crate) struct Branches {
-    /// The branches, ascending.
+    /// Subtrees in ascending order.
     pub(crate) branches: Vec<Branch>,
-    /// The panels of the trunk, ascending.
+    /// Supernodes of the trunk in ascending order.
     pub(crate) trunk: Vec<Range<usize>>,
 }
 
-/// A subtree: its rows are its own positions and, outside, the rows below its root, which is its last panel.
+/// Subtree of the elimination tree. Its rows are its own positions, and outside it the rows below its root.
+///
+/// The root is the last supernode of the subtree.
 #[derive(Debug)]
 pub(crate) struct Branch {
     pub(crate) panels: Range<usize>,
     pub(crate) positions: Range<usize>,
-    /// Where its values begin.
+    /// Index of its first value.
     pub(crate) start: usize,
 }
 
 impl Branch {
-    /// Its last panel.
+    /// Returns the last supernode.
     pub(crate) fn root(&self) -> usize {
         self.panels.end - 1
     }
@@ -35,11 +39,11 @@ impl Branch {
     }
 }
 
-/// The least number of panels of a branch. Measured: a panel takes some 0.3 to 0.8 μs, and a thread is woken in 5.
+/// Minimum number of supernodes of a subtree. Measured: 0.3 to 0.8 µs per supernode, and 5 µs to wake a thread.
 pub(crate) const LEAST: usize = 256;
 
 impl Branches {
-    /// Finds the branches of at least so many panels; a single one is none, but trunk.
+    /// Finds the subtrees with a minimum number of supernodes. A single subtree is assigned to the trunk.
     pub(crate) fn new(panels: &Panels, least: usize) -> Self {
         let mut branches = Vec::new();
         let is_large = |&root: &usize| size(&panels.panels, root) >= least;
@@ -51,7 +55,7 @@ impl Branches {
             while let (Some(child), None) = (children(fork).next(), children(fork).nth(1)) {
                 fork = child;
             }
-            // All that is on the way to a fork becomes trunk.
+            // The supernodes between a root and its fork become part of the trunk.
             let way = size(&panels.panels, root) - size(&panels.panels, fork);
             if children(fork).nth(1).is_some() && 8 * way < size(&panels.panels, root) {
                 open.extend(children(fork));
@@ -71,18 +75,18 @@ impl Branches {
     }
 }
 
-/// Number of panels of a subtree.
+/// Returns the number of supernodes of a subtree.
 fn size(panels: &[Panel], root: usize) -> usize {
     root + 1 - panels[root].subtree as usize
 }
 
-/// The children of a panel, the last one first.
+/// Returns the children of a supernode in descending order.
 #[inline(always)]
 pub(crate) fn children(panels: &Panels, panel: usize) -> impl Iterator<Item = usize> {
     subtrees(panels, panel, panels.panels[panel].subtree as usize)
 }
 
-/// The roots of the subtrees that end before a panel, from the last one down to that with panel `first`.
+/// Returns the roots of the subtrees that end before `end`, in descending order down to the supernode `first`.
 #[inline(always)]
 fn subtrees(panels: &Panels, end: usize, first: usize) -> impl Iterator<Item = usize> {
     let mut end = end;
@@ -93,37 +97,38 @@ fn subtrees(panels: &Panels, end: usize, first: usize) -> impl Iterator<Item = u
     })
 }
 
-/// The entries of a vector from one on.
+/// Section of a vector that starts at an offset.
 pub(crate) struct Stretch<'a> {
     first: usize,
     values: &'a mut [f64],
 }
 
 impl<'a> Stretch<'a> {
-    /// All of a vector.
+    /// Creates the section of a full vector.
     pub(crate) fn whole(values: &'a mut [f64]) -> Self {
         Self { first: 0, values }
     }
 
-    /// What comes before an entry, and the rest.
+    /// Splits the section at an entry.
     pub(crate) fn cut(self, at: usize) -> (Self, Self) {
         let (before, after) = self.values.split_at_mut(at - self.first);
         (Self { first: self.first, values: before }, Self { first: at, values: after })
     }
 
-    /// Some of the entries.
+    /// Returns some of the entries.
     #[inline(always)]
     pub(crate) fn of(&mut self, entries: Range<usize>) -> &mut [f64] {
         &mut self.values[entries.start - self.first..entries.end - self.first]
     }
 
-    /// The same.
+    /// Returns some of the entries and consumes the section.
     pub(crate) fn into_of(self, entries: Range<usize>) -> &'a mut [f64] {
         &mut self.values[entries.start - self.first..entries.end - self.first]
     }
 }
 
-/// Does the branches at the same time, each with a space of its own and with its part of what `cut` parts before a branch.
+/// Processes the subtrees in parallel, each with its own working storage and data. `cut` splits the data before a
+/// subtree.
 pub(crate) fn fork<S: Send, P: Send>(
     branches: &[Branch],
     spaces: &mut [S],
@@ -140,7 +145,7 @@ pub(crate) fn fork<S: Send, P: Send>(
             let (before, after) = cut(parted, &right[0]);
             let one = || fork(left, here, before, cut, work);
             let other = || fork(right, there, after, cut, work);
-            // One thread need not wake another that is alone too.
+            // With a single thread, waking another one has no benefit.
             if rayon::current_num_threads() > 1 {
                 rayon::join(one, other);
             } else {
@@ -157,7 +162,7 @@ mod tests {
     use super::super::pattern::Pattern;
     use super::*;
 
-    /// Branches and trunk are all panels, once; nothing in a branch touches anything outside but rows of its root.
+    /// Checks that subtrees and trunk partition all supernodes. Outside a subtree, only rows of its root may occur.
     fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Branches {
         let blocks: Lists = links.map(|(a, b)| vec![a, b]).collect();
         let pattern = Pattern::new(nodes, 0, &blocks, &[]);
@@ -176,13 +181,13 @@ mod tests {
         found
     }
 
-    /// A chain has two halves, a tree more, a chain that is too short none.
+    /// A chain has two subtrees, a tree more, and a short chain none.
     #[test]
     fn chains_and_trees() {
         let chain = |nodes: u32| checked((1..nodes).map(|n| (n - 1, n)), nodes as usize);
         assert_eq!(chain(3000).branches.len(), 2);
         assert!(chain(500).branches.is_empty());
-        // Eight chains of 400 nodes, two by two at the ends of four chains of ten nodes, and these at one node.
+        // Eight chains of 400 nodes, in pairs at the ends of four chains of ten nodes, which meet at one node.
         let parent = |n: u32| match n {
             1..=40 => {
                 if n % 10 == 1 {
@@ -196,7 +201,7 @@ mod tests {
         };
         let tree = checked((1..3241).map(|n| (parent(n), n)), 3241);
         assert_eq!(tree.branches.len(), 8);
-        // A ring, and a ladder.
+        // A ring and a ladder.
         checked((0..3000).map(|n| (n, (n + 1) % 3000)), 3000);
         checked((0..4000).flat_map(|n| [(n, n + 2), (n - n % 2, n - n % 2 + 1)]), 4002);
     }

@@ -1,4 +1,4 @@
-//! Static equilibrium: load increments and paths by arc length.
+//! Static equilibrium: load increments and arc-length continuation.
 
 mod arc;
 mod equilibrium;

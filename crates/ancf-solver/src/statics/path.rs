@@ -7,25 +7,26 @@ use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{Current, EquilibriumError, Failure, Newton, SolveError, Whole};
 use crate::sparse::SparseMatrix;
 
-/// Tangents at the two ends of a step differ by at most 60°, the chord from the first one by at most 30°: by cosines.
+/// Smallest cosine between the tangents at both ends of a step (60°), and between the chord and the first tangent
+/// (30°).
 const TURN: f64 = 0.5;
 const BEND: f64 = 0.866;
-/// A change of stability that no limit point explains is believed when the step is down to this part of what it was.
+/// Relative step size at which a stability change without a limit point is accepted.
 const BELIEVED: f64 = 1e-3;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
-/// Most iterations for a limit point or a load factor.
+/// Maximum number of iterations to locate a limit point or a load factor.
 const LOCATE: u32 = 40;
-/// Iterations without progress that are borne within a step.
+/// Stagnation limit within a step.
 const PATIENCE: u32 = 6;
 
-/// The path of equilibria r(q, λ, s) = 0 through limit points, snap-through and snap-back by its arc length σ.
+/// Arc-length continuation of equilibria r(q, λ, s) = 0 through limit points, snap-through and snap-back.
 ///
-/// A step predicts along the tangent (dq/dσ, dλ/dσ, ds/dσ) and corrects in the plane normal to it by Newton's method.
-/// The path keeps its direction: tangents of neighbouring points make an acute angle. Steps that fail, or within which
-/// the path turns too far, are halved. A change of sign of ds/dσ within a step ends the step at the limit point between.
+/// A step predicts along the tangent (dq/dσ, dλ/dσ, ds/dσ). Newton's method corrects in the plane normal to it. The
+/// path keeps its direction: the tangents of neighbouring points form an acute angle. Failed steps and steps with large
+/// turns are halved. If ds/dσ changes sign within a step, the step ends at the limit point.
 ///
-/// Loads must be linear in s, and what moves must have mass, since the arc is measured in its norm.
+/// Loads must be linear in s. Moving parts must have mass, since the mass matrix defines the metric of the arc length.
 ///
 /// Source: Keller (1977); Riks (1979); Crisfield (1981).
 #[derive(Debug)]
@@ -36,34 +37,34 @@ pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
     metric: Metric,
     state: State,
     tangent: Tangent,
-    /// The point that is tried, and the tangent there.
+    /// Trial point and its tangent.
     trial: State,
     ahead: Tangent,
     step: f64,
     length: f64,
     /// Number of unstable directions beyond the current point.
     unstable: Option<usize>,
-    /// The step that first met a change of stability which is not believed yet.
+    /// Step size at which an unconfirmed stability change was first found.
     doubt: Option<f64>,
-    /// Sign of the slope where the path leaves the current point.
+    /// Sign of the slope of the load factor beyond the current point.
     heading: f64,
 }
 
-/// Where a step arrived.
+/// End point of a step.
 struct Arrival {
     found: Equilibrium,
     length: f64,
     limit: Option<Limit>,
     landed: bool,
-    /// Number of unstable directions where the path goes on.
+    /// Number of unstable directions beyond the end point.
     unstable: Option<usize>,
 }
 
 impl<'a, E: EquationsOfMotion> Path<'a, E> {
-    /// Starts from a state at or near equilibrium under its load factor, towards larger ones.
+    /// Starts from a state at or near equilibrium under its load factor, in the direction of increasing load.
     ///
     /// # Errors
-    /// If there is no equilibrium near by or its stiffness is singular.
+    /// If there is no equilibrium nearby or its stiffness is singular.
     pub fn new(
         eom: &'a E,
         mut newton: Newton,
@@ -113,7 +114,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         })
     }
 
-    /// The same path towards smaller load factors.
+    /// Reverses the path, in the direction of decreasing load.
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.tangent.scale(-1.0);
@@ -121,20 +122,20 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         self
     }
 
-    /// The current point.
+    /// Returns the current point.
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// The energies of the current point.
+    /// Returns the energies of the current point.
     pub fn energy(&self) -> Energy {
         self.eom.energy(&self.state)
     }
 
-    /// Follows the path; `each` sees every point, limit points among them, and may break there.
+    /// Follows the path. `each` receives every point, including limit points, and may stop the analysis.
     ///
     /// # Errors
-    /// If the smallest permitted step fails; the state is then that of the last point.
+    /// If the smallest permitted step fails. The state is then the last point.
     pub fn follow(
         &mut self,
         until: &Until,
@@ -160,7 +161,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         Ok(Left::Points)
     }
 
-    /// Makes the point that was tried the current one.
+    /// Accepts the trial point as the current point.
     fn arrive(&mut self, arrival: Arrival) -> PathPoint {
         self.newton.met(arrival.found.energy.largest());
         self.state.copy_from(&self.trial);
@@ -174,7 +175,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         PathPoint { equilibrium: arrival.found, length: self.length, slope, limit }
     }
 
-    /// The next point, by a step of at most `left`, in the trial state.
+    /// Computes the next point in the trial state by a step of at most `left`.
     fn advance(&mut self, target: Option<f64>, left: f64) -> Result<Arrival, EquilibriumError> {
         let mut found = Equilibrium::default();
         loop {
@@ -184,10 +185,10 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                     let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
                     self.step = step * wanted.sqrt().clamp(0.5, 2.0);
                     if arrival.unstable != self.unstable {
-                        // What was doubted is believed: the path goes on as before.
+                        // The stability change is confirmed, so the path continues with the original step size.
                         self.step = self.doubt.take().unwrap_or(self.step);
                     }
-                    // Or the path has turned away.
+                    // Otherwise the path has turned away from the bifurcation.
                     self.doubt = self.doubt.filter(|first| step < *first);
                     return Ok(Arrival { found: found.after(arrival.found), ..arrival });
                 }
@@ -206,7 +207,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         }
     }
 
-    /// Tries a step; ends it at a limit point or at the target within. Also returns the iterations of the whole step.
+    /// Attempts a step and ends it at a limit point or at the target. Returns also the iterations of the whole step.
     fn reach(&mut self, step: f64, target: Option<f64>) -> Result<(Arrival, u32), SolveError> {
         let found = self.attempt(step)?;
         let (iterations, unstable) = (found.iterations, found.unstable);
@@ -244,23 +245,26 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         Ok((arrival, iterations))
     }
 
-    /// Whether the load may turn twice within a step, so that its slopes at the ends do not tell.
+    /// Returns true if the load factor may have two extrema within a step, which its end slopes do not show.
     ///
-    /// A cubic with slopes of one sign is monotone if neither is above three times the mean slope (Fritsch & Carlson 1980).
+    /// A cubic with end slopes of equal sign is monotone if both are at most three times the mean slope (Fritsch &
+    /// Carlson 1980).
     fn hides_limits(&self, step: f64) -> bool {
         let mean = (self.trial.load - self.state.load) / step * self.heading;
         let [before, after] = [self.tangent.load, self.ahead.load].map(|slope| slope * self.heading);
         after > 0.0 && before.max(after) > 3.0 * mean
     }
 
-    /// Whether the stability changes other than by one direction at a limit point: at a bifurcation, which an imperfect
-    /// structure turns away from within a step that is small enough.
+    /// Returns true if the stability change does not match the limit points of the step.
+    ///
+    /// A bifurcation causes such a change. Sufficiently small steps follow the path of an imperfect structure around
+    /// it.
     fn hides_bifurcation(&self, unstable: Option<usize>) -> bool {
         let limits = usize::from(self.ahead.load * self.heading < 0.0);
         matches!((self.unstable, unstable), (Some(before), Some(after)) if before.abs_diff(after) != limits)
     }
 
-    /// The equilibrium at a length σ beyond the current point, and its tangent.
+    /// Solves for the equilibrium at a length σ beyond the current point, and for its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
         if let Some((eom, matrix)) = self.eom.ahead(&self.state) {
             self.renew(eom, matrix)?;
@@ -272,7 +276,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             let Self { newton, eom, tangent, trial, .. } = self;
             found = found.again(Equilibrium::find(newton, &mut Plane(tangent), &**eom, trial)?);
             let Some((eom, matrix)) = eom.completed(trial) else { return self.look_ahead(found) };
-            // Something acts there that was not among the equations.
+            // A term that is active there was not included.
             self.renew(eom, matrix)?;
         }
     }
@@ -282,7 +286,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         self.newton.adopt(matrix)
     }
 
-    /// Sets the tangent at the trial state.
+    /// Computes the tangent at the trial state.
     fn look_ahead(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
         let response = response(&mut self.newton, &*self.eom, &mut self.trial)
             .map_err(|failure| found.refuse(failure, &self.trial))?;
@@ -299,9 +303,9 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         Ok(found)
     }
 
-    /// Shortens a step to the root of `value`, which is `start` at its start and has the other sign at its end.
+    /// Shortens a step to the root of `value`, which is `start` at the start and has the opposite sign at the end.
     ///
-    /// By regula falsi in the Illinois form; `done` judges a value and the slope of the values by the length.
+    /// The method is regula falsi in the Illinois form. `done` evaluates a value and its slope along the path.
     fn locate(
         &mut self,
         arrival: &mut Arrival,
@@ -329,7 +333,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         Err(arrival.found.refuse(Failure::NotConverged, &self.trial))
     }
 
-    /// Moves the trial state to a load factor close to its own.
+    /// Moves the trial state to a nearby load factor.
     fn land(&mut self, target: f64, arrival: &mut Arrival) -> Result<(), SolveError> {
         self.trial.load = target;
         let mut found = Equilibrium::find(&mut self.newton, &mut Whole, &*self.eom, &mut self.trial)?;

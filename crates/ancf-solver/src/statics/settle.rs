@@ -1,10 +1,10 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Failure, Linear, Mover, Newton, SolveError};
 
-/// Iterations that may gain less than a half each.
+/// Stagnation limit for increments of slowly decreasing energy.
 const PATIENCE: u32 = 100;
 
-/// Moves coordinates only: the mass in the matrix brings no accelerations.
+/// Update of coordinates only: the mass in the matrix causes no accelerations.
 struct AtRest;
 
 impl Mover for AtRest {
@@ -14,13 +14,13 @@ impl Mover for AtRest {
     }
 }
 
-/// Iterates a state to an equilibrium under its load that only the load may hold, such as that of a pendulum.
+/// Iterates a state to an equilibrium that only the load stabilises, such as that of a pendulum.
 ///
-/// Newton's method with K + ω² M for the stiffness K, which is singular as long as nothing is loaded: motions that are much
-/// slower than the circular frequency `rate` creep to where the load leads, the others arrive at once.
+/// Newton's method uses K + ω² M, since the stiffness K of the unloaded system is singular. Motions much slower than
+/// the circular frequency `rate` converge slowly along the load, and all others within one iteration.
 ///
 /// # Errors
-/// If it finds none, such as that of a body that falls.
+/// If there is no equilibrium, such as for a falling body.
 pub fn settle(
     eom: &dyn EquationsOfMotion,
     newton: &mut Newton,

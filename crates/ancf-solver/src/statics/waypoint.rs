@@ -1,67 +1,67 @@
 use super::equilibrium::Equilibrium;
 
-/// Sizes of the steps along a path, as arc lengths σ: where the path begins, dσ is the change of the load factor.
+/// Step sizes along an equilibrium path as arc lengths σ. At the start of the path dσ is the change of the load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArcSteps {
-    /// The first step.
+    /// First step size.
     pub first: f64,
-    /// The least that is tried.
+    /// Smallest permitted step size.
     pub smallest: f64,
-    /// The largest that is made.
+    /// Largest permitted step size.
     pub largest: f64,
-    /// Newton iterations that a step should take: the next one is longer by √(wanted/taken), between ½ and 2.
+    /// Target for the Newton iterations per step. The next step is scaled by √(target/actual), between ½ and 2.
     pub iterations: u32,
 }
 
 impl ArcSteps {
-    /// Steps that begin with a change of the load factor and adapt themselves.
+    /// Creates adaptive step sizes from a first change of the load factor.
     pub const fn from(first: f64) -> Self {
         Self { first, smallest: 1e-8 * first, largest: f64::INFINITY, iterations: 7 }
     }
 }
 
-/// When to leave a path.
+/// End conditions of an equilibrium path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Until {
-    /// At this load factor, exactly, as soon as the path crosses it.
+    /// Load factor at which the path ends exactly, at the first crossing.
     pub load: Option<f64>,
-    /// After so many points.
+    /// Maximum number of points.
     pub points: u32,
-    /// After so much arc length.
+    /// Maximum arc length.
     pub length: f64,
 }
 
-/// Why a path was left.
+/// End condition that was met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Left {
     /// The load factor was reached.
     Load,
-    /// So many points were found.
+    /// The number of points was reached.
     Points,
-    /// The arc length was gone.
+    /// The arc length was reached.
     Length,
-    /// The receiver of the points wanted no more.
+    /// The caller stopped the path.
     Broken,
 }
 
-/// A load factor beyond which a path turns back.
+/// Limit point of the load factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
-    /// The largest load near by.
+    /// Local maximum of the load factor.
     Maximum,
-    /// The least load near by.
+    /// Local minimum of the load factor.
     Minimum,
 }
 
-/// A point of a path of equilibria.
+/// Point on an equilibrium path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPoint {
-    /// How it was found.
+    /// Report of the equilibrium solution.
     pub equilibrium: Equilibrium,
     /// Arc length σ from the start of the path.
     pub length: f64,
-    /// ds/dσ, the slope of the load factor.
+    /// Slope ds/dσ of the load factor.
     pub slope: f64,
-    /// Whether it is a limit point, where the slope vanishes.
+    /// Type of the limit point, if the slope vanishes here.
     pub limit: Option<Limit>,
 }

@@ -14,7 +14,7 @@ use crate::kinematics::{
 };
 use crate::sections::{CrossSection, Lame};
 
-/// The elements of a body, all of one kind.
+/// Elements of a body, all of one type.
 #[derive(Clone, Debug)]
 pub(crate) enum Elements {
     Two(Vec<Beam24>),
@@ -22,24 +22,24 @@ pub(crate) enum Elements {
     Cable(Vec<Cable12>),
 }
 
-/// How stress follows strain at a point.
+/// Stress-strain law at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Elasticity {
-    /// In three dimensions.
+    /// Three-dimensional St. Venant-Kirchhoff law.
     Continuum,
     NeoHookean,
-    /// As in [`SectionLaw::enhanced`](crate::sections::SectionLaw::enhanced), by linked strains or not.
+    /// Rod law of [`SectionLaw::enhanced`](crate::sections::SectionLaw::enhanced), with or without linked strains.
     Rod {
         linked: bool,
     },
-    /// Along the axis only.
+    /// Uniaxial law of a line.
     Line,
 }
 
-/// The nodes and elements of a beam.
+/// Mesh of the nodes and elements of a beam or cable.
 ///
-/// The coordinates of its vectors follow each other from `first` on: (r, ℓ r_x, ℓ r_y, ℓ r_z) for each node of a two-node
-/// beam element, (r, ℓ r_y, ℓ r_z) for each of a three-node one, (r, ℓ r_x) for each of a cable.
+/// The coordinates of the nodal vectors are consecutive from `first`. The vectors of a node are (r, ℓ r_x, ℓ r_y, ℓ
+/// r_z) for two-node beam elements, (r, ℓ r_y, ℓ r_z) for three-node beam elements, and (r, ℓ r_x) for cables.
 #[derive(Clone, Debug)]
 pub struct BeamMesh {
     pub(crate) first: usize,
@@ -47,7 +47,7 @@ pub struct BeamMesh {
     pub(crate) length: f64,
     pub(crate) slope: f64,
     pub(crate) elements: Elements,
-    /// The point from which reference positions count.
+    /// Origin of the reference positions.
     pub(crate) origin: Vector3<f64>,
     /// Reference values of the vectors.
     pub(crate) reference: Vec<Vector3<f64>>,
@@ -55,11 +55,11 @@ pub struct BeamMesh {
     pub(crate) elasticity: Elasticity,
 }
 
-/// What all elements of a mesh have in common.
+/// Common data of all elements of a mesh.
 pub struct Blueprint<'a> {
     /// First coordinate.
     pub first: usize,
-    /// The point from which the positions of the nodes count.
+    /// Origin of the positions of the nodes.
     pub origin: Vector3<f64>,
     /// Length of one element.
     pub length: f64,
@@ -67,9 +67,9 @@ pub struct Blueprint<'a> {
     pub slope: f64,
     /// Material, damping and gravity.
     pub medium: &'a Medium,
-    /// The section at an arc length.
+    /// Section at an arc length.
     pub section: &'a dyn Fn(f64) -> CrossSection,
-    /// Whether the section is the same everywhere.
+    /// True if the section is constant along the beam.
     pub prismatic: bool,
 }
 
@@ -83,7 +83,7 @@ impl fmt::Debug for Blueprint<'_> {
 }
 
 impl BeamMesh {
-    /// Two-node elements between consecutive nodes.
+    /// Creates two-node elements between consecutive nodes.
     pub fn two_node(blueprint: &Blueprint<'_>, nodes: &[Node], formulation: Formulation) -> Self {
         let Blueprint { first, origin, length, slope, .. } = *blueprint;
         let shape = BeamShape { length, slope };
@@ -109,7 +109,7 @@ impl BeamMesh {
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
-    /// Three-node elements on nodes 0 1 2, 2 3 4, and so on.
+    /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
     pub fn three_node(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
         let Blueprint { first, origin, length, slope, .. } = *blueprint;
         let shape = QuadraticShape { length, slope };
@@ -128,7 +128,7 @@ impl BeamMesh {
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
-    /// Cable elements between consecutive nodes of a straight line, by [`CableRule::Lobatto`].
+    /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
     pub fn cable(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
         let Blueprint { first, origin, length, slope, medium, section, .. } = *blueprint;
         let Medium { lame, density, retardation, drag, gravity, .. } = *medium;
@@ -152,17 +152,17 @@ impl BeamMesh {
         Self { first, length, slope, elements, origin, reference, lame, elasticity: Elasticity::Line }
     }
 
-    /// Whether it has cross-sections, with directions r_y and r_z: all but a cable.
+    /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
     pub const fn has_sections(&self) -> bool {
         !matches!(self.elements, Elements::Cable(_))
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         3 * self.reference.len()
     }
 
-    /// Number of elements.
+    /// Returns the number of elements.
     pub fn count(&self) -> usize {
         match &self.elements {
             Elements::Two(elements) => elements.len(),
@@ -171,12 +171,12 @@ impl BeamMesh {
         }
     }
 
-    /// Length of the axis.
+    /// Returns the length of the axis.
     pub fn length(&self) -> f64 {
         self.length * self.count() as f64
     }
 
-    /// The elements as terms.
+    /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         fn boxed<T: Term + Clone + 'static>(elements: &[T]) -> Vec<Box<dyn Term>> {
             elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
@@ -188,7 +188,7 @@ impl BeamMesh {
         }
     }
 
-    /// Batches of its terms, each with the number of its first one.
+    /// Returns batches of the terms, each with the index of its first term.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
         match &self.elements {
             Elements::Two(elements) => Batched::batches(elements),
@@ -197,7 +197,7 @@ impl BeamMesh {
         }
     }
 
-    /// Strain energy of all elements by part.
+    /// Returns the strain energy of all elements by part.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
         let mut sum = StrainEnergy::default();
         let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
@@ -224,7 +224,7 @@ impl BeamMesh {
         }
     }
 
-    /// Kinds of the vectors of a node.
+    /// Returns the kinds of the vectors of a node.
     pub(crate) fn node_kinds(&self) -> &'static [Kind] {
         match self.elements {
             Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
@@ -233,7 +233,7 @@ impl BeamMesh {
         }
     }
 
-    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    /// Returns all nodal vectors in a state, in the order of the coordinates.
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let kinds = self.node_kinds();
         self.reference.iter().enumerate().map(move |(i, &reference)| {
@@ -243,18 +243,18 @@ impl BeamMesh {
         })
     }
 
-    /// The node and the vector that a coordinate belongs to, if it is one of this mesh.
+    /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
     pub fn place_of(&self, coordinate: usize) -> Option<(usize, Kind)> {
         let (vector, kinds) = (coordinate.checked_sub(self.first)? / 3, self.node_kinds());
         (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
     }
 
-    /// The directors r_x, r_y and r_z at an arc length in the reference state.
+    /// Returns the directions r_x, r_y and r_z at an arc length in the reference state.
     pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
         self.axes(s).map(|axis| axis.reference())
     }
 
-    /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the directors that each enters.
+    /// Returns the weights of the vectors of an element at ξ: in r, r_y or r_z, and in the directors.
     pub(crate) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
         fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
             let (values, directors) = (shape.values(xi), shape.directors(xi));
@@ -271,12 +271,12 @@ impl BeamMesh {
         }
     }
 
-    /// The point of the axis at an arc length.
+    /// Returns the point of the axis at an arc length.
     pub fn point(&self, s: f64) -> Marker {
         self.material_point(s, 0.0, 0.0)
     }
 
-    /// The point of the body at an arc length and (y, z) in its section.
+    /// Returns the point of the body at an arc length and (y, z) in its section.
     pub fn material_point(&self, s: f64, y: f64, z: f64) -> Marker {
         self.marker(s, |kind, value, _| match kind {
             Kind::Position | Kind::Slope => value,
@@ -285,7 +285,7 @@ impl BeamMesh {
         })
     }
 
-    /// What joints, loads and probes hold on to at an arc length.
+    /// Returns the attachment of joints, loads and probes at an arc length.
     pub fn attachment(&self, s: f64) -> Attachment {
         let [x, y, z] = self.axes(s);
         let directions =
@@ -293,12 +293,13 @@ impl BeamMesh {
         Attachment { point: self.point(s), directions }
     }
 
-    /// The direction of the body at an arc length that is `direction` in the reference state ([`Attachment::direction`]).
+    /// Returns the body-fixed direction at an arc length with the reference value `direction`
+    /// ([`Attachment::direction`]).
     pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
         self.attachment(s).direction(direction)
     }
 
-    /// The directors r_x, r_y and r_z at an arc length.
+    /// Returns the directors r_x, r_y and r_z at an arc length.
     pub fn axes(&self, s: f64) -> [Marker; 3] {
         [0, 1, 2].map(|axis| {
             self.marker(s, |kind, value, directors| match (kind, axis) {
@@ -315,7 +316,7 @@ impl BeamMesh {
         let of = self.weights(xi);
         let weights: Vec<f64> =
             of.iter().map(|&(kind, value, directors)| weight(kind, value, directors)).collect();
-        // The weights of positions sum to one in a point and to zero in a direction.
+        // The weights of positions sum to one for a point and to zero for a direction.
         let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == Kind::Position);
         let origin = self.origin * clean(positions.map(|(weight, _)| weight).sum());
         let vectors = &self.reference[offset..offset + weights.len()];
@@ -326,7 +327,7 @@ impl BeamMesh {
         Marker::new(parts, reference)
     }
 
-    /// Vectors from the start of one element to that of the next.
+    /// Returns the number of vectors between the starts of consecutive elements.
     pub(crate) fn stride(&self) -> usize {
         match self.elements {
             Elements::Two(_) => 4,
@@ -335,7 +336,7 @@ impl BeamMesh {
         }
     }
 
-    /// Element and ξ of an arc length; a node belongs to one of its elements at exactly ξ = 0 or 1.
+    /// Returns the element and ξ of an arc length. At a node, ξ is exactly 0 or 1.
     pub(crate) fn locate(&self, s: f64) -> (usize, f64) {
         let at = s / self.length;
         let node = at.round();
@@ -345,7 +346,7 @@ impl BeamMesh {
     }
 }
 
-/// Frame and profile of each element; congruent neighbours share their profile.
+/// Creates frame and profile of each element. Consecutive congruent elements share a profile.
 fn elements<const N: usize>(
     blueprint: &Blueprint<'_>,
     nodes: &[Node],
@@ -363,7 +364,7 @@ fn elements<const N: usize>(
             let shift = if i % stride == 0 { origin } else { Vector3::zeros() };
             to_local * (reference[k * span * stride + i] - shift)
         });
-        // Far from its start, differences of positions are no more precise than this.
+        // Far from the origin, differences of positions have this rounding error.
         let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
         let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
             let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {

@@ -6,39 +6,39 @@ use nalgebra::{Matrix3, Vector3};
 use super::coincide_perpendicular::Wrench;
 use crate::kinematics::Marker;
 
-/// The angle of a hinge as a coordinate θ without mass, by one equation: a direction p of the first body stays in the plane
-/// through the axis that is turned by θ.
+/// Angle of a revolute joint as a massless coordinate θ, defined by one equation.
 ///
-/// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground across the axis, v = axis × u, and u along
-/// p in the reference state. Being an unknown that is followed in time, θ counts turns. Φ is zero for θ + π too, where p is
-/// against u: that is not admissible. A step must turn by less than half a turn.
+/// A direction p of the first body remains in the plane through the axis that is rotated by θ:
+/// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground normal to the axis and v = axis
+/// × u. u is parallel to p in the reference state. θ counts full turns, since it is continuous in time. Φ also vanishes
+/// at θ + π, where p is opposite to u. That state is inadmissible. A step must turn by less than half a turn.
 ///
-/// Units: none, λ is the moment about the axis.
+/// Units: none; λ is the moment about the axis.
 #[derive(Clone, Debug)]
 pub struct Angle {
     global: [Marker; 3],
-    /// p, u, v.
+    /// Directions p, u, v.
     markers: [Marker; 3],
-    /// θ first.
+    /// Coordinates, θ first.
     coordinates: Vec<usize>,
     multiplier: usize,
 }
 
-/// Place of θ among the coordinates.
+/// Position of θ among the coordinates.
 const THETA: usize = 0;
 
-/// What Φ is made of.
+/// Quantities in Φ.
 struct Values {
     p: Vector3<f64>,
     sin: f64,
     cos: f64,
-    /// cos θ v − sin θ u, and −∂w/∂θ = sin θ v + cos θ u.
+    /// w = cos θ v − sin θ u, and −∂w/∂θ = sin θ v + cos θ u.
     w: Vector3<f64>,
     along: Vector3<f64>,
 }
 
 impl Angle {
-    /// Makes the angle from u to p, about u × v, a coordinate.
+    /// Defines the angle from u to p about u × v as a coordinate.
     pub fn new(coordinate: usize, p: &Marker, [u, v]: [&Marker; 2], multiplier: usize) -> Self {
         let global = [p, u, v].map(Marker::clone);
         let mut others: Vec<usize> = global.iter().flat_map(Marker::coordinates).collect();
@@ -49,7 +49,7 @@ impl Angle {
         Self { global, markers, coordinates, multiplier }
     }
 
-    /// Its share of what the joint exerts on the first body: the moment p × (−λ w).
+    /// Returns the contribution to the joint reaction on the first body: the moment p × (−λ w).
     pub fn reaction(&self, s: &State) -> Wrench {
         let [p, u, v] = self.global.each_ref().map(|marker| marker.value(s));
         let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();
@@ -91,7 +91,7 @@ impl Term for Angle {
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0].abs());
         let [p, u, v] = self.markers.each_ref().map(|marker| marker.size(at.q));
-        // An angle of many turns is known to ε times itself only.
+        // The rounding error of an angle of many turns is ε times its value.
         let turn = f64::EPSILON * (2.0 + at.q[THETA].abs());
         for (marker, size) in self.markers.iter().zip([u + v, p, p]) {
             for &(first, w) in marker.parts() {

@@ -2,10 +2,11 @@ use ancf_solver::equations::Local;
 
 use crate::functions::{Function, Instant};
 
-/// What a measure is to be, less its reference value: c = x + b x² with x = s α f(t), of a function of time f and the load
-/// factor s, which is 1 but in statics.
+/// Target of a measure, relative to its reference value: c = x + b x² with x = s α f(t).
 ///
-/// With b = 0 an angle or a displacement is told; with b = 1/(2 L₀) the half square of a length over L₀, for the length L₀ + x.
+/// f is a function of time and s the load factor, which differs from 1 in statics only. With b = 0 the target is an
+/// angle or a displacement. With b = 1/(2 L₀) the measure is half a squared length over L₀, and the target length is L₀
+/// + x.
 #[derive(Clone, Debug)]
 pub struct Target {
     amount: f64,
@@ -14,15 +15,15 @@ pub struct Target {
 }
 
 impl Target {
-    /// The reference value.
+    /// Target at the reference value.
     pub const NONE: Self = Self { amount: 0.0, function: Function::ONE, bend: 0.0 };
 
-    /// x = α f(t).
+    /// Creates the target x = α f(t).
     pub const fn new(amount: f64, function: Function) -> Self {
         Self { amount, function, bend: 0.0 }
     }
 
-    /// The length L₀ + α f(t) of a measure d·d/(2 L₀).
+    /// Creates the target length L₀ + α f(t) of a measure d·d/(2 L₀).
     pub const fn of_length(length: f64, amount: f64, function: Function) -> Self {
         Self { amount, function, bend: 0.5 / length }
     }
@@ -31,25 +32,25 @@ impl Target {
         at.load * self.amount * self.function.value(at.t)
     }
 
-    /// c.
+    /// Returns c.
     pub(crate) fn value(&self, at: &Local<'_>) -> f64 {
         let x = self.stated(at);
         x + self.bend * x * x
     }
 
-    /// The magnitudes that c is made of.
+    /// Returns the sum of the magnitudes in c.
     pub(crate) fn size(&self, at: &Local<'_>) -> f64 {
         let x = self.stated(at);
         x.abs() + 2.0 * self.bend * x * x
     }
 
-    /// ∂c/∂s, by the load factor.
+    /// Returns ∂c/∂s with respect to the load factor.
     pub(crate) fn by_load(&self, at: &Local<'_>) -> f64 {
         let x = self.stated(at);
         self.amount * self.function.value(at.t) * (1.0 + 2.0 * self.bend * x)
     }
 
-    /// ċ and c̈ at full load.
+    /// Returns ċ and c̈ at full load.
     pub(crate) fn rates(&self, t: f64) -> [f64; 2] {
         let Instant { value, rate, acceleration } = self.function.at(t);
         let [x, v, a] = [value, rate, acceleration].map(|f| self.amount * f);

@@ -5,7 +5,7 @@ use super::morison::Morison;
 use crate::bodies::BeamMesh;
 
 impl BeamMesh {
-    /// What a fluid does to each element, given the section at an arc length.
+    /// Creates the hydrodynamic load of each element, given the section properties at an arc length.
     pub fn immersed(&self, fluid: &Arc<Fluid>, hull: impl Fn(f64) -> Hull) -> Vec<Morison> {
         let pieces = self.pieces(0.0..self.length()).zip(self.element_axes());
         let of = |(piece, axis): (crate::bodies::Piece, crate::kinematics::ElementAxis)| {

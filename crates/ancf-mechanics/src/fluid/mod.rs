@@ -1,4 +1,4 @@
-//! Hydrodynamic loads: drag, added mass, buoyancy.
+//! Hydrodynamic loads: drag, added mass and buoyancy.
 
 mod flow;
 mod immersed;

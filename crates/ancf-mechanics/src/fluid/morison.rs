@@ -6,22 +6,24 @@ use nalgebra::{Matrix3, Vector3};
 use super::flow::{Flow, Fluid, Wetted};
 use crate::kinematics::ElementAxis;
 
-/// What a fluid does to one element of a thin line: drag, added mass, buoyancy.
+/// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.
 ///
-/// Per undeformed length, with the tangent t, the velocity of the fluid seen from the line w = u − ṙ, its parts w_t = t·w along
-/// and w_n = w − t w_t across, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in MoorDyn, Hall & Goupee 2015):
+/// Per undeformed length, with the tangent t, the relative velocity of the fluid w = u − ṙ, its tangential part w_t =
+/// t·w and normal part w_n = w − t w_t, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in
+/// MoorDyn, Hall & Goupee 2015):
 ///
 /// f = ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t + ρA u̇ + M (u̇ − r̈) − ρA g,  M = ρA (C_an (I − t tᵀ) + C_at t tᵀ).
 ///
-/// The buoyancy −ρA g is that of a line with fluid all around it, at its ends too; axial forces are then effective tensions, true
-/// force plus pressure times area. Drag, buoyancy and ρA u̇ + M u̇ are loads and act s times for a load factor s; −M r̈ is
-/// inertia and does not.
+/// The buoyancy −ρA g assumes fluid all around the line, including its ends. Axial forces are then effective tensions:
+/// true force plus pressure times area. Drag, buoyancy and ρA u̇ + M u̇ are loads, which the load factor s multiplies.
+/// −M r̈ is inertia and independent of s.
 ///
-/// Energies: ½ ṙ·M ṙ is kinetic, that of the fluid set in motion; buoyancy has a potential. Supplied are F·u of the drag F, the work
-/// of a changing current, and ½ ṙ·Ṁ ṙ, since Morison's formula has no forces by which the momentum of the fluid turns with the line.
-/// Dissipated is F·w ≥ 0.
+/// Energies: ½ ṙ·M ṙ is the kinetic energy of the accelerated fluid, and buoyancy has a potential. The supplied power
+/// is F·u of the drag F, the power of a time-dependent current, and ½ ṙ·Ṁ ṙ. The last term occurs since Morison's
+/// formula has no forces that rotate the momentum of the fluid with the line. The dissipated power is F·w ≥ 0.
 ///
-/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent holds its symmetric part.
+/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent contains its
+/// symmetric part.
 #[derive(Clone, Debug)]
 pub struct Morison {
     coordinates: Vec<usize>,
@@ -29,25 +31,25 @@ pub struct Morison {
     stations: [Station; 5],
 }
 
-/// A point of the axis.
+/// Quadrature point of the axis.
 #[derive(Clone, Copy, Debug)]
 struct Station {
     /// Weights of the vectors in r and in p = dr/ds.
     values: [f64; 4],
     slopes: [f64; 4],
-    /// p in the reference state.
+    /// Reference value of p.
     tangent: Vector3<f64>,
     wetted: Wetted,
 }
 
-/// The fluid at one time.
+/// Fluid motion at one time.
 struct Instant {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
 }
 
 impl Morison {
-    /// On an axis, from the weights, the tangent and the section at five points.
+    /// Creates the load from the weights, the tangent and the section properties at five points of an axis.
     pub(crate) fn new(
         axis: &ElementAxis,
         fluid: Arc<Fluid>,
@@ -63,7 +65,7 @@ impl Morison {
         Instant { velocity, acceleration }
     }
 
-    /// Without load: buoyancy and the push of a fluid that is accelerated.
+    /// Returns buoyancy and the force of the accelerated fluid, without load factor.
     fn displaced(&self, fluid: &Instant, wetted: &Wetted) -> Vector3<f64> {
         (fluid.acceleration - self.fluid.gravity) * wetted.displaced()
     }
@@ -82,7 +84,7 @@ impl Station {
         }
     }
 
-    /// The magnitudes that p, w and b are made of.
+    /// Returns the magnitudes in p, w and b.
     fn sizes(&self, at: &Local<'_>, fluid: &Instant) -> [f64; 3] {
         [
             self.tangent.norm() + size(&self.slopes, at.q),

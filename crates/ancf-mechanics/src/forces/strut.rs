@@ -4,16 +4,16 @@ use nalgebra::{Matrix3, Vector3};
 use crate::constraints::Wrench;
 use crate::kinematics::Marker;
 
-/// A spring and a damper between two points, d = r_a − r_b, of free length L₀: they draw a to b by the force
+/// Spring and parallel damper between two points, d = r_a − r_b, of free length L₀. The tensile force is
 ///
 /// N = k e + c dl/dt, e = l − l₀ − s (L₀ − l₀), l = |d|,
 ///
-/// where l₀ is the distance in the reference state and the preload comes with the load factor s, which is 1 but in statics. A
-/// rope only draws: N = 0 for e ≤ 0, and never less than 0.
+/// where l₀ is the reference distance. The load factor s, which differs from 1 in statics only, scales the preload. A
+/// rope has no compression: N = 0 for e ≤ 0, and N ≥ 0 otherwise.
 ///
-/// U = ½ k e², less its value in the reference state; the damper dissipates c (dl/dt)². The derivative of the damper's forces by
-/// q is not symmetric, and the tangent holds its symmetric part. Points that come together leave the force without direction:
-/// that is not admissible.
+/// U = ½ k e² minus its reference value; the damper dissipates c (dl/dt)². The derivative of the damper force by q is
+/// not symmetric, and the tangent contains its symmetric part. For coincident points the direction of the force is
+/// undefined, so the state is inadmissible.
 ///
 /// Units: k force/length, c force × time/length.
 #[derive(Clone, Debug)]
@@ -23,25 +23,25 @@ pub struct Strut {
     coordinates: Vec<usize>,
     stiffness: f64,
     damping: f64,
-    /// L₀ − l₀.
+    /// Preload length L₀ − l₀.
     slack: f64,
     rope: bool,
 }
 
-/// Points nearer to each other than this part of their first distance are at one place.
+/// Distance below which points count as coincident, relative to the reference distance.
 const TOGETHER: f64 = 1e-9;
 
-/// The distance in a state.
+/// Distance in a state.
 struct Distance {
     length: f64,
-    /// l − l₀.
+    /// Change of length l − l₀.
     change: f64,
-    /// d/l.
+    /// Unit vector d/l.
     unit: Vector3<f64>,
 }
 
 impl Strut {
-    /// A spring and a damper between two points that are not at one place in the reference state.
+    /// Creates a spring and a damper between two points that are distinct in the reference state.
     pub fn new(a: &Marker, b: &Marker, stiffness: f64, damping: f64, free_length: f64) -> Self {
         let global = Marker::combined([(1.0, a), (-1.0, b)]);
         let coordinates: Vec<usize> = global.coordinates().collect();
@@ -50,13 +50,13 @@ impl Strut {
         Self { global, apart, coordinates, stiffness, damping, slack, rope: false }
     }
 
-    /// The same without force in the reference state.
+    /// Sets the free length to the reference distance, which gives zero force in the reference state.
     #[must_use]
     pub fn neutral(self) -> Self {
         Self { slack: 0.0, ..self }
     }
 
-    /// The same that only draws.
+    /// Restricts the force to tension.
     #[must_use]
     pub fn rope(self) -> Self {
         Self { rope: true, ..self }
@@ -70,13 +70,13 @@ impl Strut {
         Distance { length, change, unit: d / length }
     }
 
-    /// e at a change of length and a load factor, 0 of a slack rope.
+    /// Returns e at a change of length and a load factor. It is 0 for a slack rope.
     fn stretch(&self, change: f64, load: f64) -> f64 {
         let stretch = change - load * self.slack;
         if self.rope { stretch.max(0.0) } else { stretch }
     }
 
-    /// N and whether it changes with e, and with dl/dt.
+    /// Returns N, and true if N depends on e and dl/dt.
     fn force(&self, change: f64, load: f64, rate: f64) -> (f64, bool) {
         let stretch = self.stretch(change, load);
         let force = self.stiffness * stretch + self.damping * rate;
@@ -84,7 +84,7 @@ impl Strut {
         (if acts { force } else { 0.0 }, acts)
     }
 
-    /// What it exerts on the first body, at its point.
+    /// Returns the force on the first body, at its point.
     pub fn reaction(&self, s: &State) -> Wrench {
         let Distance { change, unit, .. } = self.distance(&self.global, &s.q);
         let (force, _) = self.force(change, s.load, unit.dot(&self.global.sum(&s.v)));
@@ -115,7 +115,7 @@ impl Term for Strut {
         let Distance { length, change, unit } = self.distance(&self.apart, at.q);
         let (speed, zeros) = (self.apart.sum(at.v), [0.0; LOCAL]);
         let (force, acts) = self.force(change, at.load, unit.dot(&speed));
-        // The change of length comes from what moved, the direction from all.
+        // The displacement determines the rounding error of the length change, and the position that of the direction.
         let moved = self.apart.size(at.q) - self.apart.size(&zeros[..at.q.len()]);
         let turned = 2.0 * self.apart.size(at.q) / length;
         let of_force = if acts {
@@ -139,7 +139,7 @@ impl Term for Strut {
         }
         let along = unit * unit.transpose();
         let across = (Matrix3::identity() - along) / length;
-        // ∂(dl/dt)/∂d is what of the velocity is across, over l.
+        // ∂(dl/dt)/∂d is the transverse velocity over l.
         let turning = unit * (across * speed).transpose() * (0.5 * self.damping);
         let stiffness = along * self.stiffness + across * force + turning + turning.transpose();
         self.add(&(stiffness * w.q + along * (w.v * self.damping)), k);

@@ -3,15 +3,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::instant::Instant;
 
-/// A function of time that the program supplies.
+/// User-defined function of time.
 ///
-/// It keeps the last time and what the program said of it, so that all terms of the equations together call the program once
-/// for each time. Calls come from any thread, one at a time, for times in any order: an iteration that fails begins anew
-/// at an earlier one. What it returns must depend on t alone, but for this: between steps it may become another function
-/// of the times that are still to come, such as what a controller sets. It must not be computed by way of this very function. A value
-/// that is no number ends the analysis as one that diverged.
+/// The last time and its result are stored, so all terms together call the user function once per time. Calls come from
+/// any thread, one at a time, for times in any order: failed iterations restart at an earlier time. The result must
+/// depend on t alone. Between steps, however, the function may change for future times, for example by a controller. It
+/// must not be evaluated recursively. A result that is not a number ends the analysis as divergence.
 ///
-/// Clones are the same function, and equal; functions made apart are not.
+/// Clones are the same function and compare equal. Separately created functions differ.
 #[derive(Clone)]
 pub struct External(Arc<Supplied>);
 
@@ -21,15 +20,17 @@ struct Supplied {
 }
 
 impl External {
-    /// The function by which the program tells value and rates at a time. Loads use values only, currents of fluids their first
-    /// rates, drives both: there the rates must be the derivatives of the value.
+    /// Creates a function from a user function that returns value and rates at a time.
+    ///
+    /// Loads use the value, currents of fluids also the first rate, and drives both rates. There the rates must be the
+    /// derivatives of the value.
     pub fn new(f: impl Fn(f64) -> Instant + Send + Sync + 'static) -> Self {
         Self(Arc::new(Supplied { function: Box::new(f), last: Mutex::new(None) }))
     }
 
-    /// Its value and rates.
+    /// Returns value and rates.
     pub fn at(&self, t: f64) -> Instant {
-        // What is kept is whole even if the program panicked in a call.
+        // The stored result is valid even after a panic in the user function.
         let mut last = self.0.last.lock().unwrap_or_else(PoisonError::into_inner);
         match *last {
             Some((then, instant)) if then == t => instant,

@@ -9,9 +9,9 @@ use winnow::{ModalResult, Parser};
 
 use super::node::{Node, power};
 
-/// Characters of a formula; beyond that it is taken for a slip, and its depth would be that of the stack.
+/// Maximum number of characters of a formula. It also limits the recursion depth.
 const LENGTH: usize = 1000;
-/// Brackets within brackets.
+/// Maximum depth of nested brackets.
 const DEPTH: usize = 40;
 
 const OPERAND: &str = "a number, `t`, `pi`, a function or a bracket";
@@ -20,19 +20,19 @@ const NAME: &str = "`t`, `pi` or a function: sin, cos, tan, asin, acos, atan, si
 const ARGUMENTS: &str = "one argument, two of `min` and `max`, three of `if`";
 const OPERATOR: &str = "an operator or the end; powers of powers in brackets";
 
-/// Where a formula is not understood.
+/// Syntax error in a formula.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("character {}: wanted {wanted}", .at + 1)]
 pub struct ExpressionError {
-    /// The character, counted from 0.
+    /// Position as the index of the character, from 0.
     pub at: usize,
-    /// What is wanted there.
+    /// Expected input at this position.
     pub wanted: String,
 }
 
 type Failure = ErrMode<ContextError>;
 
-/// Reads a whole formula.
+/// Parses a whole formula.
 pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
     let error = |at, wanted: &str| Err(ExpressionError { at, wanted: wanted.into() });
     if text.chars().count() > LENGTH {
@@ -60,14 +60,14 @@ pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
     })
 }
 
-/// A failure for good.
+/// Returns a fatal error with the expected input.
 fn wanted<T>(what: &'static str) -> ModalResult<T> {
     let mut error = ContextError::new();
     error.push(StrContext::Expected(StrContextValue::Description(what)));
     Err(ErrMode::Cut(error))
 }
 
-/// Operands and operators.
+/// Parsers of operands and operators.
 fn sum(i: &mut &str) -> ModalResult<Node> {
     expression(operand).prefix(sign).infix(operator).parse_next(i)
 }
@@ -166,7 +166,7 @@ fn close(i: &mut &str, what: &'static str) -> ModalResult<()> {
     }
 }
 
-/// What fails now cannot be meant otherwise.
+/// Turns a failure into a fatal error, without trying alternatives.
 fn sure<T>(result: ModalResult<T>) -> ModalResult<T> {
     result.map_err(ErrMode::cut)
 }

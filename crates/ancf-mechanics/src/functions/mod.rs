@@ -1,4 +1,4 @@
-//! Functions of time, and forces that a program supplies.
+//! Functions of time and user-defined forces.
 
 mod expression;
 mod external;

@@ -6,16 +6,16 @@ use nalgebra::{Matrix3, Vector3};
 /// ∂ε/∂a = t = a/|a|, ∂²ε/∂a² = (I − t tᵀ)/|a|.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
-    /// ε.
+    /// Axial strain ε.
     pub strain: f64,
-    /// |a|.
+    /// Length |a|.
     pub length: f64,
-    /// t.
+    /// Tangent t.
     pub tangent: Vector3<f64>,
 }
 
 impl Stretch {
-    /// From the reference direction a₀, a unit vector, and the displacement gradient u.
+    /// Creates the stretch from the reference direction a₀, a unit vector, and the displacement gradient u.
     pub fn new(reference: &Vector3<f64>, u: &Vector3<f64>) -> Self {
         let a = reference + u;
         let length = a.norm();
@@ -23,24 +23,24 @@ impl Stretch {
         Self { strain, length, tangent: a / length }
     }
 
-    /// c ∂ε/∂a (∂ε/∂a)ᵀ + n ∂²ε/∂a².
+    /// Computes c ∂ε/∂a (∂ε/∂a)ᵀ + n ∂²ε/∂a².
     pub fn stiffness(&self, c: f64, n: f64) -> Matrix3<f64> {
         let n = n / self.length;
         self.tangent * self.tangent.transpose() * (c - n) + Matrix3::from_diagonal_element(n)
     }
 }
 
-/// Bending of a material line at one point: the material measure of curvature, and what follows from it.
+/// Bending of a material line at one point: the material measure of curvature with its derivatives.
 ///
 /// With a = r′, b = r″, A = a·a, B = b·b, C = a·b, t = a/|a| and n = b − (C/A) a:
 ///
 /// β = n/|a| = κ × t,  κ = a × b/A = t × β,  K = |κ| = |β|, the rotation of the tangent per *reference* length,
 ///
-/// all smooth for a ≠ 0. Seen from a frame that follows the tangent without spin about it, β changes at the rate
+/// all smooth for a ≠ 0. In a frame that follows the tangent without spin about it, β has the rate
 ///
-/// β° = (ḃ − a (a·ḃ)/A − C ȧ/A − b (a·ȧ)/A + 2C (a·ȧ) a/A²)/|a| = L (ȧ, ḃ),
+/// β° = (ḃ − a (a·ḃ)/A − C ȧ/A − b (a·ȧ)/A + 2C (a·ȧ) a/A²)/|a| = L (ȧ, ḃ).
 ///
-/// so that a moment with the components m (across t) does the power m·β° and exerts the forces Lᵀm on a and b,
+/// A moment with the components m normal to t thus has the power m·β° and the forces Lᵀm on a and b,
 ///
 /// Lᵀm = (−(C m + (b·m) a)/|a|³, m/|a|).
 ///
@@ -49,42 +49,42 @@ impl Stretch {
 pub(crate) struct Bend {
     a: Vector3<f64>,
     b: Vector3<f64>,
-    /// A, C.
+    /// Products A and C.
     aa: f64,
     ab: f64,
     length: f64,
 }
 
 impl Bend {
-    /// From a = r′ and b = r″.
+    /// Creates the bending from a = r′ and b = r″.
     pub fn new(a: Vector3<f64>, b: Vector3<f64>) -> Self {
         let aa = a.dot(&a);
         Self { a, b, aa, ab: a.dot(&b), length: aa.sqrt() }
     }
 
-    /// β.
+    /// Returns β.
     pub fn strain(&self) -> Vector3<f64> {
         (self.b - self.a * (self.ab / self.aa)) / self.length
     }
 
-    /// β° for the rates of a and b.
+    /// Returns β° for the rates of a and b.
     pub fn rate(&self, [da, db]: &[Vector3<f64>; 2]) -> Vector3<f64> {
         let (along_a, along_b) = (self.a.dot(da) / self.aa, self.a.dot(db) / self.aa);
         let part = self.ab / self.aa;
         (db - da * part - self.b * along_a - self.a * (along_b - 2.0 * part * along_a)) / self.length
     }
 
-    /// t × x: from components across the tangent to a moment or a curvature vector.
+    /// Returns t × x, which maps normal components to a moment or a curvature vector.
     pub fn turned(&self, x: &Vector3<f64>) -> Vector3<f64> {
         self.a.cross(x) / self.length
     }
 
-    /// Lᵀm for m across t.
+    /// Returns Lᵀm for m normal to t.
     pub fn force(&self, m: &Vector3<f64>) -> [Vector3<f64>; 2] {
         [-(m * self.ab + self.a * self.b.dot(m)) / (self.aa * self.length), m / self.length]
     }
 
-    /// The second derivative of ½K² = ½ (AB − C²)/A², the derivative of Lᵀβ:
+    /// Returns the second derivative of ½K² = ½ (AB − C²)/A², the derivative of Lᵀβ:
     ///
     /// by b, b: (I − a aᵀ/A)/A;  by b, a: −(2 b aᵀ + a bᵀ + C I)/A² + 4C a aᵀ/A³;
     ///
@@ -104,7 +104,7 @@ impl Bend {
         }
     }
 
-    /// The second derivative of m·β at constant m across the tangent, m·a = 0:
+    /// Returns the second derivative of m·β at constant m normal to the tangent, m·a = 0:
     ///
     /// by b, a: −(m aᵀ + a mᵀ)/|a|³;
     ///
@@ -121,13 +121,13 @@ impl Bend {
         }
     }
 
-    /// LᵀL.
+    /// Returns LᵀL.
     pub fn damping(&self) -> Blocks {
         let [of_a, of_b] = self.operator();
         Blocks { aa: of_a.transpose() * of_a, ba: of_b.transpose() * of_a, bb: of_b.transpose() * of_b }
     }
 
-    /// L, by a and by b.
+    /// Returns the blocks of L for a and for b.
     fn operator(&self) -> [Matrix3<f64>; 2] {
         let (a, aa) = (&self.a, self.aa);
         let part = self.ab / aa;
@@ -137,7 +137,7 @@ impl Bend {
     }
 }
 
-/// A symmetric matrix over the vectors a and b: block ba has the rows of b.
+/// Symmetric matrix over the vectors a and b. Block ba has the rows of b.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Blocks {
     pub aa: Matrix3<f64>,
@@ -146,12 +146,12 @@ pub(crate) struct Blocks {
 }
 
 impl Blocks {
-    /// Times a number.
+    /// Multiplies the blocks by a number.
     pub fn scaled(self, factor: f64) -> Self {
         Self { aa: self.aa * factor, ba: self.ba * factor, bb: self.bb * factor }
     }
 
-    /// Plus another times a number.
+    /// Adds a multiple of other blocks.
     pub fn plus(self, other: Self, factor: f64) -> Self {
         Self {
             aa: self.aa + other.aa * factor,

@@ -13,12 +13,12 @@ use super::triangle::{Blocks, lower};
 use crate::elements::{Beam24, Beam27, Element};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 
-/// Beam elements side by side: of N vectors, A + 1 of them of the axis and B of each kind of the sections.
+/// Batch of beam elements with N vectors, A + 1 of them of the axis and B of each kind of section vector.
 #[derive(Debug)]
 struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
     count: usize,
     law: Arc<BeamLaw<N, A, B, C>>,
-    /// Reference directors in the global frame at each station, or the same for all.
+    /// Reference directors in the global frame at each station, or shared by all stations.
     reference: Vec<[[Lanes; 3]; 7]>,
 }
 
@@ -82,7 +82,7 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
         Self { count: elements.len(), law, reference }
     }
 
-    /// Sets the directors at a station.
+    /// Computes the directors at a station.
     #[inline(always)]
     fn deform<S: Simd>(
         &self,
@@ -131,12 +131,12 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         let law = &*self.law;
         let mut blocks = Blocks::<S, A, B>::zero(pass);
-        // Viscosity adds τ D to the stiffness by v; what else it has is left out, as `Station::stiffness` says.
+        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `Station::stiffness`.
         let squares = w.q + w.v * law.retardation;
         if w.q != 0.0 || squares != 0.0 {
             let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
             let mut section = Section::new(pass);
-            // The place of the triangle serves for H until it is written.
+            // The storage of the triangle contains H until the triangle is written.
             let (h, _) = k.as_chunks_mut();
             for (s, station) in law.stations.iter().enumerate() {
                 let Station { weight, mix, plan, elasticity } = station;
@@ -184,7 +184,7 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
         [kinetic, strain * half, potential]
     }
 
-    /// det J > 0 on the axis.
+    /// Requires det J > 0 on the axis.
     #[inline(always)]
     fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
         let q = Relative::of(pass, &self.law.layout, at.q);
@@ -193,7 +193,7 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
             self.deform(pass, s, &q, &mut section);
             let [a, _, _, d, e, ..] = section.now;
             let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
-            // Lanes of other passes stay right.
+            // Lanes of other passes remain admissible.
             let mut det = Lanes([1.0; LANES]);
             pass.store(&mut det, dot(a, cross));
             right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
@@ -202,7 +202,7 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
-    /// The velocities of the vectors, if there is anything that they strain.
+    /// Returns the velocities of the vectors if the elements have viscosity.
     #[inline(always)]
     fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<Relative<S, A, B>> {
         if self.law.retardation == 0.0 { None } else { Some(Relative::of(pass, &self.law.layout, at.v)) }
@@ -210,7 +210,7 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
 }
 
 impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
-    /// Sets the stress resultants of strains and, if velocities are given, of their rates, times a factor.
+    /// Computes the stress resultants of strains, and of their rates if velocities are given, times a factor.
     #[inline(always)]
     fn resultants<S: Simd>(
         &self,
@@ -232,14 +232,14 @@ impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
-    /// g times a factor.
+    /// Returns g times a factor.
     #[inline(always)]
     fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> Vector<S> {
         let [x, y, z] = self.gravity;
         [pass.splat(x * factor), pass.splat(y * factor), pass.splat(z * factor)]
     }
 
-    /// M (a + α v) less gravity.
+    /// Computes M (a + α v) minus gravity.
     #[inline(always)]
     fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; N] {
         let (mut moved, mut rows) = ([pass.zeros(); N], [pass.zeros(); N]);

@@ -7,32 +7,32 @@ use crate::elements::{Law, Profile};
 use crate::kinematics::Interpolation;
 use crate::sections::Form;
 
-/// What the profiles of the elements of a batch say: numbers that they share, or one for each element.
+/// Common data of the profiles of a batch: shared numbers, or one number per element.
 #[derive(Clone, Debug)]
 pub(crate) struct BeamLaw<const N: usize, const A: usize, const B: usize, C> {
     pub layout: Layout<A, B>,
     pub stations: Vec<Station<A, B, C>>,
-    /// M_ab, a ≥ b, where it is not zero.
+    /// Nonzero M_ab, a ≥ b.
     pub mass: Vec<(usize, usize, C)>,
-    /// ∫ ρ S_a dV.
+    /// First moments ∫ ρ S_a dV.
     pub first: [C; N],
     pub gravity: [f64; 3],
     pub drag: f64,
     pub retardation: f64,
 }
 
-/// A quadrature point.
+/// Quadrature point.
 #[derive(Clone, Debug)]
 pub(crate) struct Station<const A: usize, const B: usize, C> {
     pub weight: f64,
     pub mix: Mix<A, B>,
     pub plan: Arc<Plan>,
-    /// D_kl, as the plan counts them.
+    /// Coefficients D_kl in the order of the plan.
     pub elasticity: Vec<C>,
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
-    /// Of profiles that differ in numbers only; none if one of their laws is not quadratic.
+    /// Creates the law of profiles that differ in numbers only. Returns `None` if a law is not quadratic.
     pub fn new<S: Interpolation<N>>(profiles: &[&Profile<N>]) -> Option<Self> {
         let (layout, first) = (Layout::new(&S::KINDS), profiles[0]);
         let mut stations: Vec<Station<A, B, C>> = Vec::new();
@@ -66,13 +66,13 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B,
     }
 }
 
-/// Numbers from those of each element.
+/// Packs the numbers of each element.
 fn numbers<C: Number>(elements: Vec<Vec<f64>>) -> Vec<C> {
     let of = |k: usize| C::of(&elements.iter().map(|numbers| numbers[k]).collect::<Vec<_>>());
     (0..elements[0].len()).map(of).collect()
 }
 
-/// Weights of an element's vectors at a station, read from whichever profile has them.
+/// Collects the weights of the vectors of an element at a station from all profiles.
 fn mix<const N: usize, const A: usize, const B: usize>(
     profiles: &[&Profile<N>],
     station: usize,

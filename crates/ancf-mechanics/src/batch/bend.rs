@@ -3,24 +3,24 @@ use pulp::Simd;
 use super::lane::{Lane, Pass, Vector, dot, less, plus, scaled};
 use super::stiffness::Matrix;
 
-/// Bending of a material line at one point, as [`line::Bend`](crate::kinematics::Bend) defines it.
+/// Bending of a material line at one point, as defined by [`line::Bend`](crate::kinematics::Bend).
 pub(crate) struct Bend<S: Simd> {
     a: Vector<S>,
     b: Vector<S>,
-    /// a·b, 1/a·a and 1/|a|.
+    /// Products a·b, 1/a·a and 1/|a|.
     ab: Lane<S>,
     over_aa: Lane<S>,
     shortness: Lane<S>,
 }
 
-/// A symmetric matrix over the vectors a and b: block ba has the rows of b.
+/// Symmetric matrix over the vectors a and b. Block ba has the rows of b.
 pub(crate) struct Blocks<S: Simd> {
     pub aa: Matrix<S>,
     pub ba: Matrix<S>,
     pub bb: Matrix<S>,
 }
 
-/// sum += factor × x yᵀ.
+/// Computes sum += factor × x yᵀ.
 #[inline(always)]
 fn add_product<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>, factor: Lane<S>) {
     let x = scaled(x, factor);
@@ -46,13 +46,13 @@ impl<S: Simd> Bend<S> {
         Self { a, b, ab: dot(a, b), over_aa, shortness: over_aa.sqrt() }
     }
 
-    /// β.
+    /// Returns β.
     #[inline(always)]
     pub fn strain(&self) -> Vector<S> {
         scaled(plus(self.b, self.a, -(self.ab * self.over_aa)), self.shortness)
     }
 
-    /// β° for the rates of a and b.
+    /// Returns β° for the rates of a and b.
     #[inline(always)]
     pub fn rate(&self, pass: Pass<S>, da: Vector<S>, db: Vector<S>) -> Vector<S> {
         let (along_a, along_b) = (dot(self.a, da) * self.over_aa, dot(self.a, db) * self.over_aa);
@@ -62,14 +62,14 @@ impl<S: Simd> Bend<S> {
         scaled(plus(sum, self.a, -of_a), self.shortness)
     }
 
-    /// Lᵀm for m across t.
+    /// Returns Lᵀm for m normal to t.
     #[inline(always)]
     pub fn force(&self, m: Vector<S>) -> [Vector<S>; 2] {
         let sum = plus(scaled(m, self.ab), self.a, dot(self.b, m));
         [scaled(sum, -(self.over_aa * self.shortness)), scaled(m, self.shortness)]
     }
 
-    /// `factor` times the second derivative of ½K².
+    /// Returns `factor` times the second derivative of ½K².
     #[inline(always)]
     pub fn hessian(&self, pass: Pass<S>, factor: f64) -> Blocks<S> {
         let (a, b, ab, over) = (self.a, self.b, self.ab, self.over_aa);
@@ -92,7 +92,7 @@ impl<S: Simd> Bend<S> {
         Blocks { aa, ba, bb }
     }
 
-    /// Adds the second derivative of m·β at constant m across the tangent.
+    /// Adds the second derivative of m·β at constant m normal to the tangent.
     #[inline(always)]
     pub fn add_stress_stiffness(&self, pass: Pass<S>, m: Vector<S>, h: &mut Blocks<S>) {
         let (a, b, work) = (self.a, self.b, dot(m, self.b));

@@ -12,12 +12,12 @@ use super::stiffness::{add, times, transposed};
 use super::triangle::{Blocks, lower};
 use crate::elements::{CRUSHED, Cable12, CableDamping, CableProfile, CableStation};
 
-/// Cable elements of one profile side by side.
+/// Batch of cable elements with a common profile.
 #[derive(Debug)]
 struct CableBatch {
     count: usize,
     profile: Arc<CableProfile>,
-    /// The reference direction of each.
+    /// Reference direction of each element.
     direction: [Lanes; 3],
 }
 
@@ -40,7 +40,7 @@ impl Batched for Cable12 {
 /// Vectors ℓ r_x₁, r₂ − r₁ and ℓ r_x₂ of a pass.
 type Line<S> = [Vector<S>; 3];
 
-/// The vectors of a [`Line`] among those of the element.
+/// Vectors of a [`Line`] among the vectors of the element.
 const LINE: Layout<3, 0> = Layout { axis: [(1, false), (2, true), (3, false)], y: [], z: [] };
 
 #[inline(always)]
@@ -49,14 +49,14 @@ fn line<S: Simd>(pass: Pass<S>, x: &[Lanes]) -> Line<S> {
     [of(1), less(of(2), of(0)), of(3)]
 }
 
-/// Σ w x.
+/// Computes Σ w x.
 #[inline(always)]
 fn mixed<S: Simd>(pass: Pass<S>, x: &Line<S>, weights: &[f64; 4]) -> Vector<S> {
     let sum = plus(scaled(x[1], pass.splat(weights[2])), x[0], pass.splat(weights[1]));
     plus(sum, x[2], pass.splat(weights[3]))
 }
 
-/// Adds a force on Σ w x to those on x.
+/// Distributes a force on Σ w x to the vectors x.
 #[inline(always)]
 fn spread<S: Simd>(pass: Pass<S>, f: Vector<S>, weights: &[f64; 4], force: &mut Line<S>) {
     for i in 0..3 {
@@ -64,10 +64,10 @@ fn spread<S: Simd>(pass: Pass<S>, f: Vector<S>, weights: &[f64; 4], force: &mut 
     }
 }
 
-/// Stretch as in [`Stretch`](crate::kinematics::Stretch).
+/// Stretch as defined by [`Stretch`](crate::kinematics::Stretch).
 struct Stretch<S: Simd> {
     strain: Lane<S>,
-    /// 1/|a|.
+    /// Inverse 1/|a|.
     shortness: Lane<S>,
     tangent: Vector<S>,
 }
@@ -88,7 +88,7 @@ impl CableBatch {
         Bend::new(pass, a, mixed(pass, q, &station.second))
     }
 
-    /// ε + τ ε̇.
+    /// Returns ε + τ ε̇.
     #[inline(always)]
     fn retarded_strain<S: Simd>(
         &self,
@@ -104,13 +104,13 @@ impl CableBatch {
         dot(stretch.tangent, mixed(pass, v, &station.first)).mul_add(pass.splat(tau), stretch.strain)
     }
 
-    /// β°.
+    /// Returns β°.
     #[inline(always)]
     fn rate<S: Simd>(&self, pass: Pass<S>, station: &CableStation, bend: &Bend<S>, v: &Line<S>) -> Vector<S> {
         bend.rate(pass, mixed(pass, v, &station.first), mixed(pass, v, &station.second))
     }
 
-    /// M (a + α v) less gravity.
+    /// Computes M (a + α v) minus gravity.
     #[inline(always)]
     fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; 4] {
         let (profile, drag) = (&*self.profile, self.profile.damping().mass);

@@ -3,25 +3,25 @@ use pulp::Simd;
 
 use super::lane::{Job, Lane, Pass, run, total};
 
-/// What elements side by side compute in one pass: any such are a [`Batch`]. Of `at`, `r` and `k`, see there.
+/// Computations of one pass over a batch of elements, from which a [`Batch`] is built. See there for `at`, `r` and `k`.
 pub(crate) trait Kernel: Send + Sync {
     fn count(&self) -> usize;
 
-    /// Whether anything depends on velocities.
+    /// Returns true if any force depends on velocities.
     fn is_damped(&self) -> bool;
 
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
-    /// Kinetic, of strain, potential.
+    /// Returns kinetic, strain and potential energies.
     fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3];
 
-    /// Tells of lanes that cannot be in this state; those of other passes stay right.
+    /// Marks lanes with inadmissible states. Lanes of other passes remain unchanged.
     fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]);
 }
 
-/// A kernel as a [`Batch`].
+/// Kernel as a [`Batch`].
 pub(crate) struct KernelBatch<K>(pub(crate) K);
 
 impl<K: Kernel> Batch for KernelBatch<K> {
@@ -56,7 +56,7 @@ impl<K: Kernel> Batch for KernelBatch<K> {
     }
 }
 
-/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+/// Computes the power of velocity-dependent forces, v·[f(q, v) − f(q, 0)].
 fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
     let zeros = [Lanes::default(); 32];
     let (mut moving, mut still) = (zeros, zeros);

@@ -3,7 +3,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use ancf_solver::equations::{LANES, Lanes};
 use pulp::{Arch, Simd, WithSimd};
 
-/// As many terms of a batch as the machine takes at once: one pass over it.
+/// Pass over a batch: as many terms as fit into a vector register.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pass<S> {
     simd: S,
@@ -11,13 +11,13 @@ pub(crate) struct Pass<S> {
 }
 
 impl<S: Simd> Pass<S> {
-    /// The passes that so many terms need.
+    /// Returns the passes for the given number of terms.
     #[inline(always)]
     pub fn all(simd: S, count: usize) -> impl Iterator<Item = Self> {
         (0..count.div_ceil(S::F64_LANES)).map(move |number| Self { simd, number })
     }
 
-    /// Which numbers of [`Lanes`] it takes; told so that it is known to be within them.
+    /// Returns the index of the pass in [`Lanes`], bounded such that the compiler can omit bounds checks.
     #[inline(always)]
     fn place(self) -> usize {
         self.number % (LANES / S::F64_LANES)
@@ -33,7 +33,7 @@ impl<S: Simd> Pass<S> {
         S::as_mut_simd_f64s(&mut to.0).0[self.place()] = lane.x;
     }
 
-    /// The same number in each lane.
+    /// Returns a lane with equal numbers.
     #[inline(always)]
     pub fn splat(self, x: f64) -> Lane<S> {
         Lane { simd: self.simd, x: self.simd.splat_f64s(x) }
@@ -55,7 +55,7 @@ impl<S: Simd> Pass<S> {
     }
 }
 
-/// One number of each term of a pass.
+/// One number for each term of a pass.
 #[derive(Debug)]
 pub(crate) struct Lane<S: Simd> {
     simd: S,
@@ -77,7 +77,7 @@ impl<S: Simd> Lane<S> {
         Self { simd: self.simd, x }
     }
 
-    /// self × factor + sum, rounded once where the machine can.
+    /// Computes self × factor + sum, with a single rounding where the hardware supports it.
     #[inline(always)]
     pub fn mul_add(self, factor: Self, sum: Self) -> Self {
         self.of(self.simd.mul_add_e_f64s(self.x, factor.x, sum.x))
@@ -130,10 +130,10 @@ impl<S: Simd> Neg for Lane<S> {
     }
 }
 
-/// A vector in space of each term of a pass.
+/// Vector in space for each term of a pass.
 pub(crate) type Vector<S> = [Lane<S>; 3];
 
-/// sum + x × factor.
+/// Computes sum + x × factor.
 #[inline(always)]
 pub(crate) fn plus<S: Simd>(sum: Vector<S>, x: Vector<S>, factor: Lane<S>) -> Vector<S> {
     [x[0].mul_add(factor, sum[0]), x[1].mul_add(factor, sum[1]), x[2].mul_add(factor, sum[2])]
@@ -159,17 +159,17 @@ pub(crate) fn dot<S: Simd>(x: Vector<S>, y: Vector<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0] * y[0]))
 }
 
-/// sum + x·y.
+/// Computes sum + x·y.
 #[inline(always)]
 pub(crate) fn dot_add<S: Simd>(x: Vector<S>, y: Vector<S>, sum: Lane<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0].mul_add(y[0], sum)))
 }
 
-/// A number that terms have in common, or one for each.
+/// Number that terms share, or one number per term.
 pub(crate) trait Number: Copy + Send + Sync + 'static {
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S>;
 
-    /// From the number of each term; the last one again where there are no more.
+    /// Packs the numbers of the terms. The last number fills the remaining lanes.
     fn of(terms: &[f64]) -> Self;
 }
 
@@ -195,12 +195,12 @@ impl Number for Lanes {
     }
 }
 
-/// The sum of the numbers of so many terms.
+/// Returns the sum over the given number of terms.
 pub(crate) fn total(lanes: &Lanes, count: usize) -> f64 {
     lanes.0[..count].iter().sum()
 }
 
-/// What is done in each pass over a batch.
+/// Computation in each pass over a batch.
 pub(crate) trait Job {
     fn run<S: Simd>(&mut self, pass: Pass<S>);
 }
@@ -221,7 +221,7 @@ impl<J: Job> WithSimd for Passes<'_, J> {
     }
 }
 
-/// Does a job for so many terms by the best instructions that this machine has.
+/// Runs a job for the given number of terms with the best available instruction set.
 pub(crate) fn run<J: Job>(count: usize, mut job: J) {
     Arch::new().dispatch(Passes { job: &mut job, count });
 }

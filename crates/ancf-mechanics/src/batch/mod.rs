@@ -1,4 +1,4 @@
-//! Elements evaluated side by side in the lanes of vector registers ([`Batch`](ancf_solver::equations::Batch)).
+//! Evaluation of elements in the lanes of vector registers ([`Batch`](ancf_solver::equations::Batch)).
 
 mod batched;
 mod beam;

@@ -5,20 +5,20 @@ use super::lane::{Lane, Pass, Vector, added, less, plus, scaled};
 use crate::kinematics::Kind;
 use crate::sections::STRAINS;
 
-/// Which of an element's vectors belong to its axis, and which to its sections.
+/// Assignment of the vectors of an element to its axis and its sections.
 ///
-/// What its strains depend on are the differences of its vectors from the first of their kind, and these first ones of kind
-/// Y and Z: A vectors of the axis, B of each kind of the sections. The first position is left out.
+/// Strains depend on the differences to the first vector of the same kind, and on the first vectors of kind Y and Z.
+/// There are A vectors of the axis, without the first position, and B vectors of each section kind.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout<const A: usize, const B: usize> {
-    /// The vectors of the axis but the first, each with whether it is a position.
+    /// Vectors of the axis without the first one, each with true for a position.
     pub axis: [(usize, bool); A],
     pub y: [usize; B],
     pub z: [usize; B],
 }
 
 impl<const A: usize, const B: usize> Layout<A, B> {
-    /// Of vectors of the given kinds, of which the first is a position.
+    /// Creates the layout of vectors of the given kinds, starting with a position.
     pub fn new(kinds: &[Kind]) -> Self {
         let of = |wanted: &[Kind]| -> Vec<usize> {
             (0..kinds.len()).filter(|&i| wanted.contains(&kinds[i])).collect()
@@ -32,7 +32,7 @@ impl<const A: usize, const B: usize> Layout<A, B> {
     }
 }
 
-/// Vectors, less the first of their kind, and the first ones of kind Y and Z; or what belongs to each of them.
+/// Vectors relative to the first one of their kind, and the first ones of kind Y and Z, or corresponding quantities.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Relative<S: Simd, const A: usize, const B: usize> {
@@ -75,7 +75,7 @@ impl<S: Simd, const A: usize, const B: usize> Relative<S, A, B> {
         Self { axis, y: differences(pass, x, &layout.y), z: differences(pass, x, &layout.z) }
     }
 
-    /// Adds forces that do work on these to those on the vectors.
+    /// Adds forces on the relative vectors to the forces on the vectors of the element.
     #[inline(always)]
     pub fn add_to<const N: usize>(&self, layout: &Layout<A, B>, force: &mut [Vector<S>; N]) {
         for i in 0..A {
@@ -99,9 +99,9 @@ impl<S: Simd, const A: usize, const B: usize> Relative<S, A, B> {
 /// Weights of the vectors ([`Relative`]) in the directors at a station.
 #[derive(Clone, Debug)]
 pub(crate) struct Mix<const A: usize, const B: usize> {
-    /// In a, h and k.
+    /// Weights in a, h and k.
     pub axis: [[f64; 3]; A],
-    /// In d and b, or in e and c; the first one has no part in b and c.
+    /// Weights in d and b, or in e and c. The first vector has no weight in b and c.
     pub section: [[f64; 2]; B],
 }
 
@@ -109,7 +109,7 @@ pub(crate) struct Mix<const A: usize, const B: usize> {
 pub(crate) type Directors<S> = [Vector<S>; 8];
 
 impl<const A: usize, const B: usize> Mix<A, B> {
-    /// The directors that vectors make; h and k if they are wanted.
+    /// Computes the directors from the vectors, with h and k if required.
     #[inline(always)]
     pub fn directors<S: Simd>(&self, pass: Pass<S>, x: &Relative<S, A, B>, reach: usize) -> Directors<S> {
         let mut u = [pass.zeros(); 8];
@@ -127,7 +127,7 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         u
     }
 
-    /// d and b of the vectors of kind Y, or e and c of those of kind Z.
+    /// Computes d and b from the vectors of kind Y, or e and c from those of kind Z.
     #[inline(always)]
     fn of_section<S: Simd>(&self, pass: Pass<S>, x: &[Vector<S>; B]) -> [Vector<S>; 2] {
         let (mut value, mut slope) = (scaled(x[0], pass.splat(self.section[0][0])), pass.zeros());
@@ -147,7 +147,7 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         }
     }
 
-    /// Adds forces of the directors to those of the vectors.
+    /// Distributes forces of the directors to the vectors.
     #[inline(always)]
     pub fn spread<S: Simd>(
         &self,
@@ -170,5 +170,5 @@ impl<const A: usize, const B: usize> Mix<A, B> {
     }
 }
 
-/// A number of each strain of a pass that a law has.
+/// Number for each strain of a law, for each term of a pass.
 pub(crate) type Strains<S> = [Lane<S>; STRAINS];

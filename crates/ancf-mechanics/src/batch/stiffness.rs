@@ -6,20 +6,20 @@ use super::plan::{Block, Plan, part};
 use super::relative::{Directors, Strains};
 use super::strain::{Section, director};
 
-/// A three by three block of each term of a pass, by rows.
+/// 3 × 3 block for each term of a pass, by rows.
 pub(crate) type Matrix<S> = [Lane<S>; 9];
 
-/// The lower blocks of the directors' stiffness of all terms, by rows.
+/// Lower blocks of the stiffness of the directors of all terms, by rows.
 pub(crate) type Stiffness = [[Lanes; 9]];
 
-/// The place of block (i, j), i ≥ j.
+/// Returns the index of block (i, j), i ≥ j.
 #[inline(always)]
 pub(crate) const fn at(i: usize, j: usize) -> usize {
     i * (i + 1) / 2 + j
 }
 
 impl Plan {
-    /// Sets the blocks H_αβ = n_αβ I + Σ D ∂ε/∂g_α (∂ε/∂g_β)ᵀ, with the directors of the left factor `scaled`.
+    /// Computes the blocks H_αβ = n_αβ I + Σ D ∂ε/∂g_α (∂ε/∂g_β)ᵀ, with `scaled` directors in the left factor.
     #[inline(always)]
     pub fn stiffness<S: Simd, C: Number>(
         &self,
@@ -59,7 +59,7 @@ impl Plan {
         }
     }
 
-    /// Σ D g_x.
+    /// Computes Σ D g_x.
     #[inline(always)]
     fn product<S: Simd, C: Number>(
         &self,
@@ -111,7 +111,7 @@ pub(crate) fn load<S: Simd>(pass: Pass<S>, from: &[Lanes; 9]) -> Matrix<S> {
     block
 }
 
-/// sum += factor × block.
+/// Computes sum += factor × block.
 #[inline(always)]
 pub(crate) fn add<S: Simd>(sum: &mut Matrix<S>, block: &Matrix<S>, factor: Lane<S>) {
     for e in 0..9 {
@@ -119,7 +119,7 @@ pub(crate) fn add<S: Simd>(sum: &mut Matrix<S>, block: &Matrix<S>, factor: Lane<
     }
 }
 
-/// sum −= block.
+/// Computes sum −= block.
 #[inline(always)]
 pub(crate) fn subtract<S: Simd>(sum: &mut Matrix<S>, block: &Matrix<S>) {
     for e in 0..9 {

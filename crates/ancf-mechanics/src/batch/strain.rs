@@ -6,16 +6,17 @@ use super::plan::{Plan, part};
 use super::relative::{Directors, Strains};
 use crate::sections::STRAINS;
 
-/// A director by its number, which is less than eight.
+/// Returns a director by its index below eight.
 #[inline(always)]
 pub(crate) fn director<S: Simd>(g: &Directors<S>, number: u8) -> Vector<S> {
     g[usize::from(number & 7)]
 }
 
 impl Plan {
-    /// Sets g_α·v_β + v_α·g_β and g_α·v_α, or adds them to what is there.
+    /// Computes g_α·v_β + v_α·g_β and g_α·v_α, or adds them to the present values.
     ///
-    /// Of the directors g⁰ + ½u and the increment u these are the strains; of the directors and their rates, the rates of strain.
+    /// For the directors g⁰ + ½u and the increment u these are the strains. For the directors and their rates they are
+    /// the strain rates.
     #[inline(always)]
     pub fn strains<S: Simd>(
         &self,
@@ -30,13 +31,13 @@ impl Plan {
         }
         for (strain, &[i, j]) in strains[self.equal.len()..].iter_mut().zip(&self.mixed) {
             let start = if adding { *strain } else { pass.zero() };
-            // Two sums that do not wait for each other.
+            // Two independent sums avoid a latency chain.
             let sum = dot_add(director(g, i), director(v, j), start);
             *strain = sum + dot(director(v, i), director(g, j));
         }
     }
 
-    /// D ε times a factor.
+    /// Computes D ε times a factor.
     #[inline(always)]
     pub fn resultants<S: Simd, C: Number>(
         &self,
@@ -56,7 +57,7 @@ impl Plan {
         }
     }
 
-    /// Σ_k n_k ∂ε_k/∂g_α.
+    /// Computes Σ_k n_k ∂ε_k/∂g_α.
     #[inline(always)]
     pub fn pulls<S: Simd>(&self, pass: Pass<S>, n: &Strains<S>, g: &Directors<S>, p: &mut Directors<S>) {
         for (i, &range) in self.forces.iter().enumerate() {
@@ -69,17 +70,17 @@ impl Plan {
     }
 }
 
-/// A deformed section: its directors, and what follows from them. Made once, and filled at each station.
+/// Working storage of a deformed section, allocated once and filled at each station.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Section<S: Simd> {
-    /// g = g⁰ + u.
+    /// Directors g = g⁰ + u.
     pub now: Directors<S>,
-    /// g⁰ + ½u.
+    /// Midpoint directors g⁰ + ½u.
     pub middle: Directors<S>,
-    /// u.
+    /// Increment u.
     pub increment: Directors<S>,
-    /// What is made of the directors in between: their rates, their forces, or multiples of them.
+    /// Intermediate results: rates, forces or multiples of the directors.
     pub made: Directors<S>,
     pub strains: Strains<S>,
     /// Stress resultants.
@@ -93,7 +94,7 @@ impl<S: Simd> Section<S> {
         Self { now: none, middle: none, increment: none, made: none, strains: zero, n: zero }
     }
 
-    /// From reference directors, as many as are wanted, and increments.
+    /// Computes the directors from reference directors, as many as required, and increments.
     #[inline(always)]
     pub fn deform(
         &mut self,

@@ -5,13 +5,14 @@ use super::lane::{Lane, Pass};
 use super::relative::{Layout, Mix};
 use super::stiffness::{Matrix, Stiffness, add, at, load, subtract, times, transposed};
 
-/// Stiffness over an element's vectors as they count in [`Relative`](super::relative::Relative), by kinds: of the axis and of
-/// Y and Z the lower blocks.
+/// Stiffness over the vectors of an element in the order of [`Relative`](super::relative::Relative), by kinds.
+///
+/// Only the lower blocks are used within the axis, within Y and within Z.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Blocks<S: Simd, const A: usize, const B: usize> {
     pub axis: [[Matrix<S>; A]; A],
-    /// Rows of Y, of Z and columns of the axis.
+    /// Rows of Y and of Z, and columns of the axis.
     y_axis: [[Matrix<S>; A]; B],
     z_axis: [[Matrix<S>; A]; B],
     y: [[Matrix<S>; B]; B],
@@ -20,14 +21,14 @@ pub(crate) struct Blocks<S: Simd, const A: usize, const B: usize> {
     z_y: [[Matrix<S>; B]; B],
 }
 
-/// Stiffness of the directors (d, b) or (e, c) against each other: dd, db, the transpose of bd, and bb.
+/// Stiffness within the directors (d, b) or (e, c): dd, db, the transpose of bd, and bb.
 struct Pair<'a>([&'a [Lanes; 9]; 4]);
 
-/// The places of a block's entries in its transpose.
+/// Indices of the entries of a block in its transpose.
 const TRANSPOSED: [usize; 9] = [0, 3, 6, 1, 4, 7, 2, 5, 8];
 
 impl Pair<'_> {
-    /// Adds it to two vectors with these weights; the first vectors have no part in b and c.
+    /// Adds the stiffness to two vectors with these weights. The first vectors have no weight in b and c.
     #[inline(always)]
     fn add_to<S: Simd>(&self, pass: Pass<S>, sum: &mut Matrix<S>, of: [[f64; 2]; 2], first: [bool; 2]) {
         let (Self([dd, db, bd, bb]), [[dn, bn], [dm, bm]]) = (self, of);
@@ -89,7 +90,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// The sections against each other.
+    /// Adds the stiffness within the sections.
     #[inline(always)]
     fn add_sections(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
         let w = &mix.section;
@@ -108,7 +109,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// The axis against itself and the sections, where h and k count besides a.
+    /// Adds the stiffness of the axis and its coupling with the sections, including h and k.
     #[inline(always)]
     fn add_varying_axis(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
         let full = |i: usize, j: usize| {
@@ -116,7 +117,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         };
         for i in 0..A {
             let w = [pass.splat(mix.axis[i][0]), pass.splat(mix.axis[i][1]), pass.splat(mix.axis[i][2])];
-            // The rows of the directors against vector i.
+            // Rows of the directors and column of vector i.
             for (rows, d, b) in [(&mut self.y_axis, 3, 1), (&mut self.z_axis, 4, 2)] {
                 let [of_d, of_b] = [column(d, w, full), column(b, w, full)];
                 for n in 0..B {
@@ -135,7 +136,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// Turns the first vectors of kind Y and Z from what others are measured from to vectors like these.
+    /// Transforms the first vectors of kind Y and Z from base vectors to nodal vectors.
     #[inline(always)]
     fn settle(&mut self) {
         for n in 1..B {
@@ -148,7 +149,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         for own in [&mut self.y, &mut self.z] {
             for n in 1..B {
                 for m in 1..B {
-                    // Columns against the first, then the first against itself: K₀₀ − Σ(K₀ₙ + Kₙ₀) + ΣΣ Kₙₘ.
+                    // Columns of the first vector, then its diagonal block: K₀₀ − Σ(K₀ₙ + Kₙ₀) + ΣΣ Kₙₘ.
                     let block = if n >= m { own[n][m] } else { transposed(&own[m][n]) };
                     for e in 0..9 {
                         own[0][0][e] = own[0][0][e] + block[e];
@@ -179,7 +180,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// Sets a lower triangle by columns over the coordinates of N vectors.
+    /// Writes the lower triangle by columns over the coordinates of N vectors.
     #[inline(always)]
     pub fn write<const N: usize>(&mut self, pass: Pass<S>, layout: &Layout<A, B>, k: &mut [Lanes]) {
         self.settle();
@@ -220,7 +221,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
     }
 }
 
-/// Against the first position: what all other positions have, with the other sign.
+/// Returns the block of the first position: the negative sum over the other positions.
 #[inline(always)]
 fn against_first<S: Simd, const A: usize, const B: usize>(
     pass: Pass<S>,
@@ -236,7 +237,7 @@ fn against_first<S: Simd, const A: usize, const B: usize>(
     sum
 }
 
-/// Sets a block of N vectors; above the diagonal, its transpose below.
+/// Writes a block of N vectors. A block above the diagonal is transposed.
 #[inline(always)]
 fn put<S: Simd, const N: usize>(pass: Pass<S>, k: &mut [Lanes], a: usize, b: usize, block: &Matrix<S>) {
     let (row, column, turned) = if a >= b { (a, b, false) } else { (b, a, true) };
@@ -250,7 +251,7 @@ fn put<S: Simd, const N: usize>(pass: Pass<S>, k: &mut [Lanes], a: usize, b: usi
     }
 }
 
-/// The director α against a vector of the axis with weights in a, h and k.
+/// Computes the block of director α and a vector of the axis with weights in a, h and k.
 #[inline(always)]
 fn column<S: Simd>(alpha: usize, w: [Lane<S>; 3], full: impl Fn(usize, usize) -> Matrix<S>) -> Matrix<S> {
     let mut sum = times(&full(alpha, 0), w[0]);
@@ -259,7 +260,7 @@ fn column<S: Simd>(alpha: usize, w: [Lane<S>; 3], full: impl Fn(usize, usize) ->
     sum
 }
 
-/// The place of entry (i, j), i ≥ j, in a lower triangle by columns.
+/// Returns the index of entry (i, j), i ≥ j, in a lower triangle by columns.
 #[inline(always)]
 pub(crate) const fn lower(size: usize, i: usize, j: usize) -> usize {
     (j * size + i).wrapping_sub(j * (j + 1) / 2)

@@ -45,12 +45,12 @@ impl<S: Simd> Pass<S> {
     }
 
     #[inline(always)]
-    pub fn zeros(self) -> Vector<S> {
+    pub fn zeros(self) -> VectorLanes<S> {
         [self.zero(); 3]
     }
 
     #[inline(always)]
-    pub fn vector(self, from: &[Lanes]) -> Vector<S> {
+    pub fn vector(self, from: &[Lanes]) -> VectorLanes<S> {
         [self.load(&from[0]), self.load(&from[1]), self.load(&from[2])]
     }
 }
@@ -131,49 +131,49 @@ impl<S: Simd> Neg for Lane<S> {
 }
 
 /// Vector in space for each term of a pass.
-pub(crate) type Vector<S> = [Lane<S>; 3];
+pub(crate) type VectorLanes<S> = [Lane<S>; 3];
 
 /// Computes sum + x × factor.
 #[inline(always)]
-pub(crate) fn plus<S: Simd>(sum: Vector<S>, x: Vector<S>, factor: Lane<S>) -> Vector<S> {
+pub(crate) fn plus<S: Simd>(sum: VectorLanes<S>, x: VectorLanes<S>, factor: Lane<S>) -> VectorLanes<S> {
     [x[0].mul_add(factor, sum[0]), x[1].mul_add(factor, sum[1]), x[2].mul_add(factor, sum[2])]
 }
 
 #[inline(always)]
-pub(crate) fn scaled<S: Simd>(x: Vector<S>, factor: Lane<S>) -> Vector<S> {
+pub(crate) fn scaled<S: Simd>(x: VectorLanes<S>, factor: Lane<S>) -> VectorLanes<S> {
     [x[0] * factor, x[1] * factor, x[2] * factor]
 }
 
 #[inline(always)]
-pub(crate) fn added<S: Simd>(x: Vector<S>, y: Vector<S>) -> Vector<S> {
+pub(crate) fn added<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLanes<S> {
     [x[0] + y[0], x[1] + y[1], x[2] + y[2]]
 }
 
 #[inline(always)]
-pub(crate) fn less<S: Simd>(x: Vector<S>, y: Vector<S>) -> Vector<S> {
+pub(crate) fn minus<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLanes<S> {
     [x[0] - y[0], x[1] - y[1], x[2] - y[2]]
 }
 
 #[inline(always)]
-pub(crate) fn dot<S: Simd>(x: Vector<S>, y: Vector<S>) -> Lane<S> {
+pub(crate) fn dot<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0] * y[0]))
 }
 
 /// Computes sum + x·y.
 #[inline(always)]
-pub(crate) fn dot_add<S: Simd>(x: Vector<S>, y: Vector<S>, sum: Lane<S>) -> Lane<S> {
+pub(crate) fn dot_add<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>, sum: Lane<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0].mul_add(y[0], sum)))
 }
 
 /// Number that terms share, or one number per term.
-pub(crate) trait Number: Copy + Send + Sync + 'static {
+pub(crate) trait LaneNumber: Copy + Send + Sync + 'static {
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S>;
 
     /// Packs the numbers of the terms. The last number fills the remaining lanes.
     fn of(terms: &[f64]) -> Self;
 }
 
-impl Number for f64 {
+impl LaneNumber for f64 {
     #[inline(always)]
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S> {
         pass.splat(*self)
@@ -184,7 +184,7 @@ impl Number for f64 {
     }
 }
 
-impl Number for Lanes {
+impl LaneNumber for Lanes {
     #[inline(always)]
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S> {
         pass.load(self)
@@ -201,7 +201,7 @@ pub(crate) fn total(lanes: &Lanes, count: usize) -> f64 {
 }
 
 /// Computation in each pass over a batch.
-pub(crate) trait Job {
+pub(crate) trait PassJob {
     fn run<S: Simd>(&mut self, pass: Pass<S>);
 }
 
@@ -210,7 +210,7 @@ struct Passes<'a, J> {
     count: usize,
 }
 
-impl<J: Job> WithSimd for Passes<'_, J> {
+impl<J: PassJob> WithSimd for Passes<'_, J> {
     type Output = ();
 
     #[inline(always)]
@@ -222,6 +222,6 @@ impl<J: Job> WithSimd for Passes<'_, J> {
 }
 
 /// Runs a job for the given number of terms with the best available instruction set.
-pub(crate) fn run<J: Job>(count: usize, mut job: J) {
+pub(crate) fn run<J: PassJob>(count: usize, mut job: J) {
     Arch::new().dispatch(Passes { job: &mut job, count });
 }

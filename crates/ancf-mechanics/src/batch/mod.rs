@@ -13,4 +13,4 @@ mod stiffness;
 mod strain;
 mod triangle;
 
-pub(crate) use batched::Batched;
+pub(crate) use batched::BatchElements;

@@ -1,14 +1,14 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Number, Pass, Vector, added, dot, dot_add, plus};
+use super::lane::{LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus};
 use super::plan::{Plan, part};
-use super::relative::{Directors, Strains};
+use super::relative::{DirectorLanes, StrainLanes};
 use crate::sections::STRAINS;
 
 /// Returns a director by its index below eight.
 #[inline(always)]
-pub(crate) fn director<S: Simd>(g: &Directors<S>, number: u8) -> Vector<S> {
+pub(crate) fn director<S: Simd>(g: &DirectorLanes<S>, number: u8) -> VectorLanes<S> {
     g[usize::from(number & 7)]
 }
 
@@ -21,9 +21,9 @@ impl Plan {
     pub fn strains<S: Simd>(
         &self,
         pass: Pass<S>,
-        [g, v]: [&Directors<S>; 2],
+        [g, v]: [&DirectorLanes<S>; 2],
         adding: bool,
-        strains: &mut Strains<S>,
+        strains: &mut StrainLanes<S>,
     ) {
         for (strain, &i) in strains.iter_mut().zip(&self.equal) {
             let start = if adding { *strain } else { pass.zero() };
@@ -39,13 +39,13 @@ impl Plan {
 
     /// Computes D ε times a factor.
     #[inline(always)]
-    pub fn resultants<S: Simd, C: Number>(
+    pub fn resultants<S: Simd, C: LaneNumber>(
         &self,
         pass: Pass<S>,
         d: &[C],
-        strains: &Strains<S>,
+        strains: &StrainLanes<S>,
         factor: f64,
-        n: &mut Strains<S>,
+        n: &mut StrainLanes<S>,
     ) {
         let factor = pass.splat(factor);
         for (n, &range) in n.iter_mut().zip(&self.resultants) {
@@ -59,10 +59,16 @@ impl Plan {
 
     /// Computes Σ_k n_k ∂ε_k/∂g_α.
     #[inline(always)]
-    pub fn pulls<S: Simd>(&self, pass: Pass<S>, n: &Strains<S>, g: &Directors<S>, p: &mut Directors<S>) {
+    pub fn force_terms<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        n: &StrainLanes<S>,
+        g: &DirectorLanes<S>,
+        p: &mut DirectorLanes<S>,
+    ) {
         for (i, &range) in self.forces.iter().enumerate() {
             let mut sum = pass.zeros();
-            for &(k, x) in part(&self.pulls, range) {
+            for &(k, x) in part(&self.force_terms, range) {
                 sum = plus(sum, director(g, x), n[usize::from(k)]);
             }
             p[i & 7] = sum;
@@ -73,25 +79,25 @@ impl Plan {
 /// Working storage of a deformed section, allocated once and filled at each station.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Section<S: Simd> {
+pub(crate) struct SectionLanes<S: Simd> {
     /// Directors g = g⁰ + u.
-    pub now: Directors<S>,
+    pub now: DirectorLanes<S>,
     /// Midpoint directors g⁰ + ½u.
-    pub middle: Directors<S>,
+    pub middle: DirectorLanes<S>,
     /// Increment u.
-    pub increment: Directors<S>,
+    pub increment: DirectorLanes<S>,
     /// Intermediate results: rates, forces or multiples of the directors.
-    pub made: Directors<S>,
-    pub strains: Strains<S>,
+    pub scratch: DirectorLanes<S>,
+    pub strains: StrainLanes<S>,
     /// Stress resultants.
-    pub n: Strains<S>,
+    pub n: StrainLanes<S>,
 }
 
-impl<S: Simd> Section<S> {
+impl<S: Simd> SectionLanes<S> {
     #[inline(always)]
     pub fn new(pass: Pass<S>) -> Self {
         let (none, zero) = ([pass.zeros(); 8], [pass.zero(); STRAINS]);
-        Self { now: none, middle: none, increment: none, made: none, strains: zero, n: zero }
+        Self { now: none, middle: none, increment: none, scratch: none, strains: zero, n: zero }
     }
 
     /// Computes the directors from reference directors, as many as required, and increments.
@@ -100,7 +106,7 @@ impl<S: Simd> Section<S> {
         &mut self,
         pass: Pass<S>,
         reference: &[[Lanes; 3]; 7],
-        increment: &Directors<S>,
+        increment: &DirectorLanes<S>,
         reach: usize,
     ) {
         let half = pass.splat(0.5);

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::mesh::{BeamMesh, Elements};
+use super::mesh::{BeamMesh, ElementList};
 use crate::kinematics::{Marker, gauss, gauss3};
 
 /// Part of one element within an interval of arc length.
@@ -54,9 +54,9 @@ impl BeamMesh {
         (0..self.count()).map(|element| {
             let offset = element * self.stride();
             let first: &[f64] = match &self.elements {
-                Elements::Two(elements) => elements[element].profile().first_moments(),
-                Elements::Three(elements) => elements[element].profile().first_moments(),
-                Elements::Cable(elements) => elements[element].profile().first_moments(),
+                ElementList::Two(elements) => elements[element].profile().first_moments(),
+                ElementList::Three(elements) => elements[element].profile().first_moments(),
+                ElementList::Cable(elements) => elements[element].profile().first_moments(),
             };
             let kinds = self.node_kinds();
             let value = |i: usize| {

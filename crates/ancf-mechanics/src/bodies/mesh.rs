@@ -4,19 +4,20 @@ use std::sync::Arc;
 use ancf_solver::equations::{Batch, State, Term};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::batch::Batched;
+use crate::batch::BatchElements;
 use crate::elements::{
     Beam24, Beam27, Cable12, CableDamping, CableProfile, CableRule, CableSection, Formulation, Medium,
     Profile, StrainEnergy,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape, clean,
+    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape,
+    round_to_zero,
 };
 use crate::sections::{CrossSection, Lame};
 
 /// Elements of a body, all of one type.
 #[derive(Clone, Debug)]
-pub(crate) enum Elements {
+pub(crate) enum ElementList {
     Two(Vec<Beam24>),
     Three(Vec<Beam27>),
     Cable(Vec<Cable12>),
@@ -24,7 +25,7 @@ pub(crate) enum Elements {
 
 /// Stress-strain law at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Elasticity {
+pub(crate) enum StressLaw {
     /// Three-dimensional St. Venant-Kirchhoff law.
     Continuum,
     NeoHookean,
@@ -46,13 +47,13 @@ pub struct BeamMesh {
     /// Length l of each element.
     pub(crate) length: f64,
     pub(crate) slope: f64,
-    pub(crate) elements: Elements,
+    pub(crate) elements: ElementList,
     /// Origin of the reference positions.
     pub(crate) origin: Vector3<f64>,
     /// Reference values of the vectors.
     pub(crate) reference: Vec<Vector3<f64>>,
     pub(crate) lame: Lame,
-    pub(crate) elasticity: Elasticity,
+    pub(crate) elasticity: StressLaw,
 }
 
 /// Common data of all elements of a mesh.
@@ -100,12 +101,12 @@ impl BeamMesh {
         });
         let lame = blueprint.medium.lame;
         let elasticity = match formulation {
-            Formulation::Continuum if blueprint.medium.neo_hookean => Elasticity::NeoHookean,
-            Formulation::Continuum => Elasticity::Continuum,
-            Formulation::Enhanced => Elasticity::Rod { linked: false },
-            Formulation::Linked => Elasticity::Rod { linked: true },
+            Formulation::Continuum if blueprint.medium.neo_hookean => StressLaw::NeoHookean,
+            Formulation::Continuum => StressLaw::Continuum,
+            Formulation::Enhanced => StressLaw::Rod { linked: false },
+            Formulation::Linked => StressLaw::Rod { linked: true },
         };
-        let elements = Elements::Two(elements.collect());
+        let elements = ElementList::Two(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
@@ -123,8 +124,8 @@ impl BeamMesh {
             let first = first + 18 * k;
             Beam27::new(first..first + 27, frame, profile)
         });
-        let (lame, elasticity) = (blueprint.medium.lame, Elasticity::Rod { linked: false });
-        let elements = Elements::Three(elements.collect());
+        let (lame, elasticity) = (blueprint.medium.lame, StressLaw::Rod { linked: false });
+        let elements = ElementList::Three(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
@@ -148,13 +149,13 @@ impl BeamMesh {
             let first = first + 6 * k;
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
-        let elements = Elements::Cable(elements.collect());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity: Elasticity::Line }
+        let elements = ElementList::Cable(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity: StressLaw::Line }
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
     pub const fn has_sections(&self) -> bool {
-        !matches!(self.elements, Elements::Cable(_))
+        !matches!(self.elements, ElementList::Cable(_))
     }
 
     /// Returns the number of coordinates.
@@ -165,9 +166,9 @@ impl BeamMesh {
     /// Returns the number of elements.
     pub fn count(&self) -> usize {
         match &self.elements {
-            Elements::Two(elements) => elements.len(),
-            Elements::Three(elements) => elements.len(),
-            Elements::Cable(elements) => elements.len(),
+            ElementList::Two(elements) => elements.len(),
+            ElementList::Three(elements) => elements.len(),
+            ElementList::Cable(elements) => elements.len(),
         }
     }
 
@@ -182,18 +183,18 @@ impl BeamMesh {
             elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
         }
         match &self.elements {
-            Elements::Two(elements) => boxed(elements),
-            Elements::Three(elements) => boxed(elements),
-            Elements::Cable(elements) => boxed(elements),
+            ElementList::Two(elements) => boxed(elements),
+            ElementList::Three(elements) => boxed(elements),
+            ElementList::Cable(elements) => boxed(elements),
         }
     }
 
     /// Returns batches of the terms, each with the index of its first term.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
         match &self.elements {
-            Elements::Two(elements) => Batched::batches(elements),
-            Elements::Three(elements) => Batched::batches(elements),
-            Elements::Cable(elements) => Batched::batches(elements),
+            ElementList::Two(elements) => BatchElements::batches(elements),
+            ElementList::Three(elements) => BatchElements::batches(elements),
+            ElementList::Cable(elements) => BatchElements::batches(elements),
         }
     }
 
@@ -205,9 +206,9 @@ impl BeamMesh {
             let first = self.first + element * stride;
             let q = &state.q[first..first + size];
             sum += match &self.elements {
-                Elements::Two(elements) => elements[element].parts(q),
-                Elements::Three(elements) => elements[element].parts(q),
-                Elements::Cable(elements) => {
+                ElementList::Two(elements) => elements[element].parts(q),
+                ElementList::Three(elements) => elements[element].parts(q),
+                ElementList::Cable(elements) => {
                     let [axial, bending] = elements[element].parts(q);
                     StrainEnergy { axial, bending, ..StrainEnergy::default() }
                 }
@@ -218,18 +219,18 @@ impl BeamMesh {
 
     pub(crate) fn term(&self, element: usize) -> &dyn Term {
         match &self.elements {
-            Elements::Two(elements) => &elements[element],
-            Elements::Three(elements) => &elements[element],
-            Elements::Cable(elements) => &elements[element],
+            ElementList::Two(elements) => &elements[element],
+            ElementList::Three(elements) => &elements[element],
+            ElementList::Cable(elements) => &elements[element],
         }
     }
 
     /// Returns the kinds of the vectors of a node.
     pub(crate) fn node_kinds(&self) -> &'static [Kind] {
         match self.elements {
-            Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
-            Elements::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
-            Elements::Cable(_) => &[Kind::Position, Kind::Slope],
+            ElementList::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
+            ElementList::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
+            ElementList::Cable(_) => &[Kind::Position, Kind::Slope],
         }
     }
 
@@ -262,9 +263,9 @@ impl BeamMesh {
         }
         let (length, slope) = (self.length, self.slope);
         match self.elements {
-            Elements::Two(_) => of(&BeamShape { length, slope }, xi),
-            Elements::Three(_) => of(&QuadraticShape { length, slope }, xi),
-            Elements::Cable(_) => {
+            ElementList::Two(_) => of(&BeamShape { length, slope }, xi),
+            ElementList::Three(_) => of(&QuadraticShape { length, slope }, xi),
+            ElementList::Cable(_) => {
                 let line = of(&BeamShape { length, slope }, xi).into_iter();
                 line.filter(|(kind, ..)| matches!(kind, Kind::Position | Kind::Slope)).collect()
             }
@@ -318,7 +319,7 @@ impl BeamMesh {
             of.iter().map(|&(kind, value, directors)| weight(kind, value, directors)).collect();
         // The weights of positions sum to one for a point and to zero for a direction.
         let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == Kind::Position);
-        let origin = self.origin * clean(positions.map(|(weight, _)| weight).sum());
+        let origin = self.origin * round_to_zero(positions.map(|(weight, _)| weight).sum());
         let vectors = &self.reference[offset..offset + weights.len()];
         let reference =
             weights.iter().zip(vectors).map(|(weight, vector)| vector * *weight).sum::<Vector3<f64>>()
@@ -330,9 +331,9 @@ impl BeamMesh {
     /// Returns the number of vectors between the starts of consecutive elements.
     pub(crate) fn stride(&self) -> usize {
         match self.elements {
-            Elements::Two(_) => 4,
-            Elements::Three(_) => 6,
-            Elements::Cable(_) => 2,
+            ElementList::Two(_) => 4,
+            ElementList::Three(_) => 6,
+            ElementList::Cable(_) => 2,
         }
     }
 

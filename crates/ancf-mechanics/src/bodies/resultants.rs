@@ -1,10 +1,10 @@
 use ancf_solver::equations::{LOCAL, Local, State};
 use nalgebra::{Matrix3, Vector3};
 
-use super::mesh::{BeamMesh, Elasticity};
+use super::mesh::{BeamMesh, StressLaw};
 use crate::constraints::Wrench;
 use crate::kinematics::Kind;
-use crate::sections::{DIRECTORS, Directors, all_strains, linking, local_strains};
+use crate::sections::{DIRECTORS, Directors, all_strains, linked_strain_terms, local_strains};
 
 impl BeamMesh {
     /// Returns the force and the moment about the section centre at an arc length, in the global frame.
@@ -92,15 +92,15 @@ impl BeamMesh {
     /// stretch ε and stress E ε.
     pub fn strain_and_stress(&self, state: &State, s: f64, [y, z]: [f64; 2]) -> [Matrix3<f64>; 2] {
         let (g0, u, xi) = self.directors(state, s);
-        if self.elasticity == Elasticity::Line {
+        if self.elasticity == StressLaw::Line {
             let (length, moved) = (g0[0].norm(), (g0[0] + u[0]).norm());
             let stretch = moved / length - 1.0;
             let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
             return [along, along * self.lame.young()];
         }
         let mut products = all_strains(&g0, &u);
-        if self.elasticity == (Elasticity::Rod { linked: true }) {
-            for (strain, added, factor) in linking(xi, self.length) {
+        if self.elasticity == (StressLaw::Rod { linked: true }) {
+            for (strain, added, factor) in linked_strain_terms(xi, self.length) {
                 products[strain] += factor * products[added];
             }
         }
@@ -119,13 +119,13 @@ impl BeamMesh {
         let (lambda, shear, identity) = (self.lame.lambda, self.lame.shear, Matrix3::identity());
         let hooke = |e: &Matrix3<f64>| identity * (lambda * e.trace()) + e * (2.0 * shear);
         match self.elasticity {
-            Elasticity::Continuum => hooke(strain),
-            Elasticity::NeoHookean => {
+            StressLaw::Continuum => hooke(strain),
+            StressLaw::NeoHookean => {
                 let c = identity + strain * 2.0;
                 let inverse = c.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
                 (identity - inverse) * shear + inverse * (0.5 * lambda * c.determinant().ln())
             }
-            Elasticity::Rod { .. } | Elasticity::Line => {
+            StressLaw::Rod { .. } | StressLaw::Line => {
                 let young = self.lame.young();
                 let normal = |e: &Matrix3<f64>| Matrix3::from_diagonal(&e.diagonal());
                 let rod = normal(strain) * young + (strain - normal(strain)) * (2.0 * shear);

@@ -28,7 +28,7 @@ pub struct Angle {
 const THETA: usize = 0;
 
 /// Quantities in Φ.
-struct Values {
+struct AngleValues {
     p: Vector3<f64>,
     sin: f64,
     cos: f64,
@@ -57,10 +57,10 @@ impl Angle {
         Wrench { moment, ..Wrench::default() }
     }
 
-    fn values(&self, q: &[f64]) -> Values {
+    fn values(&self, q: &[f64]) -> AngleValues {
         let [p, u, v] = self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q));
         let (sin, cos) = q[THETA].sin_cos();
-        Values { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
+        AngleValues { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
     }
 }
 
@@ -79,7 +79,7 @@ impl Term for Angle {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0]);
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let [of_p, of_u, of_v] = &self.markers;
         of_p.add(w * lambda, r);
         of_u.add(p * (-sin * lambda), r);
@@ -104,7 +104,7 @@ impl Term for Angle {
 
     fn tangent(&self, at: &Local<'_>, weights: Weights, k: &mut LocalMatrix<'_>) {
         let n = at.q.len();
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let f = weights.q * at.lambda[0];
         let [of_p, of_u, of_v] = &self.markers;
         k.add(n, THETA, -p.dot(&along));
@@ -136,12 +136,12 @@ impl Term for Angle {
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        let Values { p, along, .. } = self.values(at.q);
+        let AngleValues { p, along, .. } = self.values(at.q);
         p.dot(&along) > 0.0
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let [dp, du, dv] = self.markers.each_ref().map(|marker| marker.sum(at.v));
         let (rate, carried) = (at.v[THETA], dv * cos - du * sin);
         phi[0] += match level {

@@ -92,14 +92,14 @@ impl Coincide {
     }
 
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
-        let coordinates = Marker::joined([a, b]);
+        let coordinates = Marker::union_coordinates([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (gap, by_load) = (Vector3::zeros(), false);
         Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
     }
 
     /// Returns the removed part of the gap at a load factor.
-    fn taken(&self, load: f64) -> Vector3<f64> {
+    fn removed_gap(&self, load: f64) -> Vector3<f64> {
         if self.by_load { self.gap * load } else { self.gap }
     }
 
@@ -135,7 +135,7 @@ impl Term for Coincide {
         let lambda = Vector3::from_column_slice(at.lambda);
         self.a.add(lambda, rows);
         self.b.add(-lambda, rows);
-        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.taken(at.load);
+        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.removed_gap(at.load);
         for (row, apart) in equations.iter_mut().zip(&apart) {
             *row += apart;
         }
@@ -143,7 +143,7 @@ impl Term for Coincide {
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (rows, equations) = floor.split_at_mut(at.q.len());
-        for (row, gap) in equations.iter_mut().zip(&self.taken(at.load)) {
+        for (row, gap) in equations.iter_mut().zip(&self.removed_gap(at.load)) {
             *row += f64::EPSILON * gap.abs();
         }
         for marker in [&self.a, &self.b] {
@@ -186,7 +186,7 @@ pub struct Perpendicular {
 impl Perpendicular {
     /// Keeps the angle of two directions with the given multiplier.
     pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
-        let coordinates = Marker::joined([a, b]);
+        let coordinates = Marker::union_coordinates([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
         Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }

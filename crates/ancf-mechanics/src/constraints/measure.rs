@@ -21,15 +21,15 @@ pub struct Measure {
 struct Product {
     factor: f64,
     markers: [Marker; 2],
-    roles: [Role; 2],
+    roles: [MarkerMotion; 2],
 }
 
 /// Effect of the first body of a joint on a marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
-    Moves,
-    Turns,
-    Stays,
+enum MarkerMotion {
+    Translates,
+    Rotates,
+    Fixed,
 }
 
 /// Factor of a product, with its relation to the first body of a joint.
@@ -44,11 +44,11 @@ pub enum Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    const fn parts(self) -> (&'a Marker, Role) {
+    const fn parts(self) -> (&'a Marker, MarkerMotion) {
         match self {
-            Self::Point(marker) => (marker, Role::Moves),
-            Self::Direction(marker) => (marker, Role::Turns),
-            Self::Other(marker) => (marker, Role::Stays),
+            Self::Point(marker) => (marker, MarkerMotion::Translates),
+            Self::Direction(marker) => (marker, MarkerMotion::Rotates),
+            Self::Other(marker) => (marker, MarkerMotion::Fixed),
         }
     }
 }
@@ -88,7 +88,10 @@ impl Measure {
     /// Renumbers the coordinates for a term with the given coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
         let local = |c: &usize| {
-            coordinates.iter().position(|other| other == c).expect("the term lists its coordinates")
+            coordinates
+                .iter()
+                .position(|other| other == c)
+                .expect("the coordinate list contains all coordinates")
         };
         let product = |product: &Product| Product {
             markers: product.markers.each_ref().map(|marker| marker.within(coordinates)),
@@ -198,9 +201,9 @@ impl Measure {
             let [a, b] = p.values(&s.q);
             for (role, x, y) in [(p.roles[0], a, b), (p.roles[1], b, a)] {
                 match role {
-                    Role::Moves => wrench.force += y * (f * p.factor),
-                    Role::Turns => wrench.moment += x.cross(&y) * (f * p.factor),
-                    Role::Stays => {}
+                    MarkerMotion::Translates => wrench.force += y * (f * p.factor),
+                    MarkerMotion::Rotates => wrench.moment += x.cross(&y) * (f * p.factor),
+                    MarkerMotion::Fixed => {}
                 }
             }
         }

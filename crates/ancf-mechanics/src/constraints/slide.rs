@@ -72,7 +72,7 @@ impl Slide {
 
     /// Returns the arc length s if it is in this element. The first and the last element extend beyond the ends of the
     /// beam.
-    fn here(&self, q: &[f64]) -> Option<f64> {
+    fn local_arc_length(&self, q: &[f64]) -> Option<f64> {
         let (s, span) = (self.start + q[S], self.axis.span());
         let within = (self.ends[0] || s >= span.start) && (self.ends[1] || s < span.end);
         within.then_some(s)
@@ -93,7 +93,7 @@ impl Term for Slide {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [r_b, tangent, _] = self.axis.at(at.q, s);
         let [weights, ..] = self.axis.weights(s);
@@ -107,7 +107,7 @@ impl Term for Slide {
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [values, slopes, curvatures] = self.axis.weights(s);
         // The weights are cubic in s.
@@ -128,7 +128,7 @@ impl Term for Slide {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [_, tangent, curvature] = self.axis.at(at.q, s);
         let [values, slopes, _] = self.axis.weights(s);
@@ -150,7 +150,7 @@ impl Term for Slide {
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let [r_b, tangent, curvature] = self.axis.at(at.q, s);
         let [velocity, turning, _] = self.axis.sum(at.v, s);
         let rate = at.v[S];

@@ -11,50 +11,50 @@ use crate::functions::{Function, Instant};
 pub struct Target {
     amount: f64,
     function: Function,
-    bend: f64,
+    quadratic: f64,
 }
 
 impl Target {
     /// Target at the reference value.
-    pub const NONE: Self = Self { amount: 0.0, function: Function::ONE, bend: 0.0 };
+    pub const NONE: Self = Self { amount: 0.0, function: Function::ONE, quadratic: 0.0 };
 
     /// Creates the target x = α f(t).
     pub const fn new(amount: f64, function: Function) -> Self {
-        Self { amount, function, bend: 0.0 }
+        Self { amount, function, quadratic: 0.0 }
     }
 
     /// Creates the target length L₀ + α f(t) of a measure d·d/(2 L₀).
     pub const fn of_length(length: f64, amount: f64, function: Function) -> Self {
-        Self { amount, function, bend: 0.5 / length }
+        Self { amount, function, quadratic: 0.5 / length }
     }
 
-    fn stated(&self, at: &Local<'_>) -> f64 {
+    fn scaled_amount(&self, at: &Local<'_>) -> f64 {
         at.load * self.amount * self.function.value(at.t)
     }
 
     /// Returns c.
     pub(crate) fn value(&self, at: &Local<'_>) -> f64 {
-        let x = self.stated(at);
-        x + self.bend * x * x
+        let x = self.scaled_amount(at);
+        x + self.quadratic * x * x
     }
 
     /// Returns the sum of the magnitudes in c.
     pub(crate) fn size(&self, at: &Local<'_>) -> f64 {
-        let x = self.stated(at);
-        x.abs() + 2.0 * self.bend * x * x
+        let x = self.scaled_amount(at);
+        x.abs() + 2.0 * self.quadratic * x * x
     }
 
     /// Returns ∂c/∂s with respect to the load factor.
     pub(crate) fn by_load(&self, at: &Local<'_>) -> f64 {
-        let x = self.stated(at);
-        self.amount * self.function.value(at.t) * (1.0 + 2.0 * self.bend * x)
+        let x = self.scaled_amount(at);
+        self.amount * self.function.value(at.t) * (1.0 + 2.0 * self.quadratic * x)
     }
 
     /// Returns ċ and c̈ at full load.
     pub(crate) fn rates(&self, t: f64) -> [f64; 2] {
         let Instant { value, rate, acceleration } = self.function.at(t);
         let [x, v, a] = [value, rate, acceleration].map(|f| self.amount * f);
-        let slope = 1.0 + 2.0 * self.bend * x;
-        [v * slope, a * slope + 2.0 * self.bend * v * v]
+        let slope = 1.0 + 2.0 * self.quadratic * x;
+        [v * slope, a * slope + 2.0 * self.quadratic * v * v]
     }
 }

@@ -70,7 +70,7 @@ impl ContactLaw {
     }
 
     pub(crate) fn smooth_normal<D: Real>(&self, gap: D, rate: D) -> D {
-        self.smooth_pressure(gap) * parting(rate * self.damping)
+        self.smooth_pressure(gap) * damping_factor(rate * self.damping)
     }
 
     /// Returns the friction force of a normal force N on the body with the given relative velocity.
@@ -107,7 +107,7 @@ impl ContactLaw {
 }
 
 /// Computes √(1 + x²) − x without cancellation.
-fn parting<D: Real>(x: D) -> D {
+fn damping_factor<D: Real>(x: D) -> D {
     let root = (x * x + 1.0).sqrt();
     if x.re() > 0.0 { (root + x).recip() } else { root - x }
 }

@@ -95,10 +95,10 @@ pub struct BeamContacts {
 }
 
 /// Overlap in the reference state, relative to the sum of the radii, above which two parts count as joined.
-const JOINED: f64 = 0.01;
+const JOINED_OVERLAP: f64 = 0.01;
 
 type Corner = [f64; 3];
-type Boxed = GeomWithData<Rectangle<Corner>, usize>;
+type ElementBox = GeomWithData<Rectangle<Corner>, usize>;
 
 impl BeamContacts {
     /// Creates the search for all pairs of the given bodies, including each body with itself.
@@ -125,7 +125,7 @@ impl BeamContacts {
     pub fn joined_in(mut self, s: &State) -> Self {
         self.joined.clear();
         let near = self.near(s).into_iter();
-        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED);
+        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED_OVERLAP);
         self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
         self
     }
@@ -153,11 +153,11 @@ impl Encounters for BeamContacts {
             .elements
             .iter()
             .map(|&(body, k)| {
-                let hull = self.skins[body].axes[k].hull(&s.q).map(Corner::from);
+                let hull = self.skins[body].axes[k].bezier_points(&s.q).map(Corner::from);
                 AABB::from_points(&hull)
             })
             .collect();
-        let boxed = |(i, b): (usize, &AABB<Corner>)| Boxed::new(Rectangle::from_aabb(*b), i);
+        let boxed = |(i, b): (usize, &AABB<Corner>)| ElementBox::new(Rectangle::from_aabb(*b), i);
         let tree = RTree::bulk_load(boxes.iter().enumerate().map(boxed).collect());
         let largest = self.skins.iter().map(|skin| skin.radius).fold(0.0, f64::max);
         let mut near = Vec::new();
@@ -172,7 +172,7 @@ impl Encounters for BeamContacts {
                 let value = point.value(s);
                 for &k in &others {
                     let radii = skin.radius + self.skins[self.elements[k].0].radius;
-                    let distance = (outside(&value, &boxes[k]) - radii) / radii;
+                    let distance = (box_distance(&value, &boxes[k]) - radii) / radii;
                     let pair = [(self.first[a] + number) as u32, k as u32];
                     if distance <= 1.0 && self.joined.binary_search(&pair).is_err() {
                         near.push((pair, distance));
@@ -196,7 +196,7 @@ impl Encounters for BeamContacts {
 }
 
 /// Returns the distance of a point from a box.
-fn outside(point: &Vector3<f64>, b: &AABB<Corner>) -> f64 {
+fn box_distance(point: &Vector3<f64>, b: &AABB<Corner>) -> f64 {
     let (lower, upper) = (b.lower(), b.upper());
     let beyond = Vector3::from_fn(|i, _| (lower[i] - point[i]).max(point[i] - upper[i]).max(0.0));
     beyond.norm()

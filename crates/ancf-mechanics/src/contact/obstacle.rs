@@ -98,7 +98,7 @@ pub struct ObstacleContact {
 }
 
 /// Vectors d, x, y, z, or their velocities.
-type Twelve<D> = SVector<D, 12>;
+type MarkerValues<D> = SVector<D, 12>;
 
 impl ObstacleContact {
     /// Creates the contact of a point of a beam with a radius. The point represents a length of the beam.
@@ -112,7 +112,7 @@ impl ObstacleContact {
         let [x, y, z] = obstacle.place.axes()?;
         let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.point)]);
         let global = [d, x.clone(), y.clone(), z.clone()];
-        let coordinates = Marker::joined(&global);
+        let coordinates = Marker::union_coordinates(&global);
         let markers = global.each_ref().map(|marker| marker.within(&coordinates));
         let Obstacle { form, axis, .. } = *obstacle;
         Some(Self { form, axis, markers, coordinates, global, radius, length, law })
@@ -121,13 +121,13 @@ impl ObstacleContact {
     /// Returns the gap at the coordinates q of all bodies.
     pub(crate) fn gap_of_all(&self, q: &[f64]) -> f64 {
         let [d, axes @ ..] = self.global.each_ref().map(|marker| marker.reference() + marker.sum(q));
-        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
     /// Returns the values of the markers and their velocities.
-    fn values(&self, at: &Local<'_>) -> [Twelve<f64>; 2] {
+    fn values(&self, at: &Local<'_>) -> [MarkerValues<f64>; 2] {
         let stack = |of: &dyn Fn(&Marker) -> Vector3<f64>| {
-            let mut x = Twelve::zeros();
+            let mut x = MarkerValues::zeros();
             for (i, marker) in self.markers.iter().enumerate() {
                 x.fixed_rows_mut::<3>(3 * i).copy_from(&of(marker));
             }
@@ -136,22 +136,22 @@ impl ObstacleContact {
         [stack(&|marker| marker.reference() + marker.sum(at.q)), stack(&|marker| marker.sum(at.v))]
     }
 
-    fn gap(&self, x: &Twelve<f64>) -> f64 {
+    fn gap(&self, x: &MarkerValues<f64>) -> f64 {
         let [d, axes @ ..] = parts(x);
-        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
     /// Computes the generalised forces on d, x, y and z.
-    fn forces<D: Real>(&self, x: &Twelve<D>, v: &Twelve<D>) -> Twelve<D> {
+    fn forces<D: Real>(&self, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
-        let (gap, n, b) = self.form.gap(&d, &along(&axes, &self.axis));
-        let closing = n.dot(&rate) + b.dot(&along(&spins, &self.axis));
+        let (gap, n, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
         let normal = self.law.smooth_normal(gap - self.radius, closing) * self.length;
         let reach = components(&axes, &d);
-        let carried: Vector3<D> =
+        let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
-        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &carried);
-        let mut forces = Twelve::from_element(D::from(0.0));
+        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &relative_velocity);
+        let mut forces = MarkerValues::from_element(D::from(0.0));
         forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + friction));
         for k in 0..3 {
             let share = b.map(|x| x * normal * self.axis[k]) - friction.map(|x| x * reach[k]);
@@ -161,11 +161,11 @@ impl ObstacleContact {
     }
 
     /// Computes ∂(forces)/∂z along dx = w_q z, dv = w_v z.
-    fn slope(&self, x: &Twelve<f64>, v: &Twelve<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
+    fn slope(&self, x: &MarkerValues<f64>, v: &MarkerValues<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
         if self.markers[1..].iter().all(|axis| axis.parts().is_empty()) {
             // For an obstacle on the ground, only d depends on the state.
             let f = |z: SVector<num_dual::DualSVec64<3>, 3>| {
-                let moved = |x: &Twelve<f64>, w: f64| {
+                let moved = |x: &MarkerValues<f64>, w: f64| {
                     let mut moved = x.map(num_dual::DualSVec64::<3>::from);
                     (0..3).for_each(|i| moved[i] += z[i] * w);
                     moved
@@ -177,20 +177,20 @@ impl ObstacleContact {
             slope.fixed_view_mut::<3, 3>(0, 0).copy_from(&h);
             return slope;
         }
-        let moved = |x: &Twelve<f64>, z: &Twelve<num_dual::DualSVec64<12>>, w: f64| {
-            Twelve::from_fn(|i, _| z[i] * w + x[i])
+        let moved = |x: &MarkerValues<f64>, z: &MarkerValues<num_dual::DualSVec64<12>>, w: f64| {
+            MarkerValues::from_fn(|i, _| z[i] * w + x[i])
         };
-        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &Twelve::zeros()).1
+        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &MarkerValues::zeros()).1
     }
 }
 
 /// Splits a column into four vectors.
-fn parts<D: Real>(x: &Twelve<D>) -> [Vector3<D>; 4] {
+fn parts<D: Real>(x: &MarkerValues<D>) -> [Vector3<D>; 4] {
     [0, 3, 6, 9].map(|i| x.fixed_rows::<3>(i).into_owned())
 }
 
 /// Computes X α.
-fn along<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> Vector3<D> {
+fn combine<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> Vector3<D> {
     x.map(|x| x * components.x) + y.map(|x| x * components.y) + z.map(|x| x * components.z)
 }
 
@@ -238,13 +238,13 @@ impl Term for ObstacleContact {
         let place = self.markers[0].size(at.q) + d.norm() * tilt;
         let reach = components(&axes, &d);
         let [rate, spins @ ..] = parts(&v);
-        let rushed = self.markers[0].sum_of_sizes(at.v)
+        let velocity_error = self.markers[0].sum_of_sizes(at.v)
             + (0..3).map(|k| reach[k].abs() * self.markers[k + 1].sum_of_sizes(at.v)).sum::<f64>()
             + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
         let turned = tilt + place / distance;
-        let (_, _, b) = self.form.gap(&d, &along(&axes, &self.axis));
-        let speed = rate.norm() + b.norm() * along(&spins, &self.axis).norm();
-        let errors = [place + self.radius + round, turned, rushed];
+        let (_, _, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
+        let errors = [place + self.radius + round, turned, velocity_error];
         let bound = self.law.rounding(gap, speed, errors) * self.length;
         for (k, marker) in self.markers.iter().enumerate() {
             let arm = if k == 0 { 1.0 } else { reach[k - 1].abs() + self.axis[k - 1].abs() * b.norm() };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 use nalgebra::{Matrix3, Vector3};
 
-use super::station::{Relative, Station, StrainEnergy};
+use super::station::{RelativeVectors, Station, StrainEnergy};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 use crate::sections::NO_STIFFNESS;
 
@@ -83,7 +83,7 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
 
     /// Returns the strain energy by part, from the coordinates of the element.
     pub fn parts(&self, q: &[f64]) -> StrainEnergy {
-        let q = Relative::new::<S>(&vectors(q));
+        let q = RelativeVectors::new::<S>(&vectors(q));
         let mut sum = StrainEnergy::default();
         for station in &self.profile.stations {
             let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
@@ -93,9 +93,9 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
     }
 
     /// Returns the velocities of the vectors if the element has viscosity.
-    fn moving(&self, at: &Local<'_>) -> Option<Relative<N>> {
+    fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
         let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
-        viscous.then(|| Relative::new::<S>(&vectors(at.v)))
+        viscous.then(|| RelativeVectors::new::<S>(&vectors(at.v)))
     }
 }
 
@@ -119,12 +119,12 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         for (force, first) in force.iter_mut().zip(&profile.first) {
             *force -= profile.gravity * (at.load * first);
         }
-        let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+        let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
         for station in &profile.stations {
             let g0 = station.reference(&self.frame);
             let u = station.directors::<S>(&q);
             let p = station.forces::<S>(&g0, &u, v.as_ref());
-            station.spread(&p, &mut force);
+            station.distribute(&p, &mut force);
         }
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
             *row += force;
@@ -140,7 +140,8 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
             f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
         });
-        let (q, v, sizes) = (Relative::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
+        let (q, v, sizes) =
+            (RelativeVectors::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
         for station in &profile.stations {
             let g0 = station.reference(&self.frame);
             let u = station.directors::<S>(&q);
@@ -159,13 +160,13 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let mut blocks = [[Matrix3::zeros(); N]; N];
         if w.q != 0.0 || w.v != 0.0 {
-            let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+            let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
             let mut h = NO_STIFFNESS;
             for station in &self.profile.stations {
                 let g0 = station.reference(&self.frame);
                 let u = station.directors::<S>(&q);
                 station.stiffness::<S>(&g0, &u, v.as_ref(), [w.q, w.v], &mut h);
-                station.spread_stiffness(&h, &mut blocks);
+                station.distribute_stiffness(&h, &mut blocks);
             }
         }
         let inertia = w.a + self.profile.drag * w.v;
@@ -178,19 +179,19 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let (q, dq) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(by.q)));
+        let (q, dq) = (RelativeVectors::new::<S>(&vectors(at.q)), RelativeVectors::new::<S>(&vectors(by.q)));
         let mut blocks = [[Matrix3::zeros(); N]; N];
         for station in &self.profile.stations {
             let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
             let h = station.stress_stiffness(&g0, &u, &station.directors::<S>(&dq));
-            station.spread_stiffness(&h, &mut blocks);
+            station.distribute_stiffness(&h, &mut blocks);
         }
         add_blocks(&blocks, k);
     }
 
     /// Requires det J > 0 on the axis. St. Venant-Kirchhoff energy also has equilibria with inverted elements.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        let q = Relative::new::<S>(&vectors(at.q));
+        let q = RelativeVectors::new::<S>(&vectors(at.q));
         self.profile
             .stations
             .iter()
@@ -201,7 +202,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let (q, v) = (vectors::<N>(at.q), vectors::<N>(at.v));
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
-        let relative = Relative::new::<S>(&q);
+        let relative = RelativeVectors::new::<S>(&q);
         let of =
             |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
         let strain = self.profile.stations.iter().map(of).sum();

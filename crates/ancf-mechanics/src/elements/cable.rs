@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
-use crate::kinematics::{Bend, Blocks, Stretch};
+use crate::kinematics::{AxialStretch, Bend, BendBlocks};
 
 /// Value of |r′| up to which a line counts as collapsed to a point.
 pub(crate) const CRUSHED: f64 = 0.01;
@@ -95,8 +95,8 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Stretch {
-        Stretch::new(&self.direction, &station.first(q))
+    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+        AxialStretch::new(&self.direction, &station.first(q))
     }
 
     fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
@@ -237,7 +237,7 @@ fn each_pair(mut visit: impl FnMut(usize, usize)) {
 }
 
 /// Adds the stiffness of a station with respect to r′ and r″, times its weight.
-fn add_bending(station: &CableStation, h: &Blocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+fn add_bending(station: &CableStation, h: &BendBlocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
     let h = h.scaled(station.weight);
     let (s, c, ab) = (&station.first, &station.second, h.ba.transpose());
     each_pair(|i, j| {
@@ -268,7 +268,7 @@ impl Cable12 {
         q: &[Vector3<f64>; 4],
         v: &[Vector3<f64>; 4],
         w: Weights,
-    ) -> Blocks {
+    ) -> BendBlocks {
         let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
         let bend = self.bend(station, q);
         let stiffness = bend.hessian().scaled(w.q * rigidity);

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use crate::kinematics::{BeamShape, Bend, Stretch, gauss, gauss2, gauss3, gauss4, lobatto3};
+use crate::kinematics::{AxialStretch, BeamShape, Bend, gauss, gauss2, gauss3, gauss4, lobatto3};
 
 /// Quadrature rule of a cable element for the strains ε and K.
 ///
@@ -193,7 +193,7 @@ impl CableProfile {
     }
 
     /// Returns N = EA (ε + τ ε̇) for the rate of a.
-    pub(crate) fn axial_force(&self, stretch: &Stretch, rate: &Vector3<f64>) -> f64 {
+    pub(crate) fn axial_force(&self, stretch: &AxialStretch, rate: &Vector3<f64>) -> f64 {
         let retarded = self.damping.retardation * stretch.tangent.dot(rate);
         self.section.axial * (stretch.strain + retarded)
     }

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::beam::Profile;
-use super::station::{Law, Parts, Relative, Station};
+use super::station::{DirectorWeights, Law, RelativeVectors, Station};
 use crate::kinematics::{BeamShape, Interpolation, Kind, QuadraticShape, gauss, gauss2, lobatto3};
 use crate::sections::{CrossSection, DIRECTORS, Directors, Lame, Moments, NeoHookean, SectionLaw, straight};
 
@@ -38,10 +38,10 @@ pub enum Formulation {
 }
 
 /// Quadrature point with its elastic law, a function of ξ, reference directors and section.
-type Sample<'a> = (f64, f64, &'a Elasticity<'a>);
-type Elasticity<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
+type LawPoint<'a> = (f64, f64, &'a SectionLawFn<'a>);
+type SectionLawFn<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
 
-fn at<'a>(rule: &[(f64, f64)], law: &'a Elasticity<'a>) -> Vec<Sample<'a>> {
+fn at<'a>(rule: &[(f64, f64)], law: &'a SectionLawFn<'a>) -> Vec<LawPoint<'a>> {
     rule.iter().map(|&(xi, w)| (xi, w, law)).collect()
 }
 
@@ -136,15 +136,15 @@ impl<const N: usize> Profile<N> {
         reference: &[Vector3<f64>; N],
         section: &dyn Fn(f64) -> CrossSection,
         medium: &Medium,
-        rule: &[Sample<'_>],
+        rule: &[LawPoint<'_>],
     ) -> Self {
-        let relative = Relative::new::<S>(reference);
+        let relative = RelativeVectors::new::<S>(reference);
         let stations = rule.iter().map(|&(xi, w, law)| {
             let weights = shape.directors(xi);
-            let parts = |reach: usize| -> [Parts; N] {
-                std::array::from_fn(|i| Parts::new(S::KINDS[i].directors(), weights[i], reach))
+            let parts = |reach: usize| -> [DirectorWeights; N] {
+                std::array::from_fn(|i| DirectorWeights::new(S::KINDS[i].directors(), weights[i], reach))
             };
-            let mut g0 = settled(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
+            let mut g0 = snapped_straight(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
             let section = section(xi);
             let quadratic = law(xi, &g0, &section);
             // Unused directors are set to zero.
@@ -183,7 +183,7 @@ impl<const N: usize> Profile<N> {
 }
 
 /// Replaces directors that are straight within rounding by exactly straight ones.
-fn settled(g0: Directors, length: f64) -> Directors {
+fn snapped_straight(g0: Directors, length: f64) -> Directors {
     let scales = [1.0, length, length, 1.0, 1.0, 1.0, 1.0];
     let near = g0.iter().zip(straight()).zip(scales).all(|((g, s), scale)| (g - s).amax() * scale < 1e-12);
     if near { straight() } else { g0 }

@@ -23,7 +23,7 @@ pub struct RigidBody {
 }
 
 /// Smallest relative principal value of E. It keeps all pivots nonzero and is below the accuracy of the data.
-const FLAT: f64 = 1e-8;
+const MIN_INERTIA_RATIO: f64 = 1e-8;
 
 impl RigidBody {
     /// Creates a point mass on the three coordinates from `first`.
@@ -42,8 +42,8 @@ impl RigidBody {
         inertia: Matrix3<f64>,
         gravity: Vector3<f64>,
     ) -> Self {
-        let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(euler(&inertia));
-        let least = FLAT * eigenvalues.amax();
+        let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(euler_tensor(&inertia));
+        let least = MIN_INERTIA_RATIO * eigenvalues.amax();
         let values = Matrix3::from_diagonal(&eigenvalues.map(|value| value.max(least)));
         let euler = Some(eigenvectors * values * eigenvectors.transpose());
         Self { first, multiplier, centre, mass, euler, gravity }
@@ -92,7 +92,7 @@ impl RigidBody {
 
     /// Returns inertia, weight and rigidity constraints as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        let mut terms: Vec<Box<dyn Term>> = vec![Box::new(Inertia::new(self))];
+        let mut terms: Vec<Box<dyn Term>> = vec![Box::new(InertiaTerm::new(self))];
         if self.has_directors() {
             let d = self.directors();
             let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
@@ -125,26 +125,26 @@ impl RigidBody {
 }
 
 /// Computes the Euler tensor E = ∫ρ X Xᵀ dV from the moments of inertia J.
-fn euler(inertia: &Matrix3<f64>) -> Matrix3<f64> {
+fn euler_tensor(inertia: &Matrix3<f64>) -> Matrix3<f64> {
     Matrix3::identity() * (0.5 * inertia.trace()) - inertia
 }
 
 /// Returns true if the moments of inertia are physical: E has no negative principal value.
 pub fn is_inertia(inertia: &Matrix3<f64>) -> bool {
-    let values = SymmetricEigen::new(euler(inertia)).eigenvalues;
-    values.max() > 0.0 && values.min() >= -FLAT * values.max()
+    let values = SymmetricEigen::new(euler_tensor(inertia)).eigenvalues;
+    values.max() > 0.0 && values.min() >= -MIN_INERTIA_RATIO * values.max()
 }
 
 /// Inertia and weight of a rigid body or a point mass: M a − m g with constant M.
 #[derive(Clone, Debug)]
-struct Inertia {
+struct InertiaTerm {
     coordinates: Vec<usize>,
     /// Mass matrix over the vectors r, d₁, d₂, d₃, each times I₃.
     mass: Matrix4<f64>,
     weight: Vector3<f64>,
 }
 
-impl Inertia {
+impl InertiaTerm {
     fn new(body: &RigidBody) -> Self {
         let mut mass = Matrix4::zeros();
         mass[(0, 0)] = body.mass;
@@ -166,7 +166,7 @@ impl Inertia {
     }
 }
 
-impl Term for Inertia {
+impl Term for InertiaTerm {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }

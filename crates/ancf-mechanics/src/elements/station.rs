@@ -75,7 +75,7 @@ pub struct Station<const N: usize> {
     /// Gauss weight times the length of the element.
     pub(crate) weight: f64,
     /// Weights of the vectors of the element in the directors.
-    pub(crate) parts: [Parts; N],
+    pub(crate) parts: [DirectorWeights; N],
     /// Directors of the reference state in the frame of the element.
     pub(crate) reference: Directors,
     /// Elastic law.
@@ -131,12 +131,12 @@ impl Mul<f64> for StrainEnergy {
 
 /// Directors that depend on a vector, each with its weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Parts {
+pub(crate) struct DirectorWeights {
     count: usize,
     items: [(usize, f64); 3],
 }
 
-impl Parts {
+impl DirectorWeights {
     /// Selects the directors below `reach` with nonzero weights.
     pub(crate) fn new(directors: [usize; 3], weights: [f64; 3], reach: usize) -> Self {
         let mut parts = Self::default();
@@ -156,12 +156,12 @@ impl Parts {
 /// Vectors of an element relative to the first vector of each kind, and the first vectors of the kinds Y and Z.
 ///
 /// Quantities that depend only on differences are then free of cancellation.
-pub(crate) struct Relative<const N: usize> {
+pub(crate) struct RelativeVectors<const N: usize> {
     difference: [Vector3<f64>; N],
     base: [Vector3<f64>; 2],
 }
 
-impl<const N: usize> Relative<N> {
+impl<const N: usize> RelativeVectors<N> {
     pub(crate) fn new<S: Interpolation<N>>(q: &[Vector3<f64>; N]) -> Self {
         let first = |kind: Kind| S::KINDS.iter().position(|&k| k == kind).map_or(Vector3::zeros(), |i| q[i]);
         let [r, y, z] = [Kind::Position, Kind::Y, Kind::Z].map(first);
@@ -175,7 +175,7 @@ impl<const N: usize> Relative<N> {
     }
 
     /// Computes the directors from the vectors.
-    pub(crate) fn directors<S: Interpolation<N>>(&self, parts: &[Parts; N]) -> Directors {
+    pub(crate) fn directors<S: Interpolation<N>>(&self, parts: &[DirectorWeights; N]) -> Directors {
         let mut u = [Vector3::zeros(); DIRECTORS];
         let (mut d, mut e) = (0.0, 0.0);
         for i in 0..N {
@@ -196,12 +196,12 @@ impl<const N: usize> Relative<N> {
 
 impl<const N: usize> Station<N> {
     /// Computes the increments of the directors.
-    pub(crate) fn directors<S: Interpolation<N>>(&self, q: &Relative<N>) -> Directors {
+    pub(crate) fn directors<S: Interpolation<N>>(&self, q: &RelativeVectors<N>) -> Directors {
         q.directors::<S>(&self.parts)
     }
 
     /// Bounds the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
-    fn uncertainty(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
+    fn director_rounding(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
         let mut du = [0.0; DIRECTORS];
         for (i, size) in sizes.iter().enumerate() {
             for &(director, weight) in self.parts[i].as_slice() {
@@ -254,7 +254,7 @@ impl<const N: usize> Station<N> {
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
     ) -> Directors {
         let mut p = self.law.forces(g0, u);
         if let (Some(law), Some(v)) = (&self.viscosity, v) {
@@ -270,10 +270,10 @@ impl<const N: usize> Station<N> {
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
         sizes: &[f64; N],
     ) -> [f64; DIRECTORS] {
-        let mut bound = self.law.rounding(g0, u, &self.uncertainty(sizes));
+        let mut bound = self.law.rounding(g0, u, &self.director_rounding(sizes));
         if let (Some(law), Some(v)) = (&self.viscosity, v) {
             let g = sum(g0, u);
             let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
@@ -291,7 +291,7 @@ impl<const N: usize> Station<N> {
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
         [wq, wv]: [f64; 2],
         h: &mut Stiffness,
     ) {
@@ -328,7 +328,7 @@ impl<const N: usize> Station<N> {
     }
 
     /// Distributes the forces p of the directors to the vectors.
-    pub(crate) fn spread(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
+    pub(crate) fn distribute(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
         for (force, parts) in force.iter_mut().zip(&self.parts) {
             for &(director, weight) in parts.as_slice() {
                 *force += p[director] * (weight * self.weight);
@@ -337,7 +337,7 @@ impl<const N: usize> Station<N> {
     }
 
     /// Distributes the stiffness H of the directors to the lower blocks of the element matrix.
-    pub(crate) fn spread_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
+    pub(crate) fn distribute_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
         let reach = self.law.reach();
         for a in 0..N {
             if let [(director, own)] = *self.parts[a].as_slice() {

@@ -44,7 +44,7 @@ pub struct Hull {
 
 /// Hydrodynamic coefficients of a point of the line, integrated over the length that belongs to the point.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wetted {
+pub(crate) struct HydroCoefficients {
     /// ½ρ d C_n and ½ρ π d C_t, times the length.
     drag: [f64; 2],
     /// ρ A C_a for the normal and the tangential direction, times the length.
@@ -55,7 +55,7 @@ pub(crate) struct Wetted {
 
 /// Motion of line and fluid at a point.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Flow {
+pub(crate) struct RelativeFlow {
     /// Tangent p/|p|.
     pub tangent: Vector3<f64>,
     /// Stretch |p|, p = dr/ds.
@@ -63,25 +63,25 @@ pub(crate) struct Flow {
     /// Velocity of the fluid relative to the line.
     pub relative: Vector3<f64>,
     /// Acceleration of the fluid relative to the line, which the added mass multiplies.
-    pub accelerated: Vector3<f64>,
+    pub relative_acceleration: Vector3<f64>,
     /// Load factor, which multiplies the drag.
     pub load: f64,
 }
 
 /// Derivatives ∂F/∂p, ∂F/∂w and ∂F/∂b of a force F, for a relative velocity w and a relative acceleration b.
-pub(crate) struct Slopes {
+pub(crate) struct ForceDerivatives {
     pub gradient: Matrix3<f64>,
     pub velocity: Matrix3<f64>,
     pub acceleration: Matrix3<f64>,
 }
 
-impl Wetted {
+impl HydroCoefficients {
     pub(crate) fn new(fluid: &Fluid, hull: &Hull, length: f64) -> Self {
-        let (pressed, displaced) =
+        let (dynamic_pressure, displaced) =
             (0.5 * fluid.density * hull.diameter * length, fluid.density * hull.area * length);
         let [normal, tangential] = hull.drag;
         Self {
-            drag: [pressed * normal, pressed * std::f64::consts::PI * tangential],
+            drag: [dynamic_pressure * normal, dynamic_pressure * std::f64::consts::PI * tangential],
             added: hull.added_mass.map(|c| c * displaced),
             displaced,
         }
@@ -93,7 +93,7 @@ impl Wetted {
     }
 
     /// Returns the drag ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t.
-    pub(crate) fn drag(&self, flow: &Flow) -> Vector3<f64> {
+    pub(crate) fn drag(&self, flow: &RelativeFlow) -> Vector3<f64> {
         let (along, across) = flow.parts(&flow.relative);
         let [normal, tangential] = self.drag;
         let drag = across * (normal * across.norm()) + flow.tangent * (tangential * along.abs() * along);
@@ -101,20 +101,20 @@ impl Wetted {
     }
 
     /// Multiplies a vector by the added mass.
-    pub(crate) fn added(&self, flow: &Flow, x: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn added(&self, flow: &RelativeFlow, x: &Vector3<f64>) -> Vector3<f64> {
         let (along, across) = flow.parts(x);
         across * self.added[0] + flow.tangent * (along * self.added[1])
     }
 
     /// Returns ½ v·Ṁv of the added mass M on a line whose gradient changes at the rate ṗ.
-    pub(crate) fn turning(&self, flow: &Flow, v: &Vector3<f64>, rate: &Vector3<f64>) -> f64 {
+    pub(crate) fn rotation_power(&self, flow: &RelativeFlow, v: &Vector3<f64>, rate: &Vector3<f64>) -> f64 {
         let (_, turn) = flow.parts(rate);
         (self.added[1] - self.added[0]) * v.dot(&turn) * v.dot(&flow.tangent) / flow.stretch
     }
 
     /// Computes the derivatives of drag and added mass.
-    pub(crate) fn slopes(&self, flow: &Flow) -> Slopes {
-        let (t, w, b) = (&flow.tangent, &flow.relative, &flow.accelerated);
+    pub(crate) fn derivatives(&self, flow: &RelativeFlow) -> ForceDerivatives {
+        let (t, w, b) = (&flow.tangent, &flow.relative, &flow.relative_acceleration);
         let (along, across) = flow.parts(w);
         let speed = across.norm();
         let [normal, tangential] = self.drag.map(|c| c * flow.load);
@@ -131,20 +131,20 @@ impl Wetted {
             + (t * w.transpose() * 2.0 + identity * along) * (tangential * along.abs())
             + (identity * t.dot(b) + t * b.transpose()) * (self.added[1] - self.added[0]);
         let acceleration = projector * self.added[0] + t * t.transpose() * self.added[1];
-        Slopes { gradient: turned * projector / flow.stretch, velocity, acceleration }
+        ForceDerivatives { gradient: turned * projector / flow.stretch, velocity, acceleration }
     }
 
     /// Bounds the rounding error of the force, given the error of p and the magnitudes in w and b.
-    pub(crate) fn rounding(&self, flow: &Flow, [p, w, b]: [f64; 3]) -> f64 {
+    pub(crate) fn rounding(&self, flow: &RelativeFlow, [p, w, b]: [f64; 3]) -> f64 {
         let (drag, added) = (self.drag[0] + self.drag[1], self.added[0] + self.added[1]);
         let turn = p / flow.stretch;
-        let (speed, rate) = (flow.relative.norm(), flow.accelerated.norm());
+        let (speed, rate) = (flow.relative.norm(), flow.relative_acceleration.norm());
         let of_drag = (drag * flow.load).abs() * speed * (2.0 * w + 3.0 * speed * (1.0 + turn));
         f64::EPSILON * (of_drag + added * (b + 2.0 * rate * (1.0 + turn)))
     }
 }
 
-impl Flow {
+impl RelativeFlow {
     /// Returns x·t and x − t (t·x).
     fn parts(&self, x: &Vector3<f64>) -> (f64, Vector3<f64>) {
         let along = self.tangent.dot(x);

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use super::flow::{Fluid, Hull, Wetted};
+use super::flow::{Fluid, Hull, HydroCoefficients};
 use super::morison::Morison;
 use crate::bodies::BeamMesh;
 
@@ -11,7 +11,7 @@ impl BeamMesh {
         let of = |(piece, axis): (crate::bodies::Piece, crate::kinematics::ElementAxis)| {
             let points = piece.many_points().map(|(s, w)| {
                 let tangent = self.axes(s)[0].reference();
-                (axis.weights(s), tangent, Wetted::new(fluid, &hull(s), w))
+                (axis.weights(s), tangent, HydroCoefficients::new(fluid, &hull(s), w))
             });
             Morison::new(&axis, Arc::clone(fluid), points)
         };

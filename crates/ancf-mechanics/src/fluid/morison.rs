@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::flow::{Flow, Fluid, Wetted};
+use super::flow::{Fluid, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
 /// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.
@@ -28,22 +28,22 @@ use crate::kinematics::ElementAxis;
 pub struct Morison {
     coordinates: Vec<usize>,
     fluid: Arc<Fluid>,
-    stations: [Station; 5],
+    stations: [MorisonStation; 5],
 }
 
 /// Quadrature point of the axis.
 #[derive(Clone, Copy, Debug)]
-struct Station {
+struct MorisonStation {
     /// Weights of the vectors in r and in p = dr/ds.
     values: [f64; 4],
     slopes: [f64; 4],
     /// Reference value of p.
     tangent: Vector3<f64>,
-    wetted: Wetted,
+    coefficients: HydroCoefficients,
 }
 
 /// Fluid motion at one time.
-struct Instant {
+struct FluidMotion {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
 }
@@ -53,39 +53,43 @@ impl Morison {
     pub(crate) fn new(
         axis: &ElementAxis,
         fluid: Arc<Fluid>,
-        points: [([[f64; 4]; 3], Vector3<f64>, Wetted); 5],
+        points: [([[f64; 4]; 3], Vector3<f64>, HydroCoefficients); 5],
     ) -> Self {
-        let stations =
-            points.map(|([values, slopes, _], tangent, wetted)| Station { values, slopes, tangent, wetted });
+        let stations = points.map(|([values, slopes, _], tangent, coefficients)| MorisonStation {
+            values,
+            slopes,
+            tangent,
+            coefficients,
+        });
         Self { coordinates: axis.coordinates().collect(), fluid, stations }
     }
 
-    fn fluid(&self, at: &Local<'_>) -> Instant {
+    fn fluid(&self, at: &Local<'_>) -> FluidMotion {
         let (velocity, acceleration) = (self.fluid.velocity(at.t), self.fluid.acceleration(at.t));
-        Instant { velocity, acceleration }
+        FluidMotion { velocity, acceleration }
     }
 
     /// Returns buoyancy and the force of the accelerated fluid, without load factor.
-    fn displaced(&self, fluid: &Instant, wetted: &Wetted) -> Vector3<f64> {
-        (fluid.acceleration - self.fluid.gravity) * wetted.displaced()
+    fn displaced(&self, fluid: &FluidMotion, coefficients: &HydroCoefficients) -> Vector3<f64> {
+        (fluid.acceleration - self.fluid.gravity) * coefficients.displaced()
     }
 }
 
-impl Station {
-    fn flow(&self, at: &Local<'_>, fluid: &Instant) -> Flow {
+impl MorisonStation {
+    fn flow(&self, at: &Local<'_>, fluid: &FluidMotion) -> RelativeFlow {
         let p = self.tangent + sum(&self.slopes, at.q);
         let stretch = p.norm();
-        Flow {
+        RelativeFlow {
             tangent: p / stretch,
             stretch,
             relative: fluid.velocity - sum(&self.values, at.v),
-            accelerated: fluid.acceleration * at.load - sum(&self.values, at.a),
+            relative_acceleration: fluid.acceleration * at.load - sum(&self.values, at.a),
             load: at.load,
         }
     }
 
     /// Returns the magnitudes in p, w and b.
-    fn sizes(&self, at: &Local<'_>, fluid: &Instant) -> [f64; 3] {
+    fn sizes(&self, at: &Local<'_>, fluid: &FluidMotion) -> [f64; 3] {
         [
             self.tangent.norm() + size(&self.slopes, at.q),
             fluid.velocity.norm() + size(&self.values, at.v),
@@ -114,10 +118,10 @@ impl Term for Morison {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let fluid = self.fluid(at);
         for station in &self.stations {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
-            let force = wetted.drag(&flow)
-                + wetted.added(&flow, &flow.accelerated)
-                + self.displaced(&fluid, wetted) * at.load;
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
+            let force = coefficients.drag(&flow)
+                + coefficients.added(&flow, &flow.relative_acceleration)
+                + self.displaced(&fluid, coefficients) * at.load;
             for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
                 (0..3).for_each(|k| row[k] -= value * force[k]);
             }
@@ -127,9 +131,9 @@ impl Term for Morison {
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let fluid = self.fluid(at);
         for station in &self.stations {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
-            let displaced = (self.displaced(&fluid, wetted) * at.load).norm() * f64::EPSILON;
-            let bound = wetted.rounding(&flow, station.sizes(at, &fluid)) + displaced;
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
+            let displaced = (self.displaced(&fluid, coefficients) * at.load).norm() * f64::EPSILON;
+            let bound = coefficients.rounding(&flow, station.sizes(at, &fluid)) + displaced;
             for (row, value) in floor.chunks_exact_mut(3).zip(station.values) {
                 row.iter_mut().for_each(|floor| *floor += value.abs() * bound);
             }
@@ -141,7 +145,7 @@ impl Term for Morison {
         let mut blocks = [[Matrix3::zeros(); 4]; 4];
         for station in &self.stations {
             let (values, slopes) = (&station.values, &station.slopes);
-            let by = station.wetted.slopes(&station.flow(at, &fluid));
+            let by = station.coefficients.derivatives(&station.flow(at, &fluid));
             let inertia = by.velocity * w.v + by.acceleration * w.a;
             let stiffness = by.gradient * (-0.5 * w.q);
             for i in 0..n {
@@ -159,11 +163,11 @@ impl Term for Morison {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let fluid = self.fluid(at);
-        let of = |station: &Station| {
+        let of = |station: &MorisonStation| {
             let (flow, v) = (station.flow(at, &fluid), sum(&station.values, at.v));
-            let buoyancy = self.fluid.gravity * (-at.load * station.wetted.displaced());
+            let buoyancy = self.fluid.gravity * (-at.load * station.coefficients.displaced());
             Energy {
-                kinetic: 0.5 * v.dot(&station.wetted.added(&flow, &v)),
+                kinetic: 0.5 * v.dot(&station.coefficients.added(&flow, &v)),
                 potential: -buoyancy.dot(&sum(&station.values, at.q)),
                 ..Energy::default()
             }
@@ -175,13 +179,16 @@ impl Term for Morison {
 
     fn power(&self, at: &Local<'_>) -> Power {
         let fluid = self.fluid(at);
-        let of = |station: &Station| {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
+        let of = |station: &MorisonStation| {
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
             let (v, rate) = (sum(&station.values, at.v), sum(&station.slopes, at.v));
-            let drag = wetted.drag(&flow);
-            let pushed = fluid.acceleration * wetted.displaced() + wetted.added(&flow, &fluid.acceleration);
+            let drag = coefficients.drag(&flow);
+            let force = fluid.acceleration * coefficients.displaced()
+                + coefficients.added(&flow, &fluid.acceleration);
             Power {
-                work: drag.dot(&fluid.velocity) + pushed.dot(&v) * at.load + wetted.turning(&flow, &v, &rate),
+                work: drag.dot(&fluid.velocity)
+                    + force.dot(&v) * at.load
+                    + coefficients.rotation_power(&flow, &v, &rate),
                 dissipation: drag.dot(&flow.relative),
             }
         };

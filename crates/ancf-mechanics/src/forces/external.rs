@@ -25,7 +25,7 @@ pub struct ExternalForce {
 /// Relative difference step ∛ε.
 const STEP: f64 = 6.055e-6;
 /// Smallest reference speed, in model lengths per time step.
-const SLOW: f64 = 1e-3;
+const MIN_REFERENCE_SPEED: f64 = 1e-3;
 
 impl ExternalForce {
     /// Creates the force on a point marker. `length` is the length of the model.
@@ -44,13 +44,13 @@ impl ExternalForce {
     }
 
     /// Computes ∂F/∂x.
-    fn by_position(&self, at: &Local<'_>) -> Matrix3<f64> {
+    fn position_derivative(&self, at: &Local<'_>) -> Matrix3<f64> {
         let [x, v] = self.motion(at);
         slope(x, STEP * self.length, |x| self.force(at, [x, v]))
     }
 
     /// Computes ∂F/∂v with difference steps for a reference speed.
-    fn by_velocity(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
+    fn velocity_derivative(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
         let [x, v] = self.motion(at);
         slope(v, STEP * speed, |v| self.force(at, [x, v]))
     }
@@ -81,9 +81,10 @@ impl Term for ExternalForce {
     /// Rounding errors of the arguments, and one rounding of the result.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (place, speed) = (self.point.size(at.q), self.point.sum_of_sizes(at.v));
-        let mut error = 4.0 * self.force(at, self.motion(at)).norm() + self.by_position(at).norm() * place;
+        let mut error =
+            4.0 * self.force(at, self.motion(at)).norm() + self.position_derivative(at).norm() * place;
         if speed > 0.0 {
-            error += self.by_velocity(at, speed).norm() * speed;
+            error += self.velocity_derivative(at, speed).norm() * speed;
         }
         for &(first, w) in self.point.parts() {
             floor[first..first + 3].iter_mut().for_each(|row| *row += 2.0 * f64::EPSILON * error * w.abs());
@@ -96,12 +97,12 @@ impl Term for ExternalForce {
         }
         let mut slope = Matrix3::zeros();
         if w.q != 0.0 {
-            slope += self.by_position(at) * w.q;
+            slope += self.position_derivative(at) * w.q;
         }
         if w.v != 0.0 {
             let rate = if w.q == 0.0 { 1.0 } else { (w.v / w.q).abs() };
-            let speed = self.point.sum(at.v).norm().max(SLOW * self.length * rate);
-            slope += self.by_velocity(at, speed) * w.v;
+            let speed = self.point.sum(at.v).norm().max(MIN_REFERENCE_SPEED * self.length * rate);
+            slope += self.velocity_derivative(at, speed) * w.v;
         }
         add_symmetric(&[&self.point], &slope, -1.0, k);
     }

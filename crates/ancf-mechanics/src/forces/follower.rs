@@ -23,7 +23,7 @@ impl FollowerForce {
     pub fn new(point: &Marker, directors: [&Marker; 2], force: Vector3<f64>, function: Function) -> Self {
         let [d, e] = directors;
         let markers = [point, d, e];
-        let coordinates = Marker::joined(markers);
+        let coordinates = Marker::union_coordinates(markers);
         let components = components(d.reference(), e.reference(), &force);
         Self { markers: markers.map(|marker| marker.within(&coordinates)), coordinates, components, function }
     }

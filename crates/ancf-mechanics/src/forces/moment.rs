@@ -23,13 +23,13 @@ use crate::kinematics::{Marker, Real, add_symmetric, components, constant, turne
 pub struct Moment {
     directors: [Marker; 2],
     coordinates: Vec<usize>,
-    direction: Direction,
+    direction: MomentFrame,
     function: Function,
 }
 
 /// Frame in which a moment is constant.
 #[derive(Clone, Copy, Debug)]
-enum Direction {
+enum MomentFrame {
     Global(Vector3<f64>),
     Section(Vector3<f64>),
 }
@@ -37,21 +37,21 @@ enum Direction {
 impl Moment {
     /// Creates a moment, times a function of time, on the directors r_y and r_z.
     pub fn new(directors: [&Marker; 2], moment: Vector3<f64>, function: Function) -> Self {
-        let coordinates = Marker::joined(directors);
+        let coordinates = Marker::union_coordinates(directors);
         let directors = directors.map(|director| director.within(&coordinates));
-        Self { directors, coordinates, direction: Direction::Global(moment), function }
+        Self { directors, coordinates, direction: MomentFrame::Global(moment), function }
     }
 
     /// Creates a follower moment with the value `moment` in the reference state.
     pub fn follower(directors: [&Marker; 2], moment: Vector3<f64>, function: Function) -> Self {
         let [d, e] = directors.map(Marker::reference);
-        let direction = Direction::Section(components(d, e, &moment));
+        let direction = MomentFrame::Section(components(d, e, &moment));
         Self { direction, ..Self::new(directors, moment, function) }
     }
 
     /// Creates a follower moment with the given components in the section frame, times a function of time.
     pub fn in_section(directors: [&Marker; 2], components: Vector3<f64>, function: Function) -> Self {
-        let direction = Direction::Section(components);
+        let direction = MomentFrame::Section(components);
         Self { direction, ..Self::new(directors, Vector3::zeros(), function) }
     }
 
@@ -65,8 +65,8 @@ impl Moment {
     fn forces<D: Real>(&self, x: &SVector<D, 6>) -> SVector<D, 6> {
         let (d, e) = (x.fixed_rows::<3>(0).into_owned(), x.fixed_rows::<3>(3).into_owned());
         let m = match self.direction {
-            Direction::Global(moment) => constant(&moment),
-            Direction::Section(components) => turned(d, e, &components),
+            MomentFrame::Global(moment) => constant(&moment),
+            MomentFrame::Section(components) => turned(d, e, &components),
         };
         let c = d.cross(&e);
         let square = c.dot(&c);
@@ -103,7 +103,7 @@ impl Term for Moment {
         let [d, e] = [0, 3].map(|i| x.fixed_rows::<3>(i).into_owned());
         let (ld, le) = (d.norm(), e.norm());
         let skew = ld * le / d.cross(&e).norm();
-        let (Direction::Global(moment) | Direction::Section(moment)) = self.direction;
+        let (MomentFrame::Global(moment) | MomentFrame::Section(moment)) = self.direction;
         let error = self.directors[0].size(at.q) / ld + self.directors[1].size(at.q) / le;
         let bound = 4.0 * f64::EPSILON * (self.factor(at) * moment.norm()).abs() * skew.powi(2) * error;
         for (director, length) in self.directors.iter().zip([ld, le]) {

@@ -1,6 +1,6 @@
 use super::grammar::{ExpressionError, parse};
 use super::instant::Instant;
-use super::node::{Jet, Node};
+use super::node::{Jet, SyntaxNode};
 
 /// Formula in t, with exact derivatives by dual numbers.
 ///
@@ -8,7 +8,7 @@ use super::node::{Jet, Node};
 /// power requires brackets. −t^2 is −(t²).
 #[derive(Clone, Debug)]
 pub struct Expression {
-    root: Node,
+    root: SyntaxNode,
 }
 
 impl Expression {

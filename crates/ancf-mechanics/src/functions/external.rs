@@ -12,9 +12,9 @@ use super::instant::Instant;
 ///
 /// Clones are the same function and compare equal. Separately created functions differ.
 #[derive(Clone)]
-pub struct External(Arc<Supplied>);
+pub struct External(Arc<UserFunction>);
 
-struct Supplied {
+struct UserFunction {
     function: Box<dyn Fn(f64) -> Instant + Send + Sync>,
     last: Mutex<Option<(f64, Instant)>>,
 }
@@ -25,7 +25,7 @@ impl External {
     /// Loads use the value, currents of fluids also the first rate, and drives both rates. There the rates must be the
     /// derivatives of the value.
     pub fn new(f: impl Fn(f64) -> Instant + Send + Sync + 'static) -> Self {
-        Self(Arc::new(Supplied { function: Box::new(f), last: Mutex::new(None) }))
+        Self(Arc::new(UserFunction { function: Box::new(f), last: Mutex::new(None) }))
     }
 
     /// Returns value and rates.

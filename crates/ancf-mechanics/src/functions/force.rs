@@ -1,7 +1,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-type Law = dyn Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync;
+type ForceLaw = dyn Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync;
 
 /// User-defined force on a point as a function of time, position and velocity: F(t, x, v).
 ///
@@ -13,7 +13,7 @@ type Law = dyn Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync;
 ///
 /// Units: force, time, length, length/time; all vectors in the global frame.
 #[derive(Clone)]
-pub struct ForceFunction(Arc<Law>);
+pub struct ForceFunction(Arc<ForceLaw>);
 
 impl ForceFunction {
     /// Creates the force from a function of time t, position x and velocity v.

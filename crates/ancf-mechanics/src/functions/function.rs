@@ -90,8 +90,8 @@ impl Function {
                 Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
             Self::Integral(integral) => integral.at(t),
-            Self::Expression { formula, unit } => formula.at(t * unit).quickened(*unit),
-            Self::External { function, unit } => function.at(t * unit).quickened(*unit),
+            Self::Expression { formula, unit } => formula.at(t * unit).with_scaled_rates(*unit),
+            Self::External { function, unit } => function.at(t * unit).with_scaled_rates(*unit),
         }
     }
 

@@ -11,7 +11,7 @@ pub struct Instant {
 
 impl Instant {
     /// Scales the rates for an argument that is `unit` times the time.
-    pub(crate) fn quickened(self, unit: f64) -> Self {
+    pub(crate) fn with_scaled_rates(self, unit: f64) -> Self {
         Self { rate: self.rate * unit, acceleration: self.acceleration * unit * unit, ..self }
     }
 }

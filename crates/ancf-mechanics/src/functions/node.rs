@@ -5,7 +5,7 @@ pub(crate) type Jet = Dual2_64;
 
 /// Node of the syntax tree of a formula.
 #[derive(Clone, Debug)]
-pub(crate) enum Node {
+pub(crate) enum SyntaxNode {
     Number(f64),
     Time,
     One(fn(Jet) -> Jet, Box<Self>),
@@ -14,7 +14,7 @@ pub(crate) enum Node {
     If(Box<[Self; 3]>),
 }
 
-impl Node {
+impl SyntaxNode {
     pub(crate) fn at(&self, t: Jet) -> Jet {
         match self {
             Self::Number(x) => Jet::from_re(*x),
@@ -45,7 +45,7 @@ impl Node {
         match name {
             "min" | "max" => {
                 let [x, y] = <[Self; 2]>::try_from(arguments).ok()?;
-                Some(Self::two(if name == "min" { least } else { greatest }, x, y))
+                Some(Self::two(if name == "min" { minimum } else { maximum }, x, y))
             }
             "if" => Some(Self::If(Box::new(<[Self; 3]>::try_from(arguments).ok()?))),
             _ => None,
@@ -74,11 +74,11 @@ pub(crate) fn one(name: &str) -> Option<fn(Jet) -> Jet> {
     })
 }
 
-pub(crate) fn least(x: Jet, y: Jet) -> Jet {
+pub(crate) fn minimum(x: Jet, y: Jet) -> Jet {
     if y.re < x.re { y } else { x }
 }
 
-pub(crate) fn greatest(x: Jet, y: Jet) -> Jet {
+pub(crate) fn maximum(x: Jet, y: Jet) -> Jet {
     if y.re > x.re { y } else { x }
 }
 

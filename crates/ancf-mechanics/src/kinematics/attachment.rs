@@ -62,12 +62,12 @@ impl Attachment {
             Directions::None => Marker::fixed(Vector3::zeros()),
             Directions::Line(tangent) => {
                 let along = tangent.reference().dot(&direction) / tangent.reference().norm_squared();
-                Marker::combined([(clean(along), tangent)])
+                Marker::combined([(round_to_zero(along), tangent)])
             }
             Directions::Section(axes) | Directions::Rigid(axes) => {
                 let reference = Matrix3::from_columns(&axes.each_ref().map(|axis| axis.reference()));
                 let inverse = reference.try_inverse().unwrap_or_else(Matrix3::zeros);
-                let [x, y, z]: [f64; 3] = (inverse * direction).map(clean).into();
+                let [x, y, z]: [f64; 3] = (inverse * direction).map(round_to_zero).into();
                 Marker::combined([(x, &axes[0]), (y, &axes[1]), (z, &axes[2])])
             }
         }
@@ -109,6 +109,6 @@ fn spin([_, (d, d_rate), (e, e_rate)]: [(Vector3<f64>, Vector3<f64>); 3]) -> Vec
 }
 
 /// Rounds components to zero that are zero within rounding, such as those along the directions of a frame.
-pub(crate) fn clean(component: f64) -> f64 {
+pub(crate) fn round_to_zero(component: f64) -> f64 {
     if component.abs() < 1e-14 { 0.0 } else { component }
 }

@@ -13,12 +13,12 @@ pub struct ElementAxis {
     /// First coordinate of each vector rᵢ, three or four of them.
     vectors: Vec<usize>,
     reference: Vec<Vector3<f64>>,
-    shape: Shape,
+    shape: AxisInterpolation,
     start: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Shape {
+enum AxisInterpolation {
     Cubic(BeamShape),
     Quadratic(QuadraticShape),
 }
@@ -34,8 +34,8 @@ impl ElementAxis {
         start: f64,
     ) -> Self {
         let shape = match vectors.len() {
-            3 => Shape::Quadratic(QuadraticShape { length, slope }),
-            _ => Shape::Cubic(BeamShape { length, slope }),
+            3 => AxisInterpolation::Quadratic(QuadraticShape { length, slope }),
+            _ => AxisInterpolation::Cubic(BeamShape { length, slope }),
         };
         Self { vectors, reference, shape, start }
     }
@@ -43,8 +43,8 @@ impl ElementAxis {
     /// Returns the arc lengths of the start and the end of the element.
     pub fn span(&self) -> Range<f64> {
         let length = match self.shape {
-            Shape::Cubic(shape) => shape.length,
-            Shape::Quadratic(shape) => shape.length,
+            AxisInterpolation::Cubic(shape) => shape.length,
+            AxisInterpolation::Quadratic(shape) => shape.length,
         };
         self.start..self.start + length
     }
@@ -62,7 +62,7 @@ impl ElementAxis {
     /// Renumbers the coordinates for a term with the given coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
         let local = |first: &usize| {
-            coordinates.iter().position(|c| c == first).expect("the term lists its coordinates")
+            coordinates.iter().position(|c| c == first).expect("the coordinate list contains all coordinates")
         };
         Self { vectors: self.vectors.iter().map(local).collect(), ..self.clone() }
     }
@@ -75,11 +75,11 @@ impl ElementAxis {
     /// Returns the weights of the vectors in r, dr/ds and d²r/ds² at an arc length. The fourth of three vectors is 0.
     pub fn weights(&self, s: f64) -> [[f64; 4]; 3] {
         match self.shape {
-            Shape::Cubic(shape) => {
+            AxisInterpolation::Cubic(shape) => {
                 let xi = (s - self.start) / shape.length;
                 [shape.axis(xi), shape.axis_gradient(xi), shape.axis_curvature(xi)]
             }
-            Shape::Quadratic(shape) => {
+            AxisInterpolation::Quadratic(shape) => {
                 let (l, xi) = (shape.length, (s - self.start) / shape.length);
                 let four = |[a, b, c]: [f64; 3]| [a, b, c, 0.0];
                 let curvature = [4.0, -8.0, 4.0].map(|weight| weight / (l * l));
@@ -103,7 +103,7 @@ impl ElementAxis {
     }
 
     /// Returns the Bézier points of the element, whose convex hull contains it, given the coordinates q.
-    pub(crate) fn hull(&self, q: &[f64]) -> [Vector3<f64>; 4] {
+    pub(crate) fn bezier_points(&self, q: &[f64]) -> [Vector3<f64>; 4] {
         let span = self.span();
         let third = (span.end - span.start) / 3.0;
         let ([a, from, _], [b, to, _]) = (self.at(q, span.start), self.at(q, span.end));

@@ -97,7 +97,7 @@ impl Curve {
             for step in 1..=steps {
                 let (next, next_tangent) = self.at(here + (s - here) * f64::from(step) / f64::from(steps));
                 if !straight {
-                    y = carried(y, (point, tangent), (next, next_tangent));
+                    y = transported(y, (point, tangent), (next, next_tangent));
                 }
                 (point, tangent) = (next, next_tangent);
             }
@@ -116,7 +116,7 @@ impl Curve {
 const SUBSTEPS: u32 = 16;
 
 /// Transports a normal vector between two points of a curve by two reflections.
-fn carried(
+fn transported(
     y: Vector3<f64>,
     (point, tangent): (Vector3<f64>, Vector3<f64>),
     (next, next_tangent): (Vector3<f64>, Vector3<f64>),
@@ -137,7 +137,7 @@ fn carried(
 pub struct Spline {
     points: Vec<Vector3<f64>>,
     /// Second derivatives at the points.
-    bends: Vec<Vector3<f64>>,
+    second_derivatives: Vec<Vector3<f64>>,
     /// Chord lengths between the points.
     chords: Vec<f64>,
     /// Arc length at the ends of equal parts of the chords, [`PARTS`] per chord.
@@ -168,8 +168,8 @@ impl Spline {
             sides.row_mut(i).copy_from(&bend.transpose());
         }
         let solved = matrix.lu().solve(&sides)?;
-        let bends = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
-        let mut spline = Self { points, bends, chords, arcs: vec![0.0] };
+        let second_derivatives = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
+        let mut spline = Self { points, second_derivatives, chords, arcs: vec![0.0] };
         for i in 0..spline.chords.len() {
             for part in 0..PARTS {
                 let width = spline.chords[i] / PARTS as f64;
@@ -204,7 +204,7 @@ impl Spline {
     /// Returns the point of chord i at the parameter t, which is 0 at its start.
     fn point(&self, i: usize, t: f64) -> Vector3<f64> {
         let (h, left) = (self.chords[i], self.chords[i] - t);
-        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        let (m, n) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         (m * left.powi(3) + n * t.powi(3)) / (6.0 * h)
             + (self.points[i] / h - m * (h / 6.0)) * left
             + (self.points[i + 1] / h - n * (h / 6.0)) * t
@@ -212,7 +212,7 @@ impl Spline {
 
     fn derivative(&self, i: usize, t: f64) -> Vector3<f64> {
         let (h, left) = (self.chords[i], self.chords[i] - t);
-        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        let (m, n) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         (n * t.powi(2) - m * left.powi(2)) / (2.0 * h) + (self.points[i + 1] - self.points[i]) / h
             - (n - m) * (h / 6.0)
     }

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 /// With a = r′ = a₀ + u, |a₀| = 1: ε = |a| − 1 = (2 a₀·u + u·u) / (|a| + 1), without cancellation for small u;
 /// ∂ε/∂a = t = a/|a|, ∂²ε/∂a² = (I − t tᵀ)/|a|.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch {
+pub(crate) struct AxialStretch {
     /// Axial strain ε.
     pub strain: f64,
     /// Length |a|.
@@ -14,7 +14,7 @@ pub(crate) struct Stretch {
     pub tangent: Vector3<f64>,
 }
 
-impl Stretch {
+impl AxialStretch {
     /// Creates the stretch from the reference direction a₀, a unit vector, and the displacement gradient u.
     pub fn new(reference: &Vector3<f64>, u: &Vector3<f64>) -> Self {
         let a = reference + u;
@@ -89,14 +89,14 @@ impl Bend {
     /// by b, b: (I − a aᵀ/A)/A;  by b, a: −(2 b aᵀ + a bᵀ + C I)/A² + 4C a aᵀ/A³;
     ///
     /// by a, a: −(B I + b bᵀ)/A² + (4B a aᵀ + 4C (a bᵀ + b aᵀ) + 2C² I)/A³ − 12 C² a aᵀ/A⁴.
-    pub fn hessian(&self) -> Blocks {
+    pub fn hessian(&self) -> BendBlocks {
         let (a, b, aa, ab) = (&self.a, &self.b, self.aa, self.ab);
         let bb = b.dot(b);
         let (a_a, a_b, b_b) = (a * a.transpose(), a * b.transpose(), b * b.transpose());
         let b_a = a_b.transpose();
         let (aa2, aa3) = (aa * aa, aa * aa * aa);
         let identity = Matrix3::identity();
-        Blocks {
+        BendBlocks {
             aa: -(identity * (bb - 2.0 * ab * ab / aa) + b_b) / aa2
                 + (a_a * (4.0 * bb - 12.0 * ab * ab / aa) + (a_b + b_a) * (4.0 * ab)) / aa3,
             ba: (a_a * (4.0 * ab / aa) - b_a * 2.0 - a_b - identity * ab) / aa2,
@@ -109,11 +109,11 @@ impl Bend {
     /// by b, a: −(m aᵀ + a mᵀ)/|a|³;
     ///
     /// by a, a: −((m·b) I + b mᵀ + m bᵀ)/|a|³ + 3 ((m·b) a aᵀ + C (m aᵀ + a mᵀ))/|a|⁵.
-    pub fn stress_stiffness(&self, m: &Vector3<f64>) -> Blocks {
+    pub fn stress_stiffness(&self, m: &Vector3<f64>) -> BendBlocks {
         let (a, b, cube) = (&self.a, &self.b, self.aa * self.length);
         let (m_a, m_b, work) = (m * a.transpose(), m * b.transpose(), m.dot(b));
         let m_a = m_a + m_a.transpose();
-        Blocks {
+        BendBlocks {
             aa: -(Matrix3::from_diagonal_element(work) + m_b + m_b.transpose()) / cube
                 + (a * a.transpose() * work + m_a * self.ab) * (3.0 / (self.aa * cube)),
             ba: -m_a / cube,
@@ -122,9 +122,9 @@ impl Bend {
     }
 
     /// Returns LᵀL.
-    pub fn damping(&self) -> Blocks {
+    pub fn damping(&self) -> BendBlocks {
         let [of_a, of_b] = self.operator();
-        Blocks { aa: of_a.transpose() * of_a, ba: of_b.transpose() * of_a, bb: of_b.transpose() * of_b }
+        BendBlocks { aa: of_a.transpose() * of_a, ba: of_b.transpose() * of_a, bb: of_b.transpose() * of_b }
     }
 
     /// Returns the blocks of L for a and for b.
@@ -139,13 +139,13 @@ impl Bend {
 
 /// Symmetric matrix over the vectors a and b. Block ba has the rows of b.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Blocks {
+pub(crate) struct BendBlocks {
     pub aa: Matrix3<f64>,
     pub ba: Matrix3<f64>,
     pub bb: Matrix3<f64>,
 }
 
-impl Blocks {
+impl BendBlocks {
     /// Multiplies the blocks by a number.
     pub fn scaled(self, factor: f64) -> Self {
         Self { aa: self.aa * factor, ba: self.ba * factor, bb: self.bb * factor }

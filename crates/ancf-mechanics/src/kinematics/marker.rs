@@ -54,7 +54,7 @@ impl Marker {
     }
 
     /// Returns the sorted coordinates of several markers without repetition.
-    pub(crate) fn joined<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
+    pub(crate) fn union_coordinates<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
         let mut coordinates: Vec<usize> = markers.into_iter().flat_map(Self::coordinates).collect();
         coordinates.sort_unstable();
         coordinates.dedup();
@@ -83,8 +83,9 @@ impl Marker {
 
     /// Renumbers the coordinates for a term with the given sorted coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
-        let local =
-            |first| coordinates.iter().position(|c| c == first).expect("the term lists its coordinates");
+        let local = |first| {
+            coordinates.iter().position(|c| c == first).expect("the coordinate list contains all coordinates")
+        };
         let parts = self.parts.iter().map(|(first, w)| (local(first), *w)).collect();
         Self { parts, reference: self.reference }
     }

@@ -261,7 +261,7 @@ fn norm(m: &Matrix3<f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// Compares with the series Σ (−x)ᵏ/k, k ≥ 2, and with the difference itself for larger x.
+    /// Compares with the series Σ (−x)ᵏ/k, k ≥ 2, and with the direct difference for larger x.
     #[test]
     fn log_excess_is_exact() {
         for x in [1e-12_f64, -1e-9, 1e-5, -3e-3, 0.02, -0.1, 0.24, -0.24] {

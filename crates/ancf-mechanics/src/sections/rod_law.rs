@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::hyperelastic::SectionPoint;
-use super::section_law::{Directors, Form, Lame, STRAINS, SectionLaw};
+use super::section_law::{Directors, Lame, STRAINS, SectionLaw, SectionMatrix};
 use super::section_strains::*;
 
 /// Area moments ∫ yⁱ zʲ dA of a cross-section about its principal axes. Odd moments vanish by symmetry.
@@ -126,7 +126,7 @@ impl SectionLaw {
         let (rows, volume) = local_strains(g0, 0.0, 0.0);
         let area = section.moments.area * volume;
         let of = |i: usize| std::array::from_fn(|k| rows[i][k] + poisson * rows[0][k]);
-        let (y, z, mut d): (Row, Row, Form) = (of(1), of(2), NONE);
+        let (y, z, mut d): (StrainRow, StrainRow, SectionMatrix) = (of(1), of(2), NONE);
         for (x, y, stiffness) in [
             (&y, &y, lambda + 2.0 * shear),
             (&z, &z, lambda + 2.0 * shear),
@@ -141,14 +141,14 @@ impl SectionLaw {
 
     /// Replaces the curvatures by those of the linked formulation at ξ of a two-node element of length l.
     ///
-    /// The curvature ε_ab is replaced by ε_ab + w' ε_hd, with w = ξ − ξ², and likewise with c, e. This corresponds to a
+    /// The curvature ε_ab is replaced by ε_ab + w' ε_hd, with w = ξ − ξ², and so on for c, e. This corresponds to a
     /// quadratic part w h·d of the section directors. The shear strains are then linear along the element, with their
     /// values at the nodes.
     ///
     /// Source: linked interpolation as in Jelenic & Papa (2011), here for strains of the fully parameterised element.
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
-        self.mapped(&linking(xi, length))
+        self.mapped(&linked_strain_terms(xi, length))
     }
 
     /// Replaces the axial strain by a linear one along a three-node element, with its values at the two Gauss points.
@@ -173,20 +173,20 @@ impl SectionLaw {
 }
 
 /// Returns the additional terms of linked curvatures at ξ: the strain, the added strain and its factor.
-pub(crate) fn linking(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
+pub(crate) fn linked_strain_terms(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
     let slope = (1.0 - 2.0 * xi) / length;
     let arm = slope * length;
     [(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)]
 }
 
 /// Strain as a linear combination of section strains.
-type Row = [f64; STRAINS];
+type StrainRow = [f64; STRAINS];
 
 /// Zero stiffness.
-const NONE: Form = [[0.0; STRAINS]; STRAINS];
+const NONE: SectionMatrix = [[0.0; STRAINS]; STRAINS];
 
 /// Returns D of λ tr² E + 2G E:E over a straight section.
-fn full(material: Lame, m: Moments) -> Form {
+fn full(material: Lame, m: Moments) -> SectionMatrix {
     let Lame { lambda: l, shear: g } = material;
     let p = l + 2.0 * g;
     let mut d = NONE;
@@ -226,7 +226,7 @@ fn full(material: Lame, m: Moments) -> Form {
     d
 }
 
-fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
+fn add_product(x: &StrainRow, y: &StrainRow, factor: f64, d: &mut SectionMatrix) {
     for k in 0..STRAINS {
         for l in 0..STRAINS {
             d[k][l] += factor * x[k] * y[l];
@@ -237,7 +237,7 @@ fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
 /// Returns strains at (y, z) in the orthonormal frame of the reference section, and det F₀.
 ///
 /// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ are given as rows over the section strains.
-pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
+pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([StrainRow; 6], f64) {
     let n = g0[3].cross(&g0[4]).normalize();
     let second = g0[3].normalize();
     let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
@@ -255,7 +255,7 @@ pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
     let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
     let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
     let strains = [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]];
-    let rotated = |i: usize, j: usize, factor: f64| -> Row {
+    let rotated = |i: usize, j: usize, factor: f64| -> StrainRow {
         let mut row = [0.0; STRAINS];
         for (k, strains) in strains.iter().enumerate() {
             for (l, strain) in strains.iter().enumerate() {

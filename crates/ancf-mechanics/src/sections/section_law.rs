@@ -79,11 +79,11 @@ pub struct SectionLaw {
 }
 
 /// Matrix D over the section strains.
-pub(crate) type Form = [[f64; STRAINS]; STRAINS];
+pub(crate) type SectionMatrix = [[f64; STRAINS]; STRAINS];
 
 impl SectionLaw {
     /// Creates the law of a symmetric positive semidefinite matrix D. Entries within rounding of zero are dropped.
-    pub(crate) fn new(d: &Form) -> Self {
+    pub(crate) fn new(d: &SectionMatrix) -> Self {
         let counts = |k: usize, l: usize| d[k][l].abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt();
         let used: Vec<_> = (0..STRAINS).filter(|&k| counts(k, k)).map(|k| (k, PAIRS[k], d[k][k])).collect();
         let lower = (0..STRAINS).flat_map(|k| (0..k).map(move |l| (k, l)));
@@ -93,7 +93,7 @@ impl SectionLaw {
     }
 
     /// Returns D.
-    pub(crate) fn form(&self) -> Form {
+    pub(crate) fn form(&self) -> SectionMatrix {
         let mut d = [[0.0; STRAINS]; STRAINS];
         for &(k, _, entry) in &self.used {
             d[k][k] = entry;
@@ -232,7 +232,7 @@ impl SectionLaw {
 
     /// Adds the contraction of D with the products P_ij = g_i g_jᵀ.
     ///
-    /// D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at (i, m), and likewise for each order of each pair.
+    /// D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at (i, m), for each order of each pair.
     fn add_form(&self, p: &Stiffness, h: &mut Stiffness) {
         for &(_, (i, j), d) in &self.used {
             add(&mut h[i][i], &p[j][j], d);

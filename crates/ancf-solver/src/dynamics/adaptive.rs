@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use super::estimate::{Estimate, Past};
+use super::estimate::{ErrorEstimate, ErrorHistory};
 use super::motion::Unknown;
 use super::step_report::StepReport;
 use super::time_stepper::Dynamics;
@@ -46,13 +46,13 @@ impl Control {
 #[derive(Debug)]
 pub struct Adaptive {
     control: Control,
-    estimate: Estimate,
-    sizes: Sizes,
+    estimate: ErrorEstimate,
+    sizes: StepSizes,
 }
 
 /// Step sizes of the controller.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Sizes {
+struct StepSizes {
     /// Next step size.
     next: f64,
     /// Error ratio x and step size h of the last accepted step.
@@ -62,26 +62,26 @@ struct Sizes {
 /// Saved state of [`Adaptive`], on which later steps depend.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct AdaptiveMemory {
-    sizes: Sizes,
-    past: Past,
+    sizes: StepSizes,
+    history: ErrorHistory,
 }
 
 /// Target of the error, relative to its share of the tolerance.
-const AIM: f64 = 0.4;
+const TARGET: f64 = 0.4;
 /// Exponents 1/bk and 1/b.
 const FILTER: (f64, f64) = (0.125, 0.25);
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
-const FALL: f64 = 0.25;
+const REDUCTION: f64 = 0.25;
 
 impl Adaptive {
     /// Creates the step size control of an integration.
     pub fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, control: Control) -> Self {
-        let mut estimate = Estimate::new(dynamics, control.mass);
+        let mut estimate = ErrorEstimate::new(dynamics, control.mass);
         let a = estimate.norm(&dynamics.state().a);
         // During this step the acceleration moves the system by about a hundredth of the tolerance.
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
         let next = control.initial.unwrap_or(own).max(control.smallest);
-        Self { control, estimate, sizes: Sizes { next, last: None } }
+        Self { control, estimate, sizes: StepSizes { next, last: None } }
     }
 
     /// Performs one step within the tolerance towards the time `to`. The last step ends exactly there.
@@ -94,7 +94,7 @@ impl Adaptive {
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        if dynamics.motion.fresh {
+        if dynamics.motion.at_start {
             self.sizes.last = None;
             self.estimate.restart();
         }
@@ -106,18 +106,18 @@ impl Adaptive {
             let h = (to - from) / parts;
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
-                Ok(x) if x >= AIM => {
-                    self.plan(x, h, (size, failed));
+                Ok(x) if x >= TARGET => {
+                    self.plan_next(x, h, (size, failed));
                     return Ok(report);
                 }
                 Ok(x) => {
-                    size = h * x.sqrt().max(FALL);
+                    size = h * x.sqrt().max(REDUCTION);
                     SolveError { worst: self.estimate.worst(), ..SolveError::at(end, Failure::StepTooSmall) }
                 }
                 Err(error) if error.is_final() => return Err(error),
                 Err(error) => {
                     report.iterations += error.iterations;
-                    size = FALL * h;
+                    size = REDUCTION * h;
                     error
                 }
             };
@@ -129,7 +129,7 @@ impl Adaptive {
         }
     }
 
-    /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`AIM`].
+    /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`TARGET`].
     fn attempt<E: EquationsOfMotion>(
         &mut self,
         dynamics: &mut Dynamics<'_, E>,
@@ -141,14 +141,14 @@ impl Adaptive {
         dynamics.newton.tangent.renew();
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
-        let error = error.inspect_err(|_| dynamics.take_back())?;
+        let error = error.inspect_err(|_| dynamics.revert())?;
         let share = self.control.tolerance * self.control.length * h / self.control.duration;
-        let x = AIM * share / error.max(f64::MIN_POSITIVE);
-        if x >= AIM {
+        let x = TARGET * share / error.max(f64::MIN_POSITIVE);
+        if x >= TARGET {
             dynamics.accept(&done, report);
             self.estimate.accept(h);
         } else {
-            dynamics.take_back();
+            dynamics.revert();
             report.iterations += done.iterations;
             report.rejected += 1;
         }
@@ -156,7 +156,7 @@ impl Adaptive {
     }
 
     /// Computes the next step size after an accepted step h, given the proposed size and whether other sizes failed.
-    fn plan(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
+    fn plan_next(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
         let (x_before, h_before) = self.sizes.last.unwrap_or((x, h));
         let factor = (x * x_before).powf(FILTER.0) * (h / h_before).powf(-FILTER.1);
         let smooth = 1.0 + (factor - 1.0).atan(); // at most 2.6
@@ -164,12 +164,12 @@ impl Adaptive {
         // A step shortened to end at a given time does not limit the next step size.
         let cut = h < 0.9 * size && next >= h && !failed;
         let next = next.max(if cut { size } else { self.control.smallest });
-        self.sizes = Sizes { next, last: Some((x, h)) };
+        self.sizes = StepSizes { next, last: Some((x, h)) };
     }
 
     /// Returns the saved state as of the last accepted step.
     pub fn memory(&self) -> AdaptiveMemory {
-        AdaptiveMemory { sizes: self.sizes, past: self.estimate.past.clone() }
+        AdaptiveMemory { sizes: self.sizes, history: self.estimate.history.clone() }
     }
 
     /// Resumes from a saved state.
@@ -177,14 +177,14 @@ impl Adaptive {
     /// # Errors
     /// If the saved state does not belong to this control.
     pub fn recall(&mut self, memory: &AdaptiveMemory) -> Result<(), Unknown> {
-        let AdaptiveMemory { sizes: Sizes { next, last }, past } = memory;
+        let AdaptiveMemory { sizes: StepSizes { next, last }, history } = memory;
         let is_size = |h: f64| h >= self.control.smallest && h.is_finite();
         // An error of zero makes x infinite.
         let were_sizes = last.is_none_or(|(x, h)| x > 0.0 && h > 0.0 && h.is_finite());
-        if !is_size(*next) || !were_sizes || !past.is_sound(self.estimate.past.size()) {
+        if !is_size(*next) || !were_sizes || !history.is_sound(self.estimate.history.size()) {
             return Err(Unknown);
         }
-        (self.sizes, self.estimate.past) = (memory.sizes, past.clone());
+        (self.sizes, self.estimate.history) = (memory.sizes, history.clone());
         Ok(())
     }
 }

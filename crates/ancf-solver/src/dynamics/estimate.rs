@@ -18,7 +18,7 @@ use crate::sparse::SparseMatrix;
 ///
 /// Source: Shampine & Baca (1984) for the filter; κ by inserting exp(iωt) into the scheme.
 #[derive(Debug)]
-pub(crate) struct Estimate {
+pub(crate) struct ErrorEstimate {
     /// Constant mass matrix, and the total mass m.
     matrix: SparseMatrix,
     mass: f64,
@@ -28,12 +28,12 @@ pub(crate) struct Estimate {
     force: Vec<f64>,
     /// Squares ‖ε‖² and ‖ε̇‖² of the attempt.
     squares: [f64; 2],
-    pub(crate) past: Past,
+    pub(crate) history: ErrorHistory,
 }
 
 /// Error history of the accepted steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Past {
+pub(crate) struct ErrorHistory {
     /// Error ε and step size of the last accepted step.
     error: Vec<f64>,
     h: Option<f64>,
@@ -41,7 +41,7 @@ pub(crate) struct Past {
     integrals: [f64; 2],
 }
 
-impl Past {
+impl ErrorHistory {
     /// Returns the number of unknowns.
     pub(crate) fn size(&self) -> usize {
         self.error.len()
@@ -54,19 +54,19 @@ impl Past {
     }
 }
 
-impl Estimate {
+impl ErrorEstimate {
     pub(crate) fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, mass: f64) -> Self {
         let mut matrix = dynamics.newton.tangent.matrix.clone();
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
-        let past = Past { error: zeros.clone(), h: None, integrals: [0.0; 2] };
+        let history = ErrorHistory { error: zeros.clone(), h: None, integrals: [0.0; 2] };
         let (now, rate) = (zeros.clone(), zeros.clone());
-        Self { matrix, mass, now, rate, force: zeros, squares: [0.0; 2], past }
+        Self { matrix, mass, now, rate, force: zeros, squares: [0.0; 2], history }
     }
 
     /// Clears the history.
     pub(crate) fn restart(&mut self) {
-        (self.past.h, self.past.integrals) = (None, [0.0; 2]);
+        (self.history.h, self.history.integrals) = (None, [0.0; 2]);
     }
 
     /// Computes the norm ‖x‖ of a vector over the coordinates.
@@ -103,10 +103,10 @@ impl Estimate {
         }
         self.now[n..].fill(0.0);
         self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];
-        if let Some(before) = self.past.h {
+        if let Some(before) = self.history.h {
             let between = 0.5 * (h + before);
             for i in 0..n {
-                self.rate[i] = (self.now[i] - self.past.error[i]) / between;
+                self.rate[i] = (self.now[i] - self.history.error[i]) / between;
             }
             self.squares[1] = square(&self.matrix, &self.rate, &mut self.force, self.mass);
         }
@@ -123,14 +123,14 @@ impl Estimate {
 
     /// Returns ∫‖ε‖² and ∫‖ε̇‖² including the attempt.
     fn integrals(&self, h: f64) -> [f64; 2] {
-        std::array::from_fn(|i| self.past.integrals[i] + h * self.squares[i])
+        std::array::from_fn(|i| self.history.integrals[i] + h * self.squares[i])
     }
 
     /// Adds the attempt to the history.
     pub(crate) fn accept(&mut self, h: f64) {
-        self.past.integrals = self.integrals(h);
-        std::mem::swap(&mut self.now, &mut self.past.error);
-        self.past.h = Some(h);
+        self.history.integrals = self.integrals(h);
+        std::mem::swap(&mut self.now, &mut self.history.error);
+        self.history.h = Some(h);
     }
 }
 

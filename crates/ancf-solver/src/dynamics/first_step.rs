@@ -4,7 +4,7 @@ use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
 /// Difference interval for the rate of the acceleration, relative to the step size.
-const PART: f64 = 1.0 / 16.0;
+const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
 
 /// Computes start values of the generalized-α scheme for a first step h: the auxiliary acceleration and a velocity
 /// change.
@@ -18,7 +18,7 @@ const PART: f64 = 1.0 / 16.0;
 /// a₀ = v̇₀ + (αm − αf) h x,   v₀ ← v₀ + C h² y.
 ///
 /// Source: Arnold, Brüls & Cardona (2015), on the order reduction of the first steps and perturbed start values.
-pub(crate) fn launch<E: EquationsOfMotion>(
+pub(crate) fn start_values<E: EquationsOfMotion>(
     eom: &E,
     scheme: Scheme,
     newton: &mut Newton,
@@ -27,7 +27,7 @@ pub(crate) fn launch<E: EquationsOfMotion>(
     h: f64,
 ) -> Result<(), SolveError> {
     let n = s.q.len();
-    let mut rate = rate(eom, newton, s, h * PART)?;
+    let mut rate = rate(eom, newton, s, h * DIFFERENCE_INTERVAL)?;
     rate.resize(newton.z.len(), 0.0);
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();

@@ -1,25 +1,25 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::predictor::Trend;
+use super::predictor::Predictor;
 use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
 use crate::newton::NewtonMemory;
 
 /// Integration state that each accepted step advances.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Motion {
+pub(crate) struct IntegrationState {
     pub(crate) state: State,
     /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
     pub(crate) auxiliary: Vec<f64>,
     pub(crate) h: f64,
     /// True if the accelerations are consistent and there is no previous step.
-    pub(crate) fresh: bool,
+    pub(crate) at_start: bool,
     /// Number of halvings at the start of the next step: one less than in the last step.
     pub(crate) halvings: u32,
     /// Divided step that is not complete.
-    pub(crate) divided: Option<Divided>,
-    pub(crate) trend: Trend,
+    pub(crate) divided: Option<DividedStep>,
+    pub(crate) predictor: Predictor,
     /// Energy and power of the state.
     pub(crate) energy: Energy,
     pub(crate) power: Power,
@@ -28,7 +28,7 @@ pub(crate) struct Motion {
 
 /// Remainder of a divided step: a number of substeps h up to a time.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(crate) struct Divided {
+pub(crate) struct DividedStep {
     pub(crate) to: f64,
     pub(crate) h: f64,
     pub(crate) left: u64,
@@ -40,7 +40,7 @@ pub(crate) struct Divided {
 /// Saved state of [`Dynamics`](super::time_stepper::Dynamics), without equations, scheme and rules.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct DynamicsMemory {
-    pub(crate) motion: Motion,
+    pub(crate) motion: IntegrationState,
     /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
     pub(crate) met: Vec<Met>,
     pub(crate) newton: NewtonMemory,
@@ -48,21 +48,21 @@ pub struct DynamicsMemory {
 
 /// The saved state does not belong to this integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the memory is not one of these equations and rules, or damaged")]
+#[error("the saved state is damaged or belongs to other equations or rules")]
 pub struct Unknown;
 
 /// Largest plausible count in a report. Larger counts indicate damaged data.
-const MOST: u32 = u32::MAX / 4;
+const MAX_COUNT: u32 = u32::MAX / 4;
 
-impl Motion {
+impl IntegrationState {
     pub(crate) fn new(start: State, eom: &impl EquationsOfMotion) -> Self {
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
-            fresh: false,
+            at_start: false,
             halvings: 0,
             divided: None,
-            trend: Trend::new(start.q.len() + start.lambda.len()),
+            predictor: Predictor::new(start.q.len() + start.lambda.len()),
             energy: eom.energy(&start),
             power: eom.power(&start),
             exchanged: Power::default(),
@@ -82,11 +82,11 @@ impl Motion {
             && *h >= 0.0
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_sound(self.state.t, max_halvings))
-            && self.trend.is_sound(coordinates + multipliers)
+            && self.predictor.is_sound(coordinates + multipliers)
     }
 }
 
-impl Divided {
+impl DividedStep {
     fn is_sound(&self, t: f64, max_halvings: u32) -> bool {
         let Self { to, h, left, halvings, report } = *self;
         halvings <= max_halvings
@@ -100,7 +100,7 @@ impl Divided {
 impl StepReport {
     /// Returns true if the counts can be summed without overflow.
     pub fn is_sound(&self) -> bool {
-        [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MOST)
+        [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MAX_COUNT)
     }
 }
 

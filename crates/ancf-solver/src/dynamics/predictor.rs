@@ -9,7 +9,7 @@ use crate::factor::Factor;
 /// an unresolved motion the extrapolation fails. It is therefore applied only if it would have been accurate in the
 /// last step. Accuracy is measured in the norm Σ Kᵢᵢ zᵢ² of the iteration matrix, which is independent of units.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Trend {
+pub(crate) struct Predictor {
     /// Change z and size h of the last step.
     change: Vec<f64>,
     h: Option<f64>,
@@ -17,9 +17,9 @@ pub(crate) struct Trend {
 }
 
 /// Largest squared prediction error, relative to the squared change, for which the predictor is used.
-const GOOD: f64 = 0.25;
+const PREDICTION_TOLERANCE: f64 = 0.25;
 
-impl Trend {
+impl Predictor {
     pub(crate) fn new(size: usize) -> Self {
         Self { change: vec![0.0; size], h: None, is_smooth: false }
     }
@@ -45,7 +45,7 @@ impl Trend {
     }
 
     /// Records the change of an accepted step h between two states.
-    pub(crate) fn note(&mut self, before: &State, now: &State, h: f64, factor: &Factor) {
+    pub(crate) fn record(&mut self, before: &State, now: &State, h: f64, factor: &Factor) {
         let ratio = self.h.map_or(0.0, |last| h / last);
         let (mut changed, mut missed) = (0.0, 0.0);
         let (of_coordinates, of_multipliers) = self.change.split_at_mut(now.q.len());
@@ -58,7 +58,7 @@ impl Trend {
         }
         let pairs = now.lambda.iter().zip(&before.lambda);
         of_multipliers.iter_mut().zip(pairs).for_each(|(change, (now, before))| *change = now - before);
-        self.is_smooth = self.h.is_some() && missed < GOOD * changed;
+        self.is_smooth = self.h.is_some() && missed < PREDICTION_TOLERANCE * changed;
         self.h = Some(h);
     }
 }

@@ -1,20 +1,20 @@
-use super::first_step::launch;
+use super::first_step::start_values;
 use super::initial_conditions::{accelerations, velocities};
-use super::motion::{Divided, DynamicsMemory, Motion, Unknown};
+use super::motion::{DividedStep, DynamicsMemory, IntegrationState, Unknown};
 use super::scheme::Scheme;
 use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};
-use crate::newton::{Current, Failure, Newton, Report, SolveError};
+use crate::newton::{ActiveSet, Failure, Newton, Report, SolveError};
 use crate::sparse::SparseMatrix;
 
 /// Time integration of the equations of motion.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
-    pub(crate) eom: Current<'a, E>,
+    pub(crate) eom: ActiveSet<'a, E>,
     pub(crate) scheme: Scheme,
     pub(crate) newton: Newton,
     max_halvings: u32,
-    pub(crate) motion: Motion,
+    pub(crate) motion: IntegrationState,
     /// Pairs at the last accepted step, if they have changed since.
     met: Option<Vec<Met>>,
     /// State before the current attempt.
@@ -29,10 +29,10 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     ///
     /// A step whose iteration fails is halved up to `max_halvings` times.
     pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
-        newton.reuse(&start);
+        newton.permit_reuse(&start);
         let auxiliary = start.a.clone();
         Self {
-            eom: Current::new(eom),
+            eom: ActiveSet::new(eom),
             scheme,
             newton,
             max_halvings,
@@ -40,7 +40,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             before: start.clone(),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
-            motion: Motion::new(start, eom),
+            motion: IntegrationState::new(start, eom),
         }
     }
 
@@ -72,9 +72,9 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
         let done = self.start_at(t);
         match done {
-            Ok(()) => self.keep(),
+            Ok(()) => self.save_restart_point(),
             Err(_) => {
-                self.take_back();
+                self.revert();
                 (self.motion.energy, self.motion.exchanged) = (energy, exchanged);
             }
         }
@@ -97,8 +97,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
         self.motion.power = self.eom.power(&self.motion.state);
         self.motion.h = 0.0;
-        self.motion.fresh = true;
-        self.motion.trend.restart();
+        self.motion.at_start = true;
+        self.motion.predictor.restart();
         Ok(())
     }
 
@@ -112,7 +112,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.motion.power = self.eom.power(&self.motion.state);
-        self.keep();
+        self.save_restart_point();
         Ok(())
     }
 
@@ -125,17 +125,17 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     /// resumes the step there.
     pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
         let divided = self.motion.divided.filter(|divided| divided.to == to);
-        let Divided { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
+        let DividedStep { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
             let halvings = self.motion.halvings.min(self.max_halvings);
             let h = (to - self.motion.state.t) / f64::from(halvings).exp2();
-            Divided { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
+            DividedStep { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
         });
         while left > 0 {
             match self.attempt(h, to - (left - 1) as f64 * h) {
                 Ok(done) => {
                     self.accept(&done, &mut report);
                     left -= 1;
-                    self.motion.divided = (left > 0).then_some(Divided { to, h, left, halvings, report });
+                    self.motion.divided = (left > 0).then_some(DividedStep { to, h, left, halvings, report });
                 }
                 Err(error) => {
                     report.iterations += error.iterations;
@@ -166,8 +166,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             let done = match self.solve(h, to) {
                 Ok(done) => done,
                 Err(error) => {
-                    self.take_back();
-                    if error.is_final() || !self.newton.tangent.improve() {
+                    self.revert();
+                    if error.is_final() || !self.newton.tangent.request_newer() {
                         return Err(error);
                     }
                     spent += error.iterations;
@@ -178,8 +178,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
                 return Ok(Report { iterations: spent + done.iterations, ..done });
             };
             // A term that is active at the end was not included.
-            self.take_back();
-            self.renew(eom, matrix)?;
+            self.revert();
+            self.replace_equations(eom, matrix)?;
             spent += done.iterations;
         }
     }
@@ -193,7 +193,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.motion.state) {
             Some((eom, matrix)) => {
-                self.renew(eom, matrix)?;
+                self.replace_equations(eom, matrix)?;
                 self.motion.energy = self.eom.energy(&self.motion.state);
                 Ok(())
             }
@@ -201,18 +201,18 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
     }
 
-    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         if self.met.is_none() {
             self.met = Some(self.eom.met());
         }
         self.eom.replace(eom);
-        self.newton.adopt(matrix)
+        self.newton.replace_matrix(matrix)
     }
 
     fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
         let [auxiliary, next] = &mut self.attempted;
-        if self.motion.fresh && !self.scheme.is_newmark() {
-            launch(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
+        if self.motion.at_start && !self.scheme.is_newmark() {
+            start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
         } else {
             // a − v̇ is proportional to h (Brüls & Arnold 2008).
             let ratio = if self.motion.h == 0.0 { 1.0 } else { h / self.motion.h };
@@ -225,7 +225,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.motion.state.t = to;
         let weights = self.scheme.weights(h);
         if self.newton.tangent.is_reusable() {
-            self.motion.trend.add_to(&mut self.motion.state, weights, h);
+            self.motion.predictor.add_to(&mut self.motion.state, weights, h);
         }
         let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
@@ -238,15 +238,20 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     }
 
     /// Reverts to the state before the attempt.
-    pub(crate) fn take_back(&mut self) {
+    pub(crate) fn revert(&mut self) {
         self.motion.state.copy_from(&self.before);
     }
 
     /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &Report, report: &mut StepReport) {
         self.motion.h = self.motion.state.t - self.before.t;
-        self.motion.trend.note(&self.before, &self.motion.state, self.motion.h, &self.newton.tangent.factor);
-        self.motion.fresh = false;
+        self.motion.predictor.record(
+            &self.before,
+            &self.motion.state,
+            self.motion.h,
+            &self.newton.tangent.factor,
+        );
+        self.motion.at_start = false;
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.newton.met(self.motion.energy.largest());
@@ -262,13 +267,13 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         report.drift = self.largest(Level::Velocity);
         report.violation = self.largest(Level::Position);
         report.floor |= done.floor;
-        self.keep();
+        self.save_restart_point();
     }
 
     /// Saves the state to which a failed next step returns.
-    fn keep(&mut self) {
+    fn save_restart_point(&mut self) {
         self.met = None;
-        self.newton.tangent.keep();
+        self.newton.tangent.save();
     }
 
     /// Returns the saved state as of the last accepted step.
@@ -284,19 +289,19 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     pub fn recall(&mut self, memory: &DynamicsMemory) -> Result<(), Unknown> {
         let DynamicsMemory { motion, met, newton } = memory;
         let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
-        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.knows(newton, n, m) {
+        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
             return Err(Unknown);
         }
         if *met != self.eom.met() {
             let (eom, matrix) = self.eom.having_met(met).ok_or(Unknown)?;
-            self.renew(eom, matrix).map_err(|_| Unknown)?;
+            self.replace_equations(eom, matrix).map_err(|_| Unknown)?;
         }
         self.motion = motion.clone();
         let mut residual = vec![0.0; n + m];
         self.eom.residual(&self.motion.state, &mut residual);
         let is_finite = residual.iter().all(|x| x.is_finite());
         let recalled = self.newton.recall(&*self.eom, newton);
-        self.keep();
+        self.save_restart_point();
         if is_finite && recalled.is_ok() { Ok(()) } else { Err(Unknown) }
     }
 

@@ -1,6 +1,6 @@
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Operator, Search, krylov};
+use super::krylov::{EigenError, EigenSearch, Operator, krylov};
 use super::modes::modes;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
@@ -37,9 +37,9 @@ const DEPTH: usize = 16;
 /// Maximum number of restarts.
 const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
-const LOADED: f64 = 1e-6;
+const MIN_EIGENVALUE: f64 = 1e-6;
 /// Smallest significant work of the loads, relative to the sum of their work on isolated coordinates.
-const IDLE: f64 = 1e-12;
+const MIN_WORK: f64 = 1e-12;
 
 /// Computes the `count` lowest critical load factors of a stable equilibrium by linear buckling analysis:
 /// K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
@@ -96,7 +96,7 @@ pub fn buckling(
         Sense::Reversed => |theta| -theta,
         Sense::Either => f64::abs,
     };
-    let search = Search { count, key, least: LOADED, tolerance: TOLERANCE, depth: DEPTH };
+    let search = EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH };
     let mut start = op.start(count + GUARD)?;
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
@@ -105,7 +105,7 @@ pub fn buckling(
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
             let shapes: Result<Vec<_>, _> =
-                found.pairs[..found.wanted].iter().map(|pair| op.apply(&pair.vector)).collect();
+                found.pairs[..found.requested].iter().map(|pair| op.apply(&pair.vector)).collect();
             return Ok(shapes?.iter().map(|x| critical(x, &stiffness, &softening, &mass, n)).collect());
         }
         start = found.pairs.into_iter().map(|pair| pair.vector).collect();
@@ -153,5 +153,5 @@ fn first_order(
     let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
     let mut increment = State::rest(n, m);
     increment.add(&direction, Weights::STIFFNESS);
-    Ok((work.abs() > IDLE * (0..n).map(held).sum::<f64>()).then_some(increment))
+    Ok((work.abs() > MIN_WORK * (0..n).map(held).sum::<f64>()).then_some(increment))
 }

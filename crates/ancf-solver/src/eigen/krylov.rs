@@ -12,13 +12,13 @@ pub enum EigenError {
     #[error("the matrix is singular: a joint repeats another, or a motion is held by nothing")]
     Singular,
     /// The inner product is not positive definite: missing stiffness or negative mass.
-    #[error("the matrix of the inner product is not positive definite: the state is not stable")]
+    #[error("the matrix of the inner product is not positive definite: the state is unstable")]
     Indefinite,
     /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,
     /// The interrupt flag was set.
-    #[error("the search was interrupted")]
+    #[error("the eigenvalue search was interrupted")]
     Interrupted,
 }
 
@@ -70,7 +70,7 @@ impl Operator<'_> {
     ///
     /// The forces are scaled by the root of the diagonal of B, which makes them independent of units.
     pub(crate) fn start(&mut self, count: usize) -> Result<Vec<DVector<f64>>, EigenError> {
-        let (mut random, n) = (Random(24), self.left.pattern().size());
+        let (mut random, n) = (PseudoRandom(24), self.left.pattern().size());
         let size: Vec<f64> = (0..n).map(|i| self.inner.diagonal_of(i).abs().sqrt()).collect();
         (0..count).map(|_| self.solve(DVector::from_fn(n, |i, _| size[i] * random.number()))).collect()
     }
@@ -78,9 +78,9 @@ impl Operator<'_> {
 
 /// Pseudo-random numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
 #[derive(Debug)]
-pub(crate) struct Random(pub(crate) u64);
+pub(crate) struct PseudoRandom(pub(crate) u64);
 
-impl Random {
+impl PseudoRandom {
     pub(crate) fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -91,7 +91,7 @@ impl Random {
 
 /// Approximate eigenpair T x = θ x.
 #[derive(Clone, Debug)]
-pub(crate) struct Pair {
+pub(crate) struct EigenPair {
     /// Eigenvalue θ.
     pub(crate) value: f64,
     /// Eigenvector x with xᵀ B x = 1.
@@ -100,7 +100,7 @@ pub(crate) struct Pair {
 
 /// Selection of the eigenvalues θ of T, and their accuracy.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Search {
+pub(crate) struct EigenSearch {
     /// Number of eigenvalues.
     pub(crate) count: usize,
     /// Sort key. Eigenvalues with the largest key come first.
@@ -115,19 +115,19 @@ pub(crate) struct Search {
 
 /// Best eigenpairs of a space, best first.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct EigenSearchResult {
     /// Eigenpairs, at most as many as vectors of the starting block, which they may replace.
-    pub(crate) pairs: Vec<Pair>,
+    pub(crate) pairs: Vec<EigenPair>,
     /// Number of requested pairs.
-    pub(crate) wanted: usize,
+    pub(crate) requested: usize,
     /// True if the requested pairs have converged.
     pub(crate) converged: bool,
 }
 
 /// Size of a remainder, relative to the vector, below which the vector is dependent.
-const NOTHING: f64 = 1e-10;
+const DEPENDENT: f64 = 1e-10;
 /// Negative squares, relative to the sum of the magnitudes, beyond which the inner product is indefinite.
-const NEGATIVE: f64 = 1e-10;
+const INDEFINITE: f64 = 1e-10;
 /// Multiple of the asymmetry of VᵀBTV below which a residual is rounding error.
 const ROUNDING: f64 = 10.0;
 
@@ -140,16 +140,16 @@ const ROUNDING: f64 = 10.0;
 pub(crate) fn krylov(
     op: &mut Operator<'_>,
     start: Vec<DVector<f64>>,
-    search: &Search,
-) -> Result<Found, EigenError> {
-    let mut space = Space { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
+    search: &EigenSearch,
+) -> Result<EigenSearchResult, EigenError> {
+    let mut space = KrylovSpace { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
     let size = start.len();
     for x in start {
         space.insert(x)?;
     }
     let block = space.basis.len();
     if block == 0 {
-        return Ok(Found { pairs: Vec::new(), wanted: 0, converged: true });
+        return Ok(EigenSearchResult { pairs: Vec::new(), requested: 0, converged: true });
     }
     let mut depth = 0;
     loop {
@@ -162,13 +162,13 @@ pub(crate) fn krylov(
         let ritz = space.ritz(search);
         if ritz.converged || depth >= search.depth {
             let pairs = (0..size.min(ritz.order.len())).map(|k| space.pair(&ritz, k)).collect();
-            return Ok(Found { pairs, wanted: ritz.wanted, converged: ritz.converged });
+            return Ok(EigenSearchResult { pairs, requested: ritz.requested, converged: ritz.converged });
         }
     }
 }
 
 /// Orthonormal basis V and T V = V H, for the columns to which T was applied.
-struct Space<'a> {
+struct KrylovSpace<'a> {
     inner: &'a SparseMatrix,
     basis: Vec<DVector<f64>>,
     columns: Vec<Vec<f64>>,
@@ -179,16 +179,16 @@ struct Ritz {
     values: Vec<f64>,
     vectors: DMatrix<f64>,
     order: Vec<usize>,
-    wanted: usize,
+    requested: usize,
     converged: bool,
 }
 
-impl Space<'_> {
+impl KrylovSpace<'_> {
     /// Orthogonalises a vector and adds the remainder to the basis. Returns its coefficients.
     fn insert(&mut self, mut x: DVector<f64>) -> Result<Vec<f64>, EigenError> {
         let mut coefficients = vec![0.0; self.basis.len()];
         let (mut image, square) = self.image(&x)?;
-        if square < 0.0 && square < -NEGATIVE * self.inner.magnitude(x.as_slice()) {
+        if square < 0.0 && square < -INDEFINITE * self.inner.magnitude(x.as_slice()) {
             return Err(EigenError::Indefinite);
         }
         let before = square.max(0.0).sqrt();
@@ -203,11 +203,11 @@ impl Space<'_> {
             let square;
             (image, square) = self.image(&x)?;
             let kept = square.max(0.0).sqrt() / std::mem::replace(&mut size, square.max(0.0).sqrt());
-            if kept > 0.1 || size <= NOTHING * before {
+            if kept > 0.1 || size <= DEPENDENT * before {
                 break;
             }
         }
-        if size > NOTHING * before {
+        if size > DEPENDENT * before {
             self.basis.push(x / size);
             coefficients.push(size);
         }
@@ -227,7 +227,7 @@ impl Space<'_> {
     }
 
     /// Computes the eigenpairs of the symmetric part of VᵀBTV. Its skew part is rounding error.
-    fn ritz(&self, search: &Search) -> Ritz {
+    fn ritz(&self, search: &EigenSearch) -> Ritz {
         let (n, all) = (self.columns.len(), self.basis.len());
         let h = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
         let skew = |i: usize, j: usize| (self.entry(i, j) - self.entry(j, i)).abs();
@@ -238,24 +238,25 @@ impl Space<'_> {
         let key = |&k: &usize| -> f64 { (search.key)(Vec::<f64>::as_slice(&values)[k]) };
         order.sort_by(|a, b| key(b).total_cmp(&key(a)));
         let largest = values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
-        let wanted = order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
+        let requested =
+            order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
         let residual = |k: usize| {
             let row = |i| (0..n).map(|j| self.entry(i, j) * vectors[(j, k)]).sum::<f64>();
             (n..all).map(|i| row(i).powi(2)).sum::<f64>().sqrt()
         };
         let small =
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
-        let converged = order[..wanted].iter().all(small);
-        Ritz { values, vectors, order, wanted, converged }
+        let converged = order[..requested].iter().all(small);
+        Ritz { values, vectors, order, requested, converged }
     }
 
     /// Returns the k-th best pair.
-    fn pair(&self, ritz: &Ritz, k: usize) -> Pair {
+    fn pair(&self, ritz: &Ritz, k: usize) -> EigenPair {
         let at = ritz.order[k];
         let mut vector = DVector::zeros(self.basis[0].len());
         for (v, &weight) in self.basis.iter().zip(&ritz.vectors.column(at)) {
             vector.axpy(weight, v, 1.0);
         }
-        Pair { value: ritz.values[at], vector }
+        EigenPair { value: ritz.values[at], vector }
     }
 }

@@ -2,7 +2,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Found, Operator, Search, krylov};
+use super::krylov::{EigenError, EigenSearch, EigenSearchResult, Operator, krylov};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
@@ -74,7 +74,8 @@ pub fn modes(
         return Ok(Modes { modes: Vec::new(), rigid: 0 });
     }
     let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
-    let mut search = Search { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
+    let mut search =
+        EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
     // A shift far below all ω² prefers no mode, so the start vectors are independent even for a poor first shift.
     let highest = pencil.highest();
     pencil.factorise(-highest)?;
@@ -156,8 +157,8 @@ impl<'a> Pencil<'a> {
     }
 
     /// Returns a shift below the lowest ω², at the distance of the smallest nonzero |ω²|.
-    fn better_shift(&self, found: &Found, shift: f64) -> f64 {
-        let squared = found.pairs.iter().take(found.wanted.max(1)).map(|pair| self.squared(&pair.vector));
+    fn better_shift(&self, found: &EigenSearchResult, shift: f64) -> f64 {
+        let squared = found.pairs.iter().take(found.requested.max(1)).map(|pair| self.squared(&pair.vector));
         let squared: Vec<f64> = squared.filter(|&squared| squared != 0.0).collect();
         let lowest = squared.iter().copied().fold(0.0, f64::min);
         let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
@@ -165,9 +166,9 @@ impl<'a> Pencil<'a> {
     }
 
     /// Computes the modes of converged pairs, with one more iteration each.
-    fn finish(&mut self, found: Found) -> Result<Modes, EigenError> {
-        let mut modes = Vec::with_capacity(found.wanted);
-        for pair in &found.pairs[..found.wanted] {
+    fn finish(&mut self, found: EigenSearchResult) -> Result<Modes, EigenError> {
+        let mut modes = Vec::with_capacity(found.requested);
+        for pair in &found.pairs[..found.requested] {
             let image = self.operator().apply(&pair.vector)?;
             let rest = &image - &pair.vector * pair.value;
             let residual = self.size(&rest) / pair.value;

@@ -57,10 +57,10 @@ pub trait Batch: Send + Sync {
 }
 
 /// Maximum number of coordinates of a term in a batch.
-const WIDTH: usize = 32;
+const MAX_COORDINATES: usize = 32;
 
 /// Batch together with the position of its terms in a system.
-pub(crate) struct Batched {
+pub(crate) struct PlacedBatch {
     /// Index of its first term.
     pub(crate) first: usize,
     pub(crate) batch: Box<dyn Batch>,
@@ -68,7 +68,7 @@ pub(crate) struct Batched {
     coordinates: Vec<u32>,
 }
 
-impl Batched {
+impl PlacedBatch {
     /// Creates a batch of consecutive `terms`, starting at index `first`.
     ///
     /// # Panics
@@ -77,11 +77,14 @@ impl Batched {
         let own = &terms[first..first + batch.count()];
         let width = own[0].coordinates().len();
         assert!(
-            own.len() <= LANES && width <= WIDTH,
-            "a batch is of at most {LANES} terms of {WIDTH} coordinates"
+            own.len() <= LANES && width <= MAX_COORDINATES,
+            "a batch has at most {LANES} terms with {MAX_COORDINATES} coordinates"
         );
         let alike = |term: &Arc<dyn Term>| term.coordinates().len() == width && term.multipliers().is_empty();
-        assert!(own.iter().all(alike), "terms of a batch have as many coordinates and no multipliers");
+        assert!(
+            own.iter().all(alike),
+            "terms of a batch have equal numbers of coordinates and no multipliers"
+        );
         let of = |i: usize| (0..LANES).map(move |l| own[l.min(own.len() - 1)].coordinates()[i] as u32);
         Self { first, coordinates: (0..width).flat_map(of).collect(), batch }
     }
@@ -116,17 +119,17 @@ impl Batched {
 
 /// State variables of a batch, gathered from a global state.
 pub(crate) struct GatheredLanes {
-    q: [Lanes; WIDTH],
-    v: [Lanes; WIDTH],
-    a: [Lanes; WIDTH],
+    q: [Lanes; MAX_COORDINATES],
+    v: [Lanes; MAX_COORDINATES],
+    a: [Lanes; MAX_COORDINATES],
 }
 
 impl GatheredLanes {
-    const NONE: [Lanes; WIDTH] = [Lanes([0.0; LANES]); WIDTH];
+    const NONE: [Lanes; MAX_COORDINATES] = [Lanes([0.0; LANES]); MAX_COORDINATES];
     pub(crate) const EMPTY: Self = Self { q: Self::NONE, v: Self::NONE, a: Self::NONE };
 
     /// Gathers coordinates and velocities. Accelerations are left unchanged, since only residuals depend on them.
-    pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &Batched) -> LocalLanes<'a> {
+    pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &PlacedBatch) -> LocalLanes<'a> {
         let Self { q, v, a } = self;
         let width = of.coordinates.len() / LANES;
         of.gather(&s.q, q);
@@ -135,7 +138,7 @@ impl GatheredLanes {
     }
 
     /// Adds the residual of a batch to a section of the global residual that starts at coordinate `first`.
-    pub(crate) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64], first: usize) {
+    pub(crate) fn add_residual(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
         of.gather(&s.a, &mut self.a);
         let at = self.gather(s, of);
@@ -146,15 +149,15 @@ impl GatheredLanes {
 }
 
 /// Lower triangles of the tangents of a batch.
-pub(crate) struct LowerLanes([Lanes; WIDTH * (WIDTH + 1) / 2]);
+pub(crate) struct LowerLanes([Lanes; MAX_COORDINATES * (MAX_COORDINATES + 1) / 2]);
 
 impl LowerLanes {
-    pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); WIDTH * (WIDTH + 1) / 2]);
+    pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); MAX_COORDINATES * (MAX_COORDINATES + 1) / 2]);
 
     /// Adds the tangents of a batch to a section of the matrix values.
     pub(crate) fn add_tangent(
         &mut self,
-        of: &Batched,
+        of: &PlacedBatch,
         at: &LocalLanes<'_>,
         w: Weights,
         scatters: &[Scatter],

@@ -9,7 +9,7 @@ pub type Pair = [u32; 2];
 
 /// Search for terms that are active in some states only, such as contacts.
 ///
-/// A term that is active in a state has a distance of at most 0 there. Pairs at a positive distance add nothing.
+/// A term that is active in a state has a distance of at most 0 there. Pairs at a positive distance contribute zero.
 /// Neither their selection nor their order may affect the motion.
 pub trait Encounters: Debug + Send + Sync {
     /// Returns the near pairs in ascending order, with lower bounds of their distances relative to the search margin.
@@ -28,14 +28,14 @@ pub trait Encounters: Debug + Send + Sync {
 pub type Met = (usize, Pair);
 
 /// Returns the near pairs of several searches in ascending order.
-pub(crate) fn near(encounters: &[Arc<dyn Encounters>], s: &State) -> Vec<(Met, f64)> {
+pub(crate) fn near_pairs(searches: &[Arc<dyn Encounters>], s: &State) -> Vec<(Met, f64)> {
     let of = |(i, each): (usize, &Arc<dyn Encounters>)| {
         each.near(s).into_iter().map(move |(pair, distance)| ((i, pair), distance))
     };
-    encounters.iter().enumerate().flat_map(of).collect()
+    searches.iter().enumerate().flat_map(of).collect()
 }
 
 /// Returns true if a pair within a distance is missing from the sorted active pairs.
-pub(crate) fn lacks(met: &[Met], near: &[(Met, f64)], within: f64) -> bool {
+pub(crate) fn is_missing(met: &[Met], near: &[(Met, f64)], within: f64) -> bool {
     near.iter().any(|(pair, distance)| *distance <= within && met.binary_search(pair).is_err())
 }

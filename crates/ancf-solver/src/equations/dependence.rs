@@ -48,7 +48,7 @@ pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
     let mut rows = rows;
     rows.iter_mut().for_each(|row| row.retain(|_, x| *x != 0.0));
     let scales = equilibrate(&mut rows);
-    let mut elimination = Elimination::new(rows, tolerance);
+    let mut elimination = RowElimination::new(rows, tolerance);
     while let Some(row) = elimination.shortest() {
         elimination.pivot_in(row);
     }
@@ -83,7 +83,7 @@ fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
 }
 
 /// State of a Gaussian elimination.
-struct Elimination {
+struct RowElimination {
     /// Remainder of each row.
     rows: Vec<Sparse>,
     /// Active rows with an entry, by column.
@@ -99,7 +99,7 @@ struct Elimination {
     tolerance: f64,
 }
 
-impl Elimination {
+impl RowElimination {
     fn new(rows: Vec<Sparse>, tolerance: f64) -> Self {
         let mut columns: HashMap<usize, BTreeSet<usize>> = HashMap::new();
         for (i, row) in rows.iter().enumerate() {
@@ -114,7 +114,7 @@ impl Elimination {
     fn shortest(&mut self) -> Option<usize> {
         while let Some((_, i)) = self.left.pop_first() {
             for j in self.rows[i].keys() {
-                self.columns.get_mut(j).expect("every entry is in its column").remove(&i);
+                self.columns.get_mut(j).expect("the column of each entry exists").remove(&i);
             }
             if largest(&self.rows[i]) > self.tolerance * self.sizes[i] {
                 return Some(i);
@@ -130,7 +130,7 @@ impl Elimination {
         let least = PIVOT * largest(&pivot);
         let candidates = pivot.iter().filter(|(_, x)| x.abs() >= least);
         let Some((&at, &entry)) = candidates.min_by_key(|(j, _)| self.columns[*j].len()) else { return };
-        for i in std::mem::take(self.columns.get_mut(&at).expect("the pivot's column")) {
+        for i in std::mem::take(self.columns.get_mut(&at).expect("the pivot column exists")) {
             let factor = self.rows[i][&at] / entry;
             self.subtract(i, factor, &pivot, at);
             self.subtracted[i].push((self.step, row, factor));
@@ -147,10 +147,10 @@ impl Elimination {
             let value = target.entry(j).or_default();
             *value -= factor * x;
             if value.abs() > ROUNDING * size {
-                self.columns.get_mut(&j).expect("a column of the rows").insert(i);
+                self.columns.get_mut(&j).expect("the column of each entry exists").insert(i);
             } else {
                 target.remove(&j);
-                self.columns.get_mut(&j).expect("a column of the rows").remove(&i);
+                self.columns.get_mut(&j).expect("the column of each entry exists").remove(&i);
             }
         }
         self.sizes[i] = size;

@@ -40,7 +40,7 @@ impl<'a> LocalMatrix<'a> {
 
     /// Adds to entry (i, j), i ≥ j.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
-        debug_assert!(i >= j && i < self.size, "only the lower triangle counts");
+        debug_assert!(i >= j && i < self.size, "entries are in the lower triangle");
         self.values[self.at(i, j)] += value;
     }
 
@@ -137,7 +137,7 @@ pub trait Term: Send + Sync {
         let m = at.lambda.len();
         let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
         self.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
-        let here = |sign| constraints_ahead(self, at, sign);
+        let here = |sign| shifted_constraints(self, at, sign);
         match level {
             Level::Position => {
                 let here = here(0.0);
@@ -191,12 +191,12 @@ pub trait Term: Send + Sync {
     ///
     /// By default prescribed motions supply λ·ċ(t), and velocity-dependent forces dissipate v·[f(q, v) − f(q, 0)].
     fn power(&self, at: &Local<'_>) -> Power {
-        Power { work: driven(self, at), dissipation: dissipated(self, at) }
+        Power { work: driving_power(self, at), dissipation: dissipated(self, at) }
     }
 }
 
 /// Returns the power of prescribed motions: Φ_qᵀ λ does the work −λ·Φ_q v = λ·ċ on the bodies.
-fn driven<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
+fn driving_power<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
     let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
     let m = at.lambda.len();
     term.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
@@ -220,7 +220,7 @@ pub fn supplied<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> Power {
 }
 
 /// Evaluates the constraint rows of a term at q + sign × v.
-fn constraints_ahead<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
+fn shifted_constraints<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
     let (mut q, mut rows) = ([0.0; LOCAL], [0.0; LOCAL]);
     let (n, m) = (at.q.len(), at.lambda.len());
     for i in 0..n {

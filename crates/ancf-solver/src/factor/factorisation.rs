@@ -32,9 +32,9 @@ pub struct Factor {
     pattern: Arc<Pattern>,
     lu: Option<Lu<usize, f64>>,
     /// Storage for shared multipliers, if there are any.
-    shared: Option<Box<Shared>>,
+    shared: Option<Box<SharedMultipliers>>,
     /// True if the factors have solved equations without refinement.
-    proven: bool,
+    verified: bool,
     /// Equilibration D, right-hand side, solution and residual, by position.
     d: Vec<f64>,
     b: Vec<f64>,
@@ -48,16 +48,16 @@ pub struct Course {
     /// True if the LU fallback is active.
     lu: bool,
     /// True if the factors have solved equations without refinement.
-    proven: bool,
+    verified: bool,
 }
 
 impl Course {
     /// History of a new factorisation.
-    pub const NEW: Self = Self { lu: false, proven: false };
+    pub const NEW: Self = Self { lu: false, verified: false };
 }
 
 /// Additional storage for shared multipliers.
-struct Shared {
+struct SharedMultipliers {
     /// Compliant matrix K_ε.
     compliant: SparseMatrix,
     /// Right-hand side and solution of K, by position.
@@ -87,7 +87,7 @@ const COMPLIANCE: f64 = 1e-6;
 /// Number of steps from K_ε to K.
 const STEPS: u32 = 3;
 /// Backward error of K above which redundant constraints are contradictory.
-const CONTRADICT: f64 = 1e-6;
+const CONTRADICTION: f64 = 1e-6;
 
 impl Factor {
     /// Analyses a pattern.
@@ -97,14 +97,14 @@ impl Factor {
     pub fn new(pattern: &Arc<Pattern>) -> Result<Self, SingularMatrix> {
         let zeros = vec![0.0; pattern.size()];
         Ok(Self {
-            ldlt: Ldlt::new(pattern.panels()),
+            ldlt: Ldlt::new(pattern.supernodes()),
             pattern: Arc::clone(pattern),
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
-                Box::new(Shared { compliant, b: zeros.clone(), x: zeros.clone() })
+                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone() })
             }),
-            proven: false,
+            verified: false,
             d: zeros.clone(),
             b: zeros.clone(),
             x: zeros.clone(),
@@ -118,26 +118,26 @@ impl Factor {
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.equilibrate(k);
-        let Some(mut shared) = self.shared.take() else { return self.factorise_as_is(k) };
+        let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {
             values[self.pattern.diagonal(at)] -= COMPLIANCE / self.d[at].powi(2);
         }
-        let done = self.factorise_as_is(&shared.compliant);
+        let done = self.factorise_plain(&shared.compliant);
         self.shared = Some(shared);
         done
     }
 
-    fn factorise_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        (self.lu, self.proven) = (None, false);
-        let done = self.ldlt.factorise(self.pattern.panels(), k.values());
+    fn factorise_plain(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+        (self.lu, self.verified) = (None, false);
+        let done = self.ldlt.factorise(self.pattern.supernodes(), k.values());
         if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
     }
 
     /// Returns the history of the current factors.
     pub fn course(&self) -> Course {
-        Course { lu: self.lu.is_some(), proven: self.proven }
+        Course { lu: self.lu.is_some(), verified: self.verified }
     }
 
     /// Repeats a factorisation with its history, which reproduces the final factors.
@@ -156,7 +156,7 @@ impl Factor {
                 }
             }
         }
-        self.proven = course.proven;
+        self.verified = course.verified;
         Ok(())
     }
 
@@ -166,7 +166,7 @@ impl Factor {
     /// If no factorisation gives a small backward error, or redundant constraints are contradictory.
     pub fn solve(&mut self, k: &SparseMatrix, x: &mut [f64]) -> Result<(), SingularMatrix> {
         let error = self.solve_from(k, x, None)?;
-        if error <= CONTRADICT { Ok(()) } else { Err(SingularMatrix) }
+        if error <= CONTRADICTION { Ok(()) } else { Err(SingularMatrix) }
     }
 
     /// Solves for an increment x of a state with multipliers λ. The shared multipliers are minimal after the increment.
@@ -196,12 +196,12 @@ impl Factor {
             self.b[self.pattern.position(unknown)] = value;
         }
         let error = match self.shared.take() {
-            None if self.proven && lambda.is_some() => {
+            None if self.verified && lambda.is_some() => {
                 self.x.copy_from_slice(&self.b);
                 self.substitute(false);
                 Ok(0.0)
             }
-            None => self.solve_as_is(k).map(|()| 0.0),
+            None => self.solve_plain(k).map(|()| 0.0),
             Some(mut shared) => {
                 let error = self.solve_shared(k, &mut shared, lambda.unwrap_or_default());
                 self.shared = Some(shared);
@@ -215,13 +215,13 @@ impl Factor {
     }
 
     /// Solves K x = `b` into `x`, by LU if LDLᵀ is not accurate enough.
-    fn solve_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        if self.refined(k).is_err() {
+    fn solve_plain(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+        if self.solve_refined(k).is_err() {
             if self.lu.is_some() {
                 return Err(SingularMatrix);
             }
             self.factorise_by_lu(k)?;
-            self.refined(k)?;
+            self.solve_refined(k)?;
         }
         Ok(())
     }
@@ -230,7 +230,7 @@ impl Factor {
     fn solve_shared(
         &mut self,
         k: &SparseMatrix,
-        shared: &mut Shared,
+        shared: &mut SharedMultipliers,
         lambda: &[f64],
     ) -> Result<f64, SingularMatrix> {
         shared.b.copy_from_slice(&self.b);
@@ -241,7 +241,7 @@ impl Factor {
         }
         let mut steps = 0;
         loop {
-            self.solve_as_is(&shared.compliant)?;
+            self.solve_plain(&shared.compliant)?;
             shared.x.iter_mut().zip(&self.x).for_each(|(sum, x)| *sum += x);
             self.x.copy_from_slice(&shared.x);
             self.b.copy_from_slice(&shared.b);
@@ -255,11 +255,11 @@ impl Factor {
     }
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
-    fn refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+    fn solve_refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.x.copy_from_slice(&self.b);
         self.substitute(false);
         let mut error = self.backward_error(k);
-        self.proven = error <= REFINE;
+        self.verified = error <= REFINE;
         for _ in 0..2 {
             if error <= REFINE {
                 return Ok(());
@@ -281,7 +281,7 @@ impl Factor {
                 let n = target.len();
                 lu.solve_in_place(MatMut::from_column_major_slice_mut(target, n, 1));
             }
-            None => self.ldlt.solve(self.pattern.panels(), target),
+            None => self.ldlt.solve(self.pattern.supernodes(), target),
         }
     }
 
@@ -289,7 +289,7 @@ impl Factor {
     fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
         let Self { ldlt, pattern, d, b, x, r, .. } = self;
         r.copy_from_slice(b);
-        ldlt.subtract_product(pattern.panels(), k.values(), x, r);
+        ldlt.subtract_product(pattern.supernodes(), k.values(), x, r);
         let (mut residual, mut size): (f64, f64) = (0.0, 0.0);
         for i in 0..b.len() {
             if !r[i].is_finite() {

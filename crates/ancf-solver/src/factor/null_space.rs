@@ -65,9 +65,9 @@ impl Kernel {
 }
 
 /// Replaces x_p in a row by −Σ c x.
-fn eliminate(row: &mut Sparse, p: usize, told: &Sparse) {
+fn eliminate(row: &mut Sparse, p: usize, pivot_row: &Sparse) {
     if let Some(entry) = row.remove(&p) {
-        for (&j, c) in told {
+        for (&j, c) in pivot_row {
             *row.entry(j).or_default() -= entry * c;
         }
     }

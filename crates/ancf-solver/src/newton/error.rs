@@ -9,30 +9,30 @@ pub enum Failure {
     #[error("the iteration matrix is singular: a joint repeats another, or a motion is held by nothing")]
     Singular,
     /// The factors of the iteration matrix do not fit into memory.
-    #[error("the factors of the iteration matrix do not fit into memory")]
+    #[error("the memory does not suffice for the factors of the iteration matrix")]
     Memory,
     /// A residual is infinite or not a number.
-    #[error("the iteration diverged: numbers became infinite or not a number")]
+    #[error("the iteration diverged: a residual is infinite or not a number")]
     Diverged,
     /// The increments stopped decreasing above the rounding error.
     #[error("the iteration stagnated above the rounding error")]
     Stagnated,
     /// A term does not admit the solution.
     #[error(
-        "the solution turns an element inside out, or a slider leaves its beam, or ends of a spring meet"
+        "the solution is inadmissible: an element is inverted, a slider leaves its beam, or the ends of a spring coincide"
     )]
     Inverted,
     /// The equilibrium is less stable than the previous one, and no limit point was found between them.
     #[error("the stability changed within the step")]
     Unstable,
     /// The equilibrium path turns too far within a step.
-    #[error("the path of equilibria turns too far within the step")]
+    #[error("the equilibrium path turns too far within the step")]
     Turned,
     /// The iteration limit was reached.
-    #[error("the iteration did not converge in the iterations permitted")]
+    #[error("the iteration did not converge within the iteration limit")]
     NotConverged,
     /// The error of a step exceeds the tolerance even at the smallest permitted step size.
-    #[error("the step fell below the smallest permitted: the motion jumps, or the tolerance is too tight")]
+    #[error("the step is below the smallest permitted step: the motion jumps, or the tolerance is too small")]
     StepTooSmall,
     /// The interrupt flag was set.
     #[error("the iteration was interrupted")]
@@ -41,7 +41,7 @@ pub enum Failure {
 
 /// Failed solution of the equations of motion, in solver units.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("{failure}{}", told(*iterations, *residual, *increment))]
+#[error("{failure}{}", format_norms(*iterations, *residual, *increment))]
 pub struct SolveError {
     /// Cause of failure.
     pub failure: Failure,
@@ -59,7 +59,7 @@ pub struct SolveError {
 }
 
 /// Formats the iteration count and the norms, if there was an iteration.
-fn told(iterations: u32, residual: f64, increment: f64) -> String {
+fn format_norms(iterations: u32, residual: f64, increment: f64) -> String {
     if iterations == 0 && residual == 0.0 {
         return String::new();
     }

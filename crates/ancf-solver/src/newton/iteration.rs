@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{Failure, SolveError};
 use super::interrupt::Interrupt;
-use super::line_search::{Linear, Mover, Whole, dot};
+use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
 use super::report::Report;
 use super::rounding_floor::raise_to_achievable;
-use super::tangent::{Tangent, TangentMemory};
+use super::tangent::{NewtonTangent, TangentMemory};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::sparse::SparseMatrix;
 
@@ -37,10 +37,10 @@ pub enum Stop {
 pub struct Newton {
     stop: Stop,
     max_iterations: u32,
-    patience: u32,
+    stagnation_limit: u32,
     full: bool,
     interrupt: Interrupt,
-    pub(crate) tangent: Tangent,
+    pub(crate) tangent: NewtonTangent,
     pub(crate) r: Vec<f64>,
     pub(crate) z: Vec<f64>,
     floor: Vec<f64>,
@@ -59,9 +59,9 @@ pub(crate) struct NewtonMemory {
 /// Multiple of the rounding bound below which a residual counts as zero.
 const FLOOR: f64 = 8.0;
 /// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
-const NEAR: f64 = 1e-3;
+const REMAINDER: f64 = 1e-3;
 /// Default number of iterations without progress that counts as stagnation.
-const STUCK: u32 = 3;
+const STAGNATION_LIMIT: u32 = 3;
 
 impl Newton {
     /// Creates a solver for equations whose tangents have the pattern of `matrix`.
@@ -73,10 +73,10 @@ impl Newton {
         Ok(Self {
             stop,
             max_iterations,
-            patience: STUCK,
+            stagnation_limit: STAGNATION_LIMIT,
             full: false,
             interrupt: Interrupt::default(),
-            tangent: Tangent::new(matrix).map_err(SolveError::at_start)?,
+            tangent: NewtonTangent::new(matrix).map_err(SolveError::at_start)?,
             r: zeros.clone(),
             z: zeros.clone(),
             floor: zeros,
@@ -89,8 +89,8 @@ impl Newton {
     ///
     /// # Errors
     /// If the memory does not suffice for the factorisation.
-    pub(crate) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), SolveError> {
-        self.tangent.adopt(matrix).map_err(SolveError::at_start)
+    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.tangent.replace_matrix(matrix).map_err(SolveError::at_start)
     }
 
     /// Uses a new tangent in each iteration, also in time steps.
@@ -106,9 +106,9 @@ impl Newton {
     }
 
     /// Permits the reuse of tangents, if the stopping rule estimates the remaining error.
-    pub(crate) fn reuse(&mut self, s: &State) {
+    pub(crate) fn permit_reuse(&mut self, s: &State) {
         if matches!(self.stop, Stop::Energy(_)) && !self.full {
-            self.tangent.reuse(s);
+            self.tangent.permit_reuse(s);
         }
     }
 
@@ -135,14 +135,14 @@ impl Newton {
     }
 
     /// Returns true if a saved state is valid for this solver.
-    pub(crate) fn knows(&self, memory: &NewtonMemory, coordinates: usize, multipliers: usize) -> bool {
+    pub(crate) fn accepts(&self, memory: &NewtonMemory, coordinates: usize, multipliers: usize) -> bool {
         let NewtonMemory { energy, tangent } = memory;
-        energy.is_finite() && self.tangent.knows(tangent, coordinates, multipliers)
+        energy.is_finite() && self.tangent.accepts(tangent, coordinates, multipliers)
     }
 
     /// Sets the number of iterations without progress that counts as stagnation.
-    pub(crate) fn bear(&mut self, patience: u32) {
-        self.patience = patience;
+    pub(crate) fn set_stagnation_limit(&mut self, stagnation_limit: u32) {
+        self.stagnation_limit = stagnation_limit;
     }
 
     /// Iterates a state until r(s) = 0. The weights `w` map increments to the state.
@@ -158,31 +158,31 @@ impl Newton {
         s: &mut State,
         w: Weights,
     ) -> Result<Report, SolveError> {
-        self.solve_by(&mut Whole, eom, s, w)
+        self.solve_with(&mut FullUpdate, eom, s, w)
     }
 
     /// Iterates a state until r(s) = 0, with a given update rule.
-    pub(crate) fn solve_by(
+    pub(crate) fn solve_with(
         &mut self,
-        mover: &mut dyn Mover,
+        update: &mut dyn StateUpdate,
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
     ) -> Result<Report, SolveError> {
-        let mut progress = Progress::default();
+        let mut progress = IterationProgress::default();
         self.weights = w;
         self.z.fill(0.0);
         self.tangent.begin(w);
         loop {
             eom.residual(s, &mut self.r);
             progress.report.residual = norm(&self.r);
-            if let ControlFlow::Break(end) = self.judge_residual(eom, s, &progress) {
+            if let ControlFlow::Break(end) = self.check_residual(eom, s, &progress) {
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
             }
             let energy = self
-                .increment(mover, eom, s, w, &mut progress.report)
+                .increment(update, eom, s, w, &mut progress.report)
                 .map_err(|failure| self.error(failure, eom, s, progress.report))?;
-            if let ControlFlow::Break(end) = self.judge_increment(eom, s, energy, &mut progress) {
+            if let ControlFlow::Break(end) = self.check_increment(eom, s, energy, &mut progress) {
                 end.iter().for_each(|done| self.tangent.end(done.iterations));
                 return end.map_err(|failure| self.error(failure, eom, s, progress.report));
             }
@@ -192,7 +192,7 @@ impl Newton {
     /// Applies one Newton increment to the state. Returns its energy |Δq·r| + |Δλ·Φ|.
     fn increment(
         &mut self,
-        mover: &mut dyn Mover,
+        update: &mut dyn StateUpdate,
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
@@ -203,9 +203,9 @@ impl Newton {
         for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
             *z = if i < n { -r } else { -r / w.q };
         }
-        let Self { tangent: Tangent { matrix, factor, .. }, r, z, .. } = self;
+        let Self { tangent: NewtonTangent { matrix, factor, .. }, r, z, .. } = self;
         factor.solve_increment(matrix, z, &s.lambda).map_err(|_| Failure::Singular)?;
-        mover.go(Linear { eom, matrix, factor, r, z }, s, w)?;
+        update.apply(LinearSolution { eom, matrix, factor, r, z }, s, w)?;
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
         Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
@@ -219,11 +219,11 @@ impl Newton {
     }
 
     /// Ends the iteration if the residual is small enough, at its rounding floor or not finite, or on interrupt.
-    fn judge_residual(
+    fn check_residual(
         &mut self,
         eom: &dyn EquationsOfMotion,
         s: &State,
-        progress: &Progress,
+        progress: &IterationProgress,
     ) -> ControlFlow<Result<Report, Failure>> {
         let report = progress.report;
         if self.interrupt.is_set() {
@@ -235,10 +235,10 @@ impl Newton {
         if matches!(self.stop, Stop::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
-        if progress.stuck > 0 && self.excess(eom, s).1 <= FLOOR {
+        if progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR {
             return ControlFlow::Break(Ok(Report { floor: true, ..report }));
         }
-        if progress.stuck >= self.patience {
+        if progress.stagnant >= self.stagnation_limit {
             return ControlFlow::Break(Err(Failure::Stagnated));
         }
         if report.iterations >= self.max_iterations {
@@ -248,12 +248,12 @@ impl Newton {
     }
 
     /// Ends the iteration if the increment is small enough, and counts iterations without progress.
-    fn judge_increment(
+    fn check_increment(
         &mut self,
         eom: &dyn EquationsOfMotion,
         s: &State,
         energy: f64,
-        progress: &mut Progress,
+        progress: &mut IterationProgress,
     ) -> ControlFlow<Result<Report, Failure>> {
         match self.stop {
             Stop::Energy(tolerance) => {
@@ -261,14 +261,14 @@ impl Newton {
                 // of the motion.
                 let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
-                self.tangent.note(progress.rate(energy));
-                if size <= wanted && self.tangent.left(size) <= NEAR * wanted {
+                self.tangent.record(progress.rate(energy));
+                if size <= wanted && self.tangent.remainder(size) <= REMAINDER * wanted {
                     return ControlFlow::Break(Ok(progress.report));
                 }
-                if !self.tangent.foresee(NEAR * wanted / size) {
+                if !self.tangent.plan_iteration(REMAINDER * wanted / size) {
                     return ControlFlow::Break(Err(Failure::Stagnated));
                 }
-                progress.note(energy);
+                progress.record(energy);
             }
             Stop::Increment(tolerance) if progress.report.increment <= tolerance => {
                 return ControlFlow::Break(Ok(progress.report));
@@ -307,25 +307,25 @@ impl Newton {
 
 /// Progress of one iteration.
 #[derive(Default)]
-struct Progress {
+struct IterationProgress {
     report: Report,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
     /// Energy of the last increment.
     last: Option<f64>,
     /// Number of consecutive iterations that did not halve the energy.
-    stuck: u32,
+    stagnant: u32,
 }
 
-impl Progress {
+impl IterationProgress {
     /// Returns the rate θ of the last two increments in the norm whose square is the energy.
     fn rate(&self, energy: f64) -> Option<f64> {
         self.last.map(|last| (energy / last).sqrt())
     }
 
-    fn note(&mut self, energy: f64) {
-        let stuck = self.least.is_some_and(|least| energy > 0.5 * least);
-        self.stuck = if stuck { self.stuck + 1 } else { 0 };
+    fn record(&mut self, energy: f64) {
+        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
+        self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);
         self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
     }

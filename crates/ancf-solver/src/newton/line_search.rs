@@ -4,7 +4,7 @@ use crate::factor::Factor;
 use crate::sparse::SparseMatrix;
 
 /// Solved linear system of a Newton iteration, K z = −r.
-pub(crate) struct Linear<'a> {
+pub(crate) struct LinearSolution<'a> {
     pub(crate) eom: &'a dyn EquationsOfMotion,
     /// Tangent K.
     pub(crate) matrix: &'a SparseMatrix,
@@ -17,16 +17,16 @@ pub(crate) struct Linear<'a> {
 }
 
 /// Update of a state by a Newton increment.
-pub(crate) trait Mover {
+pub(crate) trait StateUpdate {
     /// Updates the state. On return `z` is the full increment, which the stopping rule evaluates.
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure>;
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure>;
 }
 
 /// Update by the full increment.
-pub(crate) struct Whole;
+pub(crate) struct FullUpdate;
 
-impl Mover for Whole {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for FullUpdate {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         s.add(at.z, w);
         Ok(())
     }
@@ -83,8 +83,8 @@ impl LineSearch {
     }
 }
 
-impl Mover for LineSearch {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for LineSearch {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         let (start, mut alpha) = (dot(at.z, at.r), 1.0);
         self.try_part(alpha, at.z, s, w);
         for _ in 0..TRIALS {
@@ -100,8 +100,7 @@ impl Mover for LineSearch {
     }
 }
 
-/// Returns the first zero of 1 − α + cα², or its minimum without a zero, for c such that the value at `alpha` is
-/// `ratio`.
+/// Returns the first zero of 1 − α + cα², or else its minimum. The coefficient c gives the value `ratio` at `alpha`.
 fn stationary(alpha: f64, ratio: f64) -> f64 {
     let c = (ratio - 1.0 + alpha) / (alpha * alpha);
     if c < 0.25 { 2.0 / (1.0 + (1.0 - 4.0 * c).sqrt()) } else { 0.5 / c }

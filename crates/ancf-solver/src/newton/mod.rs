@@ -9,10 +9,10 @@ mod report;
 mod rounding_floor;
 mod tangent;
 
-pub(crate) use active_set::Current;
+pub(crate) use active_set::ActiveSet;
 pub use error::{EquilibriumError, Failure, SolveError};
 pub use interrupt::Interrupt;
 pub(crate) use iteration::NewtonMemory;
 pub use iteration::{Newton, Stop};
-pub(crate) use line_search::{LineSearch, Linear, Mover, Whole, dot};
+pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot};
 pub use report::Report;

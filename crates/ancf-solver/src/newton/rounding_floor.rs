@@ -10,7 +10,7 @@ use crate::sparse::SparseMatrix;
 ///
 /// |Φᵢ| ≲ ε maxⱼ(|Φ_q,ij| dⱼ) · maxₖ (|qₖ| + w_q |zₖ|)/dₖ,  dₖ = Kₖₖ^−½.
 ///
-/// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest if nothing moves.
+/// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest for a system at rest.
 ///
 /// The bound is independent of units, slope lengths and the frame of reference.
 ///

@@ -11,38 +11,38 @@ use crate::sparse::SparseMatrix;
 /// An iteration with an old tangent is a fixed-point iteration with the convergence rate θ. The rate predicts the
 /// number of remaining iterations.
 ///
-/// * Within a step, a new tangent is computed if more than [`WORTH`] iterations remain.
+/// * Within a step, a new tangent is computed if more than [`RENEWAL_COST`] iterations remain.
 /// * Before a step, a new tangent is computed if the extra iterations since the last one exceed its cost.
 /// * Tangents age within a step in fast rotations. A number of steps then starts with new tangents, and each further
 ///   failure of an old tangent doubles this number.
 ///
 /// Source: Hairer & Wanner (1996), section IV.8; Deuflhard (2011), section 2.1, for the rate as a monitor.
 #[derive(Debug)]
-pub(crate) struct Tangent {
+pub(crate) struct NewtonTangent {
     pub(crate) matrix: SparseMatrix,
     pub(crate) factor: Factor,
-    usage: Usage,
+    usage: TangentUsage,
     /// Usage as of the last accepted step.
-    kept: Usage,
+    saved: TangentUsage,
     /// States of the computed tangents, if reuse is permitted.
-    made: Option<Box<Made>>,
+    made: Option<Box<TangentStates>>,
 }
 
 /// Usage of a tangent so far.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct Usage {
-    policy: Policy,
+struct TangentUsage {
+    policy: TangentPolicy,
     /// Weights of the tangent, or `None` if it is not reusable.
     weights: Option<Weights>,
     /// Age of the tangent.
-    age: Age,
+    age: TangentAge,
     /// True if an iteration of the current solution used an old tangent.
     reused: bool,
     /// Rate θ of the last two iterations with the same tangent.
     rate: Option<f64>,
     /// Fewest iterations of a solution with this tangent, and the sum of the iterations in excess of it.
-    fewest: u32,
-    beyond: u32,
+    fewest_iterations: u32,
+    extra_iterations: u32,
     /// Number of next solutions that start with a new tangent, and the length of the last such pause.
     pause: u32,
     last_pause: u32,
@@ -52,76 +52,76 @@ struct Usage {
 
 /// States at which tangents were computed.
 #[derive(Debug)]
-struct Made {
+struct TangentStates {
     now: State,
     /// State of the tangent at the last accepted step, if there is a newer tangent.
-    kept: State,
+    saved: State,
     is_new: bool,
 }
 
 /// Saved state of a tangent. The factors are large, so they are not saved but computed again.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct TangentMemory {
-    usage: Usage,
+    usage: TangentUsage,
     /// State at which the tangent was computed, if it is reusable.
     made: Option<State>,
 }
 
 /// Policy for new tangents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum Policy {
+enum TangentPolicy {
     /// A new tangent in each iteration.
     Always,
     /// A new tangent when the old one no longer pays off.
     WhenDue,
     /// A new tangent in each iteration of the current solution, then `WhenDue`.
-    AlwaysNow,
+    AlwaysInSolution,
 }
 
 /// Age of a tangent: computed for this iteration, for this solution or before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum Age {
+enum TangentAge {
     Iteration,
     Solution,
     Old,
 }
 
 /// Cost of a new factorised tangent, in iterations with an old one.
-const WORTH: u32 = 3;
+const RENEWAL_COST: u32 = 3;
 /// Relative difference of weights up to which a tangent is reusable.
-const ALIKE: f64 = 1e-2;
+const WEIGHT_TOLERANCE: f64 = 1e-2;
 /// Longest pause of the reuse.
-const LONGEST: u32 = 64;
+const MAX_PAUSE: u32 = 64;
 
-impl Tangent {
+impl NewtonTangent {
     /// Creates storage for tangents with the pattern of `matrix`, with a new tangent in each iteration.
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, Failure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| Failure::Memory)?;
-        let usage = Usage::new();
-        Ok(Self { matrix, factor, usage, kept: usage, made: None })
+        let usage = TangentUsage::new();
+        Ok(Self { matrix, factor, usage, saved: usage, made: None })
     }
 
     /// Replaces the matrix by one of another pattern.
-    pub(crate) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
-        let Usage { policy, pause, last_pause, .. } = self.usage;
+    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
+        let TangentUsage { policy, pause, last_pause, .. } = self.usage;
         let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
         (self.matrix, self.factor) = (matrix, factor);
-        self.usage = Usage { policy, pause, last_pause, ..usage };
+        self.usage = TangentUsage { policy, pause, last_pause, ..usage };
         Ok(())
     }
 
     /// Permits the reuse of tangents, except with redundant constraints, which are consistent only along the exact
     /// tangent.
-    pub(crate) fn reuse(&mut self, s: &State) {
+    pub(crate) fn permit_reuse(&mut self, s: &State) {
         if !self.matrix.pattern().is_sharing() {
-            self.usage.policy = Policy::WhenDue;
-            self.made = Some(Box::new(Made { now: s.clone(), kept: s.clone(), is_new: false }));
+            self.usage.policy = TangentPolicy::WhenDue;
+            self.made = Some(Box::new(TangentStates { now: s.clone(), saved: s.clone(), is_new: false }));
         }
     }
 
     /// Returns true if the reuse of tangents is permitted.
     pub(crate) fn is_reusable(&self) -> bool {
-        self.usage.policy != Policy::Always
+        self.usage.policy != TangentPolicy::Always
     }
 
     /// Requests a new tangent for the next iteration.
@@ -130,12 +130,12 @@ impl Tangent {
     }
 
     /// Requests newer tangents after a failed solution. Returns true if a repetition may succeed.
-    pub(crate) fn improve(&mut self) -> bool {
+    pub(crate) fn request_newer(&mut self) -> bool {
         self.renew();
         match (self.usage.reused, self.usage.age) {
-            (true, Age::Old) => self.regret(),
-            (true, _) => self.usage.policy = Policy::AlwaysNow,
-            (false, _) => self.settle(),
+            (true, TangentAge::Old) => self.extend_pause(),
+            (true, _) => self.usage.policy = TangentPolicy::AlwaysInSolution,
+            (false, _) => self.reset_policy(),
         }
         self.usage.reused
     }
@@ -148,29 +148,29 @@ impl Tangent {
 
     /// Starts a solution with the given weights.
     pub(crate) fn begin(&mut self, w: Weights) {
-        let alike = |own: f64, other: f64| (own - other).abs() <= ALIKE * other.abs();
+        let alike = |own: f64, other: f64| (own - other).abs() <= WEIGHT_TOLERANCE * other.abs();
         let fits = |own: Weights| alike(own.q, w.q) && alike(own.v, w.v) && alike(own.a, w.a);
-        let due = self.usage.beyond >= WORTH || self.usage.pause > 0;
+        let due = self.usage.extra_iterations >= RENEWAL_COST || self.usage.pause > 0;
         self.usage.pause = self.usage.pause.saturating_sub(1);
         self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
-        self.usage.age = Age::Old;
+        self.usage.age = TangentAge::Old;
         self.usage.reused = false;
     }
 
     /// Ends a converged solution.
     pub(crate) fn end(&mut self, iterations: u32) {
-        self.usage.fewest = self.usage.fewest.min(iterations);
-        self.usage.beyond += iterations - self.usage.fewest;
-        if self.usage.age == Age::Old {
+        self.usage.fewest_iterations = self.usage.fewest_iterations.min(iterations);
+        self.usage.extra_iterations += iterations - self.usage.fewest_iterations;
+        if self.usage.age == TangentAge::Old {
             self.usage.last_pause /= 2;
         }
-        self.settle();
+        self.reset_policy();
     }
 
     /// Resets the policy of the current solution.
-    fn settle(&mut self) {
-        if self.usage.policy == Policy::AlwaysNow {
-            self.usage.policy = Policy::WhenDue;
+    fn reset_policy(&mut self) {
+        if self.usage.policy == TangentPolicy::AlwaysInSolution {
+            self.usage.policy = TangentPolicy::WhenDue;
         }
     }
 
@@ -183,29 +183,30 @@ impl Tangent {
     ) -> Result<(), Failure> {
         if self.usage.weights.is_some() {
             self.usage.reused = true;
-            self.usage.age = if self.usage.age == Age::Old { Age::Old } else { Age::Solution };
+            self.usage.age =
+                if self.usage.age == TangentAge::Old { TangentAge::Old } else { TangentAge::Solution };
             return Ok(());
         }
         eom.tangent(s, w, &mut self.matrix);
-        self.made.iter_mut().for_each(|made| made.note(s));
+        self.made.iter_mut().for_each(|made| made.record(s));
         self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
-        self.usage.weights = Some(w).filter(|_| self.usage.policy == Policy::WhenDue);
-        self.usage.age = Age::Iteration;
-        (self.usage.rate, self.usage.fewest, self.usage.beyond) = (None, u32::MAX, 0);
+        self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
+        self.usage.age = TangentAge::Iteration;
+        (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);
         Ok(())
     }
 
     /// Records the rate θ of the last two increments of a solution.
-    pub(crate) fn note(&mut self, rate: Option<f64>) {
-        if self.usage.age != Age::Iteration {
+    pub(crate) fn record(&mut self, rate: Option<f64>) {
+        if self.usage.age != TangentAge::Iteration {
             self.usage.rate = rate.or(self.usage.rate);
         }
     }
 
     /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
-    pub(crate) fn left(&self, size: f64) -> f64 {
+    pub(crate) fn remainder(&self, size: f64) -> f64 {
         match self.usage.rate {
-            _ if self.usage.age == Age::Iteration => 0.0,
+            _ if self.usage.age == TangentAge::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
         }
@@ -214,39 +215,39 @@ impl Tangent {
     /// Chooses the tangent of the next iteration, given the target for the remainder relative to the last increment.
     ///
     /// Returns false if the current solution should be restarted.
-    pub(crate) fn foresee(&mut self, part: f64) -> bool {
+    pub(crate) fn plan_iteration(&mut self, part: f64) -> bool {
         let Some(rate) = self.usage.rate else { return true };
         let left = (part * (1.0 - rate)).ln() / rate.ln();
-        if rate < 1.0 && left <= f64::from(WORTH) {
+        if rate < 1.0 && left <= f64::from(RENEWAL_COST) {
             return true;
         }
         self.renew();
-        if self.usage.age != Age::Old {
+        if self.usage.age != TangentAge::Old {
             return true;
         }
         if rate < 1.0 {
-            self.regret();
+            self.extend_pause();
         }
         rate < 1.0
     }
 
     /// Extends the pause of the reuse: the reused tangent did not converge.
-    fn regret(&mut self) {
-        self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, LONGEST);
+    fn extend_pause(&mut self) {
+        self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, MAX_PAUSE);
         self.usage.pause = self.usage.last_pause;
     }
 }
 
-impl Usage {
+impl TangentUsage {
     const fn new() -> Self {
         Self {
-            policy: Policy::Always,
+            policy: TangentPolicy::Always,
             weights: None,
-            age: Age::Iteration,
+            age: TangentAge::Iteration,
             reused: false,
             rate: None,
-            fewest: u32::MAX,
-            beyond: 0,
+            fewest_iterations: u32::MAX,
+            extra_iterations: 0,
             pause: 0,
             last_pause: 0,
             factor: Course::NEW,
@@ -254,29 +255,29 @@ impl Usage {
     }
 }
 
-impl Made {
-    fn note(&mut self, s: &State) {
+impl TangentStates {
+    fn record(&mut self, s: &State) {
         if !self.is_new {
-            std::mem::swap(&mut self.now, &mut self.kept);
+            std::mem::swap(&mut self.now, &mut self.saved);
         }
         self.is_new = true;
         self.now.copy_from(s);
     }
 }
 
-impl Tangent {
+impl NewtonTangent {
     /// Saves the usage after an accepted step, to which a failed next step returns.
-    pub(crate) fn keep(&mut self) {
+    pub(crate) fn save(&mut self) {
         let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
-        self.kept = Usage { factor, ..self.usage };
+        self.saved = TangentUsage { factor, ..self.usage };
         self.made.iter_mut().for_each(|made| made.is_new = false);
     }
 
     /// Returns the saved state as of the last accepted step.
     pub(crate) fn memory(&self) -> TangentMemory {
-        let at = |made: &Made| if made.is_new { made.kept.clone() } else { made.now.clone() };
-        let made = self.made.as_deref().filter(|_| self.kept.weights.is_some()).map(at);
-        TangentMemory { usage: self.kept, made }
+        let at = |made: &TangentStates| if made.is_new { made.saved.clone() } else { made.now.clone() };
+        let made = self.made.as_deref().filter(|_| self.saved.weights.is_some()).map(at);
+        TangentMemory { usage: self.saved, made }
     }
 
     /// Resumes from a saved state of this size. The tangent is computed again at its original state.
@@ -292,20 +293,20 @@ impl Tangent {
             made.map_err(|_| Failure::Singular)?;
             self.made.iter_mut().for_each(|made| made.now.copy_from(s));
         }
-        self.keep();
+        self.save();
         Ok(())
     }
 
     /// Returns true if a saved state is valid for this tangent.
-    pub(crate) fn knows(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
+    pub(crate) fn accepts(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
         let TangentMemory { usage, made } = memory;
         let finite = |w: Weights| [w.q, w.v, w.a].iter().all(|x| x.is_finite());
-        let is_reusable = |usage: &Usage| usage.policy != Policy::Always;
+        let is_reusable = |usage: &TangentUsage| usage.policy != TangentPolicy::Always;
         is_reusable(usage) == is_reusable(&self.usage)
             && usage.weights.is_some() == made.is_some()
             && usage.weights.is_none_or(finite)
             && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_sound(coordinates, multipliers))
-            && usage.beyond <= u32::MAX / 2
-            && usage.pause.max(usage.last_pause) <= LONGEST
+            && usage.extra_iterations <= u32::MAX / 2
+            && usage.pause.max(usage.last_pause) <= MAX_PAUSE
     }
 }

@@ -2,12 +2,12 @@ use std::ops::Index;
 
 /// Lists of indices in contiguous storage.
 #[derive(Clone, Debug)]
-pub(crate) struct Lists {
+pub(crate) struct IndexLists {
     starts: Vec<usize>,
     items: Vec<u32>,
 }
 
-impl Lists {
+impl IndexLists {
     /// Creates an empty collection.
     pub(crate) fn new() -> Self {
         Self { starts: vec![0], items: Vec::new() }
@@ -43,7 +43,7 @@ impl Lists {
     }
 }
 
-impl Index<usize> for Lists {
+impl Index<usize> for IndexLists {
     type Output = [u32];
 
     fn index(&self, i: usize) -> &[u32] {
@@ -51,7 +51,7 @@ impl Index<usize> for Lists {
     }
 }
 
-impl<L: IntoIterator<Item = u32>> FromIterator<L> for Lists {
+impl<L: IntoIterator<Item = u32>> FromIterator<L> for IndexLists {
     fn from_iter<T: IntoIterator<Item = L>>(lists: T) -> Self {
         let mut all = Self::new();
         lists.into_iter().for_each(|list| all.push(list));

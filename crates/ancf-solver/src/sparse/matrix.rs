@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use super::pattern::Pattern;
-use super::supernodes::{LANES, Run};
+use super::supernodes::{QUAD, RowRun};
 
 /// Symmetric sparse matrix: the lower triangle in the supernodes of its pattern.
 #[derive(Clone, Debug)]
@@ -33,15 +33,15 @@ impl SparseMatrix {
 
     /// Calls `visit(i, j, value)` for every entry of the lower triangle by position, including the padding.
     pub(crate) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        let panels = self.pattern.panels();
-        for (at, panel) in panels.panels.iter().enumerate() {
-            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
-            for (column, j) in panel.own().enumerate() {
+        let supernodes = self.pattern.supernodes();
+        for (at, supernode) in supernodes.list.iter().enumerate() {
+            let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
+            for (column, j) in supernode.own().enumerate() {
                 let own = shape.at(column, column);
-                panel.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
-                let below = panels.runs(at).iter().flat_map(Run::positions);
+                supernode.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
+                let below = supernodes.runs(at).iter().flat_map(RowRun::positions);
                 below
-                    .zip(&values[shape.at(LANES * shape.own(), column)..])
+                    .zip(&values[shape.at(QUAD * shape.own(), column)..])
                     .for_each(|(i, &value)| visit(i, j, value));
             }
         }
@@ -73,8 +73,8 @@ impl SparseMatrix {
 
     /// Returns the diagonal by position.
     pub(crate) fn diagonal(&self) -> impl Iterator<Item = f64> {
-        self.pattern.panels().panels.iter().flat_map(|panel| {
-            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+        self.pattern.supernodes().list.iter().flat_map(|supernode| {
+            let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
             (0..shape.columns).map(move |j| values[shape.at(j, j)])
         })
     }

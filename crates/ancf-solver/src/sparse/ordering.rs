@@ -5,7 +5,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::index_lists::Lists;
+use super::index_lists::IndexLists;
 
 /// Massless coordinates of a term and the multipliers that determine them.
 pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
@@ -14,14 +14,19 @@ pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
 /// unknowns.
 pub(crate) struct Ranks {
     /// Unknowns of each rank in order. Multipliers are numbered after coordinates.
-    pub(crate) unknowns: Lists,
+    pub(crate) unknowns: IndexLists,
     /// Label of each unknown. Neighbours with equal labels have equal adjacency.
     pub(crate) labels: Vec<u32>,
 }
 
 impl Ranks {
     /// Ranks the unknowns of a sum of dense blocks.
-    pub(crate) fn new(coordinates: usize, multipliers: usize, blocks: &Lists, massless: &[Massless]) -> Self {
+    pub(crate) fn new(
+        coordinates: usize,
+        multipliers: usize,
+        blocks: &IndexLists,
+        massless: &[Massless],
+    ) -> Self {
         let groups = ordered_groups(coordinates, blocks);
         let mut rank = vec![None; coordinates];
         groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
@@ -48,17 +53,17 @@ impl Ranks {
         let sequence = regular.chain(defining).chain(late).chain(other);
         let pairs = sequence.map(|unknown| (rank[unknown].unwrap_or(end), unknown as u32));
         let labels = labels(coordinates, multipliers, blocks, &is_massless);
-        let placed = Lists::by_key(coordinates + 1, pairs);
+        let placed = IndexLists::by_key(coordinates + 1, pairs);
         let mut places = placed.iter();
         let of_groups = groups.iter().map(|group| group.len()).chain(iter::once(1));
-        let mut unknowns = Lists::new();
+        let mut unknowns = IndexLists::new();
         of_groups.for_each(|places_of| unknowns.push(places.by_ref().take(places_of).flatten().copied()));
         Self { unknowns, labels }
     }
 }
 
 /// Labels coordinates with mass by zero and all other unknowns by the number of their first block.
-fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &[bool]) -> Vec<u32> {
+fn labels(coordinates: usize, multipliers: usize, blocks: &IndexLists, is_massless: &[bool]) -> Vec<u32> {
     let mut labels = vec![0; coordinates + multipliers];
     for (b, block) in blocks.iter().enumerate() {
         let special = |u: usize| u >= coordinates || is_massless[u];
@@ -72,7 +77,7 @@ fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &
 }
 
 /// Returns for each multiplier the last rank among the coordinates of its blocks, for coordinates with a rank.
-fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
+fn last_coordinates(multipliers: usize, blocks: &IndexLists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
     let mut last: Vec<Option<u32>> = vec![None; multipliers];
     let coordinates = rank.len();
     for block in blocks.iter().filter(|block| !is_free(block, coordinates)) {
@@ -87,13 +92,13 @@ fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) ->
 }
 
 /// Computes the groups of coordinates in the order of elimination.
-fn ordered_groups(coordinates: usize, blocks: &Lists) -> Lists {
+fn ordered_groups(coordinates: usize, blocks: &IndexLists) -> IndexLists {
     let (group_of, count) = groups(coordinates, blocks);
     let mut turn = vec![0; count];
     for (group, at) in elimination(&graph(&group_of, count, blocks)).into_iter().zip(0..) {
         turn[group as usize] = at;
     }
-    Lists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
+    IndexLists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
 }
 
 /// Returns true if a block has no multipliers.
@@ -104,10 +109,12 @@ fn is_free(block: &[u32], coordinates: usize) -> bool {
 /// Groups coordinates by the set of blocks that contain them. Returns the group of each coordinate and the group count.
 ///
 /// Blocks with multipliers and blocks contained in another block are ignored, so joints and loads do not split a node.
-fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
+fn groups(coordinates: usize, blocks: &IndexLists) -> (Vec<u32>, usize) {
     let free = || blocks.iter().zip(0..).filter(|(block, _)| is_free(block, coordinates));
-    let of =
-        Lists::by_key(coordinates, free().flat_map(|(block, b)| block.iter().copied().zip(iter::repeat(b))));
+    let of = IndexLists::by_key(
+        coordinates,
+        free().flat_map(|(block, b)| block.iter().copied().zip(iter::repeat(b))),
+    );
     let is_within_another = |block: &[u32], b: u32| {
         let fewest = block.iter().map(|&c| &of[c as usize]).min_by_key(|of| of.len());
         fewest.into_iter().flatten().any(|&other| {
@@ -118,13 +125,13 @@ fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
     };
     let mut classes = Classes { class: vec![0; coordinates], split: vec![(u32::MAX, 0)] };
     for (block, b) in free().filter(|(block, b)| !is_within_another(block, *b)) {
-        classes.part(b, block.iter().map(|&c| c as usize));
+        classes.split_block(b, block.iter().map(|&c| c as usize));
     }
     // Coordinates that belong only to blocks with multipliers.
     let alone: Vec<bool> = classes.class.iter().map(|&class| class == 0).collect();
     for (block, b) in blocks.iter().zip(0..).filter(|(block, _)| !is_free(block, coordinates)) {
         let own = block.iter().map(|&c| c as usize);
-        classes.part(b, own.filter(|&c| c < coordinates && alone[c]));
+        classes.split_block(b, own.filter(|&c| c < coordinates && alone[c]));
     }
     classes.numbered()
 }
@@ -139,7 +146,7 @@ struct Classes {
 
 impl Classes {
     /// Separates the members of a block from the other coordinates of their classes.
-    fn part(&mut self, block: u32, members: impl Iterator<Item = usize>) {
+    fn split_block(&mut self, block: u32, members: impl Iterator<Item = usize>) {
         for c in members {
             let class = self.class[c] as usize;
             if self.split[class].0 != block {
@@ -166,8 +173,8 @@ impl Classes {
 }
 
 /// Returns the adjacent groups of each group in ascending order. Groups are adjacent if they share a block.
-fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
-    let clusters: Lists = blocks
+fn graph(group_of: &[u32], count: usize, blocks: &IndexLists) -> IndexLists {
+    let clusters: IndexLists = blocks
         .iter()
         .map(|block| {
             let own = block.iter().filter_map(|&c| group_of.get(c as usize));
@@ -180,7 +187,7 @@ fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
     let pairs = clusters.iter().flat_map(|cluster| {
         cluster.iter().flat_map(move |&g| cluster.iter().filter(move |&&h| h != g).map(move |&h| (g, h)))
     });
-    let all = Lists::by_key(count, pairs);
+    let all = IndexLists::by_key(count, pairs);
     all.iter()
         .map(|others| {
             let mut others = others.to_vec();
@@ -193,7 +200,7 @@ fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
 
 /// Computes the elimination order of a graph: leaves from all sides, so that trees end at their centre, then minimum
 /// degree.
-fn elimination(graph: &Lists) -> Vec<u32> {
+fn elimination(graph: &IndexLists) -> Vec<u32> {
     let mut degree: Vec<usize> = graph.iter().map(<[u32]>::len).collect();
     let (mut order, mut is_out) = (Vec::with_capacity(graph.len()), vec![false; graph.len()]);
     let mut leaves: Vec<u32> = (0..graph.len() as u32).filter(|&g| degree[g as usize] <= 1).collect();
@@ -217,7 +224,7 @@ fn elimination(graph: &Lists) -> Vec<u32> {
 }
 
 /// Computes the approximate minimum degree order of a part of a graph.
-fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
+fn minimum_degree(graph: &IndexLists, part: &[u32]) -> Vec<usize> {
     let count = part.len();
     if count == 0 {
         return Vec::new();

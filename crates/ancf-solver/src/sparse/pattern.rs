@@ -1,7 +1,7 @@
-use super::elimination::Elimination;
-use super::index_lists::Lists;
+use super::elimination::EliminationOrder;
+use super::index_lists::IndexLists;
 use super::ordering::{Massless, Ranks};
-use super::supernodes::Panels;
+use super::supernodes::Supernodes;
 
 /// Sparsity pattern of a symmetric matrix, ordered for LDLᵀ without pivoting.
 ///
@@ -19,8 +19,8 @@ pub struct Pattern {
     /// Unknown at each position.
     order: Vec<u32>,
     /// Supernode of each position.
-    panel_of: Vec<u32>,
-    panels: Panels,
+    supernode_of: Vec<u32>,
+    supernodes: Supernodes,
     /// Entries that couple multipliers with coordinates.
     border: Vec<Border>,
     /// Positions of massless coordinates.
@@ -45,24 +45,29 @@ impl Pattern {
     /// coordinates.
     ///
     /// `massless` lists coordinates without mass and the multipliers that determine them.
-    pub(crate) fn new(coordinates: usize, multipliers: usize, blocks: &Lists, massless: &[Massless]) -> Self {
+    pub(crate) fn new(
+        coordinates: usize,
+        multipliers: usize,
+        blocks: &IndexLists,
+        massless: &[Massless],
+    ) -> Self {
         let ranks = Ranks::new(coordinates, multipliers, blocks, massless);
-        let Elimination { order, panels } = Elimination::new(&ranks, blocks);
+        let EliminationOrder { order, supernodes } = EliminationOrder::new(&ranks, blocks);
         let mut position = vec![0; order.len()];
         for (&unknown, at) in order.iter().zip(0..) {
             position[unknown as usize] = at;
         }
-        let of = panels.panels.iter().zip(0..);
-        let panel_of = of.flat_map(|(panel, at)| panel.own().map(move |_| at)).collect();
+        let of = supernodes.list.iter().zip(0..);
+        let supernode_of = of.flat_map(|(supernode, at)| supernode.own().map(move |_| at)).collect();
         let late = massless.iter().flat_map(|(late, _)| late.iter());
         let massless = late.map(|&coordinate| position[coordinate] as usize).collect();
         let (border, shared) = (Vec::new(), Vec::new());
-        let pattern = Self { position, order, panel_of, panels, border, massless, shared };
+        let pattern = Self { position, order, supernode_of, supernodes, border, massless, shared };
         Self { border: pattern.borders(coordinates, blocks), ..pattern }
     }
 
     /// Returns the entries of the blocks that couple a multiplier with a coordinate.
-    fn borders(&self, coordinates: usize, blocks: &Lists) -> Vec<Border> {
+    fn borders(&self, coordinates: usize, blocks: &IndexLists) -> Vec<Border> {
         let mut borders = Vec::new();
         for block in blocks.iter() {
             let unknowns = || block.iter().map(|&unknown| unknown as usize);
@@ -114,17 +119,17 @@ impl Pattern {
 
     /// Returns the number of values of a matrix: lower triangle, fill-in and padding.
     pub fn entries(&self) -> usize {
-        self.panels.entries()
+        self.supernodes.entries()
     }
 
     /// Returns the supernodes.
-    pub(crate) fn panels(&self) -> &Panels {
-        &self.panels
+    pub(crate) fn supernodes(&self) -> &Supernodes {
+        &self.supernodes
     }
 
     /// Returns the supernode of a position.
-    pub(crate) fn panel_of(&self, position: usize) -> usize {
-        self.panel_of[position] as usize
+    pub(crate) fn supernode_of(&self, position: usize) -> usize {
+        self.supernode_of[position] as usize
     }
 
     /// Returns the entries that couple multipliers with coordinates.
@@ -149,16 +154,16 @@ impl Pattern {
     pub(crate) fn slot(&self, i: usize, j: usize) -> usize {
         let (i, j) = (self.position(i), self.position(j));
         let (row, column) = (i.max(j), i.min(j));
-        let at = self.panel_of(column);
-        let panel = &self.panels.panels[at];
-        let row = self.panels.row(at, row).expect("both unknowns belong to one block");
-        panel.start + panel.shape().at(row, column - panel.first as usize)
+        let at = self.supernode_of(column);
+        let supernode = &self.supernodes.list[at];
+        let row = self.supernodes.row(at, row).expect("both unknowns belong to one block");
+        supernode.start + supernode.shape().at(row, column - supernode.first as usize)
     }
 
     /// Returns the index of the diagonal entry of a position among the values of a matrix.
     pub(crate) fn diagonal(&self, position: usize) -> usize {
-        let panel = &self.panels.panels[self.panel_of(position)];
-        let at = position - panel.first as usize;
-        panel.start + panel.shape().at(at, at)
+        let supernode = &self.supernodes.list[self.supernode_of(position)];
+        let at = position - supernode.first as usize;
+        supernode.start + supernode.shape().at(at, at)
     }
 }

@@ -1,14 +1,14 @@
 use std::ops::Range;
 
 /// Number of rows that are processed at once.
-pub(crate) const LANES: usize = 4;
+pub(crate) const QUAD: usize = 4;
 
 /// Four consecutive numbers of a column.
-pub(crate) type Quad = [f64; LANES];
+pub(crate) type Quad = [f64; QUAD];
 
 /// Returns the number of quads that hold the given number of rows.
 pub(crate) const fn quads(rows: usize) -> usize {
-    rows.div_ceil(LANES)
+    rows.div_ceil(QUAD)
 }
 
 /// Shape of a lower block column: its own rows, padded to quads, then the rows below, padded to quads.
@@ -16,14 +16,14 @@ pub(crate) const fn quads(rows: usize) -> usize {
 /// Columns are stored in groups of four that start at the quad of their diagonal. No remainder loops are necessary, and
 /// the padding is small: 240 stored numbers for 12 columns and 12 rows below, of which 222 are entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Shape {
+pub(crate) struct SupernodeShape {
     /// Number of columns.
     pub(crate) columns: usize,
     /// Height in quads.
     pub(crate) height: usize,
 }
 
-impl Shape {
+impl SupernodeShape {
     /// Creates the shape with the given numbers of columns and rows below.
     pub(crate) const fn new(columns: usize, below: usize) -> Self {
         Self { columns, height: quads(columns) + quads(below) }
@@ -44,17 +44,17 @@ impl Shape {
     /// Returns the quads of a column, from the quad of its diagonal.
     #[inline(always)]
     pub(crate) fn column(self, j: usize) -> Range<usize> {
-        let four = j / LANES;
+        let four = j / QUAD;
         let length = self.height - four;
-        let start = LANES * four * self.height - 2 * four * four.saturating_sub(1) + (j % LANES) * length;
+        let start = QUAD * four * self.height - 2 * four * four.saturating_sub(1) + (j % QUAD) * length;
         start..start + length
     }
 
     /// Returns the quads of a group of four columns, or of the last, incomplete group.
     #[inline(always)]
     pub(crate) fn columns_of(self, four: usize) -> Range<usize> {
-        let columns = LANES.min(self.columns - LANES * four);
-        let start = self.column(LANES * four).start;
+        let columns = QUAD.min(self.columns - QUAD * four);
+        let start = self.column(QUAD * four).start;
         start..start + columns * (self.height - four)
     }
 
@@ -66,13 +66,13 @@ impl Shape {
 
     /// Returns the index of the number at row ≥ column. Rows below are counted from the first quad below.
     pub(crate) fn at(self, row: usize, column: usize) -> usize {
-        LANES * self.column(column).start + row - (column - column % LANES)
+        QUAD * self.column(column).start + row - (column - column % QUAD)
     }
 }
 
 /// Block column of a matrix and its factor: neighbouring unknowns that are eliminated together.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Panel {
+pub(crate) struct Supernode {
     /// Position of its first unknown.
     pub(crate) first: u32,
     /// Number of its unknowns.
@@ -87,10 +87,10 @@ pub(crate) struct Panel {
     pub(crate) start: usize,
 }
 
-impl Panel {
+impl Supernode {
     #[inline(always)]
-    pub(crate) fn shape(&self) -> Shape {
-        Shape::new(self.columns as usize, self.below as usize)
+    pub(crate) fn shape(&self) -> SupernodeShape {
+        SupernodeShape::new(self.columns as usize, self.below as usize)
     }
 
     /// Returns the positions of its unknowns.
@@ -102,28 +102,28 @@ impl Panel {
     /// Returns the range of its values.
     #[inline(always)]
     pub(crate) fn values(&self) -> Range<usize> {
-        self.start..self.start + LANES * self.shape().size()
+        self.start..self.start + QUAD * self.shape().size()
     }
 
     /// Returns the shape of its update matrix.
     #[inline(always)]
-    pub(crate) fn update(&self) -> Shape {
-        Shape { columns: LANES * quads(self.below as usize), height: quads(self.below as usize) }
+    pub(crate) fn update(&self) -> SupernodeShape {
+        SupernodeShape { columns: QUAD * quads(self.below as usize), height: quads(self.below as usize) }
     }
 }
 
 /// Run: consecutive rows below a supernode that belong to one later supernode.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
+pub(crate) struct RowRun {
     /// Position of the first row.
     pub(crate) first: u32,
     /// Number of rows.
     pub(crate) length: u32,
     /// First row in the parent, counted over its own rows and the rows below.
-    pub(crate) into: u32,
+    pub(crate) parent_row: u32,
 }
 
-impl Run {
+impl RowRun {
     /// Returns the positions.
     #[inline(always)]
     pub(crate) fn positions(&self) -> Range<usize> {
@@ -133,29 +133,29 @@ impl Run {
 
 /// Supernodes of a pattern in the order of elimination, and the runs of their rows.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Panels {
+pub(crate) struct Supernodes {
     /// Supernodes.
-    pub(crate) panels: Vec<Panel>,
+    pub(crate) list: Vec<Supernode>,
     /// Runs of all supernodes.
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Vec<RowRun>,
 }
 
-impl Panels {
+impl Supernodes {
     /// Returns the runs of a supernode in ascending order.
     #[inline(always)]
-    pub(crate) fn runs(&self, panel: usize) -> &[Run] {
-        let end = self.panels.get(panel + 1).map_or(self.runs.len(), |next| next.runs as usize);
-        &self.runs[self.panels[panel].runs as usize..end]
+    pub(crate) fn runs(&self, supernode: usize) -> &[RowRun] {
+        let end = self.list.get(supernode + 1).map_or(self.runs.len(), |next| next.runs as usize);
+        &self.runs[self.list[supernode].runs as usize..end]
     }
 
     /// Returns the row of a position in a supernode, if the supernode has it.
-    pub(crate) fn row(&self, panel: usize, position: usize) -> Option<usize> {
-        let own = self.panels[panel].own();
+    pub(crate) fn row(&self, supernode: usize, position: usize) -> Option<usize> {
+        let own = self.list[supernode].own();
         if own.contains(&position) {
             return Some(position - own.start);
         }
-        let mut row = LANES * quads(own.len());
-        for run in self.runs(panel) {
+        let mut row = QUAD * quads(own.len());
+        for run in self.runs(supernode) {
             if run.positions().contains(&position) {
                 return Some(row + position - run.first as usize);
             }
@@ -166,6 +166,6 @@ impl Panels {
 
     /// Returns the number of values of a matrix.
     pub(crate) fn entries(&self) -> usize {
-        self.panels.last().map_or(0, |last| last.values().end)
+        self.list.last().map_or(0, |last| last.values().end)
     }
 }

@@ -1,10 +1,10 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Linear, Mover, Newton, dot};
+use crate::newton::{Failure, LinearSolution, Newton, StateUpdate, dot};
 use crate::sparse::SparseMatrix;
 
 /// Direction in the space of states and load factors, with its dual in the metric of the path.
 #[derive(Clone, Debug)]
-pub(crate) struct Tangent {
+pub(crate) struct PathTangent {
     /// Derivative dz/dσ of coordinates and multipliers.
     pub(crate) z: Vec<f64>,
     /// Derivative ds/dσ of the load factor s.
@@ -13,7 +13,7 @@ pub(crate) struct Tangent {
     dual: Vec<f64>,
 }
 
-impl Tangent {
+impl PathTangent {
     pub(crate) fn zero(size: usize) -> Self {
         Self { z: vec![0.0; size], load: 0.0, dual: Vec::new() }
     }
@@ -82,17 +82,17 @@ impl Metric {
     }
 
     /// Returns the unit tangent along dz/ds = `response` in the direction of increasing load.
-    pub(crate) fn tangent(&self, response: Vec<f64>, coordinates: usize) -> Tangent {
+    pub(crate) fn tangent(&self, response: Vec<f64>, coordinates: usize) -> PathTangent {
         let mut dual = self.mass_times(&response, coordinates);
         dual.iter_mut().for_each(|x| *x *= 0.5 * self.weight);
-        let mut tangent = Tangent { z: response, load: 1.0, dual };
+        let mut tangent = PathTangent { z: response, load: 1.0, dual };
         let length = tangent.product(&tangent).sqrt();
         tangent.scale(1.0 / length);
         tangent
     }
 }
 
-impl Tangent {
+impl PathTangent {
     /// Multiplies the direction by a number; −1 reverses it.
     pub(crate) fn scale(&mut self, by: f64) {
         self.z.iter_mut().chain(&mut self.dual).for_each(|x| *x *= by);
@@ -134,10 +134,10 @@ pub(crate) fn response(
 ///
 /// Source: Keller (1977), Riks (1979) for the plane; Crisfield (1981) for the two solutions.
 #[derive(Debug)]
-pub(crate) struct Plane<'a>(pub(crate) &'a Tangent);
+pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
-impl Mover for Plane<'_> {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for PlaneUpdate<'_> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         let mut response = load_rate(at.eom, s, at.r);
         response.iter_mut().for_each(|x| *x = -*x);
         at.factor.solve(at.matrix, &mut response).map_err(|_| Failure::Singular)?;

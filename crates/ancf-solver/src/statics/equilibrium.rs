@@ -1,5 +1,5 @@
 use crate::equations::{Energy, EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Mover, Newton, Report, SolveError};
+use crate::newton::{Failure, Newton, Report, SolveError, StateUpdate};
 
 /// Report of an equilibrium solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,15 +27,15 @@ impl Equilibrium {
     /// Iterates a state to equilibrium. Rejects inadmissible states.
     pub(crate) fn find(
         newton: &mut Newton,
-        mover: &mut dyn Mover,
+        update: &mut dyn StateUpdate,
         eom: &dyn EquationsOfMotion,
         s: &mut State,
     ) -> Result<Self, SolveError> {
-        let mut report = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
+        let mut report = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
         if report.iterations == 1 {
             // The first increment of a mechanism may have negligible energy compared with the state that it leads to.
-            let again = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
-            report = Report { iterations: 1 + again.iterations, ..again };
+            let repeated = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
+            report = Report { iterations: 1 + repeated.iterations, ..repeated };
         }
         if let Some(worst) = eom.inadmissible(s) {
             return Err(SolveError::after(report, s.t, Failure::Inverted, worst));
@@ -46,13 +46,13 @@ impl Equilibrium {
     }
 
     /// Creates the error that rejects this equilibrium.
-    pub(crate) fn refuse(&self, failure: Failure, s: &State) -> SolveError {
+    pub(crate) fn reject(&self, failure: Failure, s: &State) -> SolveError {
         let Self { iterations, residual, increment, floor, .. } = *self;
         SolveError::after(Report { iterations, residual, increment, floor }, s.t, failure, 0)
     }
 
     /// Adds the cost of this attempt to that of the next one and returns the next one.
-    pub(crate) fn after(&self, last: Self) -> Self {
+    pub(crate) fn followed_by(&self, last: Self) -> Self {
         Self {
             iterations: self.iterations + last.iterations,
             attempts: self.attempts + last.attempts,
@@ -61,7 +61,7 @@ impl Equilibrium {
     }
 
     /// Adds the cost of this solution to that of a repetition within the same attempt.
-    pub(crate) fn again(&self, last: Self) -> Self {
+    pub(crate) fn repeated(&self, last: Self) -> Self {
         Self { iterations: self.iterations + last.iterations, ..last }
     }
 

@@ -2,7 +2,7 @@ use std::ops::ControlFlow;
 
 use super::equilibrium::Equilibrium;
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{Current, EquilibriumError, Failure, LineSearch, Newton, SolveError};
+use crate::newton::{ActiveSet, EquilibriumError, Failure, LineSearch, Newton, SolveError};
 use crate::sparse::SparseMatrix;
 
 /// Sizes of load increments, relative to the interval between the first and the last load factor.
@@ -29,9 +29,9 @@ impl Default for Increments {
 }
 
 /// Stagnation limit. A slender beam that the first increment stretched takes about twenty iterations.
-const PATIENCE: u32 = 30;
+const STAGNATION_LIMIT: u32 = 30;
 /// Tolerance of the end of the interval, relative to its length.
-const CLOSE: f64 = 1e-12;
+const END_TOLERANCE: f64 = 1e-12;
 
 /// Incremental-iterative solution of static equilibrium: r(q, λ, s) = 0 with v = a = 0 up to a final load factor s.
 ///
@@ -40,7 +40,7 @@ const CLOSE: f64 = 1e-12;
 /// point, use [`Path`](super::path::Path).
 #[derive(Debug)]
 pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
-    eom: Current<'a, E>,
+    eom: ActiveSet<'a, E>,
     newton: Newton,
     increments: Increments,
     search: LineSearch,
@@ -59,10 +59,10 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     pub fn new(eom: &'a E, mut newton: Newton, increments: Increments, mut start: State) -> Self {
         start.v.fill(0.0);
         start.a.fill(0.0);
-        newton.bear(PATIENCE);
+        newton.set_stagnation_limit(STAGNATION_LIMIT);
         let search = LineSearch::new(&start);
         let (unstable, before, trial) = (Some(0), None, start.clone());
-        Self { eom: Current::new(eom), newton, increments, search, state: start, unstable, before, trial }
+        Self { eom: ActiveSet::new(eom), newton, increments, search, state: start, unstable, before, trial }
     }
 
     /// Returns the current state.
@@ -85,11 +85,11 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         let (mut done, mut part) = (0.0, self.increments.first.max(self.increments.smallest));
         let (mut total, mut found) = (Equilibrium::default(), Equilibrium::default());
         loop {
-            let next = if done + part > 1.0 - CLOSE { 1.0 } else { done + part };
+            let next = if done + part > 1.0 - END_TOLERANCE { 1.0 } else { done + part };
             let load = if next == 1.0 { to } else { from + next * way };
             match self.attempt(load, next - done > self.increments.trusted) {
                 Ok(last) => {
-                    (total, found) = (total.after(last), found.after(last));
+                    (total, found) = (total.followed_by(last), found.followed_by(last));
                     done = next;
                     if each(&self.state, &found).is_break() || done == 1.0 {
                         return Ok(total);
@@ -110,20 +110,20 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     }
 
     /// Solves for the equilibrium at a load factor and makes it the current state.
-    fn attempt(&mut self, load: f64, wary: bool) -> Result<Equilibrium, SolveError> {
+    fn attempt(&mut self, load: f64, check_stability: bool) -> Result<Equilibrium, SolveError> {
         self.take_in()?;
         let mut found = Equilibrium::default();
         loop {
             self.predict(load);
             let Self { newton, search, eom, trial, .. } = self;
-            found = found.again(Equilibrium::find(newton, search, &**eom, trial)?);
+            found = found.repeated(Equilibrium::find(newton, search, &**eom, trial)?);
             let Some((eom, matrix)) = eom.completed(trial) else { break };
             // A term that is active there was not included.
-            self.renew(eom, matrix)?;
+            self.replace_equations(eom, matrix)?;
         }
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
-        if wary && lost {
-            return Err(found.refuse(Failure::Unstable, &self.trial));
+        if check_stability && lost {
+            return Err(found.reject(Failure::Unstable, &self.trial));
         }
         self.newton.met(found.energy.largest());
         let before = self.before.get_or_insert_with(|| self.state.clone());
@@ -146,14 +146,14 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     /// If the memory does not suffice.
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.state) {
-            Some((eom, matrix)) => self.renew(eom, matrix),
+            Some((eom, matrix)) => self.replace_equations(eom, matrix),
             None => Ok(()),
         }
     }
 
-    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         self.eom.replace(eom);
-        self.newton.adopt(matrix)
+        self.newton.replace_matrix(matrix)
     }
 
     /// Predicts the trial state on the line through the last two equilibria.

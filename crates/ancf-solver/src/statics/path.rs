@@ -1,24 +1,24 @@
 use std::ops::ControlFlow;
 
-use super::arc::{Metric, Plane, Tangent, response};
+use super::arc::{Metric, PathTangent, PlaneUpdate, response};
 use super::equilibrium::Equilibrium;
 use super::waypoint::{ArcSteps, Left, Limit, PathPoint, Until};
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{Current, EquilibriumError, Failure, Newton, SolveError, Whole};
+use crate::newton::{ActiveSet, EquilibriumError, Failure, FullUpdate, Newton, SolveError};
 use crate::sparse::SparseMatrix;
 
 /// Smallest cosine between the tangents at both ends of a step (60°), and between the chord and the first tangent
 /// (30°).
 const TURN: f64 = 0.5;
-const BEND: f64 = 0.866;
+const CHORD: f64 = 0.866;
 /// Relative step size at which a stability change without a limit point is accepted.
-const BELIEVED: f64 = 1e-3;
+const CONFIRMED: f64 = 1e-3;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
 /// Maximum number of iterations to locate a limit point or a load factor.
-const LOCATE: u32 = 40;
+const MAX_LOCATE: u32 = 40;
 /// Stagnation limit within a step.
-const PATIENCE: u32 = 6;
+const STAGNATION_LIMIT: u32 = 6;
 
 /// Arc-length continuation of equilibria r(q, λ, s) = 0 through limit points, snap-through and snap-back.
 ///
@@ -31,31 +31,31 @@ const PATIENCE: u32 = 6;
 /// Source: Keller (1977); Riks (1979); Crisfield (1981).
 #[derive(Debug)]
 pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
-    eom: Current<'a, E>,
+    eom: ActiveSet<'a, E>,
     newton: Newton,
     steps: ArcSteps,
     metric: Metric,
     state: State,
-    tangent: Tangent,
+    tangent: PathTangent,
     /// Trial point and its tangent.
     trial: State,
-    ahead: Tangent,
+    trial_tangent: PathTangent,
     step: f64,
     length: f64,
     /// Number of unstable directions beyond the current point.
     unstable: Option<usize>,
     /// Step size at which an unconfirmed stability change was first found.
-    doubt: Option<f64>,
+    unconfirmed_step: Option<f64>,
     /// Sign of the slope of the load factor beyond the current point.
-    heading: f64,
+    direction: f64,
 }
 
 /// End point of a step.
-struct Arrival {
+struct StepEnd {
     found: Equilibrium,
     length: f64,
     limit: Option<Limit>,
-    landed: bool,
+    at_target: bool,
     /// Number of unstable directions beyond the end point.
     unstable: Option<usize>,
 }
@@ -73,17 +73,17 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     ) -> Result<Self, EquilibriumError> {
         start.v.fill(0.0);
         start.a.fill(0.0);
-        newton.bear(PATIENCE);
+        newton.set_stagnation_limit(STAGNATION_LIMIT);
         let load = start.load;
-        let mut eom = Current::new(eom);
+        let mut eom = ActiveSet::new(eom);
         let mut begin = |newton: &mut Newton, start: &mut State| {
             loop {
-                let found = Equilibrium::find(newton, &mut Whole, &*eom, start)?;
+                let found = Equilibrium::find(newton, &mut FullUpdate, &*eom, start)?;
                 let Some((complete, matrix)) = eom.completed(start) else {
-                    return response(newton, &*eom, start).map_err(|failure| found.refuse(failure, start));
+                    return response(newton, &*eom, start).map_err(|failure| found.reject(failure, start));
                 };
                 eom.replace(complete);
-                newton.adopt(matrix)?;
+                newton.replace_matrix(matrix)?;
             }
         };
         let response = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
@@ -95,7 +95,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let tangent = metric.tangent(response, start.q.len());
         newton.met(eom.energy(&start).largest());
         let unstable = newton.unstable(&*eom);
-        let ahead = Tangent::zero(tangent.z.len());
+        let trial_tangent = PathTangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
         Ok(Self {
             eom,
@@ -105,12 +105,12 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             state: start,
             tangent,
             trial,
-            ahead,
+            trial_tangent,
             step,
             length: 0.0,
             unstable,
-            doubt: None,
-            heading: 1.0,
+            unconfirmed_step: None,
+            direction: 1.0,
         })
     }
 
@@ -118,7 +118,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.tangent.scale(-1.0);
-        self.heading = -self.heading;
+        self.direction = -self.direction;
         self
     }
 
@@ -144,14 +144,14 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let end = self.length + until.length;
         for _ in 0..until.points {
             let left = end - self.length;
-            let arrival = self.advance(until.load, left)?;
-            let last = arrival.length >= left;
-            let landed = arrival.landed;
-            let point = self.arrive(arrival);
+            let step_end = self.advance(until.load, left)?;
+            let last = step_end.length >= left;
+            let at_target = step_end.at_target;
+            let point = self.accept_trial(step_end);
             if each(&self.state, &point).is_break() {
                 return Ok(Left::Broken);
             }
-            if landed {
+            if at_target {
                 return Ok(Left::Load);
             }
             if last {
@@ -162,40 +162,40 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     }
 
     /// Accepts the trial point as the current point.
-    fn arrive(&mut self, arrival: Arrival) -> PathPoint {
-        self.newton.met(arrival.found.energy.largest());
+    fn accept_trial(&mut self, step_end: StepEnd) -> PathPoint {
+        self.newton.met(step_end.found.energy.largest());
         self.state.copy_from(&self.trial);
-        std::mem::swap(&mut self.tangent, &mut self.ahead);
-        self.length += arrival.length;
-        self.unstable = arrival.unstable;
-        if arrival.limit.is_some() {
-            self.heading = -self.heading;
+        std::mem::swap(&mut self.tangent, &mut self.trial_tangent);
+        self.length += step_end.length;
+        self.unstable = step_end.unstable;
+        if step_end.limit.is_some() {
+            self.direction = -self.direction;
         }
-        let (slope, limit) = (self.tangent.load, arrival.limit);
-        PathPoint { equilibrium: arrival.found, length: self.length, slope, limit }
+        let (slope, limit) = (self.tangent.load, step_end.limit);
+        PathPoint { equilibrium: step_end.found, length: self.length, slope, limit }
     }
 
     /// Computes the next point in the trial state by a step of at most `left`.
-    fn advance(&mut self, target: Option<f64>, left: f64) -> Result<Arrival, EquilibriumError> {
+    fn advance(&mut self, target: Option<f64>, left: f64) -> Result<StepEnd, EquilibriumError> {
         let mut found = Equilibrium::default();
         loop {
             let step = self.step.min(self.steps.largest).min(left);
-            match self.reach(step, target) {
-                Ok((arrival, iterations)) => {
+            match self.attempt_step(step, target) {
+                Ok((step_end, iterations)) => {
                     let wanted = f64::from(self.steps.iterations) / f64::from(iterations.max(1));
                     self.step = step * wanted.sqrt().clamp(0.5, 2.0);
-                    if arrival.unstable != self.unstable {
+                    if step_end.unstable != self.unstable {
                         // The stability change is confirmed, so the path continues with the original step size.
-                        self.step = self.doubt.take().unwrap_or(self.step);
+                        self.step = self.unconfirmed_step.take().unwrap_or(self.step);
                     }
                     // Otherwise the path has turned away from the bifurcation.
-                    self.doubt = self.doubt.filter(|first| step < *first);
-                    return Ok(Arrival { found: found.after(arrival.found), ..arrival });
+                    self.unconfirmed_step = self.unconfirmed_step.filter(|first| step < *first);
+                    return Ok(StepEnd { found: found.followed_by(step_end.found), ..step_end });
                 }
                 Err(cause) => {
                     found.failed(&cause);
                     if cause.failure == Failure::Unstable {
-                        self.doubt.get_or_insert(step);
+                        self.unconfirmed_step.get_or_insert(step);
                     }
                     self.step = 0.5 * step;
                     if self.step < self.steps.smallest || cause.is_final() {
@@ -208,41 +208,41 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     }
 
     /// Attempts a step and ends it at a limit point or at the target. Returns also the iterations of the whole step.
-    fn reach(&mut self, step: f64, target: Option<f64>) -> Result<(Arrival, u32), SolveError> {
+    fn attempt_step(&mut self, step: f64, target: Option<f64>) -> Result<(StepEnd, u32), SolveError> {
         let found = self.attempt(step)?;
         let (iterations, unstable) = (found.iterations, found.unstable);
-        let mut arrival = Arrival { found, length: step, limit: None, landed: false, unstable };
+        let mut step_end = StepEnd { found, length: step, limit: None, at_target: false, unstable };
         if self.hides_limits(step) {
-            return Err(found.refuse(Failure::Turned, &self.trial));
+            return Err(found.reject(Failure::Turned, &self.trial));
         }
-        let doubtful = self.doubt.is_none_or(|first| step > BELIEVED * first);
-        if doubtful && self.hides_bifurcation(unstable) {
-            return Err(found.refuse(Failure::Unstable, &self.trial));
+        let unconfirmed = self.unconfirmed_step.is_none_or(|first| step > CONFIRMED * first);
+        if unconfirmed && self.hides_bifurcation(unstable) {
+            return Err(found.reject(Failure::Unstable, &self.trial));
         }
-        if self.ahead.load * self.heading < 0.0 {
-            let start = self.heading * self.tangent.load.abs();
+        if self.trial_tangent.load * self.direction < 0.0 {
+            let start = self.direction * self.tangent.load.abs();
             let largest = self.state.load.abs().max(self.trial.load.abs());
             // The load falls short of its limit by slope²/2 |curvature|.
             self.locate(
-                &mut arrival,
+                &mut step_end,
                 start,
-                |_, ahead| ahead.load,
+                |_, trial_tangent| trial_tangent.load,
                 |slope, curvature| 0.5 * slope * slope <= LIMIT * largest * curvature.abs(),
             )?;
-            arrival.limit = Some(if self.heading > 0.0 { Limit::Maximum } else { Limit::Minimum });
+            step_end.limit = Some(if self.direction > 0.0 { Limit::Maximum } else { Limit::Minimum });
         }
         if let Some(target) = target {
             let (before, after) = (self.state.load - target, self.trial.load - target);
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
                 let close = 1e-3 * (before - after).abs();
-                let mut landing = Arrival { found: arrival.found, ..arrival };
-                self.locate(&mut landing, before, |s, _| s.load - target, |miss, _| miss.abs() <= close)?;
-                self.land(target, &mut landing)?;
-                let unstable = landing.found.unstable;
-                arrival = Arrival { limit: None, landed: true, unstable, ..landing };
+                let mut target_end = StepEnd { found: step_end.found, ..step_end };
+                self.locate(&mut target_end, before, |s, _| s.load - target, |miss, _| miss.abs() <= close)?;
+                self.solve_at_load(target, &mut target_end)?;
+                let unstable = target_end.found.unstable;
+                step_end = StepEnd { limit: None, at_target: true, unstable, ..target_end };
             }
         }
-        Ok((arrival, iterations))
+        Ok((step_end, iterations))
     }
 
     /// Returns true if the load factor may have two extrema within a step, which its end slopes do not show.
@@ -250,8 +250,9 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// A cubic with end slopes of equal sign is monotone if both are at most three times the mean slope (Fritsch &
     /// Carlson 1980).
     fn hides_limits(&self, step: f64) -> bool {
-        let mean = (self.trial.load - self.state.load) / step * self.heading;
-        let [before, after] = [self.tangent.load, self.ahead.load].map(|slope| slope * self.heading);
+        let mean = (self.trial.load - self.state.load) / step * self.direction;
+        let [before, after] =
+            [self.tangent.load, self.trial_tangent.load].map(|slope| slope * self.direction);
         after > 0.0 && before.max(after) > 3.0 * mean
     }
 
@@ -260,45 +261,45 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// A bifurcation causes such a change. Sufficiently small steps follow the path of an imperfect structure around
     /// it.
     fn hides_bifurcation(&self, unstable: Option<usize>) -> bool {
-        let limits = usize::from(self.ahead.load * self.heading < 0.0);
+        let limits = usize::from(self.trial_tangent.load * self.direction < 0.0);
         matches!((self.unstable, unstable), (Some(before), Some(after)) if before.abs_diff(after) != limits)
     }
 
     /// Solves for the equilibrium at a length σ beyond the current point, and for its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
         if let Some((eom, matrix)) = self.eom.ahead(&self.state) {
-            self.renew(eom, matrix)?;
+            self.replace_equations(eom, matrix)?;
         }
         let mut found = Equilibrium::default();
         loop {
             self.trial.copy_from(&self.state);
             self.tangent.move_by(length, &mut self.trial);
             let Self { newton, eom, tangent, trial, .. } = self;
-            found = found.again(Equilibrium::find(newton, &mut Plane(tangent), &**eom, trial)?);
-            let Some((eom, matrix)) = eom.completed(trial) else { return self.look_ahead(found) };
+            found = found.repeated(Equilibrium::find(newton, &mut PlaneUpdate(tangent), &**eom, trial)?);
+            let Some((eom, matrix)) = eom.completed(trial) else { return self.update_tangent(found) };
             // A term that is active there was not included.
-            self.renew(eom, matrix)?;
+            self.replace_equations(eom, matrix)?;
         }
     }
 
-    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         self.eom.replace(eom);
-        self.newton.adopt(matrix)
+        self.newton.replace_matrix(matrix)
     }
 
     /// Computes the tangent at the trial state.
-    fn look_ahead(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
+    fn update_tangent(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
         let response = response(&mut self.newton, &*self.eom, &mut self.trial)
-            .map_err(|failure| found.refuse(failure, &self.trial))?;
+            .map_err(|failure| found.reject(failure, &self.trial))?;
         found.unstable = self.newton.unstable(&*self.eom);
-        self.ahead = self.metric.tangent(response, self.trial.q.len());
-        if self.ahead.product(&self.tangent) < 0.0 {
-            self.ahead.scale(-1.0);
+        self.trial_tangent = self.metric.tangent(response, self.trial.q.len());
+        if self.trial_tangent.product(&self.tangent) < 0.0 {
+            self.trial_tangent.scale(-1.0);
         }
         let chord = self.metric.distance(&self.state, &self.trial);
         let along = self.tangent.length(&self.state, &self.trial);
-        if self.ahead.product(&self.tangent) < TURN || along < BEND * chord {
-            return Err(found.refuse(Failure::Turned, &self.trial));
+        if self.trial_tangent.product(&self.tangent) < TURN || along < CHORD * chord {
+            return Err(found.reject(Failure::Turned, &self.trial));
         }
         Ok(found)
     }
@@ -308,21 +309,21 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// The method is regula falsi in the Illinois form. `done` evaluates a value and its slope along the path.
     fn locate(
         &mut self,
-        arrival: &mut Arrival,
+        step_end: &mut StepEnd,
         start: f64,
-        value: impl Fn(&State, &Tangent) -> f64,
+        value: impl Fn(&State, &PathTangent) -> f64,
         done: impl Fn(f64, f64) -> bool,
     ) -> Result<(), SolveError> {
         let (mut a, mut at_a) = (0.0, start);
-        let (mut b, mut at_b) = (arrival.length, value(&self.trial, &self.ahead));
-        for _ in 0..LOCATE {
+        let (mut b, mut at_b) = (step_end.length, value(&self.trial, &self.trial_tangent));
+        for _ in 0..MAX_LOCATE {
             if done(at_b, (at_b - at_a) / (b - a)) {
-                arrival.length = b;
+                step_end.length = b;
                 return Ok(());
             }
             let length = b - at_b * (b - a) / (at_b - at_a);
-            arrival.found = arrival.found.after(self.attempt(length)?);
-            let at_length = value(&self.trial, &self.ahead);
+            step_end.found = step_end.found.followed_by(self.attempt(length)?);
+            let at_length = value(&self.trial, &self.trial_tangent);
             if at_length * at_b < 0.0 {
                 (a, at_a) = (b, at_b);
             } else {
@@ -330,20 +331,24 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             }
             (b, at_b) = (length, at_length);
         }
-        Err(arrival.found.refuse(Failure::NotConverged, &self.trial))
+        Err(step_end.found.reject(Failure::NotConverged, &self.trial))
     }
 
     /// Moves the trial state to a nearby load factor.
-    fn land(&mut self, target: f64, arrival: &mut Arrival) -> Result<(), SolveError> {
+    fn solve_at_load(&mut self, target: f64, step_end: &mut StepEnd) -> Result<(), SolveError> {
         self.trial.load = target;
-        let mut found = Equilibrium::find(&mut self.newton, &mut Whole, &*self.eom, &mut self.trial)?;
+        let mut found = Equilibrium::find(&mut self.newton, &mut FullUpdate, &*self.eom, &mut self.trial)?;
         while let Some((eom, matrix)) = self.eom.completed(&self.trial) {
-            self.renew(eom, matrix)?;
-            found =
-                found.again(Equilibrium::find(&mut self.newton, &mut Whole, &*self.eom, &mut self.trial)?);
+            self.replace_equations(eom, matrix)?;
+            found = found.repeated(Equilibrium::find(
+                &mut self.newton,
+                &mut FullUpdate,
+                &*self.eom,
+                &mut self.trial,
+            )?);
         }
-        arrival.found = arrival.found.after(self.look_ahead(found)?);
-        arrival.length = self.tangent.length(&self.state, &self.trial);
+        step_end.found = step_end.found.followed_by(self.update_tangent(found)?);
+        step_end.length = self.tangent.length(&self.state, &self.trial);
         Ok(())
     }
 }

@@ -1,14 +1,14 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Linear, Mover, Newton, SolveError};
+use crate::newton::{Failure, LinearSolution, Newton, SolveError, StateUpdate};
 
 /// Stagnation limit for increments of slowly decreasing energy.
-const PATIENCE: u32 = 100;
+const STAGNATION_LIMIT: u32 = 100;
 
 /// Update of coordinates only: the mass in the matrix causes no accelerations.
-struct AtRest;
+struct CoordinateUpdate;
 
-impl Mover for AtRest {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, _: Weights) -> Result<(), Failure> {
+impl StateUpdate for CoordinateUpdate {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, _: Weights) -> Result<(), Failure> {
         s.add(at.z, Weights::STIFFNESS);
         Ok(())
     }
@@ -28,7 +28,7 @@ pub fn settle(
     rate: f64,
 ) -> Result<(), SolveError> {
     let weights = Weights { a: rate * rate, ..Weights::STIFFNESS };
-    newton.bear(PATIENCE);
-    let report = newton.solve_by(&mut AtRest, eom, s, weights)?;
+    newton.set_stagnation_limit(STAGNATION_LIMIT);
+    let report = newton.solve_with(&mut CoordinateUpdate, eom, s, weights)?;
     eom.inadmissible(s).map_or(Ok(()), |worst| Err(SolveError::after(report, s.t, Failure::Inverted, worst)))
 }

@@ -31,7 +31,7 @@ pub struct Until {
     pub length: f64,
 }
 
-/// End condition that was met.
+/// Condition that ended the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Left {
     /// The load factor was reached.

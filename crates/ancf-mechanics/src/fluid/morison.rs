@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::flow::{Fluid, HydroCoefficients, RelativeFlow};
+use super::flow_field::{Fluid, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
 /// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.

@@ -1,6 +1,6 @@
+use super::function_value::Instant;
 use super::grammar::{ExpressionError, parse};
-use super::instant::Instant;
-use super::node::{Jet, SyntaxNode};
+use super::syntax_node::{Jet, SyntaxNode};
 
 /// Formula in t, with exact derivatives by dual numbers.
 ///

@@ -2,9 +2,9 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::expression::Expression;
-use super::external::External;
-use super::instant::Instant;
-use super::table::Table;
+use super::external_function::External;
+use super::function_value::Instant;
+use super::time_table::Table;
 
 /// Dimensionless function f of time t.
 ///

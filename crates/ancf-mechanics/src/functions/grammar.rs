@@ -7,7 +7,7 @@ use winnow::stream::Stream as _;
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
-use super::node::{SyntaxNode, power};
+use super::syntax_node::{SyntaxNode, power};
 
 /// Maximum number of characters of a formula. It also limits the recursion depth.
 const LENGTH: usize = 1000;

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
-use super::estimate::{ErrorEstimate, ErrorHistory};
-use super::motion::Unknown;
+use super::error_estimate::{ErrorEstimate, ErrorHistory};
+use super::integration_state::Unknown;
 use super::step_report::StepReport;
 use super::time_stepper::Dynamics;
 use crate::equations::EquationsOfMotion;

@@ -1,6 +1,6 @@
 use super::first_step::start_values;
 use super::initial_conditions::{accelerations, velocities};
-use super::motion::{DividedStep, DynamicsMemory, IntegrationState, Unknown};
+use super::integration_state::{DividedStep, DynamicsMemory, IntegrationState, Unknown};
 use super::scheme::Scheme;
 use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use super::report::Report;
+use super::newton_report::Report;
 
 /// Cause of failure of a Newton iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

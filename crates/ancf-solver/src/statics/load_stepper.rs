@@ -37,7 +37,7 @@ const END_TOLERANCE: f64 = 1e-12;
 ///
 /// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
 /// corrects it. Failed increments are halved, and increments follow that double after fast convergence. Beyond a limit
-/// point, use [`Path`](super::path::Path).
+/// point, use [`Path`](super::arc_length::Path).
 #[derive(Debug)]
 pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
     eom: ActiveSet<'a, E>,

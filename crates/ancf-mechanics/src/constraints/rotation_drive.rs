@@ -3,7 +3,7 @@ use std::ops::Range;
 use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincide_perpendicular::{AXES, Wrench, direction};
+use super::coincidence::{AXES, Wrench, direction};
 use crate::functions::{Function, Instant};
 use crate::kinematics::Marker;
 

@@ -1,8 +1,8 @@
 use std::ops::ControlFlow;
 
-use super::arc::{Metric, PathTangent, PlaneUpdate, response};
+use super::arc_metric::{Metric, PathTangent, PlaneUpdate, response};
 use super::equilibrium::Equilibrium;
-use super::waypoint::{ArcSteps, Left, Limit, PathPoint, Until};
+use super::path_point::{ArcSteps, Left, Limit, PathPoint, Until};
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, Failure, FullUpdate, Newton, SolveError};
 use crate::sparse::SparseMatrix;

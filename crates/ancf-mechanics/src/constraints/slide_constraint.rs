@@ -3,7 +3,7 @@ use std::ops::Range;
 use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincide_perpendicular::{AXES, Wrench};
+use super::coincidence::{AXES, Wrench};
 use crate::kinematics::{ElementAxis, Marker};
 
 /// Sliding joint of a point on the axis of a beam: r_a = r_b(s), with the undeformed arc length s as a massless

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::instant::Instant;
+use super::function_value::Instant;
 
 /// User-defined function of time.
 ///

@@ -1,4 +1,4 @@
-use super::instant::Instant;
+use super::function_value::Instant;
 
 /// Piecewise linear function through points in time, constant before the first and after the last point.
 ///

@@ -2,9 +2,9 @@ use std::ops::Range;
 
 use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
-use super::coincide_perpendicular::Wrench;
-use super::measure::Measure;
-use super::target::Target;
+use super::bilinear_measure::Measure;
+use super::coincidence::Wrench;
+use super::measure_target::Target;
 
 /// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
 ///

@@ -1,7 +1,7 @@
 use ancf_solver::equations::{LOCAL, LocalMatrix, State};
 use nalgebra::{Matrix3, Vector3};
 
-use super::coincide_perpendicular::Wrench;
+use super::coincidence::Wrench;
 use crate::kinematics::Marker;
 
 /// Bilinear scalar g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ of markers and coordinates, used by constraints and springs.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{Failure, SolveError};
 use super::interrupt::Interrupt;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
-use super::report::Report;
+use super::newton_report::Report;
 use super::rounding_floor::raise_to_achievable;
 use super::tangent::{NewtonTangent, TangentMemory};
 use crate::equations::{EquationsOfMotion, State, Weights};

@@ -3,7 +3,7 @@ use std::ops::Range;
 use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::coincide_perpendicular::Wrench;
+use super::coincidence::Wrench;
 use crate::kinematics::Marker;
 
 /// Angle of a revolute joint as a massless coordinate θ, defined by one equation.

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use super::flow::{Fluid, Hull, HydroCoefficients};
+use super::flow_field::{Fluid, Hull, HydroCoefficients};
 use super::morison::Morison;
 use crate::bodies::BeamMesh;
 

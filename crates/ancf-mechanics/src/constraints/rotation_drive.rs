@@ -3,16 +3,16 @@ use std::ops::Range;
 use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincide_perpendicular::{AXES, Wrench, direction};
+use super::coincidence::{AXES, Wrench, direction};
 use crate::functions::{Function, Instant};
 use crate::kinematics::Marker;
 
-/// Three linear equations: a direction is its reference value turned about an axis by a given angle.
+/// Three linear equations that prescribe a direction by rotation of its reference value about an axis.
 ///
-/// Φ = (a − a₀) + c, c = −(R(k, θ) − I) a₀ = −sin θ k × a₀ − (1 − cos θ) k × (k × a₀), with the angle θ = s α f(t) of a function
-/// of time f and the load factor s, which is 1 but in statics. Φ_qᵀ λ puts λ on a.
+/// Φ = (a − a₀) + c, c = −(R(k, θ) − I) a₀ = −sin θ k × a₀ − (1 − cos θ) k × (k × a₀), with the angle θ = s α f(t). f
+/// is a function of time and s the load factor, which differs from 1 in statics only. Φ_qᵀ λ applies λ to a.
 ///
-/// Units: of the direction, none; λ is a moment, α an angle in radians.
+/// Units: none for the direction; λ is a moment, α an angle in radians.
 #[derive(Clone, Debug)]
 pub struct Drive {
     global: Marker,
@@ -26,7 +26,8 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// Turns a direction about a unit vector by an angle times a function of time; uses the three multipliers from `first` on.
+    /// Rotates a direction about a unit vector by an angle times a function of time. Uses the three multipliers from
+    /// `first`.
     pub fn new(a: &Marker, axis: Vector3<f64>, angle: f64, function: Function, first: usize) -> Self {
         let coordinates: Vec<usize> = a.coordinates().collect();
         let once = axis.cross(&a.reference());
@@ -34,13 +35,13 @@ impl Drive {
         Self { global: a.clone(), a: a.within(&coordinates), coordinates, first, across, angle, function }
     }
 
-    /// Its share of what the drive exerts on the body: the moment a × (−λ).
+    /// Returns the contribution to the reaction of the drive on the body: the moment a × (−λ).
     pub fn reaction(&self, s: &State) -> Wrench {
         let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
         Wrench { moment: self.global.value(s).cross(&force), ..Wrench::default() }
     }
 
-    /// (R − I) a₀ with 1 − cos θ free of cancellation.
+    /// Computes (R − I) a₀, with 1 − cos θ free of cancellation.
     fn turned(&self, at: &Local<'_>) -> Vector3<f64> {
         let angle = at.load * self.angle * self.function.value(at.t);
         self.across[0] * angle.sin() + self.across[1] * (2.0 * (0.5 * angle).sin().powi(2))
@@ -73,7 +74,7 @@ impl Term for Drive {
         let (rows, equations) = floor.split_at_mut(at.q.len());
         let angle = at.load * self.angle * self.function.value(at.t);
         for k in 0..3 {
-            // An angle of many turns is known to ε times itself only.
+            // The rounding error of an angle of many turns is ε times its value.
             let size = self.across[0][k].abs() + self.across[1][k].abs();
             equations[k] += f64::EPSILON * size * (1.0 + angle.abs());
         }

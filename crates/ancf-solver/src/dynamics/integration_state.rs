@@ -1,68 +1,68 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::predictor::Trend;
+use super::predictor::Predictor;
 use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
 use crate::newton::NewtonMemory;
 
-/// Where a motion is: what moves on with each accepted step.
+/// Integration state that each accepted step advances.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Motion {
+pub(crate) struct IntegrationState {
     pub(crate) state: State,
-    /// The scheme's auxiliary acceleration aₙ, for the step `h` that led here.
+    /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
     pub(crate) auxiliary: Vec<f64>,
     pub(crate) h: f64,
-    /// Whether accelerations are consistent and there is no step before.
-    pub(crate) fresh: bool,
-    /// By how many halvings the next step begins: one less than the last one needed.
+    /// True if the accelerations are consistent and there is no previous step.
+    pub(crate) at_start: bool,
+    /// Number of halvings at the start of the next step: one less than in the last step.
     pub(crate) halvings: u32,
-    /// A step that is not completed yet.
-    pub(crate) divided: Option<Divided>,
-    pub(crate) trend: Trend,
+    /// Divided step that is not complete.
+    pub(crate) divided: Option<DividedStep>,
+    pub(crate) predictor: Predictor,
     /// Energy and power of the state.
     pub(crate) energy: Energy,
     pub(crate) power: Power,
     pub(crate) exchanged: Power,
 }
 
-/// What is left of a step that was divided: so many parts h up to a time.
+/// Remainder of a divided step: a number of substeps h up to a time.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(crate) struct Divided {
+pub(crate) struct DividedStep {
     pub(crate) to: f64,
     pub(crate) h: f64,
     pub(crate) left: u64,
     pub(crate) halvings: u32,
-    /// On the parts done.
+    /// Report of the completed substeps.
     pub(crate) report: StepReport,
 }
 
-/// All on which the rest of a motion depends besides equations, scheme and rules; of [`Dynamics`](super::time_stepper::Dynamics).
+/// Saved state of [`Dynamics`](super::time_stepper::Dynamics), without equations, scheme and rules.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct DynamicsMemory {
-    pub(crate) motion: Motion,
-    /// The pairs whose terms are among the equations: the order of elimination, and so rounding, depends on them.
+    pub(crate) motion: IntegrationState,
+    /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
     pub(crate) met: Vec<Met>,
     pub(crate) newton: NewtonMemory,
 }
 
-/// A memory is not one of these dynamics.
+/// The saved state does not belong to this integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the memory is not one of these equations and rules, or damaged")]
+#[error("the saved state is damaged or belongs to other equations or rules")]
 pub struct Unknown;
 
-/// Reports of more iterations than this are damaged.
-const MOST: u32 = u32::MAX / 4;
+/// Largest plausible count in a report. Larger counts indicate damaged data.
+const MAX_COUNT: u32 = u32::MAX / 4;
 
-impl Motion {
+impl IntegrationState {
     pub(crate) fn new(start: State, eom: &impl EquationsOfMotion) -> Self {
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
-            fresh: false,
+            at_start: false,
             halvings: 0,
             divided: None,
-            trend: Trend::new(start.q.len() + start.lambda.len()),
+            predictor: Predictor::new(start.q.len() + start.lambda.len()),
             energy: eom.energy(&start),
             power: eom.power(&start),
             exchanged: Power::default(),
@@ -70,7 +70,7 @@ impl Motion {
         }
     }
 
-    /// Whether it is one of so many unknowns, and makes sense.
+    /// Returns true if the state has the given sizes and is plausible.
     pub(crate) fn is_sound(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
         let Self { energy, power, exchanged, h, .. } = self;
         let energies = [energy.kinetic, energy.strain, energy.potential];
@@ -82,11 +82,11 @@ impl Motion {
             && *h >= 0.0
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_sound(self.state.t, max_halvings))
-            && self.trend.is_sound(coordinates + multipliers)
+            && self.predictor.is_sound(coordinates + multipliers)
     }
 }
 
-impl Divided {
+impl DividedStep {
     fn is_sound(&self, t: f64, max_halvings: u32) -> bool {
         let Self { to, h, left, halvings, report } = *self;
         halvings <= max_halvings
@@ -98,19 +98,19 @@ impl Divided {
 }
 
 impl StepReport {
-    /// Whether its counts can be added to.
+    /// Returns true if the counts can be summed without overflow.
     pub fn is_sound(&self) -> bool {
-        [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MOST)
+        [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MAX_COUNT)
     }
 }
 
 impl DynamicsMemory {
-    /// The time of the state.
+    /// Returns the time of the state.
     pub fn time(&self) -> f64 {
         self.motion.state.t
     }
 
-    /// The time to which a step leads that was divided and not completed.
+    /// Returns the end time of a divided step that is not complete.
     pub fn under_way(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }

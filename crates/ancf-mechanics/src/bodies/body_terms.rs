@@ -5,17 +5,17 @@ use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
 use crate::kinematics::{Attachment, Kind, Marker, NodalVector};
 
-/// A body as coordinates and terms.
+/// Body as coordinates and terms.
 #[derive(Clone, Debug)]
 pub enum Body {
-    /// A beam or a cable of elements.
+    /// Beam or cable mesh.
     Flexible(BeamMesh),
-    /// A rigid body or a point mass.
+    /// Rigid body or point mass.
     Rigid(RigidBody),
 }
 
 impl Body {
-    /// Its mesh, if it is flexible.
+    /// Returns the mesh of a flexible body.
     pub const fn mesh(&self) -> Option<&BeamMesh> {
         match self {
             Self::Flexible(mesh) => Some(mesh),
@@ -23,7 +23,7 @@ impl Body {
         }
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         match self {
             Self::Flexible(mesh) => mesh.coordinates(),
@@ -31,7 +31,7 @@ impl Body {
         }
     }
 
-    /// Number of multipliers of its own.
+    /// Returns the number of multipliers of the body.
     pub const fn multipliers(&self) -> usize {
         match self {
             Self::Flexible(_) => 0,
@@ -39,7 +39,7 @@ impl Body {
         }
     }
 
-    /// Its terms.
+    /// Returns the terms of the body.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         match self {
             Self::Flexible(mesh) => mesh.terms(),
@@ -47,12 +47,14 @@ impl Body {
         }
     }
 
-    /// Batches of its terms, each with the number of its first one.
+    /// Returns batches of the terms, each with the index of its first term.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
         self.mesh().map_or_else(Vec::new, BeamMesh::batches)
     }
 
-    /// Sums Σ m x of its masses and positions, part by part: times an acceleration, the forces of a uniform field.
+    /// Returns the sums Σ m x over parts of the body.
+    ///
+    /// Multiplied by an acceleration they give the forces of a uniform field.
     pub fn mass_markers(&self) -> Vec<Marker> {
         match self {
             Self::Flexible(mesh) => mesh.mass_markers().collect(),
@@ -60,8 +62,9 @@ impl Body {
         }
     }
 
-    /// What joints, loads and probes hold on to: at an arc length of a flexible body, at a point of the reference state of a
-    /// rigid one.
+    /// Returns the attachment of joints, loads and probes.
+    ///
+    /// A flexible body is attached at an arc length, and a rigid body at a point of the reference state.
     pub fn attachment(&self, s: f64, point: Vector3<f64>) -> Attachment {
         match self {
             Self::Flexible(mesh) => mesh.attachment(s),
@@ -69,7 +72,7 @@ impl Body {
         }
     }
 
-    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    /// Returns all nodal vectors in a state, in the order of the coordinates.
     pub fn vectors(&self, s: &State) -> Vec<NodalVector> {
         match self {
             Self::Flexible(mesh) => mesh.vectors(s).collect(),
@@ -77,7 +80,7 @@ impl Body {
         }
     }
 
-    /// The node, if it has nodes, and the vector that a coordinate belongs to, if it is one of this body.
+    /// Returns the node, if any, and the kind of vector to which a coordinate of this body belongs.
     pub fn place_of(&self, coordinate: usize) -> Option<(Option<usize>, Kind)> {
         match self {
             Self::Flexible(mesh) => mesh.place_of(coordinate).map(|(node, kind)| (Some(node), kind)),
@@ -85,7 +88,7 @@ impl Body {
         }
     }
 
-    /// The arc length of a node in the reference state; 0 of a body without nodes.
+    /// Returns the arc length of a node in the reference state. It is 0 for a body without nodes.
     pub fn arc_length(&self, node: usize) -> f64 {
         self.mesh().map_or(0.0, |mesh| {
             let nodes = mesh.coordinates() / (3 * mesh.node_kinds().len());
@@ -93,7 +96,7 @@ impl Body {
         })
     }
 
-    /// Strain energy by part.
+    /// Returns the strain energy by part.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
         self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))
     }

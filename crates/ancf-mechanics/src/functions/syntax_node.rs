@@ -1,20 +1,20 @@
 use num_dual::{Dual2_64, DualNum};
 
-/// A number with its first two derivatives in t.
+/// Number with its first two derivatives by t.
 pub(crate) type Jet = Dual2_64;
 
-/// A part of a formula.
+/// Node of the syntax tree of a formula.
 #[derive(Clone, Debug)]
-pub(crate) enum Node {
+pub(crate) enum SyntaxNode {
     Number(f64),
     Time,
     One(fn(Jet) -> Jet, Box<Self>),
     Two(fn(Jet, Jet) -> Jet, Box<[Self; 2]>),
-    /// The second if the first is not 0, else the third.
+    /// Conditional: the second expression if the first is nonzero, else the third.
     If(Box<[Self; 3]>),
 }
 
-impl Node {
+impl SyntaxNode {
     pub(crate) fn at(&self, t: Jet) -> Jet {
         match self {
             Self::Number(x) => Jet::from_re(*x),
@@ -31,12 +31,12 @@ impl Node {
         }
     }
 
-    /// f(x, y).
+    /// Creates the node f(x, y).
     pub(crate) fn two(f: fn(Jet, Jet) -> Jet, x: Self, y: Self) -> Self {
         Self::Two(f, Box::new([x, y]))
     }
 
-    /// A function of so many arguments by its name, if there is one.
+    /// Creates a function call by name and arguments, if the function exists.
     pub(crate) fn call(name: &str, arguments: Vec<Self>) -> Option<Self> {
         if let Some(f) = one(name) {
             let [x] = <[Self; 1]>::try_from(arguments).ok()?;
@@ -45,7 +45,7 @@ impl Node {
         match name {
             "min" | "max" => {
                 let [x, y] = <[Self; 2]>::try_from(arguments).ok()?;
-                Some(Self::two(if name == "min" { least } else { greatest }, x, y))
+                Some(Self::two(if name == "min" { minimum } else { maximum }, x, y))
             }
             "if" => Some(Self::If(Box::new(<[Self; 3]>::try_from(arguments).ok()?))),
             _ => None,
@@ -53,7 +53,7 @@ impl Node {
     }
 }
 
-/// A function of one argument by its name.
+/// Returns a function of one argument by name.
 pub(crate) fn one(name: &str) -> Option<fn(Jet) -> Jet> {
     Some(match name {
         "sin" => |x| x.sin(),
@@ -74,15 +74,15 @@ pub(crate) fn one(name: &str) -> Option<fn(Jet) -> Jet> {
     })
 }
 
-pub(crate) fn least(x: Jet, y: Jet) -> Jet {
+pub(crate) fn minimum(x: Jet, y: Jet) -> Jet {
     if y.re < x.re { y } else { x }
 }
 
-pub(crate) fn greatest(x: Jet, y: Jet) -> Jet {
+pub(crate) fn maximum(x: Jet, y: Jet) -> Jet {
     if y.re > x.re { y } else { x }
 }
 
-/// xʸ: by multiplication where y is a whole number, so that x may have any sign or be 0.
+/// Computes xʸ, by multiplication for integer y, so that x may be negative or 0.
 pub(crate) fn power(x: Jet, y: Jet) -> Jet {
     let constant = y.v1 == 0.0 && y.v2 == 0.0;
     if constant && y.re.fract() == 0.0 && y.re.abs() <= 64.0 {
@@ -94,7 +94,7 @@ pub(crate) fn power(x: Jet, y: Jet) -> Jet {
     }
 }
 
-/// xⁿ with its derivatives n xⁿ⁻¹ and n(n − 1) xⁿ⁻², none of them a quotient if n ≥ 0.
+/// Computes xⁿ with the derivatives n xⁿ⁻¹ and n(n − 1) xⁿ⁻², without division for n ≥ 0.
 pub(crate) fn whole_power(x: Jet, n: i32) -> Jet {
     let times = |factor: i32, exponent: i32| {
         if factor == 0 { 0.0 } else { f64::from(factor) * x.re.powi(exponent) }

@@ -1,4 +1,4 @@
-/// How an iteration went.
+/// Report of a Newton iteration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Report {
     /// Number of linear solutions.
@@ -7,6 +7,6 @@ pub struct Report {
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
-    /// Whether the rounding error of the residual ended it.
+    /// True if the iteration ended at the rounding error of the residual.
     pub floor: bool,
 }

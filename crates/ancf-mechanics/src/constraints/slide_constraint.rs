@@ -3,17 +3,18 @@ use std::ops::Range;
 use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
-use super::coincide_perpendicular::{AXES, Wrench};
+use super::coincidence::{AXES, Wrench};
 use crate::kinematics::{ElementAxis, Marker};
 
-/// A point slides along a beam: r_a = r_b(s), with the arc length s of the undeformed beam as a coordinate without mass.
+/// Sliding joint of a point on the axis of a beam: r_a = r_b(s), with the undeformed arc length s as a massless
+/// coordinate.
 ///
-/// Φ = r_a − r_b(s), Φ_qᵀ λ puts λ on the point, −λ N on the beam and −λ·r_b′(s), the part along the tangent, on s, where nothing
-/// else balances it unless something drives or holds s: the slide is free of friction.
+/// Φ = r_a − r_b(s), and Φ_qᵀ λ applies λ to the point, −λ N to the beam and −λ·r_b′(s) to s. The latter is the
+/// tangential component. It vanishes unless a drive or a constraint acts on s, so the joint is frictionless.
 ///
-/// One term for each element of the beam, all with the same three multipliers and the same s; the one whose element s is in
-/// acts, so that the point goes from element to element. The tangent is continuous along elements of two nodes, and of no others.
-/// A point that leaves the beam is not admissible.
+/// Each element of the beam has one term. All terms share the three multipliers and s. The term of the element that
+/// contains s is active, so the point passes from element to element. Only two-node elements have a continuous tangent.
+/// A point beyond the ends of the beam is inadmissible.
 ///
 /// Units: length; λ is a force.
 /// Source: Sugiyama, Escalona & Shabana (2003), sliding joints of the absolute nodal coordinate formulation.
@@ -21,20 +22,21 @@ use crate::kinematics::{ElementAxis, Marker};
 pub struct Slide {
     point: Marker,
     axis: ElementAxis,
-    /// s less its reference value first.
+    /// Coordinates, s minus its reference value first.
     coordinates: Vec<usize>,
     first: usize,
     start: f64,
-    /// Whether the beam ends at the start of the element, and at its end.
+    /// True if the beam ends at the start or at the end of the element.
     ends: [bool; 2],
 }
 
-/// Place of s among the coordinates.
+/// Position of s among the coordinates.
 const S: usize = 0;
 
 impl Slide {
-    /// The terms of a slide of a point along the elements of a beam from the arc length `start` on; uses the three multipliers
-    /// from `first` on.
+    /// Creates the terms of a sliding joint along the elements of a beam, starting at the arc length `start`.
+    ///
+    /// Uses the three multipliers from `first`.
     pub fn along(
         axes: impl IntoIterator<Item = ElementAxis>,
         point: &Marker,
@@ -62,14 +64,15 @@ impl Slide {
         Self { point, axis, coordinates, first, start, ends: [false; 2] }
     }
 
-    /// What the beam exerts on the point: −λ.
+    /// Returns the reaction of the beam on the point: −λ.
     pub fn reaction(&self, s: &State) -> Wrench {
         let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
         Wrench { force, ..Wrench::default() }
     }
 
-    /// The arc length s, if it is in this element; ends of the beam reach on.
-    fn here(&self, q: &[f64]) -> Option<f64> {
+    /// Returns the arc length s if it is in this element. The first and the last element extend beyond the ends of the
+    /// beam.
+    fn local_arc_length(&self, q: &[f64]) -> Option<f64> {
         let (s, span) = (self.start + q[S], self.axis.span());
         let within = (self.ends[0] || s >= span.start) && (self.ends[1] || s < span.end);
         within.then_some(s)
@@ -90,7 +93,7 @@ impl Term for Slide {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [r_b, tangent, _] = self.axis.at(at.q, s);
         let [weights, ..] = self.axis.weights(s);
@@ -104,10 +107,10 @@ impl Term for Slide {
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [values, slopes, curvatures] = self.axis.weights(s);
-        // Weights are of degree three in s.
+        // The weights are cubic in s.
         let turn = f64::EPSILON * (self.start.abs() + at.q[S].abs());
         let of_value = |i: usize| 4.0 * (f64::EPSILON * values[i].abs() + turn * slopes[i].abs());
         let of_slope = |i: usize| 8.0 * (f64::EPSILON * slopes[i].abs() + turn * curvatures[i].abs());
@@ -125,7 +128,7 @@ impl Term for Slide {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [_, tangent, curvature] = self.axis.at(at.q, s);
         let [values, slopes, _] = self.axis.weights(s);
@@ -147,7 +150,7 @@ impl Term for Slide {
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
-        let Some(s) = self.here(at.q) else { return };
+        let Some(s) = self.local_arc_length(at.q) else { return };
         let [r_b, tangent, curvature] = self.axis.at(at.q, s);
         let [velocity, turning, _] = self.axis.sum(at.v, s);
         let rate = at.v[S];

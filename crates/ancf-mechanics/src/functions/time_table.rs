@@ -1,20 +1,20 @@
-use super::instant::Instant;
+use super::function_value::Instant;
 
-/// Points in time, linear between them, held before the first and after the last.
+/// Piecewise linear function through points in time, constant before the first and after the last point.
 ///
-/// Two points of one time are a jump.
+/// Two points at the same time define a jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     points: Vec<[f64; 2]>,
 }
 
 impl Table {
-    /// The table through points (t, f) in the order of time.
+    /// Creates the table through points (t, f) in ascending order of time.
     pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self { points: points.into_iter().collect() }
     }
 
-    /// Value and slope; 0 of a table without points.
+    /// Returns value and slope, and 0 for a table without points.
     pub(crate) fn at(&self, t: f64) -> Instant {
         let next = self.points.partition_point(|[time, _]| *time <= t);
         let before = next.checked_sub(1).map(|last| self.points[last]);
@@ -30,12 +30,12 @@ impl Table {
         }
     }
 
-    /// Its points (t, f).
+    /// Returns the points (t, f).
     pub(crate) fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
 
-    /// The times of its points.
+    /// Returns the times of the points.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         let mut times: Vec<f64> = self.points.iter().map(|[time, _]| *time).collect();
         times.dedup();

@@ -2,15 +2,15 @@ use std::ops::Range;
 
 use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
-use super::coincide_perpendicular::Wrench;
-use super::measure::Measure;
-use super::target::Target;
+use super::bilinear_measure::Measure;
+use super::coincidence::Wrench;
+use super::measure_target::Target;
 
-/// One equation: a measure is what it is told to be. What joints, drives and couplings are made of.
+/// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
 ///
 /// Φ = g(q) − g₀ − c(t); Φ_qᵀ λ = λ ∂g/∂q.
 ///
-/// Units: of the measure; λ is an energy per that.
+/// Units: those of the measure; λ is energy per unit of the measure.
 #[derive(Clone, Debug)]
 pub struct Tie {
     global: Measure,
@@ -23,30 +23,30 @@ pub struct Tie {
 }
 
 impl Tie {
-    /// Keeps the reference value of a measure, by the given multiplier.
+    /// Keeps a measure at its reference value with the given multiplier.
     pub fn new(measure: Measure, multiplier: usize) -> Self {
         Self::driven(measure, Target::NONE, multiplier)
     }
 
-    /// Leads a measure.
+    /// Drives a measure to a target.
     pub fn driven(measure: Measure, target: Target, multiplier: usize) -> Self {
         let coordinates = measure.coordinates();
         let (local, massless) = (measure.within(&coordinates), Vec::new());
         Self { global: measure, measure: local, target, coordinates, massless, multiplier, tie: "guide" }
     }
 
-    /// The same under a name that tells what it ties.
+    /// Sets the description of the constraint.
     #[must_use]
     pub fn named(self, tie: &'static str) -> Self {
         Self { tie, ..self }
     }
 
-    /// Makes the change of a measure a coordinate without mass: Φ = g(q) − g₀ − q_c.
+    /// Defines the change of a measure as a massless coordinate: Φ = g(q) − g₀ − q_c.
     pub fn defining(coordinate: usize, measure: Measure, multiplier: usize) -> Self {
         Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
     }
 
-    /// Its share of what the joint exerts on the first body.
+    /// Returns the contribution to the joint reaction on the first body.
     pub fn reaction(&self, s: &State) -> Wrench {
         self.global.wrench(s, -s.lambda[self.multiplier])
     }

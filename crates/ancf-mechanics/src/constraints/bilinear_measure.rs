@@ -1,14 +1,14 @@
 use ancf_solver::equations::{LOCAL, LocalMatrix, State};
 use nalgebra::{Matrix3, Vector3};
 
-use super::coincide_perpendicular::Wrench;
+use super::coincidence::Wrench;
 use crate::kinematics::Marker;
 
-/// A scalar that joints keep and springs resist: g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ, products of markers and single coordinates.
+/// Bilinear scalar g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ of markers and coordinates, used by constraints and springs.
 ///
-/// Angles of directions, distances of points along directions, squares of distances, joint coordinates and their sums are all
-/// of this form, at most quadratic in q: the gradient is linear, the second derivative H constant. Changes g − g₀ from the
-/// reference state are evaluated without cancellation.
+/// Angles of directions, distances of points along directions, squared distances, joint coordinates and their sums have
+/// this form. It is at most quadratic in q: the gradient is linear and the second derivative H constant. Changes g − g₀
+/// from the reference state are evaluated without cancellation.
 #[derive(Clone, Debug, Default)]
 pub struct Measure {
     products: Vec<Product>,
@@ -16,45 +16,45 @@ pub struct Measure {
     coordinates: Vec<(usize, f64)>,
 }
 
-/// c a·b.
+/// Product c a·b.
 #[derive(Clone, Debug)]
 struct Product {
     factor: f64,
     markers: [Marker; 2],
-    roles: [Role; 2],
+    roles: [MarkerMotion; 2],
 }
 
-/// How the first body of a joint moves a marker.
+/// Effect of the first body of a joint on a marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
-    Moves,
-    Turns,
-    Stays,
+enum MarkerMotion {
+    Translates,
+    Rotates,
+    Fixed,
 }
 
-/// A factor of a product, by what the first body of a joint does to it.
+/// Factor of a product, with its relation to the first body of a joint.
 #[derive(Clone, Copy, Debug)]
 pub enum Part<'a> {
-    /// A point of the first body, less another one: it moves with that point.
+    /// Point of the first body relative to another point. It moves with the first point.
     Point(&'a Marker),
-    /// A direction of the first body: it turns with the body.
+    /// Direction of the first body. It rotates with the body.
     Direction(&'a Marker),
-    /// A point or a direction of the other body or of the ground.
+    /// Point or direction of the other body or of the ground.
     Other(&'a Marker),
 }
 
 impl<'a> Part<'a> {
-    const fn parts(self) -> (&'a Marker, Role) {
+    const fn parts(self) -> (&'a Marker, MarkerMotion) {
         match self {
-            Self::Point(marker) => (marker, Role::Moves),
-            Self::Direction(marker) => (marker, Role::Turns),
-            Self::Other(marker) => (marker, Role::Stays),
+            Self::Point(marker) => (marker, MarkerMotion::Translates),
+            Self::Direction(marker) => (marker, MarkerMotion::Rotates),
+            Self::Other(marker) => (marker, MarkerMotion::Fixed),
         }
     }
 }
 
 impl Measure {
-    /// A sum of products c a·b.
+    /// Creates a sum of products c a·b.
     pub fn new<'a>(products: impl IntoIterator<Item = (f64, Part<'a>, Part<'a>)>) -> Self {
         let product = |(factor, a, b): (f64, Part<'a>, Part<'a>)| {
             let ((a, first), (b, second)) = (a.parts(), b.parts());
@@ -63,19 +63,19 @@ impl Measure {
         Self { products: products.into_iter().map(product).collect(), coordinates: Vec::new() }
     }
 
-    /// One coordinate.
+    /// Creates the measure of a single coordinate.
     pub fn coordinate(coordinate: usize) -> Self {
         Self::default().plus(coordinate, 1.0)
     }
 
-    /// This and a coordinate times a factor.
+    /// Adds a coordinate times a factor.
     #[must_use]
     pub fn plus(mut self, coordinate: usize, factor: f64) -> Self {
         self.coordinates.push((coordinate, factor));
         self
     }
 
-    /// The sorted coordinates that it reads, each once.
+    /// Returns the sorted coordinates without repetition.
     pub fn coordinates(&self) -> Vec<usize> {
         let markers = self.products.iter().flat_map(|product| &product.markers);
         let mut all: Vec<usize> = markers.flat_map(Marker::coordinates).collect();
@@ -85,10 +85,13 @@ impl Measure {
         all
     }
 
-    /// The same measure over the coordinates of a term, given their list.
+    /// Renumbers the coordinates for a term with the given coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
         let local = |c: &usize| {
-            coordinates.iter().position(|other| other == c).expect("the term lists its coordinates")
+            coordinates
+                .iter()
+                .position(|other| other == c)
+                .expect("the coordinate list contains all coordinates")
         };
         let product = |product: &Product| Product {
             markers: product.markers.each_ref().map(|marker| marker.within(coordinates)),
@@ -100,23 +103,23 @@ impl Measure {
         }
     }
 
-    /// Its value g₀ in the reference state.
+    /// Returns the reference value g₀.
     pub fn reference(&self) -> f64 {
         let of = |p: &Product| p.factor * p.markers[0].reference().dot(&p.markers[1].reference());
         self.products.iter().map(of).sum()
     }
 
-    /// Its value in a state.
+    /// Returns the value in a state.
     pub fn value(&self, s: &State) -> f64 {
         self.reference() + self.change(&s.q)
     }
 
-    /// Its rate in a state.
+    /// Returns the rate in a state.
     pub fn rate(&self, s: &State) -> f64 {
         self.slope(&s.q, &s.v)
     }
 
-    /// g − g₀.
+    /// Returns g − g₀.
     pub(crate) fn change(&self, q: &[f64]) -> f64 {
         let of = |p: &Product| {
             let [a, b] = &p.markers;
@@ -127,7 +130,7 @@ impl Measure {
             + self.coordinates.iter().map(|&(c, k)| k * q[c]).sum::<f64>()
     }
 
-    /// Its derivative along x: ∂g/∂q·x.
+    /// Returns the derivative along x: ∂g/∂q·x.
     pub(crate) fn slope(&self, q: &[f64], x: &[f64]) -> f64 {
         let of = |p: &Product| {
             let ([a, b], [u, v]) = (p.values(q), p.markers.each_ref().map(|marker| marker.sum(x)));
@@ -170,7 +173,7 @@ impl Measure {
         }
     }
 
-    /// Adds a bound of the rounding error of f ∂g/∂q, and returns one of that of g − g₀.
+    /// Adds a bound of the rounding error of f ∂g/∂q. Returns the bound for g − g₀.
     pub(crate) fn add_rounding(&self, q: &[f64], f: f64, floor: &mut [f64]) -> f64 {
         let mut of_change = 0.0;
         for p in &self.products {
@@ -191,16 +194,16 @@ impl Measure {
         of_change
     }
 
-    /// The force and the moment on the first body, about its point, of a force f in the measure: f ∂g/∂q on its markers.
+    /// Returns force and moment on the first body, about its point, for a generalised force f: f ∂g/∂q on its markers.
     pub fn wrench(&self, s: &State, f: f64) -> Wrench {
         let mut wrench = Wrench::default();
         for p in &self.products {
             let [a, b] = p.values(&s.q);
             for (role, x, y) in [(p.roles[0], a, b), (p.roles[1], b, a)] {
                 match role {
-                    Role::Moves => wrench.force += y * (f * p.factor),
-                    Role::Turns => wrench.moment += x.cross(&y) * (f * p.factor),
-                    Role::Stays => {}
+                    MarkerMotion::Translates => wrench.force += y * (f * p.factor),
+                    MarkerMotion::Rotates => wrench.moment += x.cross(&y) * (f * p.factor),
+                    MarkerMotion::Fixed => {}
                 }
             }
         }
@@ -209,7 +212,7 @@ impl Measure {
 }
 
 impl Product {
-    /// a and b.
+    /// Returns a and b.
     fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {
         self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q))
     }

@@ -3,42 +3,42 @@ use std::ops::Range;
 use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::coincide_perpendicular::Wrench;
+use super::coincidence::Wrench;
 use crate::kinematics::Marker;
 
-/// The angle of a hinge as a coordinate θ without mass, by one equation: a direction p of the first body stays in the plane
-/// through the axis that is turned by θ.
+/// Angle of a revolute joint as a massless coordinate θ, defined by one equation.
 ///
-/// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground across the axis, v = axis × u, and u along
-/// p in the reference state. Being an unknown that is followed in time, θ counts turns. Φ is zero for θ + π too, where p is
-/// against u: that is not admissible. A step must turn by less than half a turn.
+/// A direction p of the first body remains in the plane through the axis that is rotated by θ:
+/// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground normal to the axis and v = axis
+/// × u. u is parallel to p in the reference state. θ counts full turns, since it is continuous in time. Φ also vanishes
+/// at θ + π, where p is opposite to u. That state is inadmissible. A step must turn by less than half a turn.
 ///
-/// Units: none, λ is the moment about the axis.
+/// Units: none; λ is the moment about the axis.
 #[derive(Clone, Debug)]
 pub struct Angle {
     global: [Marker; 3],
-    /// p, u, v.
+    /// Directions p, u, v.
     markers: [Marker; 3],
-    /// θ first.
+    /// Coordinates, θ first.
     coordinates: Vec<usize>,
     multiplier: usize,
 }
 
-/// Place of θ among the coordinates.
+/// Position of θ among the coordinates.
 const THETA: usize = 0;
 
-/// What Φ is made of.
-struct Values {
+/// Quantities in Φ.
+struct AngleValues {
     p: Vector3<f64>,
     sin: f64,
     cos: f64,
-    /// cos θ v − sin θ u, and −∂w/∂θ = sin θ v + cos θ u.
+    /// w = cos θ v − sin θ u, and −∂w/∂θ = sin θ v + cos θ u.
     w: Vector3<f64>,
     along: Vector3<f64>,
 }
 
 impl Angle {
-    /// Makes the angle from u to p, about u × v, a coordinate.
+    /// Defines the angle from u to p about u × v as a coordinate.
     pub fn new(coordinate: usize, p: &Marker, [u, v]: [&Marker; 2], multiplier: usize) -> Self {
         let global = [p, u, v].map(Marker::clone);
         let mut others: Vec<usize> = global.iter().flat_map(Marker::coordinates).collect();
@@ -49,7 +49,7 @@ impl Angle {
         Self { global, markers, coordinates, multiplier }
     }
 
-    /// Its share of what the joint exerts on the first body: the moment p × (−λ w).
+    /// Returns the contribution to the joint reaction on the first body: the moment p × (−λ w).
     pub fn reaction(&self, s: &State) -> Wrench {
         let [p, u, v] = self.global.each_ref().map(|marker| marker.value(s));
         let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();
@@ -57,10 +57,10 @@ impl Angle {
         Wrench { moment, ..Wrench::default() }
     }
 
-    fn values(&self, q: &[f64]) -> Values {
+    fn values(&self, q: &[f64]) -> AngleValues {
         let [p, u, v] = self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q));
         let (sin, cos) = q[THETA].sin_cos();
-        Values { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
+        AngleValues { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
     }
 }
 
@@ -79,7 +79,7 @@ impl Term for Angle {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0]);
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let [of_p, of_u, of_v] = &self.markers;
         of_p.add(w * lambda, r);
         of_u.add(p * (-sin * lambda), r);
@@ -91,7 +91,7 @@ impl Term for Angle {
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0].abs());
         let [p, u, v] = self.markers.each_ref().map(|marker| marker.size(at.q));
-        // An angle of many turns is known to ε times itself only.
+        // The rounding error of an angle of many turns is ε times its value.
         let turn = f64::EPSILON * (2.0 + at.q[THETA].abs());
         for (marker, size) in self.markers.iter().zip([u + v, p, p]) {
             for &(first, w) in marker.parts() {
@@ -104,7 +104,7 @@ impl Term for Angle {
 
     fn tangent(&self, at: &Local<'_>, weights: Weights, k: &mut LocalMatrix<'_>) {
         let n = at.q.len();
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let f = weights.q * at.lambda[0];
         let [of_p, of_u, of_v] = &self.markers;
         k.add(n, THETA, -p.dot(&along));
@@ -136,12 +136,12 @@ impl Term for Angle {
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        let Values { p, along, .. } = self.values(at.q);
+        let AngleValues { p, along, .. } = self.values(at.q);
         p.dot(&along) > 0.0
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
-        let Values { p, sin, cos, w, along } = self.values(at.q);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let [dp, du, dv] = self.markers.each_ref().map(|marker| marker.sum(at.v));
         let (rate, carried) = (at.v[THETA], dv * cos - du * sin);
         phi[0] += match level {

@@ -1,35 +1,35 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Linear, Mover, Newton, dot};
+use crate::newton::{Failure, LinearSolution, Newton, StateUpdate, dot};
 use crate::sparse::SparseMatrix;
 
-/// A direction in the space of states and load factors, with its dual in the metric of the path.
+/// Direction in the space of states and load factors, with its dual in the metric of the path.
 #[derive(Clone, Debug)]
-pub(crate) struct Tangent {
-    /// dz/dσ, coordinates and multipliers.
+pub(crate) struct PathTangent {
+    /// Derivative dz/dσ of coordinates and multipliers.
     pub(crate) z: Vec<f64>,
-    /// ds/dσ of the load factor s.
+    /// Derivative ds/dσ of the load factor s.
     pub(crate) load: f64,
-    /// ½ w M dq/dσ.
+    /// Dual ½ w M dq/dσ.
     dual: Vec<f64>,
 }
 
-impl Tangent {
+impl PathTangent {
     pub(crate) fn zero(size: usize) -> Self {
         Self { z: vec![0.0; size], load: 0.0, dual: Vec::new() }
     }
 
-    /// The product with another direction in the metric.
+    /// Returns the inner product with another direction in the metric.
     pub(crate) fn product(&self, other: &Self) -> f64 {
         dot(&self.dual, &other.z) + 0.5 * self.load * other.load
     }
 
-    /// How far a state is from another along it.
+    /// Returns the distance between two states along this direction.
     pub(crate) fn length(&self, from: &State, to: &State) -> f64 {
         let moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
         dot(&self.dual, &moved) + 0.5 * self.load * (to.load - from.load)
     }
 
-    /// Moves a state by a length along it.
+    /// Moves a state by a length along this direction.
     pub(crate) fn move_by(&self, length: f64, s: &mut State) {
         let (q, lambda) = self.z.split_at(s.q.len());
         s.q.iter_mut().zip(q).for_each(|(q, z)| *q += length * z);
@@ -38,10 +38,11 @@ impl Tangent {
     }
 }
 
-/// The length of an arc of equilibria, dσ² = ½ (w dqᵀ M dq + ds²).
+/// Metric of the arc length of an equilibrium path, dσ² = ½ (w dqᵀ M dq + ds²).
 ///
-/// The mass matrix makes it a mean square of displacements, whatever the units, the slopes and the frame. w is one over
-/// the square of the same norm of dq/ds where the path begins: there dσ = ds, and both shares are equal.
+/// The mass matrix gives a mean square of displacements, independent of units, slope coordinates and frame. The weight
+/// w is the inverse square of the norm of dq/ds at the start of the path. At the start dσ = ds, with equal shares of
+/// both terms.
 #[derive(Debug)]
 pub(crate) struct Metric {
     mass: SparseMatrix,
@@ -49,7 +50,7 @@ pub(crate) struct Metric {
 }
 
 impl Metric {
-    /// The metric at a state with the given dz/ds. Without mass that moves, ds alone counts.
+    /// Creates the metric at a state with the given dz/ds. Without moving mass the metric reduces to ds.
     pub(crate) fn new(
         eom: &dyn EquationsOfMotion,
         s: &State,
@@ -63,7 +64,7 @@ impl Metric {
         metric
     }
 
-    /// The straight distance of two states.
+    /// Returns the straight-line distance between two states.
     pub(crate) fn distance(&self, from: &State, to: &State) -> f64 {
         let mut moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
         moved.resize(to.q.len() + to.lambda.len(), 0.0);
@@ -71,7 +72,7 @@ impl Metric {
         (0.5 * (square + (to.load - from.load).powi(2))).sqrt()
     }
 
-    /// M dq of the coordinates of z.
+    /// Returns M dq for the coordinates of z.
     fn mass_times(&self, z: &[f64], coordinates: usize) -> Vec<f64> {
         let mut moved = z.to_vec();
         moved[coordinates..].fill(0.0);
@@ -80,26 +81,28 @@ impl Metric {
         product
     }
 
-    /// The unit tangent along dz/ds = `response`, to rising load.
-    pub(crate) fn tangent(&self, response: Vec<f64>, coordinates: usize) -> Tangent {
+    /// Returns the unit tangent along dz/ds = `response` in the direction of increasing load.
+    pub(crate) fn tangent(&self, response: Vec<f64>, coordinates: usize) -> PathTangent {
         let mut dual = self.mass_times(&response, coordinates);
         dual.iter_mut().for_each(|x| *x *= 0.5 * self.weight);
-        let mut tangent = Tangent { z: response, load: 1.0, dual };
+        let mut tangent = PathTangent { z: response, load: 1.0, dual };
         let length = tangent.product(&tangent).sqrt();
         tangent.scale(1.0 / length);
         tangent
     }
 }
 
-impl Tangent {
-    /// Multiplies it by a number; −1 turns it round.
+impl PathTangent {
+    /// Multiplies the direction by a number; −1 reverses it.
     pub(crate) fn scale(&mut self, by: f64) {
         self.z.iter_mut().chain(&mut self.dual).for_each(|x| *x *= by);
         self.load *= by;
     }
 }
 
-/// ∂r/∂s as the difference over a large change of s: r is affine in s, and rounding in r is divided by the change.
+/// Computes ∂r/∂s as a difference over a large change of s.
+///
+/// The residual r is affine in s, and a large change reduces the rounding error of the difference.
 pub(crate) fn load_rate(eom: &dyn EquationsOfMotion, s: &mut State, r: &[f64]) -> Vec<f64> {
     const FAR: f64 = 1e6;
     let (load, mut rate) = (s.load, vec![0.0; r.len()]);
@@ -110,7 +113,7 @@ pub(crate) fn load_rate(eom: &dyn EquationsOfMotion, s: &mut State, r: &[f64]) -
     rate
 }
 
-/// dz/ds = −K⁻¹ ∂r/∂s at an equilibrium; leaves the factors of K(s) in `newton`.
+/// Solves dz/ds = −K⁻¹ ∂r/∂s at an equilibrium. Leaves the factors of K(s) in `newton`.
 pub(crate) fn response(
     newton: &mut Newton,
     eom: &dyn EquationsOfMotion,
@@ -125,16 +128,16 @@ pub(crate) fn response(
     Ok(response)
 }
 
-/// Moves within the plane normal to a tangent, the load factor being free: z = δ + ds dz/ds with τ·(z, ds) = 0.
+/// Update within the plane normal to a tangent with free load factor: z = δ + ds dz/ds with τ·(z, ds) = 0.
 ///
-/// Two solutions with one symmetric factor take the place of the bordered matrix.
+/// Two solutions with the symmetric factor replace the solution of the bordered matrix.
 ///
-/// Source: Keller (1977), Riks (1979): the plane; Crisfield (1981): the two solutions.
+/// Source: Keller (1977), Riks (1979) for the plane; Crisfield (1981) for the two solutions.
 #[derive(Debug)]
-pub(crate) struct Plane<'a>(pub(crate) &'a Tangent);
+pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
-impl Mover for Plane<'_> {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for PlaneUpdate<'_> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         let mut response = load_rate(at.eom, s, at.r);
         response.iter_mut().for_each(|x| *x = -*x);
         at.factor.solve(at.matrix, &mut response).map_err(|_| Failure::Singular)?;

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::Marker;
 
-/// A force and a moment.
+/// Force and moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
     /// Force.
@@ -17,7 +17,7 @@ pub struct Wrench {
 /// Names of the global axes.
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A direction of a body in words, by what it is in the reference state.
+/// Describes a body-fixed direction by its reference value.
 pub(crate) fn direction(reference: Vector3<f64>) -> String {
     let unit = reference.try_normalize(0.0).unwrap_or(reference);
     let along = (0..3).find(|&k| unit[k].abs() > 1.0 - 1e-9);
@@ -27,12 +27,12 @@ pub(crate) fn direction(reference: Vector3<f64>) -> String {
     }
 }
 
-/// Three linear equations: a − b keeps its reference value. Ties two points, or two directions.
+/// Three linear equations that keep a − b at its reference value, for two points or two directions.
 ///
-/// Φ = (a − a₀) − (b − b₀), Φ_qᵀ λ puts λ on a and −λ on b. Points may be a gap g = b₀ − a₀ apart in the reference state: it is
-/// kept; closed, Φ = a − b; or closed in proportion to the load factor s, Φ = (a − a₀) − (b − b₀) − s g.
+/// Φ = (a − a₀) − (b − b₀), and Φ_qᵀ λ applies λ to a and −λ to b. Points may have a gap g = b₀ − a₀ in the reference
+/// state. The gap is kept, or closed by Φ = a − b, or closed with the load factor s by Φ = (a − a₀) − (b − b₀) − s g.
 ///
-/// Units: of the markers; λ is a force for points and a moment for directions.
+/// Units: those of the markers; λ is a force for points and a moment for directions.
 #[derive(Clone, Debug)]
 pub struct Coincide {
     global: Marker,
@@ -41,69 +41,71 @@ pub struct Coincide {
     coordinates: Vec<usize>,
     first: usize,
     direction: bool,
-    /// What of the reference state is taken back.
+    /// Removed part of the reference gap.
     gap: Vector3<f64>,
-    /// Whether the load factor multiplies it.
+    /// True if the gap is multiplied by the load factor.
     by_load: bool,
 }
 
 impl Coincide {
-    /// Ties two points; uses the three multipliers from `first` on.
+    /// Constrains two points. Uses the three multipliers from `first`.
     pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
         Self::new(a, b, first, false)
     }
 
-    /// Draws a point to one on the ground by the load factor; uses the three multipliers from `first` on.
+    /// Moves a point to a ground point with the load factor. Uses the three multipliers from `first`.
     pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
         Self::points(a, &Marker::fixed(target), first).drawn()
     }
 
-    /// The same points without the gap that they have in the reference state.
+    /// Closes the reference gap of the points.
     #[must_use]
     pub fn closed(self) -> Self {
         Self { gap: self.gap(), by_load: false, ..self }
     }
 
-    /// The same points with the gap that they have in the reference state.
+    /// Keeps the reference gap of the points.
     #[must_use]
     pub fn kept(self) -> Self {
         Self { gap: Vector3::zeros(), by_load: false, ..self }
     }
 
-    /// What is between the two in the reference state, b₀ − a₀.
+    /// Returns the reference gap b₀ − a₀.
     pub fn gap(&self) -> Vector3<f64> {
         self.b.reference() - self.a.reference()
     }
 
-    /// The same with a gap that closes in proportion to the load factor.
+    /// Closes the reference gap in proportion to the load factor.
     #[must_use]
     pub fn drawn(self) -> Self {
         Self { gap: self.gap(), by_load: true, ..self }
     }
 
-    /// Ties two directions; uses the three multipliers from `first` on.
+    /// Constrains two directions. Uses the three multipliers from `first`.
     pub fn directions(a: &Marker, b: &Marker, first: usize) -> Self {
         Self::new(a, b, first, true)
     }
 
-    /// Whether it ties points, not directions.
+    /// Returns true for points and false for directions.
     pub const fn is_of_points(&self) -> bool {
         !self.direction
     }
 
     fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
-        let coordinates = Marker::joined([a, b]);
+        let coordinates = Marker::union_coordinates([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (gap, by_load) = (Vector3::zeros(), false);
         Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
     }
 
-    /// What is taken back of the gap.
-    fn taken(&self, load: f64) -> Vector3<f64> {
+    /// Returns the removed part of the gap at a load factor.
+    fn removed_gap(&self, load: f64) -> Vector3<f64> {
         if self.by_load { self.gap * load } else { self.gap }
     }
 
-    /// Its share of what the joint exerts on the body of marker a: force −λ, or moment a × (−λ) for a direction.
+    /// Returns the contribution to the joint reaction on the body of marker a.
+    ///
+    /// It is the force −λ for a point, or the moment a × (−λ) for a direction.
     pub fn reaction(&self, s: &State) -> Wrench {
         let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
         if self.direction {
@@ -133,7 +135,7 @@ impl Term for Coincide {
         let lambda = Vector3::from_column_slice(at.lambda);
         self.a.add(lambda, rows);
         self.b.add(-lambda, rows);
-        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.taken(at.load);
+        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.removed_gap(at.load);
         for (row, apart) in equations.iter_mut().zip(&apart) {
             *row += apart;
         }
@@ -141,7 +143,7 @@ impl Term for Coincide {
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (rows, equations) = floor.split_at_mut(at.q.len());
-        for (row, gap) in equations.iter_mut().zip(&self.taken(at.load)) {
+        for (row, gap) in equations.iter_mut().zip(&self.removed_gap(at.load)) {
             *row += f64::EPSILON * gap.abs();
         }
         for marker in [&self.a, &self.b] {
@@ -166,9 +168,9 @@ impl Term for Coincide {
     }
 }
 
-/// One bilinear equation: the directions a and b keep their angle, a·b = a₀·b₀.
+/// Bilinear equation that keeps the angle of the directions a and b: a·b = a₀·b₀.
 ///
-/// Φ = a·b − a₀·b₀, evaluated without cancellation; Φ_qᵀ λ puts λ b on a and λ a on b.
+/// Φ = a·b − a₀·b₀, evaluated without cancellation. Φ_qᵀ λ applies λ b to a and λ a to b.
 ///
 /// Units: none for directions; λ is a moment.
 #[derive(Clone, Debug)]
@@ -182,21 +184,21 @@ pub struct Perpendicular {
 }
 
 impl Perpendicular {
-    /// Keeps the angle of two directions, by the given multiplier.
+    /// Keeps the angle of two directions with the given multiplier.
     pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
-        let coordinates = Marker::joined([a, b]);
+        let coordinates = Marker::union_coordinates([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
         Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }
     }
 
-    /// The same under a name that tells what it ties.
+    /// Sets the description of the constraint.
     #[must_use]
     pub fn named(self, tie: &'static str) -> Self {
         Self { tie, ..self }
     }
 
-    /// Its share of what the joint exerts on the body of marker a: the moment a × (−λ b).
+    /// Returns the contribution to the joint reaction on the body of marker a: the moment a × (−λ b).
     pub fn reaction(&self, s: &State) -> Wrench {
         let [a, b] = self.global.each_ref().map(|marker| marker.value(s));
         Wrench { moment: a.cross(&(b * -s.lambda[self.multiplier])), ..Wrench::default() }

@@ -75,7 +75,7 @@ impl Arguments {
         // A run that goes on may have added frames since they were counted.
         let wanted = results.frames().enumerate().filter(|(number, _)| picked.contains(number));
         for (_, frame) in wanted {
-            let ancf_results::Frame { value, state, .. } = frame?;
+            let ancf_results::StoredState { value, state, .. } = frame?;
             writer.push(&Snapshot { value, state })?;
         }
         let written = writer.finish()?;

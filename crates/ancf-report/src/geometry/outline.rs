@@ -24,7 +24,8 @@ pub struct Outline {
 
 /// Returns the outline of a section in the unit of length of the section, with `sides` sides (at least 3) if it is round.
 ///
-/// A general section is drawn as an ellipse with the same radii of gyration: semi-axes 2 √(I_z/A) along y and 2 √(I_y/A) along z.
+/// A general section is drawn as an ellipse with the same radii of gyration: semi-axes 2 √(I_z/A) along y and
+/// 2 √(I_y/A) along z.
 ///
 /// ```
 /// use ancf::model::Section;

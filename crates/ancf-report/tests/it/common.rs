@@ -1,4 +1,4 @@
-//! Runs that keep their states, and a reader of scenes that knows the container from its description alone.
+//! Runs with their states, and a reader of scenes that implements the specification of the container independently.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use ancf::{Model, Observer, Simulation, Summary};
 use ancf_report::{BUDGET, Ending, Recording, Snapshot, scene};
 use serde_json::Value;
 
-/// A cantilever of length 2 along x under F = −3 N along y at its end, in statics, E = 2e9, 20 x 10 mm.
+/// Cantilever of length 2 along x with an end force, in statics, E = 2e9, section 20 x 10 mm.
 pub const CANTILEVER: &str = r#"
 materials.steel = { density = 1000, young = 2e9 }
 sections.bar = { kind = "rectangle", height = 0.02, width = 0.01 }
@@ -40,21 +40,21 @@ on = { body = "beam", at = "end" }
 kind = "statics"
 "#;
 
-/// A file of the repository.
+/// Path of a file of the repository.
 pub fn file(path: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// Keeps every row and every so many states.
+/// Stores all rows and every n-th state.
 #[derive(Default)]
-struct Keeper {
+struct StateObserver {
     series: Series,
     frames: Vec<Snapshot>,
     every: usize,
     rows: usize,
 }
 
-impl Observer for Keeper {
+impl Observer for StateObserver {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         Sink::begin(&mut self.series, columns)
     }
@@ -72,7 +72,7 @@ impl Observer for Keeper {
     }
 }
 
-/// A run and all that was kept of it.
+/// Run with its rows and stored states.
 pub struct Run {
     pub model: Model,
     pub text: String,
@@ -91,13 +91,13 @@ impl Run {
 
     pub fn of_model(model: Model, text: &str, every: usize) -> Self {
         let simulation = Simulation::new(&model).unwrap_or_else(|errors| panic!("{errors}"));
-        let mut keeper = Keeper { every, ..Keeper::default() };
+        let mut keeper = StateObserver { every, ..StateObserver::default() };
         let summary = simulation.run(&mut keeper).expect("nothing is written");
-        let Keeper { series, frames, .. } = keeper;
+        let StateObserver { series, frames, .. } = keeper;
         Self { model, text: text.to_owned(), simulation, series, frames, summary }
     }
 
-    /// A model file, shortened to so much of its duration.
+    /// Runs a model file up to a maximum duration.
     pub fn of_file(path: &str, duration: f64, every: usize) -> Self {
         let text = std::fs::read_to_string(file(path)).unwrap();
         let mut model = Model::parse(&text).unwrap_or_else(|errors| panic!("{errors}"));
@@ -132,7 +132,7 @@ impl Run {
     }
 }
 
-/// The cantilever with half the height at its end.
+/// Cantilever with half of the height at its end.
 pub fn tapered() -> String {
     CANTILEVER
         .replace(
@@ -147,7 +147,7 @@ pub fn metres() -> Units {
     Units { length: "m".into(), time: "s".into(), force: "N".into() }
 }
 
-/// A container that was read back.
+/// Scene read from a container.
 pub struct Scene {
     pub header: Value,
     blob: Vec<u8>,
@@ -166,7 +166,7 @@ impl Scene {
         scene
     }
 
-    /// Every array of the header is aligned and within the blob.
+    /// Asserts that all arrays of the header are aligned and within the blob.
     fn check(&self, value: &Value) {
         match value {
             Value::Object(map) if map.contains_key("at") && map.contains_key("type") => {
@@ -179,7 +179,7 @@ impl Scene {
         }
     }
 
-    /// The numbers of an array as they are stored.
+    /// Numbers of an array as stored.
     pub fn numbers(&self, array: &Value) -> Vec<f64> {
         let (at, count) = (array["at"].as_u64().unwrap() as usize, array["count"].as_u64().unwrap() as usize);
         let of = |width: usize| self.blob[at..at + count * width].chunks_exact(width);
@@ -188,7 +188,7 @@ impl Scene {
             "f64" => of(8).map(|x| f64::from_le_bytes(x.try_into().unwrap())).collect(),
             "i16" => of(2).map(|x| f64::from(i16::from_le_bytes(x.try_into().unwrap()))).collect(),
             "u16" => of(2).map(|x| f64::from(u16::from_le_bytes(x.try_into().unwrap()))).collect(),
-            other => panic!("no type of arrays: {other}"),
+            other => panic!("unknown type of array: {other}"),
         }
     }
 
@@ -200,7 +200,7 @@ impl Scene {
         self.header["stations"].as_u64().unwrap() as usize
     }
 
-    /// The entry of a list with a name.
+    /// Entry of a list by its name.
     pub fn named(&self, list: &str, name: &str) -> &Value {
         let entries = self.header[list].as_array().unwrap();
         entries.iter().find(|entry| entry["name"] == name).unwrap_or_else(|| panic!("no {name} in {list}"))
@@ -217,7 +217,7 @@ impl Scene {
         self.of_body(body, &all, 3).map(three).collect()
     }
 
-    /// Directors of the stations of a body in a frame, of length 1.
+    /// Unit directors of the stations of a body in a frame.
     pub fn directors(&self, body: &str, frame: usize) -> Vec<[[f64; 3]; 3]> {
         let all: Vec<f64> =
             self.numbers(&self.header["directors"]).into_iter().map(|x| x / 32767.0).collect();
@@ -225,7 +225,7 @@ impl Scene {
         self.of_body(body, &all[frame * self.stations() * 9..], 9).map(of).collect()
     }
 
-    /// Values of a field along a body in a frame; not a number where there is none.
+    /// Values of a field along a body in a frame; NaN where the field is not defined.
     pub fn field(&self, name: &str, body: &str, frame: usize) -> Vec<f64> {
         let field = self.named("fields", name);
         let [least, most] = [0, 1].map(|k| field["range"][k].as_f64().unwrap());
@@ -234,7 +234,7 @@ impl Scene {
         self.of_body(body, &all[frame * self.stations()..], 1).map(|x| x[0]).collect()
     }
 
-    /// The error by which a field is stored.
+    /// Resolution with which a field is stored.
     pub fn resolution(&self, name: &str) -> f64 {
         let range = &self.named("fields", name)["range"];
         (range[1].as_f64().unwrap() - range[0].as_f64().unwrap()) / 65534.0
@@ -246,7 +246,7 @@ impl Scene {
         all[first * width..(first + count) * width].chunks_exact(width)
     }
 
-    /// A column of a chart.
+    /// Values of a column of a chart.
     pub fn column(&self, name: &str) -> Vec<f64> {
         let charts = self.header["charts"].as_array().unwrap();
         let columns = charts.iter().flat_map(|chart| chart["columns"].as_array().unwrap());

@@ -1,4 +1,4 @@
-//! Every model that there is gives a scene whose numbers can be drawn.
+//! Scenes of all models of the repository contain finite and consistent numbers.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use ancf::Model;
 use ancf::model::Step;
 use ancf_report::{BUDGET, scene};
 
-use crate::common::{Run, Scene, file};
+use crate::common::{Run, Scene, dot, file};
 
 fn models() -> Vec<(String, String)> {
     let folders = ["models", "crates/ancf/tests/models/good"];
@@ -24,7 +24,7 @@ fn models() -> Vec<(String, String)> {
     found
 }
 
-/// The model with so few steps that it is run at once; `None` if a program has to supply functions.
+/// Runs a model with at most twelve steps; `None` if the model requires functions of a program.
 fn short(text: &str) -> Option<Run> {
     let mut model = Model::parse(text).unwrap();
     if let Some(dynamics) = model.analysis.dynamics_mut() {
@@ -46,7 +46,7 @@ fn every_model_gives_a_scene() {
         let found = run.scene();
         check(&path, &found);
         assert!(found.frames() <= run.frames.len().max(1));
-        // One frame, and none.
+        // One frame, then none.
         let mut recording = run.recording();
         recording.frames.truncate(1);
         check(&path, &Scene::read(&scene(&recording, BUDGET)));
@@ -54,12 +54,12 @@ fn every_model_gives_a_scene() {
         let empty = Scene::read(&scene(&recording, BUDGET));
         check(&path, &empty);
         assert!(empty.has_message("no states were recorded"), "{path}");
-        // Hardly any room.
+        // Small budget.
         recording.frames.clone_from(&run.frames);
         check(&path, &Scene::read(&scene(&recording, 1000)));
         drawn += 1;
     }
-    assert!(drawn > 25, "{drawn} models were drawn");
+    assert!(drawn > 25, "{drawn} models drawn");
 }
 
 fn check(path: &str, scene: &Scene) {
@@ -89,7 +89,7 @@ fn check(path: &str, scene: &Scene) {
             for axes in scene.directors(name, frame) {
                 for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
                     let wanted = if i == j { 1.0 } else { 0.0 };
-                    let found = common::dot(axes[i], axes[j]);
+                    let found = dot(axes[i], axes[j]);
                     assert!((found - wanted).abs() < 2e-4, "{path}: {axes:?}");
                 }
             }

@@ -1,4 +1,4 @@
-//! Bodies, links and obstacles look as the model has them.
+//! Bodies, links and obstacles in a scene have the shapes of the model.
 
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ fn outlines_go_about_the_axis_and_their_normals_point_outwards() {
         }
         assert!(inner.iter().all(|p| p[0] * p[2] + p[1] * p[3] > 0.0), "away from the axis");
         assert_eq!(inner.is_empty(), !kind.contains("tube"));
-        // A polygon of 24 sides has 0.9886 of the area of its circle.
+        // A polygon with 24 sides has 0.9886 of the area of its circle.
         let wanted = match kind {
             _ if kind.contains("circle") || kind.contains("tube") => PI * 0.0025,
             _ if kind.contains("rectangle") => 0.005,
@@ -56,7 +56,7 @@ fn tapers_have_scales() {
     }
 }
 
-/// The box of a rigid brick that is no larger than what is shown is the brick.
+/// The box of a rigid brick below the maximum size is the brick.
 #[test]
 fn rigid_bodies_are_boxes_of_their_inertia() {
     let (m, a, b, c) = (2.0, 0.3_f64, 0.2_f64, 0.1_f64);
@@ -73,7 +73,7 @@ fn rigid_bodies_are_boxes_of_their_inertia() {
     for (half, edge) in half.iter().zip([a, b, c]) {
         assert!((2.0 * half / edge - 1.0).abs() < 1e-9, "{half:?}");
     }
-    // It turns by half a radian.
+    // Rotation by 0.5 rad.
     let [x, ..] = scene.directors("brick", scene.frames() - 1)[0];
     assert!((x[1].atan2(x[0]) - 0.5).abs() < 2e-3, "{x:?}");
     assert_eq!(scene.named("bodies", "far")["kind"], "point");
@@ -97,7 +97,7 @@ fn rods_end_where_their_lengths_say() {
             let at = scene.numbers(&marker["at"]);
             for frame in 0..scene.frames() {
                 let end = three(&ends[6 * frame..]);
-                assert!(apart(end, three(&at[3 * frame..])) < 1e-6, "the mark is at end a");
+                assert!(apart(end, three(&at[3 * frame..])) < 1e-6, "the symbol is at end a");
                 let Some(lengths) = run.series.column(&format!("{}.length", joint.name())) else { continue };
                 let drawn = apart(end, three(&ends[6 * frame + 3..]));
                 assert!((drawn - lengths[2 * frame]).abs() < 1e-5, "{drawn}");
@@ -108,7 +108,7 @@ fn rods_end_where_their_lengths_say() {
     assert!(checked >= 2, "{checked}");
 }
 
-/// An obstacle on a body goes where the body goes.
+/// An obstacle moves with the body that carries it.
 #[test]
 fn obstacles_follow_what_carries_them() {
     let run = Run::of_file("models/belt.toml", 0.2, 20);
@@ -122,6 +122,6 @@ fn obstacles_follow_what_carries_them() {
         assert!((dot(three(&pose[3..6]), three(&pose[3..6])) - 1.0).abs() < 1e-6);
         assert!(apart(three(&pose[..3]), carrier[0]) < 0.05);
     }
-    // It turns with the pulley.
+    // Rotation with the pulley.
     assert!(apart(three(&poses[6..9]), three(&poses[poses.len() - 6..poses.len() - 3])) > 1e-2);
 }

@@ -1,4 +1,4 @@
-//! The page holds the scene, and asks for nothing else.
+//! The page contains the scene and loads no other resources.
 
 use std::io::Read;
 
@@ -59,7 +59,7 @@ fn what_is_said_in_a_model_is_text_in_the_page() {
     let text = page(&scene(&recording, BUDGET));
     assert!(!text.contains("<script>alert") && !text.contains("<img"), "it is escaped");
     assert!(text.contains("&lt;/title&gt;"));
-    // The two scripts of the page are all that there are.
+    // The page has two scripts only.
     assert_eq!(text.to_lowercase().matches("</script").count(), 2);
     assert_eq!(text.matches("</style").count(), 1);
 }

@@ -1,4 +1,4 @@
-//! Files for ParaView say what was computed, and their surfaces are closed.
+//! Files for ParaView contain the computed values, and their surfaces are closed.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -14,7 +14,7 @@ use flate2::read::ZlibDecoder;
 
 use crate::common::{CANTILEVER, Run, dot, tapered, three};
 
-/// An unstructured grid that was read back by what VTK says of its files.
+/// Unstructured grid, read independently by the specification of VTK.
 struct Grid {
     arrays: BTreeMap<String, Vec<f64>>,
     texts: BTreeMap<String, Vec<String>>,
@@ -34,7 +34,7 @@ impl Grid {
                     let texts =
                         bytes.split(|byte| *byte == 0).map(|x| String::from_utf8(x.to_vec()).unwrap());
                     let mut texts: Vec<_> = texts.collect();
-                    assert_eq!(texts.pop().as_deref(), Some(""), "each ends with a zero");
+                    assert_eq!(texts.pop().as_deref(), Some(""), "each text ends with a zero byte");
                     grid.texts.insert(name, texts);
                 }
                 kind => drop(grid.arrays.insert(name, numbers(kind, &bytes))),
@@ -73,7 +73,7 @@ impl Grid {
         .collect()
     }
 
-    /// Whether each edge goes there in one cell and back in another.
+    /// True if each edge occurs once in each direction.
     fn is_closed(&self) -> bool {
         let mut edges: BTreeMap<(usize, usize), i32> = BTreeMap::new();
         for cell in self.cells() {
@@ -84,7 +84,7 @@ impl Grid {
         edges.iter().all(|((a, b), count)| *count == 1 && edges.get(&(*b, *a)) == Some(&1))
     }
 
-    /// ∮ x·n dA/3 of the cells of a body, with the triangles of a fan.
+    /// Volume of a body, ∮ x·n dA/3 over its cells, divided into fans of triangles.
     fn volume(&self, body: usize) -> f64 {
         let points = self.points();
         let own = self.cells().into_iter().zip(&self["body"]).filter(|(_, owner)| **owner == body as f64);
@@ -133,7 +133,7 @@ fn numbers(kind: &str, bytes: &[u8]) -> Vec<f64> {
         }
         "Int64" => bytes.chunks_exact(8).map(|x| i64::from_le_bytes(x.try_into().unwrap()) as f64).collect(),
         "UInt8" => bytes.iter().map(|x| f64::from(*x)).collect(),
-        other => panic!("no type of arrays: {other}"),
+        other => panic!("unknown type of array: {other}"),
     }
 }
 
@@ -192,7 +192,7 @@ fn frames_are_files_with_their_times() {
     }
 }
 
-/// A straight beam has area times length, with the polygon of its outline for its section.
+/// The volume of a straight beam is the area of its polygonal outline times its length.
 #[test]
 fn surfaces_are_closed_and_hold_the_volumes_of_their_bodies() {
     let polygon = (TAU / 24.0).sin() / (TAU / 24.0);
@@ -222,7 +222,7 @@ fn tapers_are_closed_and_hold_their_volumes() {
     assert!((grid.volume(0) / (2.0 * 0.5 * (2e-4 + 1e-4)) - 1.0).abs() < 1e-12);
 }
 
-/// A brick about its axis: corners go round, ω × r and ω × (ω × r), and the surfaces of bricks and masses are closed.
+/// Spinning brick: velocities ω × r and accelerations ω × (ω × r) of its corners; closed surfaces of bricks and masses.
 #[test]
 fn corners_of_rigid_bodies_move_as_rigid_bodies_do() {
     let (m, a, b, c) = (2.0, 0.3_f64, 0.2_f64, 0.1_f64);
@@ -237,10 +237,10 @@ fn corners_of_rigid_bodies_move_as_rigid_bodies_do() {
     let all = written(&run, "sections");
     assert!(all.len() > 3);
     assert!(all.iter().all(|(_, grid)| grid.is_closed()));
-    // At the start, where the velocities are those of the model and not of a scheme.
+    // At the start, velocities are independent of the time integration.
     let (_, grid) = &all[0];
     assert!((grid.volume(0) / (a * b * c) - 1.0).abs() < 1e-9);
-    // An octahedron with semi-axes r: 4 r³/3, r being a fiftieth of the size, which is that of the reference.
+    // Octahedron with semi-axes r and volume 4 r³/3; r is a fiftieth of the size of the reference state.
     assert!((grid.volume(1) / (4.0 / 3.0 * 0.2_f64.powi(3)) - 1.0).abs() < 1e-9, "{}", grid.volume(1));
     let (points, v, acceleration) = (grid.points(), grid.vectors("velocity"), grid.vectors("acceleration"));
     let centre: [f64; 3] = std::array::from_fn(|k| points[..8].iter().map(|x| x[k]).sum::<f64>() / 8.0);
@@ -256,7 +256,7 @@ fn corners_of_rigid_bodies_move_as_rigid_bodies_do() {
     }
 }
 
-/// σ = N/A − M y/I on the skin, with M from the equilibrium of the part beyond in the deformed state.
+/// σ = N/A − M y/I on the surface, with M from the equilibrium of the remaining part in the deformed state.
 #[test]
 fn stress_on_the_skin_is_that_of_bending() {
     let run = Run::of(CANTILEVER, 1);
@@ -270,7 +270,7 @@ fn stress_on_the_skin_is_that_of_bending() {
     assert!((lines["N"][0] / fx - 1.0).abs() < 1e-4);
     assert!((lines["Mz"][0] / moment(axis[0]) - 1.0).abs() < 1e-4);
     let mut sides = [0; 2];
-    // Stations at nodes, where section forces are those of equilibrium.
+    // Stations at nodes, where section forces satisfy equilibrium.
     let stations: Vec<usize> = (0..axis.len()).step_by((axis.len() - 1) / 8).collect();
     for (k, point) in skin.points().into_iter().enumerate() {
         let Some(station) = stations.iter().find(|i| (lines["s"][**i] - skin["s"][k]).abs() < 1e-6) else {
@@ -303,7 +303,7 @@ fn shapes_are_vectors_about_their_state() {
         assert!(!grid.arrays.contains_key("velocity") && !grid.arrays.contains_key("N"));
         let apart =
             still(grid).into_iter().zip(&first).flat_map(|(x, y)| (0..3).map(move |k| (x[k] - y[k]).abs()));
-        assert!(apart.fold(0.0, f64::max) < 1e-6, "without its shape it is where the others are");
+        assert!(apart.fold(0.0, f64::max) < 1e-6, "without the shape, all frames are equal");
     }
 }
 
@@ -332,7 +332,7 @@ fn fewer_frames_replace_more() {
     let folder = tempfile::tempdir().unwrap();
     assert!(write(&run, folder.path()).frames > 3);
     run.frames.truncate(2);
-    // One whose positions are no numbers is left out.
+    // A frame with positions that are not finite is omitted.
     let mut broken = run.frames[1].clone();
     broken.state.q.fill(f64::NAN);
     run.frames.push(broken);
@@ -347,7 +347,7 @@ fn fewer_frames_replace_more() {
     };
     assert_eq!(names("sections"), ["00000.vtu", "00001.vtu"]);
     assert_eq!(names(""), ["lines", "lines.pvd", "sections", "sections.pvd"]);
-    // Without any, there is the undeformed state.
+    // Without frames, the undeformed state is written.
     run.frames.clear();
     assert_eq!(write(&run, folder.path()).frames, 1);
 }
@@ -363,7 +363,7 @@ fn a_folder_that_cannot_be_written_is_named() {
     assert!(error.starts_with("cannot create the folder ") && error.contains("taken"), "{error}");
 }
 
-/// A full disk: what is there before stays out of sight, as there is no collection.
+/// Full disk: the incomplete files are not visible, because there is no collection.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_said_and_leaves_no_collection() {

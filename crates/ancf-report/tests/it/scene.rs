@@ -1,4 +1,4 @@
-//! What is drawn is what was computed.
+//! Scenes contain the computed values.
 
 use ancf::record::Series;
 use ancf::{Model, Simulation};
@@ -14,7 +14,7 @@ fn fields_of_a_cantilever_are_those_of_statics() {
     let centres = scene.centres("beam", last);
     let tip = centres[centres.len() - 1];
     let (fx, fy) = (5.0, -0.003);
-    // Between nodes they are interpolated: at nodes they are those of equilibrium.
+    // Section forces satisfy equilibrium at nodes; between nodes they are interpolated.
     for k in scene.named("bodies", "beam")["nodes"]
         .as_array()
         .unwrap()
@@ -22,7 +22,7 @@ fn fields_of_a_cantilever_are_those_of_statics() {
         .map(|k| k.as_u64().unwrap() as usize)
     {
         let x = &centres[k];
-        // Equilibrium of the part beyond, in the deformed state.
+        // Equilibrium of the remaining part in the deformed state.
         let moment = (tip[0] - x[0]) * fy - (tip[1] - x[1]) * fx;
         let close = |name: &str, wanted: f64, scale: f64| {
             let found = scene.field(name, "beam", last)[k];
@@ -52,7 +52,7 @@ fn the_end_of_a_beam_is_where_its_probe_is() {
     let scene = run.scene();
     assert_eq!(scene.frames(), run.frames.len());
     assert_eq!(scene.header["analysis"], "dynamics");
-    assert_eq!(scene.header["up"], serde_json::json!([0.0, 1.0, 0.0]), "against gravity");
+    assert_eq!(scene.header["up"], serde_json::json!([0.0, 1.0, 0.0]), "opposite to gravity");
     let rows = run.column("t");
     for (frame, time) in scene.numbers(&scene.header["frames"]["values"]).into_iter().enumerate() {
         let row = rows.iter().position(|t| *t == time).expect("a frame is a row");
@@ -78,7 +78,7 @@ fn the_end_of_a_beam_is_where_its_probe_is() {
     assert_eq!(scene.header["markers"][marker]["detail"], "clamp");
 }
 
-/// A chain of nodes of a stiff cable keeps its length however it swings, and so do pieces of it.
+/// The drawn polygon of a stiff cable keeps its length.
 #[test]
 fn a_stiff_cable_is_drawn_with_its_length() {
     let run = Run::of_file("models/rope.toml", 0.5, 20);
@@ -90,7 +90,7 @@ fn a_stiff_cable_is_drawn_with_its_length() {
             let strain = scene.field("strain", body.name(), frame);
             let most = strain.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             let drawn = length(&scene.centres(body.name(), frame));
-            // A polygon is a little shorter than its curve.
+            // A polygon is slightly shorter than its curve.
             assert!((drawn / rest - 1.0).abs() < 2.0 * most + 5e-3, "{drawn} of {rest}, strain {most}");
         }
     }
@@ -169,7 +169,7 @@ fn units_have_names_if_they_are_known() {
     assert_eq!(found.named("fields", "torque")["unit"], "");
 }
 
-/// The same beam in millimetres gives the same picture in other numbers.
+/// The scene of a beam in millimetres is that in metres times 1000.
 #[test]
 fn scenes_are_in_the_units_of_the_user() {
     let metre = Run::of(CANTILEVER, 1);

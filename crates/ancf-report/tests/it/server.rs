@@ -1,4 +1,4 @@
-//! The server gives a page, a scene and the files of one folder to this machine, and nothing else.
+//! The server provides a page, a scene and the files of one folder to this machine only.
 
 use std::fs;
 use std::io::{self, Read, Write};
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use ancf_report::{SceneSource, Server};
 use flate2::read::GzDecoder;
 
-/// Scenes that are their version, and how often one was made.
+/// Source of scenes that contain their version, with a counter of built scenes.
 #[derive(Default)]
 struct Counter {
     version: AtomicU64,
@@ -32,7 +32,7 @@ impl SceneSource for Counter {
     }
 }
 
-/// Status, headers in lower case, body.
+/// Response with its status, headers in lower case, and body.
 struct Answer {
     status: u16,
     head: String,
@@ -55,7 +55,7 @@ fn get(address: SocketAddr, path: &str) -> Answer {
     raw(address, &format!("GET {path} HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", address.port()))
 }
 
-/// Serves a folder with a file while a test asks.
+/// Serves a folder during a test.
 fn serving(folder: &Path, test: impl FnOnce(SocketAddr, &Counter)) {
     let server = Server::bind(0, folder).unwrap();
     let (source, stop, address) = (Counter::default(), server.stop_flag(), server.address());
@@ -222,11 +222,11 @@ fn giant_and_broken_requests_are_refused() {
             format!("GET / HTTP/1.1\r\nHost: localhost\r\nX: {long}\r\n\r\n"),
             format!("GET / HTTP/1.1\r\n{}\r\n", "A: b\r\n".repeat(1000)),
         ] {
-            // The connection may be reset before all of it was sent.
+            // The connection may be reset before the request is complete.
             assert!([431, 0].contains(&raw(address, &request).status));
         }
         assert_eq!(raw(address, "\u{1}\u{2}\u{3} nonsense\r\n\r\n").status, 400);
-        assert_eq!(get(address, "/").status, 200, "it goes on");
+        assert_eq!(get(address, "/").status, 200, "the server continues");
     });
 }
 
@@ -253,7 +253,7 @@ fn it_ends_when_it_is_told_to_whoever_waits() {
     let outer = folder();
     let (begin, mut idle) = (Instant::now(), Vec::new());
     serving(outer.path(), |address, _| {
-        // Browsers connect before they have anything to ask.
+        // Browsers open connections in advance.
         idle.push(TcpStream::connect(address).unwrap());
         thread::sleep(Duration::from_millis(100));
     });

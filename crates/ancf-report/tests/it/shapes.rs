@@ -1,4 +1,4 @@
-//! Modes and forms of buckling, which have no size of their own.
+//! Scenes of vibration modes and buckling modes, whose amplitude is arbitrary.
 
 use crate::common::{CANTILEVER, Run, apart};
 
@@ -23,7 +23,7 @@ fn modes_are_displaced_by_a_tenth_of_the_size() {
     assert!(scene.header["reactions"].as_array().unwrap().is_empty());
 }
 
-/// The first forms of a beam on two equal supports are symmetric and antisymmetric about its middle.
+/// The first modes of a beam with two equal supports are symmetric or antisymmetric about its centre.
 #[test]
 fn shapes_of_a_symmetric_beam_are_symmetric() {
     let text = CANTILEVER
@@ -33,7 +33,6 @@ fn shapes_of_a_symmetric_beam_are_symmetric() {
             "",
         )
         + "[[joints]]\nkind = \"clamp\"\nname = \"other\"\na = { body = \"beam\", at = \"end\" }\n";
-    // Keys of the analysis come before other tables.
     let scene = Run::of(&text, 1).scene();
     let size = scene.header["size"].as_f64().unwrap();
     for frame in 0..4 {
@@ -50,7 +49,7 @@ fn shapes_of_a_symmetric_beam_are_symmetric() {
     }
 }
 
-/// A shaft that only twists: its sections are seen to turn, by less than a radian, and its axis stays.
+/// Torsion of a shaft: its sections rotate by less than 1 rad, and its axis does not move.
 #[test]
 fn a_mode_of_torsion_turns_sections() {
     let text = CANTILEVER

@@ -1,5 +1,4 @@
-//! What is written into the folder of a run is what the run said, whatever happens on the way.
-#![cfg(test)]
+//! The folder of a run contains the rows and states of the run, also after errors and interruptions.
 
 use std::fs;
 use std::io;
@@ -9,10 +8,10 @@ use std::path::Path;
 use ancf::record::Series;
 use ancf::system::State;
 use ancf::{Field, Fields, Model, Observer, Simulation, simulate};
-use ancf_results::{Folder, Frame, OpenError, Recorder, Results, Status};
+use ancf_results::{Folder, OpenError, Recorder, Results, RunStatus, StoredState};
 use tempfile::TempDir;
 
-/// A flexible pendulum, with what follows put in the place of its analysis and output.
+/// Flexible pendulum without analysis and output.
 const PENDULUM: &str = r#"
 gravity = [0, -9.81, 0]
 units = { length = "m", time = "s", force = "N" }
@@ -36,11 +35,11 @@ fn run(folder: &Path, text: &str, model: &Model) -> Results {
     let simulation = Simulation::new(model).unwrap();
     let mut recorder = Recorder::new(Folder::new(folder), "pendulum.toml", text, model, &simulation);
     let summary = simulation.run(&mut recorder).unwrap();
-    recorder.conclude(&summary, 0.0).unwrap();
+    recorder.write_summary(&summary, 0.0).unwrap();
     Results::open(folder).unwrap()
 }
 
-fn frames(results: &Results) -> Vec<Frame> {
+fn frames(results: &Results) -> Vec<StoredState> {
     results.frames().map(Result::unwrap).collect()
 }
 
@@ -52,8 +51,8 @@ fn columns_read_back_to_the_last_bit() {
     let mut series = Series::new();
     simulate(&model, &mut series).unwrap();
     assert_eq!(results.columns().unwrap(), series);
-    assert_eq!(results.status(), Status::Ended);
-    assert!(results.conclusion().unwrap().unwrap().summary.outcome.is_finished());
+    assert_eq!(results.status(), RunStatus::Ended);
+    assert!(results.summary_file().unwrap().unwrap().summary.outcome.is_finished());
     let mut csv = fs::read_to_string(Folder::new(folder.path()).csv()).unwrap();
     csv.truncate(csv.trim_end().len());
     let last = csv.lines().last().unwrap().split(',').nth(2).unwrap().parse::<f64>().unwrap();
@@ -65,15 +64,15 @@ fn a_file_says_where_it_comes_from_and_in_what_units() {
     let (text, model) = model(MOTION);
     let folder = TempDir::new().unwrap();
     let results = run(folder.path(), &text, &model);
-    assert_eq!(results.about("model").unwrap().as_deref(), Some(text.as_str()));
-    assert!(results.about("program").unwrap().unwrap().starts_with("ancf "));
-    let units: serde_json::Value = serde_json::from_str(&results.about("units").unwrap().unwrap()).unwrap();
+    assert_eq!(results.metadata("model").unwrap().as_deref(), Some(text.as_str()));
+    assert!(results.metadata("program").unwrap().unwrap().starts_with("ancf "));
+    let units: serde_json::Value =
+        serde_json::from_str(&results.metadata("units").unwrap().unwrap()).unwrap();
     for (column, unit) in [("t", "s"), ("tip.ax", "m/s²"), ("hook.mz", "N m"), ("kinetic", "N m")] {
         assert_eq!(units[column], unit, "{column}");
     }
-    assert!(units.get("iterations").is_none(), "what has no unit has none");
-    // The sum of the same text by another program: `printf %s ... | sha256sum`.
-    assert_eq!(results.about("sha256").unwrap().unwrap().len(), 64);
+    assert!(units.get("iterations").is_none(), "a column without a unit has no entry");
+    assert_eq!(results.metadata("sha256").unwrap().unwrap().len(), 64);
 }
 
 #[test]
@@ -88,13 +87,13 @@ fn kept_states_are_those_of_the_run() {
     );
     let simulation = results.simulation();
     let fields = Fields::new(simulation.assembly(), simulation.scales(), 1);
-    for Frame { row, value, state } in &frames {
+    for StoredState { row, value, state } in &frames {
         let row = usize::try_from(*row).unwrap();
         assert_eq!(columns.column("t").unwrap()[row], *value);
         let mut positions = Vec::new();
         fields.fill(Field::Position, state, &mut positions);
         let tip = ["tip.x", "tip.y", "tip.z"].map(|name| columns.column(name).unwrap()[row]);
-        assert_eq!(positions[positions.len() - 3..], tip, "the field at the end is the probe there");
+        assert_eq!(positions[positions.len() - 3..], tip, "the field at the end is equal to the probe");
     }
 }
 
@@ -112,7 +111,7 @@ fn the_last_row_and_the_last_state_are_there_whether_due_or_not() {
     assert_eq!(frames.len(), 4);
 }
 
-/// Goes on to look into the folder after some rows.
+/// Inspects the folder after every 40 rows.
 struct Peek<'a> {
     recorder: Recorder,
     row: u32,
@@ -149,7 +148,7 @@ fn a_run_that_goes_on_can_be_read_and_keeps_others_out() {
     let mut seen = Vec::new();
     let mut look = |row: u32| {
         let results = Results::open(folder.path()).unwrap();
-        assert_eq!(results.status(), Status::Running);
+        assert_eq!(results.status(), RunStatus::Running);
         let columns = results.columns().unwrap();
         seen.push((row, columns.column("t").unwrap().len(), frames(&results).len()));
         let mut other =
@@ -161,13 +160,13 @@ fn a_run_that_goes_on_can_be_read_and_keeps_others_out() {
     let summary = simulation.run(&mut peek).unwrap();
     drop(peek);
     assert!(summary.outcome.is_finished());
-    // Each look sees what stood there when rows were flushed last, at the row after the look before.
+    // Each inspection reads the rows of the last flush, which took place at the row after the previous inspection.
     assert_eq!(seen.iter().map(|(row, ..)| *row).collect::<Vec<_>>(), [0, 40, 80]);
     assert!(seen[1].1 >= 2 && seen[2].1 >= 42, "{seen:?}");
     assert!(seen[2].2 >= 42, "states too: {seen:?}");
-    // It did not say how it ended.
+    // The run has no summary.
     let results = Results::open(folder.path()).unwrap();
-    assert_eq!(results.status(), Status::Broken);
+    assert_eq!(results.status(), RunStatus::Broken);
     assert_eq!(results.columns().unwrap().column("t").unwrap().len(), 101);
 }
 
@@ -218,7 +217,7 @@ fn a_model_of_the_user_is_not_taken_for_that_of_a_run() {
     let refused = simulation.run(&mut recorder).unwrap_err().to_string();
     assert!(refused.contains("would be lost"), "{refused}");
     assert_eq!(fs::read_to_string(&own).unwrap(), "# another one\n");
-    // So are other files that have names of ours.
+    // Other files of the user with names of files of a run are not overwritten either.
     for name in ["checkpoint", "report.html"] {
         let other = TempDir::new().unwrap();
         fs::write(other.path().join(name), "mine").unwrap();
@@ -227,11 +226,11 @@ fn a_model_of_the_user_is_not_taken_for_that_of_a_run() {
         assert!(simulation.run(&mut recorder).unwrap_err().to_string().contains("would be lost"));
         assert_eq!(fs::read_to_string(other.path().join(name)).unwrap(), "mine");
     }
-    // The very model that is run, and models of runs, are replaced.
+    // The model of this run and models of earlier runs are replaced.
     fs::write(&own, &text).unwrap();
     run(folder.path(), &text, &model);
     run(folder.path(), &text.replace("0.02", "0.03"), &model);
-    // But not one that was changed since.
+    // A model that was changed after the run is not replaced.
     fs::write(&own, "# changed\n").unwrap();
     let mut recorder = Recorder::new(Folder::new(folder.path()), "pendulum.toml", &text, &model, &simulation);
     assert!(simulation.run(&mut recorder).unwrap_err().to_string().contains("would be lost"));

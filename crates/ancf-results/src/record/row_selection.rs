@@ -1,22 +1,22 @@
 use serde::{Deserialize, Serialize};
 
-/// Which rows are written: 0, n, 2n, ... and the last.
+/// Selects the rows that are written: 0, n, 2n, ... and the last one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Thinned {
+pub(super) struct RowSelection {
     every: u32,
-    /// Rows so far.
+    /// Number of rows.
     rows: u64,
-    /// The last one, if it was not due.
+    /// Last row, if it was not selected.
     last: Vec<f64>,
 }
 
-impl Thinned {
-    pub(crate) fn new(every: u32) -> Self {
+impl RowSelection {
+    pub(super) fn new(every: u32) -> Self {
         Self { every: every.max(1), rows: 0, last: Vec::new() }
     }
 
-    /// Whether a row is due.
-    pub(crate) fn is_due(&mut self, row: &[f64]) -> bool {
+    /// Counts a row. Returns true if the row is selected.
+    pub(super) fn is_due(&mut self, row: &[f64]) -> bool {
         let due = self.rows.is_multiple_of(u64::from(self.every));
         self.rows += 1;
         self.last.clear();
@@ -26,8 +26,8 @@ impl Thinned {
         due
     }
 
-    /// The last row, unless it was due.
-    pub(crate) fn left(&mut self) -> Option<Vec<f64>> {
+    /// Takes the last row, unless it was selected.
+    pub(super) fn take_last(&mut self) -> Option<Vec<f64>> {
         Some(std::mem::take(&mut self.last)).filter(|row| !row.is_empty())
     }
 }

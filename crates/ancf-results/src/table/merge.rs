@@ -8,12 +8,12 @@ use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataR
 use parquet::file::properties::WriterPropertiesPtr;
 use parquet::file::writer::SerializedFileWriter;
 
-use crate::folder::{about, beside, whole};
-use crate::layout::Layout;
-use crate::read::is_sound;
-use crate::table::part;
+use super::layout::Layout;
+use super::parts::part;
+use super::reader::is_sound;
+use crate::folder::{part_path, with_path, write_atomically};
 
-/// Makes one file of several: their row groups as they are, one after the other.
+/// Merges files into one by copying their row groups in order.
 pub(crate) fn merge(
     from: &[PathBuf],
     to: &Path,
@@ -31,18 +31,18 @@ pub(crate) fn merge(
         writer.close()?;
         Ok(())
     };
-    whole(to, write).map_err(|error| about(&error, to))
+    write_atomically(to, write).map_err(|error| with_path(&error, to))
 }
 
-/// Makes parts again of a file that was made of them.
+/// Splits a merged file into its parts.
 pub(crate) fn split(
     from: &Path,
     to: &Path,
     layout: &Layout,
     properties: &WriterPropertiesPtr,
 ) -> io::Result<()> {
-    // As a whole or not at all: the folder gets its name when it is complete.
-    let unfinished = beside(to);
+    // The folder gets its name when it is complete.
+    let unfinished = part_path(to);
     let _ = fs::remove_dir_all(&unfinished);
     let write = || {
         fs::create_dir_all(&unfinished)?;
@@ -56,7 +56,7 @@ pub(crate) fn split(
         }
         fs::rename(&unfinished, to)
     };
-    write().map_err(|error| about(&error, from))
+    write().map_err(|error| with_path(&error, from))
 }
 
 fn open(path: &Path) -> io::Result<(File, ParquetMetaData)> {
@@ -66,7 +66,7 @@ fn open(path: &Path) -> io::Result<(File, ParquetMetaData)> {
     Ok((file, metadata))
 }
 
-/// Copies a row group, its bytes untouched.
+/// Copies a row group without decoding it.
 fn copy(
     file: &File,
     metadata: &ParquetMetaData,
@@ -78,7 +78,7 @@ fn copy(
     let mut to = writer.next_row_group()?;
     for (place, column) in from.columns().iter().enumerate() {
         if !is_sound(column) {
-            return Err(io::Error::new(io::ErrorKind::InvalidData, "a place of values that cannot be"));
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "invalid offset of a column"));
         }
         let close = ColumnCloseResult {
             bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),

@@ -4,11 +4,12 @@ use parquet::basic::{ConvertedType, LogicalType, Repetition, Type as Physical};
 use parquet::errors::Result;
 use parquet::schema::types::{Type, TypePtr};
 
-/// The columns of a table of doubles: numbers first, then lists of a fixed length each. A row is all of them in order.
+/// Columns of a table in double precision: numbers, then lists of fixed length. A row contains all columns in this order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Layout {
+    /// Names of the numbers.
     pub(crate) numbers: Vec<String>,
-    /// Empty ones are no columns.
+    /// Names and lengths of the lists, without empty lists.
     pub(crate) lists: Vec<(String, usize)>,
 }
 
@@ -17,12 +18,12 @@ impl Layout {
         Self { numbers, lists: lists.into_iter().filter(|(_, length)| *length > 0).collect() }
     }
 
-    /// Numbers in a row.
+    /// Number of values in a row.
     pub(crate) fn width(&self) -> usize {
         self.numbers.len() + self.lists.iter().map(|(_, length)| length).sum::<usize>()
     }
 
-    /// The places of each column in a row: its first, and how many if it is a list.
+    /// Position of each column in a row, and its length if the column is a list.
     pub(crate) fn columns(&self) -> impl Iterator<Item = (usize, Option<usize>)> {
         let lists = self.lists.iter().scan(self.numbers.len(), |next, (_, length)| {
             *next += length;
@@ -31,7 +32,7 @@ impl Layout {
         (0..self.numbers.len()).map(|place| (place, None)).chain(lists)
     }
 
-    /// The schema of Parquet.
+    /// Schema of the Parquet file.
     pub(crate) fn schema(&self) -> Result<TypePtr> {
         let numbers = self.numbers.iter().map(|name| double(name));
         let lists = self.lists.iter().map(|(name, _)| list(name));

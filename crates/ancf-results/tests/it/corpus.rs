@@ -1,8 +1,4 @@
-//! The corpus of the fuzz target `results` (`fuzz/`), replayed, and files damaged at random places.
-#![cfg(test)]
-
-#[path = "common/anything.rs"]
-mod anything;
+//! Replay of the corpus of the fuzz target `results`, and files with random damage.
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,7 +6,9 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-/// A folder that is in memory where there is one: each case writes to the disk several times.
+use crate::common::anything;
+
+/// Temporary folder, in memory if possible, because each case writes several files.
 fn folder() -> TempDir {
     TempDir::new_in("/dev/shm").or_else(|_| TempDir::new()).unwrap()
 }
@@ -33,7 +31,7 @@ fn the_corpus() {
     }
 }
 
-/// Each file of a run with one byte changed, at places spread over it.
+/// Each file of a run with one bit changed at random positions.
 #[test]
 fn damaged_files() {
     let [run, folder] = [folder(), folder()];

@@ -1,6 +1,6 @@
-//! Instructions of fixed work, counted by valgrind: the same on every run, whatever else the machine does.
+//! Instructions of fixed work, counted by valgrind: reproducible and independent of the load of the machine.
 //!
-//! Valgrind shows programs a processor without AVX-512, so that what is chosen at run time is AVX2 on any recent x86 machine.
+//! Valgrind emulates a processor without AVX-512. Code selected at run time is hence the AVX2 code on any recent x86 machine.
 
 use std::hint::black_box;
 use std::process::Command;
@@ -8,22 +8,28 @@ use std::process::Command;
 use ancf::record::Csv;
 use ancf::{Model, simulate};
 
-use crate::measure::Result;
-use crate::model::{Kind, read};
-use crate::subject::{OfEquations, OfSteps, OfSystem, Part, Subject};
+use crate::Result;
+use crate::subjects::{
+    CantileverKind, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps, read_cantilever,
+};
 
-/// Steps of the motions that are counted.
+/// Number of time steps.
 const STEPS: u32 = 100;
 
+/// Constructor of a subject.
 type Make = fn() -> Result<Box<dyn Subject>>;
 
-/// Work by name: small enough for valgrind, and of every part of a step.
+/// Work by name: small enough for valgrind, and covering each part of a step.
 pub const WORK: [(&str, Make); 6] = [
-    ("residual of 100 elements", || boxed(OfSystem::new(Kind::Beam, 100, Part::Force))),
-    ("tangent of 100 elements", || boxed(OfSystem::new(Kind::Beam, 100, Part::Stiffness))),
-    ("factorise and solve, 100 elements", || boxed(OfEquations::new(Kind::Beam, 100, 10))),
-    ("beam of 20 elements, 100 steps", || boxed(OfSteps::new(Kind::Beam, 20, STEPS))),
-    ("cable of 20 elements, 100 steps", || boxed(OfSteps::new(Kind::Cable, 20, STEPS))),
+    ("residual of 100 elements", || {
+        boxed(SystemEvaluation::new(CantileverKind::Beam, 100, Evaluation::Residual))
+    }),
+    ("tangent of 100 elements", || {
+        boxed(SystemEvaluation::new(CantileverKind::Beam, 100, Evaluation::Tangent))
+    }),
+    ("factorise and solve, 100 elements", || boxed(LinearSolution::new(CantileverKind::Beam, 100, 10))),
+    ("beam of 20 elements, 100 steps", || boxed(TimeSteps::new(CantileverKind::Beam, 20, STEPS))),
+    ("cable of 20 elements, 100 steps", || boxed(TimeSteps::new(CantileverKind::Cable, 20, STEPS))),
     ("model of 20 elements, 100 steps, recorded", || boxed(Recorded::new(20))),
 ];
 
@@ -31,12 +37,12 @@ fn boxed<S: Subject + 'static>(subject: Result<S>) -> Result<Box<dyn Subject>> {
     Ok(Box::new(subject?))
 }
 
-/// A whole simulation with its table, in memory.
+/// Simulation that records its table in memory.
 struct Recorded(Model);
 
 impl Recorded {
     fn new(elements: u32) -> Result<Self> {
-        read(Kind::Beam, elements, STEPS).map(Self).map_err(|errors| errors.to_string())
+        read_cantilever(CantileverKind::Beam, elements, STEPS).map(Self).map_err(|errors| errors.to_string())
     }
 }
 
@@ -53,12 +59,12 @@ impl Subject for Recorded {
     }
 }
 
-/// Does work so many times: what valgrind runs.
+/// Runs work a number of times, as called under valgrind.
 ///
 /// # Errors
-/// If there is no such work, or it fails.
-pub fn work(name: &str, times: u32) -> Result<()> {
-    let (_, make) = WORK.iter().find(|(known, _)| *known == name).ok_or("there is no such work")?;
+/// If there is no work of this name, or it fails.
+pub fn run_work(name: &str, times: u32) -> Result<()> {
+    let (_, make) = WORK.iter().find(|(known, _)| *known == name).ok_or("no work of this name")?;
     let mut subject = make()?;
     for _ in 0..times {
         subject.prepare()?;
@@ -67,10 +73,10 @@ pub fn work(name: &str, times: u32) -> Result<()> {
     Ok(())
 }
 
-/// Instructions of work by name: those of doing it once, less those of getting ready for it.
+/// Counts the instructions of work by name, without those of its preparation.
 ///
 /// # Errors
-/// If valgrind is missing or does not tell.
+/// If valgrind is missing or its output contains no count.
 pub fn count(name: &str) -> Result<u64> {
     Ok(instructions(name, 1)?.saturating_sub(instructions(name, 0)?))
 }
@@ -89,9 +95,11 @@ fn instructions(name: &str, times: u32) -> Result<u64> {
         return Err(format!("`{name}` under valgrind: {}\n{text}", output.status));
     }
     let number = text.lines().find_map(|line| line.split_once("I refs:")).or_else(|| {
-        // As older versions write it.
+        // Format of older versions.
         text.lines().find_map(|line| line.split_once("I   refs:"))
     });
     let digits = number.map(|(_, number)| number.trim().replace(',', ""));
-    digits.and_then(|digits| digits.parse().ok()).ok_or_else(|| format!("valgrind tells no count:\n{text}"))
+    digits
+        .and_then(|digits| digits.parse().ok())
+        .ok_or_else(|| format!("no count in the output of valgrind:\n{text}"))
 }

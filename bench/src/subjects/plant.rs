@@ -1,40 +1,38 @@
-//! A model in motion, stepped directly.
-
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, StepReport};
 use ancf::model::{self, Assembly};
 use ancf::system::{EquationsOfMotion, SparseMatrix, State, System, Weights};
 
-use crate::measure::Result;
-use crate::model::{Kind, STEP, read};
+use super::cantilever::{CantileverKind, STEP, read_cantilever};
+use crate::Result;
 
-/// An assembled cantilever; it lives as long as the program, which spares a measurement all borrowing.
+/// Assembled cantilever. It is leaked, so that subjects can refer to it without a lifetime.
 #[derive(Debug)]
 pub struct Plant {
-    /// Its equations and meshes.
+    /// Equations and meshes.
     pub assembly: &'static Assembly,
     model: &'static Model,
     settings: model::Dynamics,
 }
 
 impl Plant {
-    /// A cantilever of so many elements.
+    /// Assembles a cantilever.
     ///
     /// # Errors
-    /// If the library does not take it.
-    pub fn new(kind: Kind, elements: u32) -> Result<Self> {
-        let model = read(kind, elements, 1).map_err(|errors| errors.to_string())?;
+    /// If the model is invalid.
+    pub fn new(kind: CantileverKind, elements: u32) -> Result<Self> {
+        let model = read_cantilever(kind, elements, 1).map_err(|errors| errors.to_string())?;
         let assembly = model.assemble().map_err(|errors| errors.to_string())?;
-        let settings = model.analysis.dynamics().ok_or("a cantilever moves")?.clone();
+        let settings = model.analysis.dynamics().ok_or("the analysis of a cantilever is dynamic")?.clone();
         Ok(Self { assembly: Box::leak(Box::new(assembly)), model: Box::leak(Box::new(model)), settings })
     }
 
-    /// Its equations of motion.
+    /// Equations of motion.
     pub fn system(&self) -> &'static System {
         &self.assembly.system
     }
 
-    /// What moves the state in a step.
+    /// Weights of the tangent in a step.
     pub fn weights(&self) -> Weights {
         self.scheme().weights(STEP)
     }
@@ -43,7 +41,7 @@ impl Plant {
         self.settings.scheme.numbers()
     }
 
-    /// Its motion from rest.
+    /// Returns the time integration, started from rest.
     ///
     /// # Errors
     /// If memory does not suffice, or the mass matrix is singular.
@@ -57,7 +55,7 @@ impl Plant {
         Ok(motion)
     }
 
-    /// Its state after so many steps.
+    /// Returns the state after a number of steps.
     ///
     /// # Errors
     /// If a step fails.
@@ -69,7 +67,7 @@ impl Plant {
         Ok(motion.state().clone())
     }
 
-    /// The matrix of a step.
+    /// Returns the tangent of a step.
     pub fn tangent(&self, state: &State) -> SparseMatrix {
         let mut matrix = self.system().matrix();
         self.system().tangent(state, self.weights(), &mut matrix);
@@ -77,10 +75,10 @@ impl Plant {
     }
 }
 
-/// One step of 1 ms.
+/// Computes one step of 1 ms.
 ///
 /// # Errors
-/// If it fails.
+/// If the step fails.
 pub fn step(motion: &mut Dynamics<'static, System>) -> Result<StepReport> {
     let to = motion.state().t + STEP;
     motion.advance(to).map_err(|error| error.to_string())

@@ -1,5 +1,3 @@
-//! The best that this machine can do, measured: operations and bytes per second of one core.
-
 use std::fs;
 use std::hint::black_box;
 use std::process::Command;
@@ -7,27 +5,27 @@ use std::process::Command;
 use pulp::{Arch, Simd, WithSimd};
 use serde::{Deserialize, Serialize};
 
-use crate::clock;
+use super::clock;
 
-/// A machine and its best.
+/// Machine with the measured peak performance of one core.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Machine {
     /// Name of the processor.
     pub processor: String,
-    /// Cores that the program may use.
+    /// Number of cores available to the program.
     pub cores: usize,
-    /// The compiler of this program.
+    /// Compiler of this program.
     pub compiler: String,
-    /// Floating-point operations per second of one core, products with sums in the widest vectors.
+    /// Floating-point operations per second: fused multiply-add with the widest vectors.
     pub flops: f64,
-    /// Bytes per second of one core between memory and registers.
+    /// Bytes per second between memory and registers.
     pub bytes: f64,
-    /// The same between the second cache and registers.
+    /// Bytes per second between second-level cache and registers.
     pub cached: f64,
 }
 
 impl Machine {
-    /// This one.
+    /// Measures this machine.
     pub fn this() -> Self {
         let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
@@ -35,14 +33,14 @@ impl Machine {
             processor: name.map_or("unknown processor", |(_, name)| name).to_owned(),
             cores: std::thread::available_parallelism().map_or(1, usize::from),
             compiler: compiler(),
-            flops: best(5, flops),
-            bytes: best(5, bytes),
-            cached: best(5, cached),
+            flops: maximum(5, flops),
+            bytes: maximum(5, bytes),
+            cached: maximum(5, cached),
         }
     }
 }
 
-/// Version of the compiler, as the first two words of `rustc --version` tell it.
+/// Version of the compiler: the first two words of `rustc --version`.
 pub fn compiler() -> String {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).arg("--version").output();
@@ -50,11 +48,11 @@ pub fn compiler() -> String {
     text.split_whitespace().take(2).collect::<Vec<_>>().join(" ")
 }
 
-fn best(times: usize, measure: impl Fn() -> f64) -> f64 {
+fn maximum(times: usize, measure: impl Fn() -> f64) -> f64 {
     (0..times).map(|_| measure()).fold(0.0, f64::max)
 }
 
-/// Chains of products with sums, as many as hide their latency.
+/// Independent chains of fused multiply-adds, enough to hide their latency.
 struct Chains(usize);
 
 /// Number of chains.
@@ -77,16 +75,16 @@ impl WithSimd for Chains {
     }
 }
 
-/// Operations per second.
+/// Measures floating-point operations per second.
 fn flops() -> f64 {
     const TIMES: usize = 4_000_000;
-    let begun = clock::own();
+    let start = clock::own();
     let (sum, lanes) = Arch::new().dispatch(Chains(TIMES));
     black_box(sum);
-    (2 * lanes * CHAINS * TIMES) as f64 / (clock::own() - begun)
+    (2 * lanes * CHAINS * TIMES) as f64 / (clock::own() - start)
 }
 
-/// The triad a = b + x c over vectors far larger than caches.
+/// Vector triad a = b + x c.
 struct Triad<'a> {
     a: &'a mut [f64],
     b: &'a [f64],
@@ -107,28 +105,29 @@ impl WithSimd for Triad<'_> {
     }
 }
 
-/// Triads of such vectors in a second.
+/// Measures triads of vectors of a length per second.
 fn triads(length: usize, times: usize) -> f64 {
     let (mut a, b, c) = (vec![1.0; length], vec![2.0; length], vec![3.0; length]);
     let mut run = || {
-        let begun = clock::own();
+        let start = clock::own();
         for _ in 0..times {
             Arch::new().dispatch(Triad { a: &mut a, b: &b, c: &c });
             black_box(&a);
         }
-        times as f64 / (clock::own() - begun)
+        times as f64 / (clock::own() - start)
     };
     run();
     run().max(run())
 }
 
-/// Bytes per second: two numbers read, one read by the cache before it is written, one written (McCalpin 1995).
+/// Measures bytes per second from memory: two numbers read, one read by the cache before it is written, one written
+/// (McCalpin 1995).
 fn bytes() -> f64 {
     const LENGTH: usize = 8 << 20;
     (4 * 8 * LENGTH) as f64 * triads(LENGTH, 1)
 }
 
-/// Bytes per second: two numbers read, one written.
+/// Measures bytes per second from the cache: two numbers read, one written.
 fn cached() -> f64 {
     const LENGTH: usize = 10_000;
     (3 * 8 * LENGTH) as f64 * triads(LENGTH, 1000)

@@ -1,5 +1,3 @@
-//! Counts of instructions beside those on record: work that has grown is found out.
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
@@ -7,25 +5,25 @@ use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 
-use crate::counts::{WORK, count};
-use crate::machine::compiler;
-use crate::measure::Result;
+use super::counts::{WORK, count};
+use crate::Result;
+use crate::measure::compiler;
 
-/// What counts may grow by with the compiler on record.
+/// Allowed relative growth of counts with the recorded compiler.
 const TOLERANCE: f64 = 0.05;
-/// With another compiler, which writes other code from the same source.
-const TOLERANCE_ELSE: f64 = 0.15;
+/// Allowed relative growth with another compiler, which generates different code.
+const TOLERANCE_OTHER_COMPILER: f64 = 0.15;
 
-/// The file of counts.
+/// Recorded instruction counts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Record {
-    /// The compiler.
+pub struct InstructionRecord {
+    /// Compiler.
     pub compiler: String,
-    /// The processor's instruction set.
+    /// Instruction set of the processor.
     pub architecture: String,
-    /// The day.
+    /// Date.
     pub date: String,
-    /// Instructions by work.
+    /// Instructions by name of the work.
     pub counts: BTreeMap<String, u64>,
 }
 
@@ -35,16 +33,16 @@ const HEAD: &str = "\
 
 ";
 
-/// Where the counts are on record.
-pub fn file() -> PathBuf {
+/// Path of the recorded counts.
+pub fn record_file() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.toml"))
 }
 
-impl Record {
-    /// Counts everything anew; `report` is told each count.
+impl InstructionRecord {
+    /// Counts the instructions of all work. `report` is called with each count.
     ///
     /// # Errors
-    /// If valgrind cannot count.
+    /// If valgrind is missing or fails.
     pub fn new(mut report: impl FnMut(&str, u64)) -> Result<Self> {
         let mut counts = BTreeMap::new();
         for (name, _) in WORK {
@@ -56,70 +54,71 @@ impl Record {
         Ok(Self { compiler: compiler(), architecture, date: today(), counts })
     }
 
-    /// Reads those on record.
+    /// Reads the recorded counts.
     ///
     /// # Errors
-    /// If the file is missing or is no record.
+    /// If the file is missing or invalid.
     pub fn read() -> Result<Self> {
-        let path = file();
+        let path = record_file();
         let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
         toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Puts these on record.
+    /// Records these counts.
     ///
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self) -> Result<()> {
         let text = toml::to_string(self).map_err(|error| error.to_string())?;
-        fs::write(file(), HEAD.to_owned() + &text).map_err(|error| format!("{}: {error}", file().display()))
+        let path = record_file();
+        fs::write(&path, HEAD.to_owned() + &text).map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Compares counts with those on record: what is worth knowing in words, then whether anything has grown too much.
+    /// Compares counts with the recorded ones. Returns messages, and true if no count has grown beyond the tolerance.
     pub fn compare(&self, now: &Self) -> (Vec<String>, bool) {
         if self.architecture != now.architecture {
             let (then, here) = (&self.architecture, &now.architecture);
-            return (vec![format!("counts on record are of {then}, not of {here}: not compared")], true);
+            return (vec![format!("recorded counts are for {then}, not for {here}: not compared")], true);
         }
-        let mut words = Vec::new();
+        let mut messages = Vec::new();
         let mut tolerance = TOLERANCE;
         if self.compiler != now.compiler {
-            tolerance = TOLERANCE_ELSE;
+            tolerance = TOLERANCE_OTHER_COMPILER;
             let (then, here) = (&self.compiler, &now.compiler);
             let allowed = 100.0 * tolerance;
-            words.push(format!(
-                "counts on record are of {then}, not of {here}: up to {allowed} % more will do"
+            messages.push(format!(
+                "recorded counts are for {then}, not for {here}: a growth of up to {allowed} % is allowed"
             ));
         }
         let mut holds = true;
         for (name, &after) in &now.counts {
             let Some(&before) = self.counts.get(name) else {
-                words.push(format!("{name}: {after} is not on record; cargo xtask instructions --update"));
+                messages.push(format!("{name}: {after} is not recorded; cargo xtask instructions --update"));
                 holds = false;
                 continue;
             };
             let growth = after as f64 / before as f64 - 1.0;
             if growth > tolerance {
-                words.push(format!("{name}: {before} before, {after} now, {:+.1} %", 100.0 * growth));
+                messages.push(format!("{name}: {before} before, {after} now, {:+.1} %", 100.0 * growth));
                 holds = false;
             } else if growth < -tolerance {
-                let renew = "less than on record; cargo xtask instructions --update";
-                words
-                    .push(format!("{name}: {before} before, {after} now, {:+.1} %: {renew}", 100.0 * growth));
+                let hint = "less than recorded; cargo xtask instructions --update";
+                messages
+                    .push(format!("{name}: {before} before, {after} now, {:+.1} %: {hint}", 100.0 * growth));
             }
         }
-        (words, holds)
+        (messages, holds)
     }
 }
 
-/// Today by the calendar, in Greenwich.
+/// Date of today in UTC.
 fn today() -> String {
     let seconds = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |time| time.as_secs());
     let [year, month, day] = date(seconds / 86400);
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// Year, month and day so many days after 1 January 1970.
+/// Year, month and day of a number of days after 1 January 1970.
 fn date(mut days: u64) -> [u64; 3] {
     let leap = |year: u64| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
     let mut year = 1970;
@@ -140,20 +139,20 @@ fn date(mut days: u64) -> [u64; 3] {
 mod tests {
     use super::*;
 
-    fn record(compiler: &str, count: u64) -> Record {
+    fn record(compiler: &str, count: u64) -> InstructionRecord {
         let counts = BTreeMap::from([("work".to_owned(), count)]);
-        Record { compiler: compiler.into(), architecture: "x86_64".into(), date: today(), counts }
+        InstructionRecord { compiler: compiler.into(), architecture: "x86_64".into(), date: today(), counts }
     }
 
     #[test]
     fn growth_beyond_the_tolerance_is_found() {
         let before = record("rustc 1", 1000);
-        let holds = |after: &Record| before.compare(after).1;
+        let holds = |after: &InstructionRecord| before.compare(after).1;
         assert!(holds(&record("rustc 1", 1049)) && !holds(&record("rustc 1", 1051)));
         assert!(holds(&record("rustc 2", 1149)) && !holds(&record("rustc 2", 1151)));
         assert_eq!(before.compare(&record("rustc 1", 1000)), (Vec::new(), true));
-        assert_eq!(before.compare(&record("rustc 2", 1000)).0.len(), 1, "another compiler is told of");
-        assert_eq!(before.compare(&record("rustc 1", 900)).0.len(), 1, "so is less work");
+        assert_eq!(before.compare(&record("rustc 2", 1000)).0.len(), 1, "another compiler is reported");
+        assert_eq!(before.compare(&record("rustc 1", 900)).0.len(), 1, "less work is reported");
     }
 
     #[test]

@@ -1,30 +1,37 @@
-//! The table as text and as JSON.
-
 use serde::Serialize;
 
-use crate::machine::Machine;
-use crate::row::{Bound, Row, Unit};
+use super::row::{LimitingResource, RowUnit, TableRow};
+use crate::measure::Machine;
 
-/// A table with the machine that it was measured on.
+/// Table with the machine on which it was measured.
 #[derive(Debug, Serialize)]
-pub struct Report {
-    /// The machine.
+pub struct TableReport {
+    /// Machine.
     pub machine: Machine,
-    /// The rows.
-    pub rows: Vec<Row>,
+    /// Rows.
+    pub rows: Vec<TableRow>,
 }
 
-impl Report {
-    /// As a table in Markdown, which can be read as it is.
+impl TableReport {
+    /// Formats the table in Markdown.
     pub fn text(&self) -> String {
         let Machine { processor, cores, compiler, flops, bytes, cached } = &self.machine;
         let [flops, bytes, cached] = [flops, bytes, cached].map(|rate| 1e-9 * rate);
         let head = format!(
-            "{processor}, {cores} cores, {compiler}; one core at best {flops:.1} Gflop/s, {bytes:.1} GB/s from memory, \
-             {cached:.1} GB/s in its second cache\n\n"
+            "{processor}, {cores} cores, {compiler}; peak of one core: {flops:.1} Gflop/s, {bytes:.1} GB/s from memory, \
+             {cached:.1} GB/s from second-level cache\n\n"
         );
-        let headings =
-            ["row", "unit", "goal", "ours", "", "peer", "theirs / ours", "of the machine's best", ""];
+        let headings = [
+            "row",
+            "unit",
+            "target",
+            "measured",
+            "",
+            "peer",
+            "peer / measured",
+            "fraction of machine peak",
+            "",
+        ];
         let rows: Vec<[String; 9]> = self.rows.iter().map(cells).collect();
         let widths: [usize; 9] = std::array::from_fn(|i| {
             let cells = rows.iter().map(|row| row[i].chars().count());
@@ -41,21 +48,21 @@ impl Report {
     }
 }
 
-fn cells(row: &Row) -> [String; 9] {
-    let least = if row.unit == Unit::Gain { ">= " } else { "<= " };
+fn cells(row: &TableRow) -> [String; 9] {
+    let least = if row.unit == RowUnit::Gain { ">= " } else { "<= " };
     let met = match row.is_met() {
         Some(true) => "met",
-        Some(false) => "open",
-        None => "left out",
+        Some(false) => "missed",
+        None => "skipped",
     };
     let peer = row.peer.zip(row.theirs).map(|(name, theirs)| format!("{} {name}", short(theirs)));
-    let best = row.fraction.zip(row.best).map(|(fraction, best)| {
-        let bound = match best.bound {
-            Bound::Operations => "flops",
-            Bound::Bytes => "bytes",
-            Bound::CachedBytes => "bytes in cache",
+    let fraction = row.fraction.zip(row.bound).map(|(fraction, bound)| {
+        let resource = match bound.resource {
+            LimitingResource::Operations => "flops",
+            LimitingResource::Bytes => "bytes",
+            LimitingResource::CachedBytes => "bytes in cache",
         };
-        format!("{} {bound}", percent(fraction))
+        format!("{} {resource}", percent(fraction))
     });
     [
         row.name.to_owned(),
@@ -65,7 +72,7 @@ fn cells(row: &Row) -> [String; 9] {
         met.to_owned(),
         peer.unwrap_or_default(),
         row.ratio.map(short).unwrap_or_default(),
-        best.unwrap_or_default(),
+        fraction.unwrap_or_default(),
         row.note.clone(),
     ]
 }
@@ -74,7 +81,7 @@ fn percent(fraction: f64) -> String {
     format!("{} %", short(100.0 * fraction))
 }
 
-/// With about three digits.
+/// Formats a number with about three digits.
 fn short(x: f64) -> String {
     let decimals =
         if x.abs() < 0.995 { 3 } else { usize::from(x.abs() < 99.5) + usize::from(x.abs() < 9.95) };

@@ -1,8 +1,8 @@
-//! Time of the processor: what a computation costs, whatever else the machine does meanwhile.
+//! CPU time, which is independent of the other load of the machine.
 
-/// Seconds that this process has had a processor, all threads together.
+/// CPU time of this process in seconds, summed over all threads.
 ///
-/// It is the process, not the thread: work may be done by threads of a pool, even if that has one thread only.
+/// The time of one thread would not include work in the thread pool, even if the pool has one thread only.
 #[cfg(unix)]
 pub fn own() -> f64 {
     use nix::time::{ClockId, clock_gettime};
@@ -10,7 +10,7 @@ pub fn own() -> f64 {
         .map_or(f64::NAN, |t| t.tv_sec() as f64 + 1e-9 * t.tv_nsec() as f64)
 }
 
-/// Seconds that children which have ended had a processor, with what the system did for them.
+/// User and system CPU time of all terminated child processes in seconds.
 #[cfg(unix)]
 pub fn of_children() -> f64 {
     use nix::sys::resource::{UsageWho, getrusage};
@@ -20,7 +20,7 @@ pub fn of_children() -> f64 {
         .map_or(f64::NAN, |usage| seconds(usage.user_time()) + seconds(usage.system_time()))
 }
 
-/// Seconds on the wall, where nothing tells the time of the processor.
+/// Wall-clock time in seconds, on systems without CPU time.
 #[cfg(not(unix))]
 pub fn own() -> f64 {
     use std::sync::OnceLock;
@@ -29,7 +29,7 @@ pub fn own() -> f64 {
     START.get_or_init(Instant::now).elapsed().as_secs_f64()
 }
 
-/// Seconds on the wall, where nothing tells the time of the processor.
+/// Wall-clock time in seconds, on systems without CPU time.
 #[cfg(not(unix))]
 pub fn of_children() -> f64 {
     own()

@@ -9,7 +9,7 @@ use std::time::Instant;
 use ancf::record::Sink;
 use ancf::system::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Simulation, Summary};
-use ancf_results::{CheckpointError, Every, Folder, Recorder};
+use ancf_results::{CheckpointError, CheckpointInterval, Folder, Recorder};
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
@@ -31,7 +31,7 @@ pub struct Arguments {
     output: PathBuf,
     /// How often to write a checkpoint, from which `ancf resume` goes on: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
-    checkpoint: Every,
+    checkpoint: CheckpointInterval,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
@@ -44,19 +44,19 @@ pub struct Resumption {
     folder: PathBuf,
     /// How often to write a checkpoint: after so many steps (1000), or so much time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = every)]
-    checkpoint: Every,
+    checkpoint: CheckpointInterval,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
 }
 
 /// `1000` steps, or `10min`.
-fn every(text: &str) -> Result<Every, String> {
+fn every(text: &str) -> Result<CheckpointInterval, String> {
     let wanted = || "a number of steps, such as 1000, or a time, such as 30s or 10min".to_owned();
     match text.parse::<u64>() {
         Ok(0) => Err(wanted()),
-        Ok(steps) => Ok(Every::Steps(steps)),
-        Err(_) => humantime::parse_duration(text).map(Every::Time).map_err(|_| wanted()),
+        Ok(steps) => Ok(CheckpointInterval::Steps(steps)),
+        Err(_) => humantime::parse_duration(text).map(CheckpointInterval::Time).map_err(|_| wanted()),
     }
 }
 
@@ -114,10 +114,10 @@ impl Resumption {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
-        let is_finished = |done: &ancf_results::Conclusion| done.summary.outcome.is_finished();
-        if let Some(done) = results.conclusion()?.filter(is_finished) {
+        let is_finished = |done: &ancf_results::SummaryFile| done.summary.outcome.is_finished();
+        if let Some(done) = results.summary_file()?.filter(is_finished) {
             let (folder, columns) = (self.folder.display().to_string(), BTreeMap::new());
-            let ancf_results::Conclusion { model, wall_seconds, summary, .. } = &done;
+            let ancf_results::SummaryFile { model, wall_seconds, summary, .. } = &done;
             answer(&Answer { folder, model, wall_seconds: *wall_seconds, summary, columns });
             say(&format!("{} is finished: there is nothing to do", self.folder.display()));
             return Ok(Ended::Done);
@@ -167,7 +167,7 @@ fn record(
     }
     let summary = summary.map_err(|error| unwritten(error, is_begun.then_some(&folder)))?;
     let seconds = clock.elapsed().as_secs_f64();
-    recorder.conclude(&summary, seconds)?;
+    recorder.write_summary(&summary, seconds)?;
     let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
     // What goes on but may be wrong is told to the quiet too.
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| complain(&format!("warning: {one}")));

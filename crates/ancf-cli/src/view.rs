@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, numbers, page, scene, warnings};
-use ancf_results::{Conclusion, Folder, KILLED, Results, Status, whole};
+use ancf_report::{
+    BUDGET, Ending, Recording, SceneSource, Server, Snapshot, page, scene, summary_rows, summary_warnings,
+};
+use ancf_results::{Folder, KILLED, Results, RunStatus, SummaryFile, write_atomically};
 use anyhow::{Context, Result};
 use clap::Args;
 
@@ -64,7 +66,7 @@ impl Report {
         };
         let path = self.output.clone().unwrap_or_else(|| self.folder.join("report.html"));
         let html = page(&scene_of(&results, false, self.budget.saturating_mul(1 << 20))?);
-        whole(&path, |mut file| file.write_all(html.as_bytes()))
+        write_atomically(&path, |mut file| file.write_all(html.as_bytes()))
             .with_context(|| format!("cannot write {}", path.display()))?;
         print(&format!("{}\n", path.display()));
         Ok(Ended::Done)
@@ -82,7 +84,7 @@ impl View {
             .with_context(|| format!("cannot listen on port {} of this machine", self.port))?;
         print(&format!("{}\n", server.url()));
         say("open this address in a browser; Ctrl-C ends it");
-        let stop = server.stopper();
+        let stop = server.stop_flag();
         thread::scope(|scope| {
             scope.spawn(|| {
                 while !interrupt.is_set() && !stop.is_set() {
@@ -104,11 +106,11 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// The scene of the results so far.
 fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let status = results.status();
-    let conclusion = results.conclusion()?;
+    let conclusion = results.summary_file()?;
     let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
-    let mut messages = summary.map(warnings).unwrap_or_default();
+    let mut messages = summary.map(summary_warnings).unwrap_or_default();
     let ending = match (status, summary) {
-        (Status::Running, _) => Ending::Running,
+        (RunStatus::Running, _) => Ending::Running,
         (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
         (_, None) => {
             messages.push(KILLED.to_owned());
@@ -117,8 +119,8 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     };
     let mut frames = Vec::new();
     for frame in results.frames() {
-        let ancf_results::Frame { value, state, .. } = frame?;
-        frames.push(Frame { value, state });
+        let ancf_results::StoredState { value, state, .. } = frame?;
+        frames.push(Snapshot { value, state });
     }
     let series = results.columns()?;
     let output = results.model().output;
@@ -134,24 +136,24 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
         summary: conclusion.as_ref().map(rows).unwrap_or_default(),
         ending,
         messages,
-        live: live && status == Status::Running,
+        live: live && status == RunStatus::Running,
         ..past::recording(results, &title, &series)
     };
     Ok(scene(&recording, budget))
 }
 
 /// Names and values of what a run did, and where.
-fn rows(conclusion: &Conclusion) -> Vec<(String, String)> {
-    let Conclusion { program, model, wall_seconds, summary } = conclusion;
+fn rows(conclusion: &SummaryFile) -> Vec<(String, String)> {
+    let SummaryFile { program, model, wall_seconds, summary } = conclusion;
     let own =
         [("model", model.clone()), ("program", program.clone()), ("seconds", format!("{wall_seconds:.3}"))];
-    own.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(numbers(summary)).collect()
+    own.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(summary_rows(summary)).collect()
 }
 
 /// The results in a folder that may be growing.
 struct Followed<'a>(&'a Path);
 
-impl Source for Followed<'_> {
+impl SceneSource for Followed<'_> {
     /// Of what stands in the folder when: names, sizes and times.
     fn version(&self) -> u64 {
         // A run that is killed changes no file.

@@ -1,5 +1,5 @@
 use ancf::record::Series;
-use ancf_results::{Results, Status};
+use ancf_results::{Results, RunStatus};
 use serde::Serialize;
 
 use super::selection::Quantity;
@@ -38,9 +38,9 @@ impl Listing {
         Self {
             folder: results.folder().path().display().to_string(),
             status: match results.status() {
-                Status::Running => "running",
-                Status::Ended => "ended",
-                Status::Broken => "broken",
+                RunStatus::Running => "running",
+                RunStatus::Ended => "ended",
+                RunStatus::Broken => "broken",
             },
             rows: series.columns().next().map_or(0, |(_, values)| values.len()),
             columns: Quantity::all(results).into_iter().map(entry).collect(),

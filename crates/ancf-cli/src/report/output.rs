@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use ancf_results::whole;
+use ancf_results::write_atomically;
 use anyhow::{Context, Result};
 
 /// A folder that can be written into.
@@ -32,7 +32,7 @@ impl Output {
     /// If it cannot be written.
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
         let path = self.0.join(name);
-        whole(&path, |mut file| file.write_all(contents.as_ref()))
+        write_atomically(&path, |mut file| file.write_all(contents.as_ref()))
             .with_context(|| format!("cannot write {}", path.display()))
     }
 }

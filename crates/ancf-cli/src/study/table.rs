@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use ancf_results::whole;
+use ancf_results::write_atomically;
 use anyhow::{Context, Result};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -46,7 +46,7 @@ pub struct Table<'a> {
 impl Table<'_> {
     /// Writes cases, with their keys and rows, to a file: at once all of it or nothing.
     pub fn write(&self, path: &Path, cases: &[(usize, &str, &Row)]) -> Result<()> {
-        whole(path, |file| self.fill(file, cases).map_err(io::Error::other))
+        write_atomically(path, |file| self.fill(file, cases).map_err(io::Error::other))
             .with_context(|| format!("cannot write {}", path.display()))
     }
 

@@ -1,5 +1,5 @@
 use ancf::mechanics::{Attachment, Marker};
-use ancf::model::{Joint, Load, Probe, Quantity};
+use ancf::model::{Load, Probe, Quantity};
 use ancf::system::State;
 use ancf::{Model, Simulation};
 
@@ -77,7 +77,7 @@ impl Symbols {
         for joint in &model.joints {
             let at = attachments.of(joint.ends().0);
             symbols.of_joints.push(at.is_some().then_some(symbols.all.len()));
-            let (name, detail) = (joint.name().to_owned(), kind_of_joint(joint).to_owned());
+            let (name, detail) = (joint.name().to_owned(), joint.kind().word().to_owned());
             symbols.all.extend(at.map(|at| Symbol::new(name, SymbolKind::Joint, detail, at, length)));
         }
         for probe in &model.probes {
@@ -122,23 +122,4 @@ fn name_and_kind_of_load(number: usize, load: &Load) -> (String, String) {
         _ => "load",
     };
     (format!("loads[{number}]"), word.to_owned())
-}
-
-/// Kind of a joint as in model files.
-const fn kind_of_joint(joint: &Joint) -> &'static str {
-    match joint {
-        Joint::Clamp { .. } => "clamp",
-        Joint::Revolute { .. } => "revolute",
-        Joint::Spherical { .. } => "spherical",
-        Joint::Drive { .. } => "drive",
-        Joint::Universal(_) => "universal",
-        Joint::Cylindrical(_) => "cylindrical",
-        Joint::Prismatic(_) => "prismatic",
-        Joint::Planar(_) => "planar",
-        Joint::PointOnLine(_) => "point_on_line",
-        Joint::Distance(_) => "distance",
-        Joint::Slide(_) => "slide",
-        Joint::Bushing(_) => "bushing",
-        Joint::Spring(_) => "spring",
-    }
 }

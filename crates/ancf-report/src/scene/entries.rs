@@ -103,7 +103,7 @@ pub(super) fn links(layout: &SceneLayout<'_>, frames: &DrawnFrames<'_>, blob: &m
     let of = |link: &Link| {
         let ends = blob.f32(frames.states.iter().flat_map(|s| link.ends(s)).flat_map(finite));
         let reference = link.ends(&frames.reference_state).map(finite);
-        json!({ "name": link.name, "kind": link.kind.word(), "ends": ends, "reference": reference })
+        json!({ "name": link.name, "kind": link.kind, "ends": ends, "reference": reference })
     };
     layout.links.iter().map(of).collect()
 }

@@ -13,8 +13,7 @@
 
 pub mod instructions;
 pub mod measure;
-mod result;
 pub mod subjects;
 pub mod table;
 
-pub use result::Result;
+pub use subjects::Result;

@@ -1,4 +1,4 @@
-// Bundles the viewer into ../crates/ancf-report/assets/viewer.js and viewer.css; `node build.mjs DIR` writes elsewhere.
+// Bundles the viewer into ../crates/ancf-report/assets/viewer.js and viewer.css; `node build.mjs DIR` writes to another folder.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -22,7 +22,7 @@ const result = await build({
   write: false,
 });
 
-/** Name, version and licence of every package of which the bundle holds a part. */
+/** Name, version and licence text of every package in the bundle. */
 function licences(inputs) {
   const packages = new Set();
   for (const path of inputs) {
@@ -33,7 +33,7 @@ function licences(inputs) {
     const folder = join(here, "node_modules", name);
     const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
     const file = ["LICENSE", "LICENSE.md", "license"].map((f) => join(folder, f)).find(existsSync);
-    if (!file) throw new Error(`${name} has no file of its licence`);
+    if (!file) throw new Error(`${name} has no licence file`);
     return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}`;
   });
 }
@@ -41,7 +41,7 @@ function licences(inputs) {
 const notice = `\n/*!\n${licences(Object.keys(result.metafile.inputs)).join("\n\n")}\n*/\n`;
 mkdirSync(out, { recursive: true });
 for (const { path, text } of result.outputFiles) {
-  // The bundle stands inside <script> and <style>: nothing in it may look like their end or a comment's start.
+  // The bundle is embedded in <script> and <style>: it must not contain their end tags or the start of a comment.
   const safe = text.replace(/<\/(script|style)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
   writeFileSync(path, safe.trimEnd() + notice);
   console.log(`${path}: ${Math.round(safe.length / 1024)} kB`);

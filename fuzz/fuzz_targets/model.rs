@@ -1,7 +1,7 @@
 //! Any bytes as a model file: read, checked, and, if small, assembled and run for some steps.
 #![no_main]
 
-#[path = "../../crates/ancf/tests/common/anything.rs"]
+#[path = "../../crates/ancf/tests/it/common/anything.rs"]
 mod anything;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| anything::model(bytes));

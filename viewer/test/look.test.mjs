@@ -1,4 +1,4 @@
-// Dark, light, on a phone; very many points; a run that goes on; the bundle.
+// Themes, small screens, large models, live runs, and the committed bundle.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -8,41 +8,43 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { browse, close, folder, open, picture, settle } from "./browser.mjs";
-import { pack, page } from "./container.mjs";
-import { cantilever, machine, many } from "./scenes.mjs";
+import { manyBeams } from "./support/beams.mjs";
+import { close, folder, launch, open, screenshot, settle } from "./support/browser.mjs";
+import { cantilever } from "./support/cantilever.mjs";
+import { pack, page } from "./support/container.mjs";
+import { machine } from "./support/machine.mjs";
 
 let browser;
 before(async () => {
-  browser = await browse();
+  browser = await launch();
 });
 after(() => close(browser));
 
-const back = (tab) => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
-const bright = (colour) =>
+const background = (tab) => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
+const isBright = (colour) =>
   colour
     .match(/\d+/g)
     .map(Number)
     .reduce((a, b) => a + b) > 380;
 
-test("is dark or light as the system says, and as the button says", async () => {
+test("the theme is that of the system, and the button changes it", async () => {
   for (const theme of ["dark", "light"]) {
-    const { tab, complaints } = await open(browser, cantilever(), { theme });
-    assert.equal(bright(await back(tab)), theme === "light", theme);
+    const { tab, problems } = await open(browser, cantilever(), { theme });
+    assert.equal(isBright(await background(tab)), theme === "light", theme);
     await tab.click('[aria-label^="Dark or light"]');
-    assert.equal(bright(await back(tab)), theme !== "light", `not ${theme}`);
+    assert.equal(isBright(await background(tab)), theme !== "light", `not ${theme}`);
     await tab.evaluate(() => localStorage.clear());
-    assert.deepEqual(complaints, []);
+    assert.deepEqual(problems, []);
     await tab.close();
   }
 });
 
-test("fits a phone: nothing beside the screen, buttons large enough for a finger", async () => {
+test("the page fits a phone, with buttons of at least 40 px", async () => {
   const viewport = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 };
   const { tab } = await open(browser, machine(), { viewport });
   const wide = await tab.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   assert.ok(wide[0] <= wide[1], `${wide}`);
-  await tab.click("#unfold");
+  await tab.click("#display-button");
   const small = await tab.$$eval("button, select", (all) =>
     all
       .filter((e) => e.offsetParent && e.getBoundingClientRect().height < 40)
@@ -52,7 +54,7 @@ test("fits a phone: nothing beside the screen, buttons large enough for a finger
   await tab.close();
 });
 
-test("every control has a name", async () => {
+test("every control has an accessible name", async () => {
   const { tab } = await open(browser, machine());
   const nameless = await tab.$$eval("button, select, input, canvas[tabindex]", (all) =>
     all
@@ -65,7 +67,7 @@ test("every control has a name", async () => {
   await tab.close();
 });
 
-test("a frame of 100 000 stations uploads nothing and costs little of our time", async () => {
+test("a frame of 100 000 stations uploads no data", async () => {
   const before = () => {
     window.bytes = 0;
     window.spent = [];
@@ -75,10 +77,10 @@ test("a frame of 100 000 stations uploads nothing and costs little of our time",
       }
     };
     for (const name of ["bufferData", "bufferSubData", "texImage2D", "texSubImage2D", "texImage3D"]) {
-      const old = WebGL2RenderingContext.prototype[name];
+      const original = WebGL2RenderingContext.prototype[name];
       WebGL2RenderingContext.prototype[name] = function (...a) {
         size(a);
-        return old.apply(this, a);
+        return original.apply(this, a);
       };
     }
     window.draws = 0;
@@ -87,18 +89,18 @@ test("a frame of 100 000 stations uploads nothing and costs little of our time",
       window.draws += 1;
       return draw.apply(this, a);
     };
-    const ask = window.requestAnimationFrame;
-    window.requestAnimationFrame = (act) =>
-      ask.call(window, (now) => {
+    const request = window.requestAnimationFrame;
+    window.requestAnimationFrame = (callback) =>
+      request.call(window, (now) => {
         const [start, drawn] = [performance.now(), window.draws];
-        act(now);
+        callback(now);
         if (window.draws > drawn) window.spent.push(performance.now() - start);
       });
   };
-  const { tab, complaints } = await open(browser, many(100, 1000), { before });
+  const { tab, problems } = await open(browser, manyBeams(100, 1000), { before });
   const uploaded = await tab.evaluate(() => window.bytes);
   assert.ok(uploaded > 3 * 100_000 * 16, `${uploaded} bytes at the start`);
-  const first = await picture(tab);
+  const first = await screenshot(tab);
   await tab.evaluate(() => {
     window.bytes = 0;
     window.spent = [];
@@ -107,18 +109,18 @@ test("a frame of 100 000 stations uploads nothing and costs little of our time",
     await tab.evaluate((x) => window.ancf.setTime(x), t);
     await settle(tab);
   }
-  assert.notEqual(await picture(tab), first);
+  assert.notEqual(await screenshot(tab), first);
   const [bytes, spent] = await tab.evaluate(() => [window.bytes, window.spent]);
   assert.equal(bytes, 0);
   spent.sort((a, b) => a - b);
   console.log(
     `    CPU time of a frame: median ${spent[spent.length >> 1].toFixed(2)} ms, ${spent.length} frames`,
   );
-  assert.deepEqual(complaints, []);
+  assert.deepEqual(problems, []);
   await tab.close();
 });
 
-test("follows a run that goes on, at the end if it was at the end", async () => {
+test("a live run is followed, at the end if the time was at the end", async () => {
   let scene = cantilever({ frames: 11, until: 0.5, live: true });
   let [version, answers, unchanged] = [1, 0, 0];
   const server = createServer((request, response) => {
@@ -138,11 +140,11 @@ test("follows a run that goes on, at the end if it was at the end", async () => 
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));
   const url = `http://127.0.0.1:${server.address().port}/`;
-  const { tab, complaints } = await open(browser, null, { url });
+  const { tab, problems } = await open(browser, null, { url });
   assert.equal(await tab.evaluate(() => window.ancf.time), 0.5);
   assert.match(await tab.$eval(".outcome", (e) => e.textContent), /running/);
   await new Promise((done) => setTimeout(done, 2500));
-  assert.ok(unchanged >= 1 && answers <= 4, `${answers} questions, ${unchanged} without news`);
+  assert.ok(unchanged >= 1 && answers <= 4, `${answers} requests, ${unchanged} unchanged`);
   [scene, version] = [cantilever({ frames: 21, until: 1, live: true }), 2];
   await tab.waitForFunction(() => window.ancf.time === 1, { timeout: 8000 });
   await tab.evaluate(() => window.ancf.setTime(0.25));
@@ -152,26 +154,29 @@ test("follows a run that goes on, at the end if it was at the end", async () => 
     timeout: 8000,
   });
   const now = await tab.evaluate(() => window.ancf.time);
-  assert.ok(Math.abs(now - 0.25) < 1e-9, `the time stays: ${now}`);
+  assert.ok(Math.abs(now - 0.25) < 1e-9, `the time is kept: ${now}`);
   const before = answers;
   await new Promise((done) => setTimeout(done, 1500));
-  assert.equal(answers, before, "no questions after the end");
-  assert.ok((await tab.evaluate(() => window.ancf.pixels())) > 0.01);
-  assert.deepEqual(complaints, []);
+  assert.equal(answers, before, "no requests after the end of the run");
+  assert.ok((await tab.evaluate(() => window.ancf.coverage())) > 0.01);
+  assert.deepEqual(problems, []);
   await tab.close();
   server.closeAllConnections();
   server.close();
 });
 
-test("the bundle in the repository is what the sources give", () => {
+test("the committed bundle equals a fresh build", () => {
   const out = mkdtempSync(join(folder, "bundle-"));
   const build = fileURLToPath(new URL("../build.mjs", import.meta.url));
   const run = spawnSync(process.execPath, [build, out], { encoding: "utf8" });
   assert.equal(run.status, 0, run.stderr);
   for (const name of ["viewer.js", "viewer.css"]) {
-    const kept = readFileSync(new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url), "utf8");
-    assert.ok(readFileSync(join(out, name), "utf8") === kept, `${name}: run npm run build`);
-    assert.ok(!/<\/script|<!--/i.test(kept), `${name} would end the element it stands in`);
-    assert.match(kept, /uplot .*\(MIT\)/i);
+    const committed = readFileSync(
+      new URL(`../../crates/ancf-report/assets/${name}`, import.meta.url),
+      "utf8",
+    );
+    assert.ok(readFileSync(join(out, name), "utf8") === committed, `${name} is outdated: run npm run build`);
+    assert.ok(!/<\/script|<!--/i.test(committed), `${name} would end its HTML element`);
+    assert.match(committed, /uplot .*\(MIT\)/i);
   }
 });

@@ -1,4 +1,4 @@
-// The clock of the picture, without a browser.
+// Playback, without a browser.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -7,7 +7,7 @@ import { build } from "esbuild";
 
 let Player;
 before(async () => {
-  const entry = join(import.meta.dirname, "../src/player.ts");
+  const entry = join(import.meta.dirname, "../src/ui/player.ts");
   const { outputFiles } = await build({ entryPoints: [entry], bundle: true, format: "esm", write: false });
   const address = `data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`;
   ({ Player } = await import(address));
@@ -19,34 +19,34 @@ const scene = (until, more = {}) => ({
   ...more,
 });
 const live = (until) => scene(until, { live: true, outcome: { kind: "running", message: "" } });
-const player = () => new Player(() => {});
+const newPlayer = () => new Player(() => {});
 
-test("the speed grows with a run that is watched, until one is chosen", () => {
-  const clock = player();
-  clock.load(live(0.1), false);
-  assert.equal(clock.speed, 0.01);
-  clock.load(live(80), true);
-  assert.equal(clock.speed, 10);
-  clock.choose(0.5);
-  clock.load(live(8000), true);
-  assert.equal(clock.speed, 0.5);
-  clock.faster(1);
-  clock.load(scene(80), true);
-  assert.equal(clock.speed, 1);
+test("the default speed follows the duration of a live run until the user selects one", () => {
+  const player = newPlayer();
+  player.load(live(0.1), false);
+  assert.equal(player.speed, 0.01);
+  player.load(live(80), true);
+  assert.equal(player.speed, 10);
+  player.selectSpeed(0.5);
+  player.load(live(8000), true);
+  assert.equal(player.speed, 0.5);
+  player.changeSpeed(1);
+  player.load(scene(80), true);
+  assert.equal(player.speed, 1);
 });
 
-test("a run opens at its start, one that failed at its end", () => {
-  const clock = player();
-  clock.load(scene(2), false);
-  assert.equal(clock.time, 0);
-  clock.load(scene(2, { outcome: { kind: "failed", message: "no equilibrium" } }), false);
-  assert.equal(clock.time, 2);
+test("a run opens at its start, a failed run at its end", () => {
+  const player = newPlayer();
+  player.load(scene(2), false);
+  assert.equal(player.time, 0);
+  player.load(scene(2, { outcome: { kind: "failed", message: "no equilibrium" } }), false);
+  assert.equal(player.time, 2);
 });
 
-test("shapes open at the first that is not rigid", () => {
-  const clock = player();
+test("shapes open at the first one that is not rigid", () => {
+  const player = newPlayer();
   const labels = ["mode 1: rigid", "mode 2: rigid", "mode 3: 1.5 Hz"];
   const frames = { count: 3, values: Float64Array.of(1, 2, 3), labels };
-  clock.load(scene(1, { analysis: "modes", frames }), false);
-  assert.equal(clock.position, 2);
+  player.load(scene(1, { analysis: "modes", frames }), false);
+  assert.equal(player.position, 2);
 });

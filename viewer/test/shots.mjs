@@ -1,12 +1,15 @@
-// Pictures of the viewer in several states, to be looked at: `node test/shots.mjs DIR`.
+// Screenshots of the viewer in several states, for visual inspection: `node test/shots.mjs DIR [NAMES]`.
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import { browse, close, open, settle } from "./browser.mjs";
-import { cantilever, frequencies, machine, many, modes } from "./scenes.mjs";
+import { manyBeams } from "./support/beams.mjs";
+import { close, launch, open, settle } from "./support/browser.mjs";
+import { cantilever } from "./support/cantilever.mjs";
+import { machine } from "./support/machine.mjs";
+import { frequencies, modes } from "./support/shapes.mjs";
 
-const to = process.argv[2] ?? "shots";
-mkdirSync(to, { recursive: true });
+const folder = process.argv[2] ?? "shots";
+mkdirSync(folder, { recursive: true });
 const PHONE = { width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 };
 const press = (keys) => async (tab) => {
   for (const key of keys) await tab.keyboard.press(key);
@@ -34,18 +37,18 @@ const SHOTS = [
   ["machine", machine(), {}, at(0.3)],
   ["machine-run", machine(), { theme: "dark" }, run],
   ["help", machine(), {}, press(["?"])],
-  ["many", many(100, 1000), {}, at(2)],
+  ["many", manyBeams(100, 1000), {}, at(2)],
   ["empty", cantilever({ frames: 1 }), {}, press([])],
 ];
 
-const browser = await browse();
+const browser = await launch();
 for (const [name, scene, options, act] of SHOTS) {
   if (process.argv[3] && !process.argv[3].split(",").includes(name)) continue;
-  const { tab, complaints } = await open(browser, scene, options);
+  const { tab, problems } = await open(browser, scene, options);
   await act(tab);
   await settle(tab);
-  await tab.screenshot({ path: join(to, `${name}.png`) });
-  console.log(name, await tab.evaluate(() => window.ancf.pixels()), complaints.join("\n").slice(0, 1500));
+  await tab.screenshot({ path: join(folder, `${name}.png`) });
+  console.log(name, await tab.evaluate(() => window.ancf.coverage()), problems.join("\n").slice(0, 1500));
   await tab.close();
 }
 await close(browser);

@@ -127,7 +127,7 @@ fn equilibria_are_told() {
 }
 
 /// Lee's frame: the loads at the limit points by a planar rod without shear, to 1 % of the larger. The least load is 0.6 % off,
-/// more than in `crates/ancf/tests/paths.rs`, which ties the joints by hand: to be explained.
+/// more than in `crates/ancf/tests/it/statics/paths.rs`, which ties the joints by hand: to be explained.
 #[test]
 fn a_path_is_told() {
     let bench = Bench::new();

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output, Place,
-    Probe, ScaleChoice, Scheme, Section, Slopes, Start,
+    Analysis, At, Beam, Body, Clamp, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output,
+    Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes, Spherical, Start,
 };
 
 /// Length of the beam, m (Table 2).
@@ -60,8 +60,8 @@ impl Case {
         let end = |end| Place::new("beam", At::Named(end));
         let (name, a, b) = ("joint".to_owned(), end(Named::Start), End::Ground);
         let joint = match self {
-            Self::Cantilever => Joint::Clamp { name, a, b, fix: Some(Clamped::All) },
-            Self::Revolute => Joint::Revolute {
+            Self::Cantilever => Joint::Clamp(Clamp { name, a, b, fix: Some(Clamped::All) }),
+            Self::Revolute => Joint::Revolute(Revolute {
                 name,
                 a,
                 b,
@@ -69,8 +69,8 @@ impl Case {
                 drive: None,
                 spring: None,
                 friction: None,
-            },
-            Self::Spherical => Joint::Spherical { name, a, b },
+            }),
+            Self::Spherical => Joint::Spherical(Spherical { name, a, b }),
         };
         let (slopes, scales) = match form {
             Form::Dimensional => (Slopes::Gradient, ScaleChoice::None),

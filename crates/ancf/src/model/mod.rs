@@ -11,7 +11,7 @@ mod sections;
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::units::Scaled;
 
@@ -20,11 +20,12 @@ pub use analyses::{
     Start, Statics, Step, Stop,
 };
 pub use bodies::{
-    At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
+    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape,
+    Slopes,
 };
 pub use contacts::{Against, Contact};
 pub use functions::{TimeFunction, Varying};
-pub use loads::{Fluid, Load};
+pub use loads::{CustomLoad, Fluid, Load, LoadKind, LoadObject};
 pub use sections::{Damping, Material, MaterialLaw, Section};
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
@@ -76,13 +77,13 @@ pub struct Model {
     #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
     /// Joints between bodies, or between a body and the ground.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_joints")]
     pub joints: Vec<Joint>,
     /// Couplings of joints, such as gears, racks and belts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub couplings: Vec<Coupling>,
     /// Loads besides gravity.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]
     pub loads: Vec<Load>,
     /// True to close gaps of joints before the analysis. Gaps are errors by default.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -108,4 +109,14 @@ impl Model {
     pub fn unit_names(&self) -> Units {
         self.units.clone().unwrap_or_else(Units::in_words)
     }
+}
+
+/// Writes the joints that a model file can state.
+fn stated_joints<S: Serializer>(joints: &[Joint], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(joints.iter().filter(|joint| !matches!(joint, Joint::Custom(_))))
+}
+
+/// Writes the loads that a model file can state.
+fn stated_loads<S: Serializer>(loads: &[Load], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(loads.iter().filter(|load| !matches!(load, Load::Custom(_))))
 }

@@ -1,0 +1,5 @@
+//! Contact of bodies with obstacles and with each other.
+
+mod forces;
+mod models;
+mod search;

@@ -1,0 +1,9 @@
+//! Time integration: order, step control, initial conditions, Newton methods, rigid bodies.
+
+mod adaptive;
+mod convergence;
+mod initial_conditions;
+mod newton_methods;
+mod pendulum;
+mod rigid_bodies;
+mod schemes;

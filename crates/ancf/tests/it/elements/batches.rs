@@ -1,0 +1,222 @@
+//! Batches of elements (SIMD lanes) agree with single elements to rounding, for all kinds of elements.
+//!
+//! A body has a full and a partial batch.
+
+use ancf::Model;
+use ancf::mechanics::BeamMesh;
+use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slopes};
+use ancf::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use crate::common::models::beams::{BeamCase, beam_cases};
+use crate::common::models::rod;
+use crate::common::random::Random;
+use crate::common::sample::{Sample, residual, tangent};
+
+/// Elements of a body: one full batch and one of three elements.
+const ELEMENTS: u32 = 11;
+const TOLERANCE: f64 = 1e-13;
+
+/// Elements of a body and their batches, each with the index of its first element.
+struct BatchCase {
+    name: String,
+    terms: Vec<Box<dyn Term>>,
+    batches: Vec<(usize, Box<dyn Batch>)>,
+}
+
+fn case(name: String, model: &Model) -> BatchCase {
+    let assembly = model.assemble().unwrap();
+    let mesh: &BeamMesh = assembly.mesh("rod").unwrap();
+    BatchCase { name, terms: mesh.terms(), batches: mesh.batches() }
+}
+
+/// Beams of all kinds except neo-Hookean ones: undamped, with strain damping, with strain and mass damping.
+fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = BatchCase> {
+    let dampings = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.7)].map(|(strain, mass)| Damping { strain, mass });
+    let beams = beam_cases().into_iter().filter(|beam| beam.law == MaterialLaw::StVenantKirchhoff);
+    beams.flat_map(move |beam| dampings.map(|damping| BeamCase { damping, ..beam })).map(move |beam| {
+        let mut model = beam.model(gravity);
+        rod::beam(&mut model).elements = ELEMENTS;
+        case(beam.to_string(), &model)
+    })
+}
+
+/// Cables along x and in space: undamped, with strain damping, with strain and mass damping.
+fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
+    let mut cases = Vec::new();
+    for to in [[1.4, 0.0, 0.0], [0.5, -0.9, 1.1]] {
+        for (strain, mass) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
+            for slopes in [Slopes::Gradient, Slopes::Length] {
+                let mut model = rod::free(1);
+                model.gravity = gravity.into();
+                let material = rod::material(&mut model);
+                (material.density, material.young, material.damping) = (2.0, 30.0, Damping { strain, mass });
+                model.sections.insert("circle".into(), Section::Circle { diameter: 0.3 });
+                let cable = Cable {
+                    name: "rod".into(),
+                    from: [0.0; 3],
+                    to,
+                    elements: ELEMENTS,
+                    section: "circle".into(),
+                    material: "steel".into(),
+                    slopes,
+                    motion: InitialMotion::default(),
+                };
+                model.bodies = vec![Body::Cable(cable)];
+                model.probes.clear();
+                cases.push(case(format!("cable to {to:?}, {strain}, {mass}, {slopes:?}"), &model));
+            }
+        }
+    }
+    cases
+}
+
+/// Random states of the terms of a batch.
+fn states(terms: &[Box<dyn Term>], random: &mut Random) -> Vec<Sample> {
+    terms.iter().map(|term| Sample::random(term.as_ref(), random)).collect()
+}
+
+/// States in lanes. Lanes without a term repeat the last state.
+struct Gathered([Vec<Lanes>; 3]);
+
+impl Gathered {
+    fn new(states: &[Sample]) -> Self {
+        let of = |x: fn(&Sample) -> &DVector<f64>| {
+            let lane = |i: usize| Lanes(std::array::from_fn(|l| x(&states[l.min(states.len() - 1)])[i]));
+            (0..states[0].q.len()).map(lane).collect()
+        };
+        Self([of(|s| &s.q), of(|s| &s.v), of(|s| &s.a)])
+    }
+
+    /// View at the load factor of [`Sample::local`].
+    fn at(&self) -> LocalLanes<'_> {
+        let [q, v, a] = &self.0;
+        LocalLanes { q, v, a, load: 0.7 }
+    }
+}
+
+fn batch_residual(batch: &dyn Batch, at: &LocalLanes<'_>) -> Vec<Lanes> {
+    let mut rows = vec![Lanes::default(); at.q.len()];
+    batch.residual(at, &mut rows);
+    rows
+}
+
+fn batch_tangent(batch: &dyn Batch, at: &LocalLanes<'_>, w: Weights, lane: usize) -> DMatrix<f64> {
+    let n = at.q.len();
+    let mut lower = vec![Lanes([f64::NAN; LANES]); n * (n + 1) / 2];
+    batch.tangent(at, w, &mut lower);
+    let place = |i: usize, j: usize| j * n - j * (j + 1) / 2 + i;
+    DMatrix::from_fn(n, n, |i, j| {
+        let at = if i >= j { place(i, j) } else { place(j, i) };
+        lower[at].0[lane]
+    })
+}
+
+fn each_batch(case: &BatchCase, mut visit: impl FnMut(&[Box<dyn Term>], &dyn Batch)) {
+    let count: usize = case.batches.iter().map(|(_, batch)| batch.count()).sum();
+    assert_eq!(count, case.terms.len(), "{}: every term is in a batch", case.name);
+    for (first, batch) in &case.batches {
+        visit(&case.terms[*first..first + batch.count()], batch.as_ref());
+    }
+}
+
+fn assert_close(what: &str, a: f64, b: f64, size: f64) {
+    assert!((a - b).abs() <= TOLERANCE * size, "{what}: {a:e} and {b:e}");
+}
+
+/// Asserts that forces, energies, powers and tangents of batches are those of the single elements.
+fn assert_same(case: &BatchCase, random: &mut Random, amplitude: f64) {
+    let name = &case.name;
+    each_batch(case, |terms, batch| {
+        let mut states = states(terms, random);
+        states.iter_mut().for_each(|s| s.q *= amplitude);
+        let gathered = Gathered::new(&states);
+        let at = gathered.at();
+        let rows = batch_residual(batch, &at);
+        let (mut energy, mut power) = (Energy::default(), Power::default());
+        for (lane, (term, s)) in terms.iter().zip(&states).enumerate() {
+            let expected = residual(term.as_ref(), s);
+            let found = DVector::from_fn(rows.len(), |i, _| rows[i].0[lane]);
+            let error = (&found - &expected).amax() / expected.amax();
+            assert!(error <= TOLERANCE, "{name}: force of lane {lane}: {error:e}");
+            energy += term.energy(&s.local());
+            power += term.power(&s.local());
+        }
+        let found = batch.energy(&at);
+        let size = energy.kinetic + energy.strain + energy.potential.abs();
+        assert_close(&format!("{name}: kinetic"), found.kinetic, energy.kinetic, energy.kinetic);
+        assert_close(&format!("{name}: strain"), found.strain, energy.strain, size);
+        assert_close(&format!("{name}: potential"), found.potential, energy.potential, size);
+        let found = batch.power(&at);
+        let force = rows.iter().flat_map(|row| row.0).fold(0.0_f64, |size, x| size.max(x.abs()));
+        assert_close(
+            &format!("{name}: dissipation"),
+            found.dissipation,
+            power.dissipation,
+            force.max(power.dissipation),
+        );
+        assert_eq!(found.work, 0.0);
+        let mixed = Weights { q: 1.3, v: random.number(), a: 0.7 };
+        for w in [Weights::STIFFNESS, Weights::MASS, Weights { q: 0.0, v: 1.0, a: 0.0 }, mixed] {
+            for (lane, (term, s)) in terms.iter().zip(&states).enumerate() {
+                let expected = tangent(term.as_ref(), s, w);
+                let found = batch_tangent(batch, &at, w, lane);
+                let error = (found - &expected).amax() / expected.amax().max(1e-300);
+                assert!(error <= TOLERANCE, "{name}: tangent of lane {lane}: {error:e}");
+            }
+        }
+    });
+}
+
+#[test]
+fn beam_batches_equal_single_beams() {
+    let mut random = Random(1642);
+    for case in beams(Vector3::new(0.3, -2.0, 0.7)) {
+        assert_same(&case, &mut random, 1.0);
+    }
+}
+
+#[test]
+fn cable_batches_equal_single_cables() {
+    let mut random = Random(1687);
+    for case in cables(Vector3::new(0.3, -2.0, 0.7)) {
+        assert_same(&case, &mut random, 0.1);
+    }
+}
+
+/// Both evaluations find the same inverted element (det J <= 0) first.
+#[test]
+fn batches_find_the_first_inverted_element() {
+    let mut random = Random(7);
+    for case in beams(Vector3::zeros()) {
+        each_batch(&case, |terms, batch| {
+            let mut states = states(terms, &mut random);
+            states.iter_mut().for_each(|s| s.q *= 0.2);
+            let inverted = terms.iter().zip(&states).position(|(term, s)| !term.is_admissible(&s.local()));
+            assert_eq!(batch.inadmissible(&Gathered::new(&states).at()), inverted, "{}", case.name);
+        });
+    }
+}
+
+/// Positions enter by their differences: forces of a translation are exactly zero.
+#[test]
+fn translations_cause_no_force() {
+    for case in beams(Vector3::zeros()).chain(cables(Vector3::zeros())) {
+        each_batch(&case, |terms, batch| {
+            let rest = Sample::rest(terms[0].as_ref());
+            let moved = |far: f64| Sample { q: translation(terms[0].as_ref(), far), ..rest.clone() };
+            let states: Vec<Sample> = (0..terms.len()).map(|lane| moved(1e3 * lane as f64 + 0.1)).collect();
+            let gathered = Gathered::new(&states);
+            let rows = batch_residual(batch, &gathered.at());
+            assert!(rows.iter().all(|row| row.0 == [0.0; LANES]), "{}: force of a translation", case.name);
+            assert_eq!(batch.energy(&gathered.at()).strain, 0.0, "{}", case.name);
+        });
+    }
+}
+
+/// Coordinates of a translation; the position coordinates of a node are its first three.
+fn translation(term: &dyn Term, far: f64) -> DVector<f64> {
+    let n = term.coordinates().len();
+    let stride = if n == 27 { 9 } else { n / 2 };
+    DVector::from_fn(n, |i, _| if i % stride < 3 { far * (1.0 + 0.3 * (i % 3) as f64) } else { 0.0 })
+}

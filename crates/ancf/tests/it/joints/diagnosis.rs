@@ -1,0 +1,99 @@
+//! Diagnosis of models: contents, mobility, loose bodies, names of equations.
+
+use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Spherical, Statics};
+use ancf::record::Series;
+use ancf::{Model, Outcome, simulate};
+
+use crate::common::models::rod;
+
+/// Adds beams without joints.
+fn with_loose_beams(mut model: Model, names: &[&str]) -> Model {
+    for (k, name) in names.iter().enumerate() {
+        let (x, name) = (2.0 + k as f64, (*name).to_owned());
+        let beam =
+            Beam { name, from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..rod::beam(&mut model).clone() };
+        model.bodies.push(Body::Beam(beam));
+    }
+    model
+}
+
+fn end(body: &str, end: Named) -> Place {
+    Place::new(body, At::Named(end))
+}
+
+#[test]
+fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
+    let diagnosis = rod::revolute(2).diagnose().unwrap();
+    assert_eq!(
+        diagnosis.to_string(),
+        "bodies:    1 beam\n\
+         joints:    1 revolute\n\
+         loads:     gravity\n\
+         equations: 36 coordinates, 5 constraints, 0 of them redundant\n\
+         mobility:  1 by Grübler's count, rigid bodies\n           \
+         1 by rank, rigid bodies\n           \
+         31 by rank, bodies that deform\n\
+         free:      body `rod` can rotate about the axis through (0, 0, 0) along z\n"
+    );
+}
+
+/// Bodies without joints and chains without connection to the ground.
+#[test]
+fn unconnected_bodies_are_named() {
+    let mut model = with_loose_beams(rod::cantilever(1), &["alone", "one", "two"]);
+    let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
+    model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b }));
+    let diagnosis = model.diagnose().unwrap();
+    assert_eq!(diagnosis.unconnected, ["alone"]);
+    assert_eq!(diagnosis.unreached, ["one", "two"]);
+    assert_eq!((diagnosis.gruebler, diagnosis.motions.len()), (15, 15));
+    let text = diagnosis.to_string();
+    assert!(text.contains("loose:     no joint connects `alone`\n"), "{text}");
+    assert!(text.contains("loose:     no joints lead from the ground to `one`, `two`\n"), "{text}");
+}
+
+/// Failures of statics name the free motions.
+#[test]
+fn free_motions_are_named_when_statics_fails() {
+    let failed = |mut model: Model| {
+        model.analysis = Analysis::Statics(Statics::default());
+        match simulate(&model, &mut Series::new()).unwrap().outcome {
+            Outcome::Failed { at, .. } => at,
+            outcome => panic!("{outcome:?}"),
+        }
+    };
+    assert_eq!(failed(rod::revolute(2)), "body `rod` can rotate about the axis through (0, 0, 0) along z");
+    let alone = failed(with_loose_beams(rod::cantilever(2), &["alone"]));
+    assert!(
+        alone.starts_with("body `alone` can translate along x; body `alone` can translate along y"),
+        "{alone}"
+    );
+}
+
+/// Lengths are in the units of the user, independent of the scales of the solver.
+#[test]
+fn diagnosis_does_not_depend_on_scales() {
+    let model = rod::spherical(2);
+    let mut other = model.clone();
+    other.scales = ancf::model::ScaleChoice::Given { length: 1e-3, force: 1e3, time: Some(10.0) };
+    assert_eq!(model.diagnose(), other.diagnose());
+}
+
+/// Names contain the joint, the constrained quantity and the axis.
+#[test]
+fn joint_equations_have_names() {
+    let assembly = rod::revolute(1).assemble().unwrap();
+    let names: Vec<String> = (24..29).map(|equation| assembly.name_of(equation)).collect();
+    assert_eq!(
+        names,
+        [
+            "joint `root`, position along x",
+            "joint `root`, position along y",
+            "joint `root`, position along z",
+            "joint `root`, hinge axis, first equation",
+            "joint `root`, hinge axis, second equation",
+        ]
+    );
+    let assembly = rod::cantilever(1).assemble().unwrap();
+    assert_eq!(assembly.name_of(24 + 4), "joint `root`, direction x along y");
+}

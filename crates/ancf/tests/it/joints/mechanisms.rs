@@ -1,0 +1,201 @@
+//! Free motions of models, by name.
+
+use ancf::Model;
+use ancf::analysis::{Interrupt, modes};
+use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place, Revolute, Spherical};
+use ancf::system::State;
+
+use crate::common::models::rod;
+use crate::common::solutions::equilibrium;
+
+/// Free motions of a model in its reference state, in words. Asserts that modes without stiffness are as many.
+fn motion_names(model: &Model) -> Vec<String> {
+    let assembly = model.assemble().unwrap();
+    let rest = assembly.rest();
+    let free = assembly.free_motions(&rest);
+    let modes = modes(&assembly.system, assembly.system.matrix(), &rest, 14, &Interrupt::default()).unwrap();
+    assert_eq!(modes.rigid, free.len(), "{free:?}");
+    free.iter().map(ToString::to_string).collect()
+}
+
+/// Adds a rod of 0.5 m at the end of the first one, in a given direction, with its joints.
+fn with_second(mut model: Model, [x, y, z]: [f64; 3], joints: Vec<Joint>) -> Model {
+    let from = [rod::LENGTH, 0.0, 0.0];
+    let to = [from[0] + 0.5 * x, 0.5 * y, 0.5 * z];
+    let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
+    model.bodies.push(Body::Beam(second));
+    model.joints.extend(joints);
+    model
+}
+
+fn second(end: Named) -> Place {
+    Place::new("second", At::Named(end))
+}
+
+fn elbow() -> Joint {
+    let (a, b) = (second(Named::Start), End::Place(rod::end()));
+    Joint::Revolute(Revolute {
+        name: "elbow".into(),
+        a,
+        b,
+        axis: [0.0, 0.0, 1.0],
+        drive: None,
+        spring: None,
+        friction: None,
+    })
+}
+
+#[test]
+fn free_rod_has_six_motions() {
+    assert_eq!(
+        motion_names(&rod::free(2)),
+        [
+            "body `rod` can translate along x",
+            "body `rod` can translate along y",
+            "body `rod` can translate along z",
+            "body `rod` can rotate about the axis through (0.5, 0, 0) along x",
+            "body `rod` can rotate about the axis through (0.5, 0, 0) along y",
+            "body `rod` can rotate about the axis through (0.5, 0, 0) along z",
+        ]
+    );
+}
+
+#[test]
+fn pendulums_rotate_about_their_joints() {
+    let about = |axis| format!("body `rod` can rotate about the axis through (0, 0, 0) along {axis}");
+    assert_eq!(motion_names(&rod::spherical(2)), ["x", "y", "z"].map(about));
+    assert_eq!(motion_names(&rod::revolute(2)), [about("z")]);
+    let mut skew = rod::revolute(2);
+    rod::beam(&mut skew).up = Some([0.0, 0.3, 1.0]);
+    let Joint::Revolute(Revolute { axis, .. }) = &mut skew.joints[0] else {
+        panic!("the root is a revolute joint")
+    };
+    *axis = [0.0, 3.0, 4.0];
+    assert_eq!(motion_names(&skew), [about("(0, 0.6, 0.8)")]);
+}
+
+/// Rotation about the line through both joints, oblique to all axes.
+#[test]
+fn rod_between_two_spherical_joints_spins() {
+    let mut model = rod::spherical(3);
+    rod::beam(&mut model).to = [2.0, -1.0, 2.0];
+    model.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    let axis = "(0.6667, -0.3333, 0.6667)";
+    assert_eq!(
+        motion_names(&model),
+        [format!("body `rod` can rotate about the axis through (0, 0, 0) along {axis}")]
+    );
+}
+
+#[test]
+fn clamped_and_propped_rods_have_no_free_motion() {
+    for fix in [Clamped::All, Clamped::Section] {
+        assert!(motion_names(&rod::clamped(2, fix)).is_empty());
+    }
+    let mut propped = rod::revolute(2);
+    propped.joints.push(Joint::Spherical(Spherical { name: "far".into(), a: rod::end(), b: End::Ground }));
+    assert!(motion_names(&propped).is_empty());
+}
+
+#[test]
+fn motions_of_a_chain_name_all_moving_bodies() {
+    let chain = with_second(rod::revolute(2), [1.0, 0.0, 0.0], vec![elbow()]);
+    assert_eq!(
+        motion_names(&chain),
+        [
+            "body `rod` can rotate about the axis through (0, 0, 0) along z; with it body `second` translates along y",
+            "body `second` can rotate about the axis through (1, 0, 0) along z",
+        ]
+    );
+    let hinged_to_a_clamped = with_second(rod::cantilever(2), [0.0, 1.0, 0.0], vec![elbow()]);
+    assert_eq!(
+        motion_names(&hinged_to_a_clamped),
+        ["body `second` can rotate about the axis through (1, 0, 0) along z"]
+    );
+}
+
+/// Two rods at right angles with spherical joints: one rotation of the truss about its diagonal, one spin of each rod.
+#[test]
+fn truss_rotates_about_its_diagonal() {
+    let ball = |name: &str, a, b| Joint::Spherical(Spherical { name: name.into(), a, b });
+    let top = ball("top", second(Named::End), End::Ground);
+    let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
+    let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
+    let assembly = truss.assemble().unwrap();
+    let motions = assembly.free_motions(&assembly.rest());
+    assert_eq!(motions.len(), 3, "{motions:?}");
+    assert!(motion_names(&truss).iter().all(|motion| motion.contains("rotate")));
+    let diagonal = motions.iter().filter(|motion| motion.moves.len() == 2).count();
+    assert_eq!(diagonal, 1, "one motion moves both rods");
+}
+
+/// The geometric stiffness of the weight restrains a hanging pendulum.
+#[test]
+fn weight_restrains_a_hanging_pendulum() {
+    let hanging = |mut model: Model| {
+        rod::beam(&mut model).to = [0.0, -rod::LENGTH, 0.0];
+        model
+    };
+    let (_, loaded) = equilibrium(&hanging(rod::clamped(2, Clamped::Section)), 1);
+    let assembly = hanging(rod::revolute(2)).assemble().unwrap();
+    let state = State { q: loaded.q, ..assembly.rest() };
+    assert_eq!(assembly.free_motions(&assembly.rest()).len(), 1);
+    assert!(assembly.free_motions(&state).is_empty());
+}
+
+/// The axis of rotation is unchanged after a rotation by 90°.
+#[test]
+fn motions_are_found_in_a_rotated_state() {
+    let assembly = rod::revolute(2).assemble().unwrap();
+    let rest = assembly.rest();
+    let mut turned: State = rest.clone();
+    for vector in assembly.mesh("rod").unwrap().vectors(&rest) {
+        let (x, y) = (vector.value.x, vector.value.y);
+        turned.q[vector.first] = -y - x;
+        turned.q[vector.first + 1] = x - y;
+    }
+    let motions = assembly.free_motions(&turned);
+    let rotation = Motion::Rotation { through: [0.0; 3], along: [0.0, 0.0, 1.0] };
+    assert_eq!(motions.len(), 1);
+    assert_eq!(motions[0].moves, [("rod".to_owned(), rotation)]);
+    let motion = motions[0].clone().scaled(1000.0);
+    assert_eq!(motion.to_string(), "body `rod` can rotate about the axis through (0, 0, 0) along z");
+}
+
+/// Free motions do not depend on units and slope coordinates.
+#[test]
+fn motions_do_not_depend_on_units() {
+    let model = rod::spherical(3);
+    let scales = ancf::Scales { length: 1e-3, time: 10.0, force: 1e6 };
+    let mut other = model.scaled(&scales);
+    rod::beam(&mut other).slopes = ancf::model::Slopes::Length;
+    assert_eq!(motion_names(&model), motion_names(&other));
+}
+
+/// Chain of 100 hinged rods: one motion for each hinge, which moves all rods beyond.
+#[test]
+fn long_chain_has_one_motion_per_hinge() {
+    let mut model = rod::revolute(1);
+    let first = rod::beam(&mut model).clone();
+    for k in 1..100_u32 {
+        let (x, before) = (f64::from(k), model.bodies[k as usize - 1].name().to_owned());
+        let name = format!("link {k}");
+        let link = Beam { name: name.clone(), from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..first.clone() };
+        model.bodies.push(Body::Beam(link));
+        let a = Place::new(&name, At::Named(Named::Start));
+        let b = End::Place(Place::new(&before, At::Named(Named::End)));
+        model.joints.push(Joint::Revolute(Revolute {
+            name: format!("hinge {k}"),
+            a,
+            b,
+            axis: [0.0, 0.0, 1.0],
+            drive: None,
+            spring: None,
+            friction: None,
+        }));
+    }
+    let assembly = model.assemble().unwrap();
+    let motions = assembly.free_motions(&assembly.rest());
+    let moving: Vec<usize> = motions.iter().map(|motion| motion.moves.len()).collect();
+    assert_eq!(moving, (1..=100).rev().collect::<Vec<_>>());
+}

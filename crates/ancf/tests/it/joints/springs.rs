@@ -1,0 +1,99 @@
+//! Springs, ropes and bushings, against closed forms.
+
+use crate::common::models::jointed_body::{DYNAMICS, STATICS, jointed_body};
+use crate::common::models::parse;
+use crate::common::solutions::Run;
+
+/// Damped vibration of a mass on a spring and damper, released 0.1 m from equilibrium.
+#[test]
+fn spring_and_damper_cause_a_damped_vibration() {
+    let run = Run::of(&parse(&format!(
+        r#"
+bodies = [{{ kind = "mass", name = "bob", center = [1, 0, 0], mass = 2 }}]
+joints = [{{ kind = "spring", name = "spring", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 200, damping = 4, length = 0.9 }}]
+{DYNAMICS}"#
+    )));
+    let omega = (100.0_f64 - 1.0).sqrt();
+    for (k, t) in run.column("t").iter().enumerate() {
+        let (sin, cos) = (omega * t).sin_cos();
+        let x = 0.1 * (-t).exp() * (cos + sin / omega);
+        assert!((run.column("spring.length")[k] - 0.9 - x).abs() < 2e-5, "at {t}");
+    }
+    assert!(run.column("balance").iter().all(|x| x.abs() < 1e-3));
+    assert!((run.column("spring.fx")[0] + 20.0).abs() < 1e-9);
+}
+
+/// Free fall until the rope is taut, then the force k (l − l₀); largest stretch by the energy.
+#[test]
+fn rope_acts_in_tension_only() {
+    let run = Run::of(&parse(&format!(
+        r#"
+gravity = [0, 0, -10]
+bodies = [{{ kind = "mass", name = "bob", center = [0, 0, -0.5], mass = 1 }}]
+joints = [{{ kind = "spring", name = "rope", a = {{ body = "bob", at = "center" }}, b = {{ point = [0, 0, 0] }}, stiffness = 1e3, length = 1, tension_only = true }}]
+{DYNAMICS}"#
+    )));
+    for (k, t) in run.column("t").iter().enumerate() {
+        let (length, force) = (run.column("rope.length")[k], run.column("rope.fz")[k]);
+        assert!((force - 1e3 * (length - 1.0).max(0.0)).abs() < 1e-6, "at {t}");
+        if *t < 0.31 {
+            assert!((length - 0.5 - 5.0 * t * t).abs() < 1e-5, "{length} at {t}");
+        }
+    }
+    let longest = run.largest("rope.length");
+    // ½ k x² = m g (0.5 + x).
+    let stretch = (10.0 + (100.0_f64 + 2.0 * 1e3 * 5.0).sqrt()) / 1e3;
+    assert!((longest - 1.0 - stretch).abs() < 2e-4, "{longest} for {}", 1.0 + stretch);
+}
+
+/// Displacement F/k; rotation φ under a large moment M with k ½ sin 2φ = M.
+#[test]
+fn bushing_deflects_by_its_stiffness() {
+    let loaded = |moment: f64| {
+        let keys =
+            "kind = \"bushing\"\nstiffness = [100, 200, 300, 10, 20, 30]\ndamping = [1, 1, 1, 1, 1, 1]\n";
+        let loads = format!(
+            "[[loads]]\nkind = \"moment\"\non = {{ body = \"body\", at = \"center\" }}\nmoment = [0, 0, {moment}]\n"
+        );
+        Run::of(&parse(&(jointed_body(keys) + &loads + STATICS)))
+    };
+    let turned = loaded(9.0);
+    let angle = 2.0 * turned.last("center.e0").acos();
+    assert!((30.0 * 0.5 * (2.0 * angle).sin() - 9.0).abs() < 1e-6, "{angle}");
+    assert!((turned.last("joint.mz") + 9.0).abs() < 1e-6);
+    let keys = "kind = \"bushing\"\nstiffness = [100, 200, 300, 1e6, 1e6, 1e6]\n";
+    let run = Run::of(&parse(&(String::from("gravity = [1, 2, 3]\n") + &jointed_body(keys) + STATICS)));
+    for (axis, start, expected) in [("x", 0.4, 0.02), ("y", 0.1, 0.02), ("z", -0.2, 0.02)] {
+        let moved = run.last(&format!("center.{axis}")) - start;
+        assert!((moved - expected).abs() < 1e-4, "{axis}: {moved}");
+    }
+}
+
+/// θ = 0.3 (1 − cos ωt) with ω² = k/J, for a torsion spring with the neutral angle 0.3.
+#[test]
+fn torsion_spring_oscillates_about_its_neutral_angle() {
+    let run = Run::of(&parse(&format!(
+        r#"
+bodies = [{{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }}]
+joints = [{{ kind = "revolute", name = "wire", a = {{ body = "disc", at = "center" }}, axis = [0, 0, 1], spring = {{ stiffness = 20, angle = 0.3 }} }}]
+{DYNAMICS}"#
+    )));
+    for (k, t) in run.column("t").iter().enumerate() {
+        let expected = 0.3 * (1.0 - (10.0 * t).cos());
+        assert!((run.column("wire.angle")[k] - expected).abs() < 3e-4, "at {t}");
+        let moment = -20.0 * (run.column("wire.angle")[k] - 0.3);
+        assert!((run.column("wire.mz")[k] - moment).abs() < 1e-6, "at {t}");
+    }
+}
+
+/// ω² = k/J from the spring of a joint coordinate.
+#[test]
+fn torsion_pendulum_has_its_natural_frequency() {
+    let text = r#"
+bodies = [{ kind = "rigid", name = "disc", center = [0, 0, 0], mass = 1, inertia = [0.1, 0.1, 0.2] }]
+joints = [{ kind = "revolute", name = "wire", a = { body = "disc", at = "center" }, axis = [0, 0, 1], spring = { stiffness = 20 } }]
+analysis = { kind = "modes", count = 1 }
+"#;
+    let run = Run::of(&parse(text));
+    assert!((run.column("squared")[0] - 100.0).abs() < 1e-6, "{:?}", run.column("squared"));
+}

@@ -1,0 +1,7 @@
+//! Loads and functions of time.
+
+mod fluid;
+mod functions;
+mod line_loads;
+mod moments;
+mod supplied;

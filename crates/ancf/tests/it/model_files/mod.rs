@@ -1,0 +1,7 @@
+//! Model files, their schema and the documentation.
+
+mod corpus;
+mod docs;
+mod models;
+mod parts;
+mod substitution;

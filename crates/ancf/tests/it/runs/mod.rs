@@ -1,0 +1,6 @@
+//! Runs of models: observers, checkpoints, failures.
+
+mod checkpoints;
+mod failures;
+mod observers;
+mod recorder;

@@ -1,0 +1,7 @@
+//! Cross-sections: geometric constants, elastic laws and stress resultants.
+
+mod constants;
+mod directors;
+mod elasticity;
+mod neo_hookean;
+mod resultants;

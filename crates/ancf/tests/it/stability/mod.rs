@@ -1,0 +1,4 @@
+//! Natural modes.
+
+mod loaded_equilibria;
+mod modes;

@@ -1,0 +1,5 @@
+//! Static equilibria under load increments and along paths.
+
+mod load_increments;
+mod paths;
+mod truss;

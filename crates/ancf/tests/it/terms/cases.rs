@@ -1,0 +1,123 @@
+//! List of the terms under test.
+
+use ancf::function::{ForceFunction, Function};
+use ancf::mechanics::{CableDamping, ExternalForce, FollowerForce, Moment, RigidBody};
+use ancf::model::{Damping, MaterialLaw};
+use ancf::system::Term;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};
+use super::contacts::{Loss, contacts};
+use super::immersed::{immersed_terms, meshes};
+use super::joint_terms::joint_terms;
+use super::kind::TermKind;
+use crate::common::models::beams::{BeamCase, beam_cases};
+use crate::common::models::cables;
+
+/// Term under test.
+pub(super) struct TermCase {
+    pub(super) name: String,
+    pub(super) term: Box<dyn Term>,
+    pub(super) kind: TermKind,
+}
+
+/// Beams of every formulation, without and with damping.
+fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
+    let damped = |case: &BeamCase| BeamCase { damping: Damping { strain: 0.2, mass: 0.7 }, ..*case };
+    let cases = beam_cases();
+    let damped: Vec<BeamCase> = cases.iter().filter(|case| case.tilted).map(damped).collect();
+    cases.into_iter().chain(damped).map(move |case| {
+        let kind = match (case.damping == Damping::default(), case.law) {
+            (true, MaterialLaw::StVenantKirchhoff) => TermKind::Polynomial,
+            (true, MaterialLaw::NeoHookean) => TermKind::Smooth,
+            (false, _) => TermKind::Retarded,
+        };
+        let element = case.element(gravity);
+        TermCase { name: element.name, term: element.term, kind }
+    })
+}
+
+/// Cables without and with damping.
+fn cable_elements(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
+    let dampings =
+        [(CableDamping::default(), TermKind::Smooth), (cables::DAMPING, TermKind::IncompleteStiffness)];
+    dampings.into_iter().flat_map(move |(damping, kind)| {
+        let case =
+            move |cable: cables::Cable| TermCase { name: cable.name, term: Box::new(cable.term), kind };
+        cables::cables(damping, gravity).into_iter().map(case)
+    })
+}
+
+/// Loads that follow the section, and moments with a fixed direction.
+fn followers() -> impl Iterator<Item = TermCase> {
+    let (_, mesh) = meshes().swap_remove(0);
+    let ([_, d, e], vector) = (mesh.axes(1.3), Vector3::new(0.3, -2.0, 0.7));
+    let force = FollowerForce::in_section(&mesh.point(1.3), [&d, &e], vector, Function::ONE);
+    let terms: [(&str, Box<dyn Term>); 3] = [
+        ("follower force", Box::new(force)),
+        ("follower moment", Box::new(Moment::in_section([&d, &e], vector, Function::ONE))),
+        ("moment", Box::new(Moment::new([&d, &e], vector, Function::ONE))),
+    ];
+    let kind = TermKind::NonConservative;
+    terms.into_iter().map(move |(name, term)| TermCase { name: name.to_owned(), term, kind })
+}
+
+/// External force of a program, quadratic in position and velocity.
+///
+/// With a large model length the differences of the library are exact to rounding.
+fn external() -> TermCase {
+    let law = |t: f64, x: [f64; 3], v: [f64; 3]| {
+        let [x, v] = [x, v].map(Vector3::from);
+        let field = Vector3::new(0.3 * t, -2.0, 0.7);
+        (field - x * 3.0 - v * 0.4 + field.cross(&v) + x * x.dot(&v) * 0.2 - v * x.y * 0.1).into()
+    };
+    let term = ExternalForce::new(&bodies()[1].point(0.31), ForceFunction::new(law), 1e6);
+    TermCase { name: "external force".into(), term: Box::new(term), kind: TermKind::NonConservative }
+}
+
+/// Rigid body and point mass.
+fn rigid_bodies(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
+    let inertia = Matrix3::new(2.0, 0.1, 0.2, 0.1, 1.5, -0.3, 0.2, -0.3, 1.8);
+    let rigid = RigidBody::new([0, 5], Vector3::new(0.3, 0.2, 0.1), 3.0, inertia, gravity).terms();
+    let point = RigidBody::point(0, Vector3::x(), 3.0, gravity).terms();
+    rigid.into_iter().chain(point).enumerate().map(|(k, term)| TermCase {
+        name: format!("rigid body, term {k}"),
+        term,
+        kind: TermKind::Polynomial,
+    })
+}
+
+/// Contacts of two bodies.
+fn contact_terms() -> impl Iterator<Item = TermCase> {
+    let a = mesh(0, ORIGIN, Rotation3::identity());
+    let b = mesh(36, Vector3::new(0.61, -0.68, 0.2), Rotation3::from_euler_angles(0.4, -0.3, 1.1));
+    contacts(&a, &b, 0.31).into_iter().map(|(name, term, loss)| TermCase {
+        name,
+        term,
+        kind: match loss {
+            Loss::None => TermKind::Smooth,
+            Loss::Damping => TermKind::Damped,
+            Loss::Friction => TermKind::IncompleteStiffness,
+        },
+    })
+}
+
+/// Returns all terms under test.
+pub(super) fn terms() -> Vec<TermCase> {
+    let gravity = Vector3::new(0.3, -2.0, 0.7);
+    let constraints = constraints_and_loads().into_iter().map(|(name, term)| TermCase {
+        name: name.to_owned(),
+        term,
+        kind: TermKind::Polynomial,
+    });
+    let [a, b] = bodies();
+    let joints = joint_terms(&a, &b).into_iter();
+    let joints = joints.map(|(name, term, kind)| TermCase { name: name.to_owned(), term, kind });
+    let immersed = immersed_terms(gravity).into_iter().map(|(name, term, flows)| {
+        let kind = if flows { TermKind::NonConservative } else { TermKind::Damped };
+        TermCase { name, term: Box::new(term), kind }
+    });
+    let free = beams(gravity).chain(constraints).chain(followers()).chain(cable_elements(gravity));
+    let free = free.chain(immersed).chain(joints).chain(rigid_bodies(gravity));
+    free.chain(contact_terms()).chain([external()]).collect()
+}

@@ -1,0 +1,60 @@
+//! Terms of joints, springs and drives between two bodies.
+
+use ancf::function::Function;
+use ancf::mechanics::{Angle, BeamMesh, Friction, Marker, Measure, Part, Slide, Spring, Strut, Target, Tie};
+use ancf::system::Term;
+use nalgebra::Vector3;
+
+use super::kind::TermKind;
+
+/// Coordinate that belongs to no body.
+const OWN: usize = 100;
+
+/// Returns terms between two bodies with their names. Terms named "preloaded" are stressed in the reference state.
+pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<dyn Term>, TermKind)> {
+    let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
+    let (point, other) = (a.point(0.31), b.point(0.7));
+    let relative = Marker::combined([(1.0, &point), (-1.0, &other)]);
+    let (p, q) = (a.direction(0.31, across), b.direction(0.9, along));
+    let [u, v] = [b.direction(0.9, across), b.direction(0.9, along.cross(&across))];
+    let along_line = || Measure::new([(1.0, Part::Other(&q), Part::Point(&relative))]);
+    let square = || Measure::new([(0.7, Part::Point(&relative), Part::Point(&relative))]);
+    let turn = || {
+        let half = |c, x, y| (c, Part::Direction(x), Part::Other(y));
+        Measure::new([half(0.5, &p, &q), half(-0.5, &a.direction(0.31, along), &u)])
+    };
+    let sum = || Measure::coordinate(OWN).plus(OWN + 2, -2.5);
+    let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
+    let set = || Target::new(0.3, sine());
+    let slides = Slide::along(a.element_axes(), &other, OWN, 0.31, 5);
+    let crossed = Slide::along(a.element_axes(), &other, OWN, 1.1, 5);
+    let boxed = |slides: Vec<Slide>| slides.into_iter().map(|slide| Box::new(slide) as Box<dyn Term>);
+    let [mut slides, mut crossed] = [boxed(slides), boxed(crossed)];
+    let mut next = || slides.next().expect("two elements");
+    vec![
+        ("point in a plane", Box::new(Tie::new(along_line(), 5)), TermKind::Polynomial),
+        ("driven displacement", Box::new(Tie::driven(along_line(), set(), 5)), TermKind::Polynomial),
+        (
+            "rod",
+            Box::new(Tie::driven(square(), Target::of_length(0.5, 0.1, sine()), 5)),
+            TermKind::Polynomial,
+        ),
+        ("displacement", Box::new(Tie::defining(OWN, along_line(), 5)), TermKind::Polynomial),
+        ("coupling", Box::new(Tie::driven(sum(), set(), 5)), TermKind::Polynomial),
+        ("angle", Box::new(Angle::new(OWN, &p, [&u, &v], 5)), TermKind::Smooth),
+        ("spring of a coordinate", Box::new(Spring::new(sum(), 2.0, 0.3)), TermKind::Polynomial),
+        ("bushing, translation", Box::new(Spring::new(along_line(), 2.0, 0.0)), TermKind::Polynomial),
+        ("bushing, rotation", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Polynomial),
+        ("bushing, damped", Box::new(Spring::new(turn(), 2.0, 0.3)), TermKind::Damped),
+        ("preloaded spring", Box::new(Spring::set(turn(), 2.0, 0.0, set())), TermKind::Polynomial),
+        ("friction", Box::new(Friction::new(turn(), 0.4, 0.9)), TermKind::Damped),
+        ("strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.0).neutral()), TermKind::Smooth),
+        ("strut, damped", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).neutral()), TermKind::Damped),
+        ("preloaded strut", Box::new(Strut::new(&point, &other, 2.0, 0.0, 0.1)), TermKind::Smooth),
+        ("preloaded rope", Box::new(Strut::new(&point, &other, 2.0, 0.1, 0.1).rope()), TermKind::Damped),
+        ("slack rope", Box::new(Strut::new(&point, &other, 2.0, 0.1, 20.0).rope()), TermKind::Smooth),
+        ("slide, own element", next(), TermKind::Smooth),
+        ("slide, other element", next(), TermKind::Smooth),
+        ("slide in the last element", crossed.nth(1).expect("two elements"), TermKind::Smooth),
+    ]
+}

@@ -1,0 +1,11 @@
+//! Properties of all terms of the equations of motion.
+
+mod cases;
+mod constraints;
+mod contacts;
+mod immersed;
+mod joint_terms;
+mod kind;
+mod laws;
+mod magnet;
+mod stress_stiffness;

@@ -1,0 +1,43 @@
+// Display options of the user.
+
+export interface Settings {
+  /** Name of the field that colours the bodies, "" for none. */
+  field: string;
+  /** Scale factor of the displacements from the reference configuration. */
+  deformation: number;
+  /** Scale factor of the sections. */
+  thickness: number;
+  ghost: boolean;
+  labels: boolean;
+  nodes: boolean;
+  reactions: boolean;
+  markers: boolean;
+  grid: boolean;
+  /** True if the animation restarts at its end. */
+  repeat: boolean;
+}
+
+export type Switch = "ghost" | "labels" | "nodes" | "reactions" | "markers" | "grid" | "repeat";
+
+/** Settings with listeners for their changes. */
+export class SettingsStore {
+  readonly values: Settings = {
+    ...{ field: "", deformation: 1, thickness: 1, ghost: false, labels: true, nodes: false },
+    ...{ reactions: true, markers: true, grid: true, repeat: false },
+  };
+  private readonly listeners: ((name: keyof Settings) => void)[] = [];
+
+  listen(listener: (name: keyof Settings) => void): void {
+    this.listeners.push(listener);
+  }
+
+  set<K extends keyof Settings>(name: K, value: Settings[K]): void {
+    if (this.values[name] === value) return;
+    this.values[name] = value;
+    for (const listener of this.listeners) listener(name);
+  }
+
+  toggle(name: Switch): void {
+    this.set(name, !this.values[name]);
+  }
+}

@@ -1,0 +1,140 @@
+// Meshes of the bodies, swept by the vertex shader, and the ghost of the reference configuration.
+
+import * as THREE from "three";
+import { colourRange, colourTable, PALETTE } from "../base/colours";
+import type { Scene } from "../scene/scene";
+import { bodyBatches, type InstanceBatch, STRIDE } from "./batches";
+import type { PointTextures } from "./points";
+import { BODY_FRAGMENT, BODY_VERTEX } from "./shaders/bodies";
+import type { SharedUniforms } from "./uniforms";
+
+export class BodyMeshes {
+  readonly group = new THREE.Group();
+  readonly ghost = new THREE.Group();
+  private readonly uniforms: Record<string, THREE.IUniform>;
+  private readonly ghostUniforms: Record<string, THREE.IUniform>;
+  private readonly materials: THREE.ShaderMaterial[];
+  private field: THREE.DataTexture;
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly points: PointTextures,
+    shared: SharedUniforms,
+  ) {
+    this.field = emptyField();
+    this.uniforms = {
+      ...shared.uniforms,
+      directors: { value: points.directors },
+      referenceDirectors: { value: points.referenceDirectors },
+      stations: { value: scene.stations },
+      field: { value: this.field },
+      thickness: { value: 1 },
+      minPixels: { value: 1.25 },
+      ghost: { value: false },
+      coloured: { value: false },
+      colours: { value: colourTexture(false) },
+      window: { value: new THREE.Vector2(0, 1) },
+      palette: { value: PALETTE.map((c) => new THREE.Vector3(...c).divideScalar(255)) },
+      ghostColour: { value: new THREE.Vector4(0.5, 0.55, 0.6, 0.3) },
+    };
+    this.ghostUniforms = { ...this.uniforms, ghost: { value: true }, minPixels: { value: 0.75 } };
+    const solid = bodyMaterial(this.uniforms, {});
+    const transparent = bodyMaterial(this.ghostUniforms, {
+      transparent: true,
+      depthWrite: false,
+      premultipliedAlpha: true,
+    });
+    this.materials = [solid, transparent];
+    for (const batch of bodyBatches(scene)) {
+      const geometry = instancedGeometry(batch);
+      this.group.add(mesh(geometry, solid));
+      this.ghost.add(mesh(geometry, transparent));
+    }
+  }
+
+  /** Colours the bodies by field `index`, or each body in its own colour if null. */
+  colourBy(index: number | null): void {
+    this.uniforms.coloured.value = index !== null;
+    if (index === null) return;
+    const { range, diverging } = this.scene.fields[index];
+    const [low, high] = colourRange(range, diverging);
+    this.field.dispose();
+    this.field = this.points.fieldTexture(index);
+    this.uniforms.field.value = this.field;
+    this.ghostUniforms.field.value = this.field;
+    (this.uniforms.window.value as THREE.Vector2).set(
+      (range[0] - low) / (high - low),
+      (range[1] - low) / (high - low),
+    );
+    (this.uniforms.colours.value as THREE.Texture).dispose();
+    this.uniforms.colours.value = colourTexture(diverging);
+    this.ghostUniforms.colours.value = this.uniforms.colours.value;
+  }
+
+  set thickness(factor: number) {
+    this.uniforms.thickness.value = factor;
+  }
+
+  dispose(): void {
+    for (const child of this.group.children) (child as THREE.Mesh).geometry.dispose();
+    for (const m of this.materials) m.dispose();
+    this.field.dispose();
+    (this.uniforms.colours.value as THREE.Texture).dispose();
+  }
+}
+
+function bodyMaterial(
+  uniforms: Record<string, THREE.IUniform>,
+  parameters: THREE.MaterialParameters,
+): THREE.ShaderMaterial {
+  return new THREE.ShaderMaterial({
+    uniforms,
+    vertexShader: BODY_VERTEX,
+    fragmentShader: BODY_FRAGMENT,
+    glslVersion: THREE.GLSL3,
+    side: THREE.DoubleSide,
+    ...parameters,
+  });
+}
+
+function mesh(geometry: THREE.BufferGeometry, material: THREE.Material): THREE.Mesh {
+  const result = new THREE.Mesh(geometry, material);
+  result.frustumCulled = false;
+  return result;
+}
+
+function instancedGeometry({ template, instances, count }: InstanceBatch): THREE.InstancedBufferGeometry {
+  const geometry = new THREE.InstancedBufferGeometry();
+  geometry.setIndex(template.index);
+  geometry.setAttribute("local", new THREE.Float32BufferAttribute(template.local, 3));
+  geometry.setAttribute("localNormal", new THREE.Float32BufferAttribute(template.normal, 3));
+  geometry.setAttribute("end", new THREE.Float32BufferAttribute(template.end, 1));
+  const data = new THREE.InstancedInterleavedBuffer(instances, STRIDE);
+  const parts = { station: [1, 0], body: [1, 1], radius: [1, 2], startScale: [3, 3], endScale: [3, 6] };
+  for (const [name, [size, offset]] of Object.entries(parts)) {
+    geometry.setAttribute(name, new THREE.InterleavedBufferAttribute(data, size, offset));
+  }
+  geometry.instanceCount = count;
+  return geometry;
+}
+
+function colourTexture(diverging: boolean): THREE.DataTexture {
+  const texture = new THREE.DataTexture(colourTable(diverging), 256, 1);
+  texture.minFilter = THREE.LinearFilter;
+  texture.magFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function emptyField(): THREE.DataTexture {
+  const texture = new THREE.DataTexture(
+    new Uint16Array(2),
+    2,
+    1,
+    THREE.RedIntegerFormat,
+    THREE.UnsignedShortType,
+  );
+  texture.internalFormat = "R16UI";
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,102 @@
+// GLSL of the bodies and of the ghost of their reference configuration.
+
+import { LIGHTING_GLSL } from "./lighting";
+import { POINT_GLSL } from "./point";
+
+/** Vertices of sections swept along the stations, and of boxes and spheres of rigid bodies. */
+export const BODY_VERTEX = /* glsl */ `
+${POINT_GLSL}
+uniform usampler2D directors;
+uniform usampler2D referenceDirectors;
+uniform usampler2D field;
+uniform int stations;
+uniform float thickness;
+uniform float minPixels;  // lower limit of the radius in pixels
+uniform bool ghost;
+in vec3 local;            // coordinates along d1, d2, d3
+in vec3 localNormal;      // components along d1, d2, d3
+in float end;             // 0: station of the instance, 1: next station
+in float station;
+in float body;
+in float radius;
+in vec3 startScale;       // factors of the local coordinates at both ends
+in vec3 endScale;
+out vec3 viewNormal;
+out vec3 viewPosition;
+out float level;
+out float missing;
+flat out int colourIndex;
+
+void sectionAxes(usampler2D source, int i, out vec3 y, out vec3 z) {
+  uvec4 w = texelFetch(source, texel(i), 0);
+  int yx = int(w.x << 16) >> 16, yy = int(w.x) >> 16, yz = int(w.y << 16) >> 16;
+  int zx = int(w.y) >> 16, zy = int(w.z << 16) >> 16, zz = int(w.z) >> 16;
+  y = vec3(yx, yy, yz) / 32767.0;
+  z = vec3(zx, zy, zz) / 32767.0;
+}
+
+void main() {
+  int i = int(station + end + 0.5);
+  vec3 y, z, ry, rz;
+  sectionAxes(referenceDirectors, i, ry, rz);
+  vec3 centre = texelFetch(referenceCentres, texel(i), 0).xyz;
+  float a = 65535.0, b = 65535.0;
+  if (ghost) {
+    y = ry;
+    z = rz;
+  } else {
+    vec3 ay, az, by, bz;
+    sectionAxes(directors, frames.x * stations + i, ay, az);
+    sectionAxes(directors, frames.y * stations + i, by, bz);
+    y = ry + scale * (mix(ay, by, weight) - ry);
+    z = rz + scale * (mix(az, bz, weight) - rz);
+    centre = point(i);
+    a = float(texelFetch(field, texel(frames.x * stations + i), 0).r);
+    b = float(texelFetch(field, texel(frames.y * stations + i), 0).r);
+  }
+  y = normalize(y + vec3(1e-9));
+  z = normalize(z + vec3(1e-9));
+  vec3 x = normalize(cross(y, z) + vec3(1e-9));
+  float size = max(thickness, minPixels * pixelSize(centre) / max(radius, 1e-30));
+  vec3 offset = local * mix(startScale, endScale, end) * size;
+  vec3 world = centre + offset.x * x + offset.y * y + offset.z * z;
+  vec3 normal = localNormal.x * x + localNormal.y * y + localNormal.z * z;
+  vec4 view = viewMatrix * vec4(world, 1.0);
+  viewNormal = mat3(viewMatrix) * normal;
+  viewPosition = view.xyz;
+  level = mix(a, b, weight) / 65534.0;
+  missing = max(a, b) > 65534.5 ? 1.0 : 0.0;
+  colourIndex = int(body + 0.5);
+  gl_Position = projectionMatrix * view;
+}
+`;
+
+export const BODY_FRAGMENT = /* glsl */ `
+precision highp float;
+uniform sampler2D colours;
+uniform vec2 window;      // positions in the colour map of the smallest and largest value of the field
+uniform vec3 palette[8];
+uniform bool ghost;
+uniform bool coloured;
+uniform vec4 ghostColour;
+in vec3 viewNormal;
+in vec3 viewPosition;
+in float level;
+in float missing;
+flat in int colourIndex;
+out vec4 colour;
+${LIGHTING_GLSL}
+void main() {
+  if (ghost) {
+    float rim = 1.0 - abs(dot(normalize(viewNormal), normalize(-viewPosition)));
+    colour = vec4(ghostColour.rgb, ghostColour.a * (0.55 + 0.45 * rim));
+    colour.rgb *= colour.a;
+    return;
+  }
+  vec3 base = palette[colourIndex % 8];
+  if (coloured) {
+    base = missing > 0.0 ? vec3(0.6) : texture(colours, vec2(mix(window.x, window.y, level), 0.5)).rgb;
+  }
+  colour = vec4(shade(base, viewNormal, viewPosition), 1.0);
+}
+`;

@@ -1,0 +1,16 @@
+// GLSL for the lighting of solids.
+
+/** Lighting in camera coordinates: key light from the upper left with a Blinn-Phong highlight, fill light, dark rim. */
+export const LIGHTING_GLSL = /* glsl */ `
+vec3 shade(vec3 base, vec3 viewNormal, vec3 viewPosition) {
+  vec3 n = normalize(viewNormal);
+  vec3 v = normalize(-viewPosition);
+  if (dot(n, v) < 0.0) n = -n;
+  vec3 key = normalize(vec3(-0.45, 0.75, 0.9));
+  vec3 fill = normalize(vec3(0.8, -0.1, 0.5));
+  float diffuse = 0.60 + 0.42 * max(0.0, dot(n, key)) + 0.14 * max(0.0, dot(n, fill)) - 0.16 * max(0.0, -n.y);
+  float specular = pow(max(0.0, dot(n, normalize(key + v))), 48.0);
+  float rim = pow(1.0 - max(0.0, dot(n, v)), 3.0);
+  return base * (diffuse - 0.18 * rim) + 0.16 * specular;
+}
+`;

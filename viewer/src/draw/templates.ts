@@ -1,0 +1,121 @@
+// Mesh templates in section coordinates: tube walls, end caps, boxes and spheres.
+
+/** Mesh in section coordinates (along d1, d2, d3) that is drawn once per instance. */
+export interface MeshTemplate {
+  local: number[];
+  normal: number[];
+  /** Station of each vertex: 0 for the station of the instance, 1 for the next one. */
+  end: number[];
+  index: number[];
+}
+
+function empty(): MeshTemplate {
+  return { local: [], normal: [], end: [], index: [] };
+}
+
+function merge(a: MeshTemplate, b: MeshTemplate): MeshTemplate {
+  const offset = a.end.length;
+  return {
+    local: [...a.local, ...b.local],
+    normal: [...a.normal, ...b.normal],
+    end: [...a.end, ...b.end],
+    index: [...a.index, ...b.index.map((i) => i + offset)],
+  };
+}
+
+/** Walls between two stations, of the outline and of the bore. */
+export function tube(outline: number[][], inner: number[][] | null): MeshTemplate {
+  return merge(wall(outline, 1), inner ? wall(inner, -1) : empty());
+}
+
+/** Wall between two stations; `sign` is -1 for a bore, whose normals point inwards. */
+function wall(outline: number[][], sign: number): MeshTemplate {
+  const template = empty();
+  const n = outline.length;
+  for (const end of [0, 1]) {
+    for (const [y, z, ny, nz] of outline) {
+      template.local.push(0, y, z);
+      template.normal.push(0, sign * ny, sign * nz);
+      template.end.push(end);
+    }
+  }
+  for (let i = 0; i < n; i++) {
+    const j = (i + 1) % n;
+    template.index.push(i, j, n + i, j, n + j, n + i);
+  }
+  return template;
+}
+
+/** End face with the normal `side` times d1. */
+export function cap(outline: number[][], inner: number[][] | null, side: number): MeshTemplate {
+  const template = empty();
+  const addVertex = (y: number, z: number) => {
+    template.local.push(0, y, z);
+    template.normal.push(side, 0, 0);
+    template.end.push(0);
+  };
+  const n = outline.length;
+  for (const [y, z] of outline) addVertex(y, z);
+  if (inner && inner.length > 0) {
+    for (const [y, z] of inner) addVertex(y, z);
+    const m = inner.length;
+    const count = Math.max(n, m);
+    for (let k = 0; k < count; k++) {
+      const [i, j] = [Math.floor((k * n) / count), Math.floor(((k + 1) * n) / count) % n];
+      const [p, q] = [Math.floor((k * m) / count), Math.floor(((k + 1) * m) / count) % m];
+      template.index.push(i, j, n + p, j, n + q, n + p);
+    }
+  } else {
+    addVertex(0, 0);
+    for (let i = 0; i < n; i++) template.index.push(i, (i + 1) % n, n);
+  }
+  return template;
+}
+
+/** Box with half edges of length one. */
+export function box(): MeshTemplate {
+  const template = empty();
+  for (let axis = 0; axis < 3; axis++) {
+    for (const side of [-1, 1]) {
+      const first = template.end.length;
+      for (const [a, b] of [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ]) {
+        const corner = [0, 0, 0];
+        const normal = [0, 0, 0];
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = a;
+        corner[(axis + 2) % 3] = b;
+        normal[axis] = side;
+        template.local.push(...corner);
+        template.normal.push(...normal);
+        template.end.push(0);
+      }
+      template.index.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    }
+  }
+  return template;
+}
+
+/** Sphere of radius one. */
+export function sphere(): MeshTemplate {
+  const template = empty();
+  const [meridians, parallels] = [24, 12];
+  for (let j = 0; j <= parallels; j++) {
+    for (let i = 0; i <= meridians; i++) {
+      const [theta, phi] = [(Math.PI * j) / parallels, (2 * Math.PI * i) / meridians];
+      const n = [Math.cos(theta), Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi)];
+      template.local.push(...n);
+      template.normal.push(...n);
+      template.end.push(0);
+      if (i < meridians && j < parallels) {
+        const k = j * (meridians + 1) + i;
+        template.index.push(k, k + 1, k + meridians + 1, k + 1, k + meridians + 2, k + meridians + 1);
+      }
+    }
+  }
+  return template;
+}

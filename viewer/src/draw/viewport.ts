@@ -1,0 +1,163 @@
+// Viewport: renderer, camera and contents of the 3-D view. It is drawn on request only.
+
+import * as THREE from "three";
+import type { Settings } from "../base/settings";
+import type { FrameBlend } from "../scene/blend";
+import type { Scene } from "../scene/scene";
+import { BodyMeshes } from "./bodies";
+import { Camera } from "./camera";
+import { groundGrid } from "./grid";
+import { ObstacleMeshes } from "./obstacles";
+import { PointTextures } from "./points";
+import { linkMesh, markerMesh, reactionMesh } from "./symbols";
+import { SharedUniforms } from "./uniforms";
+
+/** Objects that are created again when the scene changes. */
+interface Contents {
+  scene: Scene;
+  points: PointTextures;
+  shared: SharedUniforms;
+  bodies: BodyMeshes;
+  obstacles: ObstacleMeshes;
+  grid: THREE.Object3D;
+  markers: THREE.Object3D;
+  reactions: THREE.Object3D;
+}
+
+export class Viewport {
+  readonly camera: Camera;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly world = new THREE.Scene();
+  private contents: Contents | null = null;
+  private readonly scratch = new THREE.Vector3();
+  /** Size of the canvas in CSS pixels. */
+  width = 1;
+  height = 1;
+
+  /** Throws if the browser has no WebGL 2. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    scene: Scene,
+    private readonly requestDraw: () => void,
+  ) {
+    const context = canvas.getContext("webgl2", {
+      antialias: true,
+      alpha: true,
+      powerPreference: "high-performance",
+    });
+    if (!context) throw new Error("no WebGL 2");
+    this.renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true });
+    this.renderer.setClearAlpha(0);
+    this.camera = new Camera(canvas, scene, requestDraw);
+    canvas.addEventListener("webglcontextrestored", requestDraw);
+  }
+
+  /** Loads a scene without a change of the camera. Returns the reference positions of the points. */
+  load(scene: Scene): Float32Array {
+    this.clear();
+    const points = new PointTextures(scene);
+    const shared = new SharedUniforms(points);
+    const bodies = new BodyMeshes(scene, points, shared);
+    const contents: Contents = {
+      ...{ scene, points, shared, bodies },
+      obstacles: new ObstacleMeshes(scene),
+      grid: groundGrid(scene),
+      markers: markerMesh(scene, points, shared),
+      reactions: reactionMesh(scene, points, shared),
+    };
+    this.contents = contents;
+    this.world.add(contents.grid, bodies.ghost, bodies.group, contents.obstacles.group);
+    if (scene.links.length > 0) this.world.add(linkMesh(scene, points, shared));
+    if (scene.reactions.length > 0) this.world.add(contents.reactions);
+    if (scene.markers.length > 0) this.world.add(contents.markers);
+    this.addLights(scene);
+    this.camera.extent = scene;
+    this.camera.updateDepth();
+    this.resize(this.width, this.height);
+    return points.reference;
+  }
+
+  /** Lights of the obstacles; the shaders of all other objects have their own. */
+  private addLights(scene: Scene): void {
+    const light = new THREE.DirectionalLight(0xffffff, 1.6);
+    light.position
+      .set(...scene.up)
+      .multiplyScalar(3)
+      .add(new THREE.Vector3(1, 0.5, 2));
+    this.world.add(new THREE.AmbientLight(0xffffff, 1.7), light);
+  }
+
+  private clear(): void {
+    this.world.traverse((object) => {
+      if (object instanceof THREE.Mesh || object instanceof THREE.LineSegments) {
+        object.geometry.dispose();
+        object.material.dispose();
+      }
+    });
+    this.world.clear();
+    this.contents?.bodies.dispose();
+    this.contents?.points.dispose();
+  }
+
+  /** Applies the display options. */
+  apply(settings: Settings): void {
+    if (!this.contents) return;
+    const { scene, bodies, grid, markers, reactions } = this.contents;
+    const field = scene.fields.findIndex((f) => f.name === settings.field);
+    bodies.colourBy(field < 0 ? null : field);
+    bodies.thickness = settings.thickness;
+    bodies.ghost.visible = settings.ghost;
+    grid.visible = settings.grid;
+    markers.visible = settings.markers;
+    reactions.visible = settings.reactions;
+    this.requestDraw();
+  }
+
+  resize(width: number, height: number): void {
+    [this.width, this.height] = [width, height];
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    // On a phone the buttons cover the whole upper edge.
+    this.camera.resize(width, height, width < 560 ? 60 : 0);
+    this.contents?.shared.setView(width, height, this.camera.camera.fov);
+    this.requestDraw();
+  }
+
+  draw(blend: FrameBlend): void {
+    if (!this.contents || this.contents.scene.frames.count === 0) return;
+    this.contents.shared.blend = blend;
+    this.contents.obstacles.blend = blend;
+    this.camera.updateDepth();
+    this.renderer.render(this.world, this.camera.camera);
+  }
+
+  /** Position of a point on the canvas in CSS pixels; null if it is not between the near and far planes. */
+  project(point: ArrayLike<number>): [number, number] | null {
+    const v = this.scratch.set(point[0], point[1], point[2]).project(this.camera.camera);
+    if (!(v.z > -1 && v.z < 1)) return null;
+    return [0.5 * (1 + v.x) * this.width, 0.5 * (1 - v.y) * this.height];
+  }
+
+  /** Pixels per unit of length at a point. */
+  pixelsPerUnit(point: ArrayLike<number>): number {
+    const { camera } = this.camera;
+    const depth = -this.scratch.set(point[0], point[1], point[2]).applyMatrix4(camera.matrixWorldInverse).z;
+    return this.height / (2 * Math.tan((camera.fov * Math.PI) / 360) * Math.max(1e-20, depth));
+  }
+
+  /** Share of the canvas (0 to 1) that objects other than the grid cover. */
+  coverage(blend: FrameBlend): number {
+    if (!this.contents) return 0;
+    const { visible } = this.contents.grid;
+    this.contents.grid.visible = false;
+    this.draw(blend);
+    this.contents.grid.visible = visible;
+    const gl = this.renderer.getContext();
+    const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    let covered = 0;
+    for (let i = 3; i < bytes.length; i += 4) if (bytes[i] > 0) covered += 1;
+    this.requestDraw();
+    return (4 * covered) / Math.max(1, bytes.length);
+  }
+}

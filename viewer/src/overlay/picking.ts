@@ -1,0 +1,80 @@
+// Picking: station under the pointer, with its position and the value of the field.
+
+import { formatQuantity } from "../base/numbers";
+import type { Settings } from "../base/settings";
+import type { Viewport } from "../draw/viewport";
+import { type FrameBlend, fieldAt, stationPosition } from "../scene/blend";
+import { arcLength, bodyRadius } from "../scene/geometry";
+import type { Body, Scene } from "../scene/scene";
+
+type CanvasPoint = [x: number, y: number];
+
+export interface PickedStation {
+  body: Body;
+  /** Index of the station within the body. */
+  index: number;
+}
+
+/** Picking tolerance in pixels. */
+const TOLERANCE = 6;
+
+/** Station nearest to a point of the canvas, if the point is on its section or within the tolerance. */
+export function pickStation(
+  viewport: Viewport,
+  scene: Scene,
+  settings: Settings,
+  blend: FrameBlend,
+  pointer: CanvasPoint,
+): PickedStation | null {
+  let best = 0;
+  let picked: PickedStation | null = null;
+  for (const body of scene.bodies) {
+    const radius = bodyRadius(body) * settings.thickness;
+    let previous: CanvasPoint | null = null;
+    for (let i = 0; i < body.count; i++) {
+      const position = stationPosition(scene, body.first + i, blend);
+      const point = viewport.project(position);
+      if (point) {
+        const [distance, share] = segmentDistance(previous ?? point, point, pointer);
+        const score = distance - radius * viewport.pixelsPerUnit(position) - TOLERANCE;
+        if (score < best) {
+          best = score;
+          picked = { body, index: previous && share < 0.5 ? i - 1 : i };
+        }
+      }
+      previous = point;
+    }
+  }
+  return picked;
+}
+
+/** Distance of a point from a segment, and the position of the nearest point on the segment (0 to 1). */
+function segmentDistance(a: CanvasPoint, b: CanvasPoint, [x, y]: CanvasPoint): [number, number] {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const square = dx * dx + dy * dy;
+  const t = square > 0 ? Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / square)) : 0;
+  return [Math.hypot(a[0] + t * dx - x, a[1] + t * dy - y), t];
+}
+
+/** Lines of text on a picked station: body, arc length, position, value of the field. */
+export function describeStation(
+  scene: Scene,
+  settings: Settings,
+  blend: FrameBlend,
+  { body, index }: PickedStation,
+): string[] {
+  const unit = scene.units?.length ?? "";
+  const station = body.first + index;
+  const position = stationPosition(scene, station, { ...blend, scale: 1 });
+  const lines = [body.name];
+  if (body.count > 1) {
+    const length = formatQuantity(arcLength(scene, body, body.count - 1), unit);
+    lines.push(`s = ${formatQuantity(arcLength(scene, body, index), unit)} of ${length}`);
+  }
+  const coordinates = position.map((c) => formatQuantity(c, "")).join(", ");
+  lines.push(`at (${coordinates})${unit && ` ${unit}`}`);
+  const field = scene.fields.find((f) => f.name === settings.field);
+  if (field)
+    lines.push(`${field.name}: ${formatQuantity(fieldAt(scene, field, station, blend), field.unit)}`);
+  return lines;
+}

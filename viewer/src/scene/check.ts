@@ -1,0 +1,39 @@
+// Consistency of a scene: lengths of arrays and indices. The drawing code relies on them.
+
+import { type Numbers, type Scene, SceneError } from "./scene";
+
+/** Error of damaged data; `detail` states what was found. */
+export function damaged(detail: string): SceneError {
+  return new SceneError(`The data of this page are damaged: ${detail}. Create the page again.`);
+}
+
+function checkLength(found: Numbers, expected: number, name: string): void {
+  if (ArrayBuffer.isView(found) && found.length === expected) return;
+  const count = ArrayBuffer.isView(found) ? found.length : "no";
+  throw damaged(`${name} has ${count} numbers, expected ${expected}`);
+}
+
+/** Checks the length of every array that is indexed by frame or station, and the indices. */
+export function checkArrays(scene: Scene): void {
+  const frames = scene.frames.count;
+  const { stations } = scene;
+  checkLength(scene.frames.values, frames, "frames");
+  checkLength(scene.centres, 3 * frames * stations, "centres");
+  checkLength(scene.directors, 9 * frames * stations, "directors");
+  checkLength(scene.reference.centres, 3 * stations, "centres of the reference configuration");
+  checkLength(scene.reference.directors, 9 * stations, "directors of the reference configuration");
+  for (const field of scene.fields) checkLength(field.values, frames * stations, field.name);
+  for (const marker of scene.markers) checkLength(marker.at, 3 * frames, marker.name);
+  for (const link of scene.links) checkLength(link.ends, 6 * frames, link.name);
+  for (const reaction of scene.reactions) {
+    checkLength(reaction.force, 3 * frames, `force of ${reaction.name}`);
+    checkLength(reaction.moment, 3 * frames, `moment of ${reaction.name}`);
+    if (!scene.markers[reaction.marker]) throw damaged(`the reaction ${reaction.name} has no marker`);
+  }
+  for (const body of scene.bodies) {
+    if (!(body.first >= 0 && body.first + body.count <= stations)) {
+      throw damaged(`the stations of the body ${body.name} are missing`);
+    }
+    if (body.scale) checkLength(body.scale, 2 * body.count, `scale of ${body.name}`);
+  }
+}

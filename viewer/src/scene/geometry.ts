@@ -1,0 +1,25 @@
+// Geometry of bodies in the reference configuration.
+
+import type { Body, Scene } from "./scene";
+
+export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/** Arc length in the reference configuration from the first station of a body to its station `index`. */
+export function arcLength(scene: Scene, body: Body, index: number): number {
+  const { centres } = scene.reference;
+  let sum = 0;
+  for (let i = body.first; i < body.first + index; i++) {
+    sum += distance(centres.subarray(3 * i, 3 * i + 3), centres.subarray(3 * i + 3, 3 * i + 6));
+  }
+  return sum;
+}
+
+/** Largest distance from the centre line to the outline of the section, or from the centre to the box corners. */
+export function bodyRadius(body: Body): number {
+  if (body.box) return body.kind === "point" ? body.box[0] : Math.hypot(...body.box);
+  let radius = 0;
+  for (const [y, z] of body.outline) radius = Math.max(radius, Math.hypot(y, z));
+  return radius;
+}

@@ -1,0 +1,116 @@
+// Scene: the drawable results of a run. The types mirror the header of the container (crate ancf-report).
+
+export type Numbers = Float32Array | Float64Array | Int16Array | Uint16Array | Uint32Array;
+export type Vector = [number, number, number];
+
+export interface Body {
+  name: string;
+  kind: "beam" | "cable" | "rigid" | "point";
+  /** The stations of the body are first .. first + count of the scene. */
+  first: number;
+  count: number;
+  outline: number[][];
+  inner: number[][] | null;
+  scale: Numbers | null;
+  nodes: number[];
+  box: Vector | null;
+}
+
+export interface Field {
+  name: string;
+  symbol: string;
+  unit: string;
+  diverging: boolean;
+  range: [number, number];
+  /** Scaled values [F][P]: (value - min) / (max - min) * 65534. The code 65535 stands for no value. */
+  values: Numbers;
+}
+
+export interface Marker {
+  name: string;
+  kind: "joint" | "probe" | "load";
+  detail: string;
+  at: Numbers;
+  reference?: Vector | null;
+}
+
+export interface Reaction {
+  name: string;
+  marker: number;
+  force: Numbers;
+  moment: Numbers;
+}
+
+export interface Link {
+  name: string;
+  /** An arm connects the centre of a rigid body to a joint. */
+  kind: "spring" | "damper" | "rope" | "rod" | "bushing" | "arm";
+  ends: Numbers;
+  reference?: [Vector, Vector] | null;
+}
+
+export interface Obstacle {
+  name: string;
+  kind: "plane" | "sphere" | "cylinder";
+  radius: number;
+  length: number | null;
+  /** True if bodies touch the obstacle from the inside. */
+  inside?: boolean;
+  pose: Numbers;
+}
+
+export interface Column {
+  name: string;
+  label: string;
+  unit: string;
+  values: Numbers;
+}
+
+export interface Chart {
+  title: string;
+  group: string;
+  log: boolean;
+  columns: Column[];
+}
+
+export interface Scene {
+  program: string;
+  title: string;
+  text: string;
+  sha256: string;
+  analysis: "dynamics" | "statics" | "path" | "modes" | "buckling";
+  units: { length: string; time: string; force: string } | null;
+  outcome: { kind: "finished" | "stopped" | "failed" | "running"; message: string };
+  live: boolean;
+  summary: [string, string][];
+  messages: string[];
+  bounds: [Vector, Vector];
+  size: number;
+  up: Vector;
+  frames: { count: number; values: Numbers; labels: string[] | null };
+  stations: number;
+  bodies: Body[];
+  centres: Numbers;
+  directors: Numbers;
+  reference: { centres: Numbers; directors: Numbers };
+  fields: Field[];
+  markers: Marker[];
+  reactions: Reaction[];
+  links: Link[];
+  obstacles: Obstacle[];
+  charts: Chart[];
+  abscissa: { name: string; unit: string; values: Numbers };
+}
+
+/** Reading error of a scene, with a message for the reader of the page. */
+export class SceneError extends Error {}
+
+/** True if the frames are shapes of vibration or buckling, which are shown one at a time. */
+export function isModal(scene: Scene): boolean {
+  return scene.analysis === "modes" || scene.analysis === "buckling";
+}
+
+/** True if the run ended with an error before its last step. */
+export function hasFailed(scene: Scene): boolean {
+  return scene.outcome.kind === "failed" && !isModal(scene);
+}

@@ -1,0 +1,44 @@
+// Interface `window.ancf` for tests and for the console.
+
+import { stationPosition } from "../scene/blend";
+import type { Vector } from "../scene/scene";
+import type { App } from "./app";
+
+export interface Api {
+  /** Resolves when the first scene is shown (true) or cannot be read (false). */
+  ready: Promise<boolean>;
+  /** Moves to a time; for statics and paths a load factor, for modes the number of the shape. */
+  setTime(time: number): void;
+  /** Time of the current frame. */
+  readonly time: number;
+  /** Current fractional frame. */
+  readonly frame: number;
+  readonly playing: boolean;
+  /** Drawn position of a station of a body, with scaled displacements. */
+  station(body: number, index: number): Vector;
+  /** Position of a station on the canvas in CSS pixels; null if it is not visible. */
+  canvasPosition(body: number, index: number): [number, number] | null;
+  /** Share of the canvas (0 to 1) that objects other than the grid cover. */
+  coverage(): number;
+}
+
+export function createApi(app: App, ready: Promise<boolean>): Api {
+  const station = (body: number, index: number) =>
+    stationPosition(app.scene, app.scene.bodies[body].first + index, app.blend);
+  return {
+    ready,
+    setTime: (time) => app.player.seek(time),
+    get time() {
+      return app.player.time;
+    },
+    get frame() {
+      return app.player.position;
+    },
+    get playing() {
+      return app.player.playing;
+    },
+    station,
+    canvasPosition: (body, index) => app.viewport?.project(station(body, index)) ?? null,
+    coverage: () => app.viewport?.coverage(app.blend) ?? 0,
+  };
+}

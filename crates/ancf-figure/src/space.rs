@@ -1,55 +1,58 @@
-//! Curves in space in parallel projection, inside a box with numbered edges.
+//! Curves in space in parallel projection, inside a box with tick labels.
 //!
-//! `kuva` has such a box, but at half of all view angles (its own default too) it shows a mirror image.
+//! `kuva` has such a box, but at half of all view angles (its default included) it shows a mirror image.
 
-use super::draw::{FigureError, Point};
-use super::plot::{self, Note, Ruler};
-use super::{Axis, Dash, Figure, Legend, Marker, Series, Style, draw};
+use crate::axis_layout::AxisLayout;
+use crate::plot::{self, EdgeLabel};
+use crate::polyline::Point;
+use crate::style::{CurveStyle, DashPattern, MarkerShape};
+use crate::svg::{self, FigureError};
+use crate::types::{Figure, FigureAxis, FigureSeries, LegendPlacement};
 
 type Vector = [f64; 3];
 
-/// One curve in space.
+/// Curve in space.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct SpaceSeries {
-    /// Name in the legend; a series without one is drawn but not listed.
+pub struct SpaceCurve {
+    /// Name in the legend. A curve without a name is drawn but not listed.
     pub name: String,
-    /// Its points x, y, z in the units of the axes; one that is not finite breaks the line.
+    /// Points x, y, z in the units of the axes. A point that is not finite interrupts the line.
     pub points: Vec<Vector>,
-    /// How it is drawn.
-    pub style: Style,
+    /// Line and marker style.
+    pub style: CurveStyle,
 }
 
-impl SpaceSeries {
-    /// A curve through these points, in the units of the axes.
+impl SpaceCurve {
+    /// Creates a curve through points, in the units of the axes.
     #[must_use]
-    pub fn new(name: impl Into<String>, points: Vec<Vector>, style: Style) -> Self {
+    pub fn new(name: impl Into<String>, points: Vec<Vector>, style: CurveStyle) -> Self {
         Self { name: name.into(), points, style }
     }
 }
 
-/// A figure of curves in space, z upwards.
+/// Figure of curves in space, z upwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpaceFigure {
     /// Heading above the box.
     pub title: Option<String>,
-    /// Words for readers who cannot see it; without them title and labels serve.
+    /// Alternative text for screen readers. Default: labels and names of the curves.
     pub alt: Option<String>,
-    /// Width in CSS pixels (the PNG has twice as many).
+    /// Width in CSS pixels. The PNG has twice as many pixels.
     pub width: f64,
-    /// Height in CSS pixels, legend included.
+    /// Height in CSS pixels, including the legend.
     pub height: f64,
-    /// What x, y and z show, with their units.
+    /// Labels of x, y and z, with their units.
     pub labels: [String; 3],
-    /// The curves; a later one is drawn over an earlier one.
-    pub series: Vec<SpaceSeries>,
-    /// Direction of the viewer in the x-y plane, in degrees from x towards y.
+    /// Curves in drawing order.
+    pub curves: Vec<SpaceCurve>,
+    /// Azimuth of the viewer in degrees, from x towards y.
     pub azimuth: f64,
-    /// Height of the viewer above that plane in degrees.
+    /// Elevation of the viewer above the x-y plane in degrees.
     pub elevation: f64,
-    /// Whether one unit is equally long on all axes, else the box is a cube.
+    /// True for equal scales of all axes. Otherwise the box is a cube.
     pub equal_aspect: bool,
-    /// Where the legend stands.
-    pub legend: Legend,
+    /// Placement of the legend.
+    pub legend: LegendPlacement,
 }
 
 impl Default for SpaceFigure {
@@ -60,17 +63,17 @@ impl Default for SpaceFigure {
             width: 640.0,
             height: 440.0,
             labels: ["x", "y", "z"].map(str::to_owned),
-            series: Vec::new(),
+            curves: Vec::new(),
             azimuth: -55.0,
             elevation: 24.0,
             equal_aspect: true,
-            legend: Legend::Auto,
+            legend: LegendPlacement::Auto,
         }
     }
 }
 
 impl SpaceFigure {
-    /// The figure as one SVG element.
+    /// Returns the figure as one SVG element.
     #[must_use]
     pub fn svg(&self) -> String {
         let view = View::new(self);
@@ -82,59 +85,67 @@ impl SpaceFigure {
             legend: self.legend,
             ..Figure::new("", "")
         };
-        let mut add = |name: &str, points: &[Vector], style: Style| {
+        let mut add = |name: &str, points: &[Vector], style: CurveStyle| {
             let (x, y) = points.iter().map(|p| view.project(*p)).unzip();
-            figure.series.push(Series { name: name.to_owned(), x, y, style });
+            figure.series.push(FigureSeries { name: name.to_owned(), x, y, style });
         };
-        let plain = Style { width: 0.8, ..Style::default() };
-        let grey = Style { colour: 7, pale: true, width: 0.5, ..plain };
+        let plain = CurveStyle { width: 0.8, ..CurveStyle::default() };
+        let grey = CurveStyle { colour: 7, pale: true, width: 0.5, ..plain };
         view.walls().iter().for_each(|line| add("", line, grey));
         view.edges.iter().for_each(|(_, line, _)| add("", line, plain));
-        for s in &self.series {
+        for s in &self.curves {
             let floor: Vec<_> = s.points.iter().map(|p| [p[0], p[1], view.back[2]]).collect();
             add(
                 "",
                 &floor,
-                Style { pale: true, marker: Marker::None, dash: Dash::Solid, width: 0.9, ..s.style },
+                CurveStyle {
+                    pale: true,
+                    marker: MarkerShape::None,
+                    dash: DashPattern::Solid,
+                    width: 0.9,
+                    ..s.style
+                },
             );
             add(&s.name, &s.points, s.style);
         }
-        let names: Vec<&str> = self.series.iter().map(|s| s.name.as_str()).collect();
+        let names: Vec<&str> = self.curves.iter().map(|s| s.name.as_str()).collect();
         let words = || format!("{} in space: {}", self.labels.join(", "), names.join(", "));
-        let scene = plot::scene(&figure, Some(&view.notes(&self.labels)));
-        draw::svg(&scene, &self.alt.clone().unwrap_or_else(words))
+        let scene = plot::scene(&figure, Some(&view.edge_labels(&self.labels)));
+        svg::element(&scene, &self.alt.clone().unwrap_or_else(words))
     }
 
-    /// The figure as a PNG file on white, two pixels for each CSS pixel.
+    /// Returns the figure as a PNG file on white, two pixels per CSS pixel.
     ///
     /// # Errors
     /// If the size of the figure is zero or too large for memory.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        draw::png(&self.svg())
+        svg::png(&self.svg())
     }
 }
 
-/// The box around the data and the way it is seen.
+/// Box around the data and its projection.
 struct View {
-    axes: [Ruler; 3],
-    /// What one unit of each axis adds to the right and upwards.
+    axes: [AxisLayout; 3],
+    /// Projection of one unit of each axis to the right.
     right: Vector,
+    /// Projection of one unit of each axis upwards.
     up: Vector,
-    /// The corner behind the data, and the one opposite.
+    /// Corner behind the data.
     back: Vector,
+    /// Opposite corner.
     front: Vector,
-    /// The numbered edges: axis, ends, and a point further inside the box than the first end.
+    /// Edges with tick labels: axis, end points, and a point inside the box next to the first end.
     edges: [(usize, [Vector; 2], Vector); 3],
 }
 
 impl View {
     fn new(figure: &SpaceFigure) -> Self {
-        let values = |i: usize| figure.series.iter().flat_map(move |s| s.points.iter().map(move |p| p[i]));
-        let ruler = |i, parts| Ruler::new(&Axis::default(), values(i), 0.04, parts);
-        let lengths = [0, 1, 2].map(|i| ruler(i, 2.0).ends()).map(|(lo, hi)| hi - lo);
+        let values = |i: usize| figure.curves.iter().flat_map(move |s| s.points.iter().map(move |p| p[i]));
+        let axis = |i, parts| AxisLayout::new(&FigureAxis::default(), values(i), 0.04, parts);
+        let lengths = [0, 1, 2].map(|i| axis(i, 2.0).ends()).map(|(lo, hi)| hi - lo);
         let longest = lengths.into_iter().fold(0.0, f64::max);
         let share = |i: usize| if figure.equal_aspect { lengths[i] / longest } else { 1.0 };
-        let axes = [0, 1, 2].map(|i| ruler(i, 3.5 * share(i)));
+        let axes = [0, 1, 2].map(|i| axis(i, 3.5 * share(i)));
         let (sa, ca) = figure.azimuth.to_radians().sin_cos();
         let (se, ce) = figure.elevation.clamp(5.0, 85.0).to_radians().sin_cos();
         let unit = |i: usize| share(i) / (axes[i].ends().1 - axes[i].ends().0);
@@ -161,12 +172,14 @@ impl View {
         (dot(self.right), dot(self.up))
     }
 
-    /// The lines at the ends and the numbers of the axes on the three walls behind the data.
+    /// Returns the grid lines on the three walls behind the data.
     fn walls(&self) -> Vec<[Vector; 2]> {
         let mut lines = Vec::new();
         for (wall, i) in [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)] {
             let along = 3 - wall - i;
-            for v in self.axes[i].numbers().into_iter().map(|(v, _)| v).chain([self.back[i], self.front[i]]) {
+            for v in
+                self.axes[i].tick_labels().into_iter().map(|(v, _)| v).chain([self.back[i], self.front[i]])
+            {
                 let (mut from, mut to) = (self.back, self.back);
                 (from[i], to[i], to[along]) = (v, v, self.front[along]);
                 lines.push([from, to]);
@@ -175,25 +188,25 @@ impl View {
         lines
     }
 
-    /// The numbers and labels beside the edges.
-    fn notes(&self, labels: &[String; 3]) -> Vec<Note> {
-        let mut notes = Vec::new();
+    /// Returns the tick labels and axis labels at the edges.
+    fn edge_labels(&self, axis_labels: &[String; 3]) -> Vec<EdgeLabel> {
+        let mut labels = Vec::new();
         for (i, [from, to], inside) in self.edges {
             let (a, b) = (self.project(from), self.project(inside));
             let length = (a.0 - b.0).hypot(a.1 - b.1);
             let out = if i == 2 { (-1.0, 0.0) } else { ((a.0 - b.0) / length, (b.1 - a.1) / length) };
             let mut widest = 0.0_f64;
-            for (v, text) in self.axes[i].numbers() {
+            for (v, text) in self.axes[i].tick_labels() {
                 let mut at = from;
                 at[i] = v;
-                widest = widest.max(draw::text_width(&text, 11));
-                notes.push(Note { at: self.project(at), out, far: 11.0, text, label: false });
+                widest = widest.max(svg::text_width(&text, 11));
+                labels.push(EdgeLabel { at: self.project(at), out, far: 11.0, text, is_axis: false });
             }
             let at = self.project([0, 1, 2].map(|k| (from[k] + to[k]) / 2.0));
             let far = if i == 2 { widest + 20.0 } else { 24.0 + widest * out.0.abs() };
-            let text = [labels[i].as_str(), &self.axes[i].note].join(" ");
-            notes.push(Note { at, out, far, text, label: true });
+            let text = [axis_labels[i].as_str(), &self.axes[i].note].join(" ");
+            labels.push(EdgeLabel { at, out, far, text, is_axis: true });
         }
-        notes
+        labels
     }
 }

@@ -1,4 +1,4 @@
-//! `ancf new`: a model to start from.
+//! `ancf new`: a commented model to start from.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -7,67 +7,68 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
-use crate::command::{Ended, reject};
-use crate::speech::{deliver, say};
+use crate::terminal::{Ended, print_output, print_status, reject};
 
-/// What `ancf new` is asked.
+/// Arguments of `ancf new`.
 #[derive(Debug, Args)]
-pub struct Arguments {
-    /// The model file to write; `-` for standard output.
+pub struct NewArguments {
+    /// Model file to write; `-` for standard output.
     file: PathBuf,
-    /// What the model shows.
+    /// Kind of the model.
     #[arg(short, long, default_value = "cantilever")]
-    kind: Kind,
-    /// Write over a file that is there.
+    kind: TemplateKind,
+    /// Overwrite an existing file.
     #[arg(short, long)]
     force: bool,
 }
 
-pub const EXAMPLES: &str = "\
+/// Examples of the help.
+pub const NEW_EXAMPLES: &str = "\
 Examples:
-  ancf new beam.toml                         a rod that swings, to be checked, run and changed
+  ancf new beam.toml                         a clamped rod that swings under its weight
   ancf new --kind contact drop.toml          a rope that falls on the ground
-  ancf new --kind modes - | less             to look at it only";
+  ancf new --kind modes - | less             print only";
 
-/// Models to start from.
+/// Kind of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Kind {
-    /// A motion: a clamped rod that swings under its weight.
+enum TemplateKind {
+    /// Motion: clamped rod that swings under its weight.
     Cantilever,
-    /// An equilibrium: a cord that hangs between two hooks.
+    /// Equilibrium: cord suspended between two points.
     Cable,
-    /// A motion: a double pendulum of a flexible rod and a rigid body.
+    /// Motion: double pendulum of a flexible rod and a rigid body.
     Pendulum,
-    /// A motion: a driven crank, a rod that bends and a sliding block.
+    /// Motion: slider-crank mechanism with a flexible rod.
     Mechanism,
-    /// A motion: a rope that falls on the ground, with friction.
+    /// Motion: rope that falls on the ground, with friction.
     Contact,
-    /// An equilibrium: a wire bent far by a force.
+    /// Equilibrium: wire with large deflection under a force.
     Statics,
-    /// A path of equilibria through snap-through: a shallow arch.
+    /// Equilibrium path with snap-through: shallow arch.
     Path,
-    /// Natural frequencies and shapes of a blade.
+    /// Natural frequencies and mode shapes of a blade.
     Modes,
     /// Critical loads of a column.
     Buckling,
 }
 
-impl Kind {
+impl TemplateKind {
+    /// Returns the text of the model.
     const fn text(self) -> &'static str {
         match self {
-            Self::Cantilever => include_str!("../templates/cantilever.toml"),
-            Self::Cable => include_str!("../templates/cable.toml"),
-            Self::Pendulum => include_str!("../templates/pendulum.toml"),
-            Self::Mechanism => include_str!("../templates/mechanism.toml"),
-            Self::Contact => include_str!("../templates/contact.toml"),
-            Self::Statics => include_str!("../templates/statics.toml"),
-            Self::Path => include_str!("../templates/path.toml"),
-            Self::Modes => include_str!("../templates/modes.toml"),
-            Self::Buckling => include_str!("../templates/buckling.toml"),
+            Self::Cantilever => include_str!("../../templates/cantilever.toml"),
+            Self::Cable => include_str!("../../templates/cable.toml"),
+            Self::Pendulum => include_str!("../../templates/pendulum.toml"),
+            Self::Mechanism => include_str!("../../templates/mechanism.toml"),
+            Self::Contact => include_str!("../../templates/contact.toml"),
+            Self::Statics => include_str!("../../templates/statics.toml"),
+            Self::Path => include_str!("../../templates/path.toml"),
+            Self::Modes => include_str!("../../templates/modes.toml"),
+            Self::Buckling => include_str!("../../templates/buckling.toml"),
         }
     }
 
-    /// Columns that are worth a look.
+    /// Returns columns of interest, as arguments of `ancf plot`.
     const fn columns(self) -> &'static str {
         match self {
             Self::Cantilever | Self::Statics => "tip.y",
@@ -82,22 +83,22 @@ impl Kind {
     }
 }
 
-impl Arguments {
+impl NewArguments {
     /// Writes the model.
     pub fn run(&self) -> Result<Ended> {
         let text = self.kind.text();
         if self.file == Path::new("-") {
-            deliver(text);
+            print_output(text);
             return Ok(Ended::Done);
         }
         match self.write(text) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                let hint = "--force writes over it";
-                return Ok(reject(&format!("{} is there already; {hint}", self.file.display())));
+                let hint = "--force overwrites it";
+                return Ok(reject(&format!("{} exists already; {hint}", self.file.display())));
             }
             written => written.with_context(|| format!("cannot write {}", self.file.display()))?,
         }
-        say(&self.next());
+        print_status(&self.next_commands());
         Ok(Ended::Done)
     }
 
@@ -109,8 +110,8 @@ impl Arguments {
         file.write_all(text.as_bytes())
     }
 
-    /// What to do with the model.
-    fn next(&self) -> String {
+    /// Returns the message with the next commands.
+    fn next_commands(&self) -> String {
         let file = self.file.display();
         let columns = self.kind.columns();
         format!(

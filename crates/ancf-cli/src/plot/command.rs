@@ -1,59 +1,43 @@
-//! `ancf plot`: columns of a run as a chart of characters or a figure.
-//!
-//! ```text
-//! folder, names -> columns -> panels, one for each unit -> charts of characters
-//!                                                     \-> SVG, PNG
-//! ```
-//!
-//! The chart is our own: the crates there are put the numbers of an axis beside their places (ratatui) or at its ends only
-//! (textplots), and tell curves apart by colours alone.
+//! `ancf plot`: arguments and execution.
 
-mod canvas;
-mod chart;
-mod listing;
-mod panel;
-mod picture;
-mod selection;
-mod thin;
-mod tick;
-
-use std::env;
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use clap::Args;
 use terminal_size::{Width, terminal_size};
 
-use crate::colour;
-use crate::command::{Ended, reject};
-use crate::past;
-use crate::speech::{answer, deliver, print, say};
-use chart::Look;
-use listing::Listing;
-use panel::Panel;
-use picture::Format;
-use selection::Selection;
+use super::chart::{self, ChartStyle};
+#[cfg(feature = "figures")]
+use super::figure_file;
+use super::figure_format::FigureFormat;
+use super::listing::ColumnListing;
+use super::panel::PlotPanel;
+use super::selection::ColumnSelection;
+use crate::results::open_run;
+use crate::terminal::{
+    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, reject,
+};
 
-/// What `ancf plot` is asked.
+/// Arguments of `ancf plot`.
 #[derive(Debug, Args)]
-pub struct Arguments {
-    /// The folder of a run, which may still go on.
+pub struct PlotArguments {
+    /// Folder of a run, which may still be running.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// Columns: names, names of probes or joints (`tip` for tip.x, tip.y and tip.z), patterns (`*.y`); without one, they are listed.
+    /// Names of columns, probes or joints (`tip` for tip.x, tip.y and tip.z), or patterns (`*.y`); without names, all columns are listed.
     #[arg(value_name = "COLUMN")]
     columns: Vec<String>,
-    /// The column along the horizontal axis; by default the first: time, load factor or number of the mode.
+    /// Column of the horizontal axis; the first by default: time, load factor or mode number.
     #[arg(short, long, value_name = "COLUMN")]
     against: Option<String>,
-    /// Write a figure into this file, by its ending SVG or PNG, instead of a chart in the terminal.
+    /// Write a figure into this SVG or PNG file instead of a chart in the terminal.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Leave out what is before this time (load factor, mode).
+    /// First time, load factor or mode number.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     from: Option<f64>,
-    /// Leave out what is after this time (load factor, mode).
+    /// Last time, load factor or mode number.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     to: Option<f64>,
     /// Print the list of columns as one JSON object and nothing else.
@@ -61,87 +45,78 @@ pub struct Arguments {
     pub json: bool,
 }
 
-pub const EXAMPLES: &str = "\
+/// Examples of the help.
+pub const PLOT_EXAMPLES: &str = "\
 Examples:
-  ancf plot out                                 the columns with unit, least and largest value
+  ancf plot out                                 columns with unit, smallest and largest value
   ancf plot out tip.y                           a chart in the terminal
-  ancf plot out tip 'root.f*'                   several: one chart for each unit
+  ancf plot out tip 'root.f*'                   one chart per unit
   ancf plot out tip.y --against tip.x           the path of the tip
   ancf plot out kinetic strain --from 0.5 --to 1
   ancf plot out tip.y -o tip.png                a figure; also .svg
 
-Curves break where a value is not a number. Without colours several curves are drawn in signs.
-Exit code 2 for a folder without a run, or a column that it has not.";
+Curves are interrupted at values that are not finite. Without colours several curves have different
+markers. Exit code 2 for a folder without a run, or an unknown column.";
 
-impl Arguments {
+impl PlotArguments {
     /// Plots, or lists the columns.
     pub fn run(&self) -> Result<Ended> {
-        let results = match past::open(&self.folder)? {
+        let results = match open_run(&self.folder)? {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
         let series = results.columns()?;
         if self.columns.is_empty() && self.output.is_none() && self.against.is_none() {
-            let listing = Listing::of(&results, &series);
+            let listing = ColumnListing::new(&results, &series);
             print(&listing.text());
-            answer(&listing);
+            print_json(&listing);
             return Ok(Ended::Done);
         }
-        let format = match self.output.as_ref().map(|file| Format::of(file).map(|format| (file, format))) {
-            Some(Err(message)) => return Ok(reject(&message)),
-            Some(Ok(chosen)) => Some(chosen),
-            None => None,
-        };
-        let selection = match Selection::of(&results, &self.columns, self.against.as_deref()) {
+        let format =
+            match self.output.as_ref().map(|file| FigureFormat::from_path(file).map(|format| (file, format)))
+            {
+                Some(Err(message)) => return Ok(reject(&message)),
+                Some(Ok(chosen)) => Some(chosen),
+                None => None,
+            };
+        let selection = match ColumnSelection::new(&results, &self.columns, self.against.as_deref()) {
             Ok(selection) => selection,
             Err(message) => return Ok(reject(&message)),
         };
         let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
         let panels = selection.panels(&series, range);
-        if !panels.iter().any(Panel::has_points) {
-            let what = format!("{}: there is no number to plot in this range", self.folder.display());
-            return Ok(reject(&what));
+        if !panels.iter().any(PlotPanel::has_points) {
+            let message = format!("{}: no values to plot in this range", self.folder.display());
+            return Ok(reject(&message));
         }
         match format {
-            Some((file, format)) => {
-                picture::write(&panels, file, format)?;
-                say(&format!("done: {}", file.display()));
-            }
-            None => deliver(&chart::text(&panels, look())),
+            Some((file, format)) => return write_figure(&panels, file, format),
+            None => print_output(&chart::text(&panels, chart_style())),
         }
         Ok(Ended::Done)
     }
 }
 
-/// What the terminal can show.
-fn look() -> Look {
+/// Writes the panels as a figure.
+#[cfg(feature = "figures")]
+fn write_figure(panels: &[PlotPanel], file: &Path, format: FigureFormat) -> Result<Ended> {
+    figure_file::write(panels, file, format)?;
+    print_status(&format!("done: {}", file.display()));
+    Ok(Ended::Done)
+}
+
+/// Rejects the command: this program has no figures.
+#[cfg(not(feature = "figures"))]
+fn write_figure(_: &[PlotPanel], _: &Path, _: FigureFormat) -> Result<Ended> {
+    Ok(crate::terminal::reject_figures())
+}
+
+/// Returns the chart style of the terminal.
+fn chart_style() -> ChartStyle {
     let width = terminal_size().filter(|_| io::stdout().is_terminal()).map_or(80, |(Width(width), _)| width);
-    Look {
+    ChartStyle {
         width: usize::from(width).clamp(40, 240),
-        is_unicode: is_unicode(|name| env::var(name).ok()),
-        is_colourful: colour::on_stdout(),
-    }
-}
-
-/// Whether the locale has all characters.
-fn is_unicode(variable: impl Fn(&str) -> Option<String>) -> bool {
-    let set = |name: &&str| variable(name).filter(|value| !value.is_empty());
-    let locale = ["LC_ALL", "LC_CTYPE", "LANG"].iter().find_map(set).unwrap_or_default().to_lowercase();
-    cfg!(windows) || locale.contains("utf-8") || locale.contains("utf8")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_unicode;
-
-    #[test]
-    fn the_first_locale_that_is_set_counts() {
-        let locale = |set: &'static [(&str, &str)]| {
-            is_unicode(|name| set.iter().find(|(n, _)| *n == name).map(|(_, value)| (*value).to_owned()))
-        };
-        assert!(locale(&[("LANG", "de_DE.UTF-8")]));
-        assert!(locale(&[("LC_ALL", ""), ("LC_CTYPE", "C.utf8"), ("LANG", "C")]));
-        assert!(cfg!(windows) || !locale(&[("LC_ALL", "C"), ("LANG", "en_GB.UTF-8")]));
-        assert!(cfg!(windows) || !locale(&[]));
+        is_unicode: is_unicode(),
+        is_coloured: is_stdout_coloured(),
     }
 }

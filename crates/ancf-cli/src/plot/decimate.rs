@@ -1,8 +1,10 @@
-/// Of points that fall into one of so many columns of a picture, one after the other, the first, the lowest, the highest and
-/// the last: the picture stays the same.
+//! Decimation of curves for a figure.
+
+/// Returns the first, lowest, highest and last of successive points in each of `columns` pixel columns.
 ///
-/// Source: Jugel, Jerzak, Hackenbroich & Markl (2014), "M4: a visualization-oriented time series data aggregation".
-pub fn thinned(points: &[[f64; 2]], [lo, hi]: [f64; 2], columns: usize) -> Vec<[f64; 2]> {
+/// The appearance of the curve remains. Source: Jugel, Jerzak, Hackenbroich & Markl (2014), "M4: a visualization-oriented time
+/// series data aggregation".
+pub fn decimated(points: &[[f64; 2]], [lo, hi]: [f64; 2], columns: usize) -> Vec<[f64; 2]> {
     let width = (hi - lo) / columns.max(1) as f64;
     let column = |point: &[f64; 2]| if width > 0.0 { ((point[0] - lo) / width).floor() } else { 0.0 };
     let mut kept = Vec::new();
@@ -27,11 +29,11 @@ mod tests {
     fn extremes_are_kept() {
         let points: Vec<[f64; 2]> =
             (0..100_000).map(|k| [f64::from(k), if k == 54_321 { 9.0 } else { f64::from(k % 7) }]).collect();
-        let kept = thinned(&points, [0.0, 99_999.0], 500);
+        let kept = decimated(&points, [0.0, 99_999.0], 500);
         assert!(kept.len() <= 4 * 501, "{}", kept.len());
-        assert!(kept.contains(&[54_321.0, 9.0]), "a single peak is seen");
+        assert!(kept.contains(&[54_321.0, 9.0]), "a single peak is visible");
         assert_eq!((kept.first(), kept.last()), (points.first(), points.last()));
         assert!(kept.windows(2).all(|pair| pair[0][0] < pair[1][0]), "in order");
-        assert_eq!(thinned(&points[..5], [0.0, 4.0], 500), points[..5], "few stay as they are");
+        assert_eq!(decimated(&points[..5], [0.0, 4.0], 500), points[..5], "few stay as they are");
     }
 }

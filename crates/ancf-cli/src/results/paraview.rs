@@ -10,41 +10,41 @@ use ancf_results::Results;
 use anyhow::Result;
 use clap::Args;
 
-use crate::command::{Ended, reject};
-use crate::past;
-use crate::speech::{print, say};
+use super::run_folder::{open_run, recording, title};
+use crate::terminal::{Ended, print, print_status, reject};
 
-/// What `ancf paraview` is given.
+/// Arguments of `ancf paraview`.
 #[derive(Debug, Args)]
-pub struct Arguments {
-    /// The folder of a run, which may be going on.
+pub struct ParaviewArguments {
+    /// Folder of a run, which may still be running.
     folder: PathBuf,
-    /// The folder for the files; paraview in the folder of the run if left out.
+    /// Folder for the files; paraview in the folder of the run by default.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Frames at most, evenly spaced; all if left out.
+    /// Maximum number of frames, evenly spaced; all by default.
     #[arg(long, value_name = "N")]
     frames: Option<NonZeroUsize>,
-    /// The first time, load factor or number of a mode.
+    /// First time, load factor or mode number.
     #[arg(long, value_name = "VALUE", default_value_t = f64::NEG_INFINITY, hide_default_value = true, allow_negative_numbers = true)]
     from: f64,
-    /// The last one.
+    /// Last time, load factor or mode number.
     #[arg(long, value_name = "VALUE", default_value_t = f64::INFINITY, hide_default_value = true, allow_negative_numbers = true)]
     to: f64,
 }
 
-/// Examples for the help.
-pub const EXAMPLES: &str = "\
+/// Examples of the help.
+pub const PARAVIEW_EXAMPLES: &str = "\
 Examples:
   ancf run models/bow.toml -o out && ancf paraview out    writes out/paraview/sections.pvd, lines.pvd
-  ancf paraview out -o vtk --frames 50 --from 0.5         50 frames from time 0.5 on
+  ancf paraview out -o vtk --frames 50 --from 0.5         50 frames from time 0.5
 
-Open sections.pvd (surfaces) or lines.pvd (axes) in ParaView. It works for a run that goes on or was killed too.";
+Open sections.pvd (surfaces) or lines.pvd (axes) in ParaView. The run may
+still be running, or may have been killed.";
 
-impl Arguments {
+impl ParaviewArguments {
     /// Writes the files, one frame in memory at a time.
     pub fn run(&self) -> Result<Ended> {
-        let results = match past::open(&self.folder)? {
+        let results = match open_run(&self.folder)? {
             Ok(results) => results,
             Err(ended) => return Ok(ended),
         };
@@ -56,7 +56,7 @@ impl Arguments {
             let span =
                 values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
             return Ok(reject(&format!(
-                "found no frame from {} to {}: there are {} from {} to {}",
+                "there is no frame from {} to {}; there are {} frames from {} to {}",
                 self.from,
                 self.to,
                 values.len(),
@@ -68,13 +68,13 @@ impl Arguments {
     }
 
     fn write(&self, results: &Results, picked: &BTreeSet<usize>) -> Result<Ended> {
-        let (title, series) = (past::title(results), results.columns()?);
-        let recording = past::recording(results, &title, &series);
+        let (title, series) = (title(results), results.columns()?);
+        let recording = recording(results, &title, &series);
         let output = self.output.clone().unwrap_or_else(|| self.folder.join("paraview"));
         let mut writer = Writer::new(&recording, &output)?;
-        // A run that goes on may have added frames since they were counted.
-        let wanted = results.frames().enumerate().filter(|(number, _)| picked.contains(number));
-        for (_, frame) in wanted {
+        // A run in progress may have added frames since they were counted.
+        let selected = results.frames().enumerate().filter(|(number, _)| picked.contains(number));
+        for (_, frame) in selected {
             let ancf_results::Frame { value, state, .. } = frame?;
             writer.push(&Frame { value, state })?;
         }
@@ -83,7 +83,7 @@ impl Arguments {
             print(&format!("{}\n", file.display()));
         }
         if written.left_out > 0 {
-            say(&format!("{} frames left out: not all positions are numbers", written.left_out));
+            print_status(&format!("{} frames omitted: positions that are not finite", written.left_out));
         }
         Ok(Ended::Done)
     }

@@ -1,4 +1,4 @@
-//! The folder of an earlier run.
+//! Folder of a run.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -8,13 +8,13 @@ use ancf_report::{Ending, Recording};
 use ancf_results::{OpenError, Results};
 use anyhow::Result;
 
-use crate::command::{Ended, refuse, reject};
+use crate::terminal::{Ended, refuse, reject};
 
-/// Opens the folder of a run, or says why there is none.
+/// Opens the folder of a run. Reports a folder without a run.
 ///
 /// # Errors
 /// If a file cannot be read.
-pub fn open(folder: &Path) -> Result<Result<Results, Ended>> {
+pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
     match Results::open(folder) {
         Ok(results) if results.folder().has_run() => Ok(Ok(results)),
         Ok(_) => Ok(Err(reject(&format!(
@@ -27,14 +27,14 @@ pub fn open(folder: &Path) -> Result<Result<Results, Ended>> {
     }
 }
 
-/// What a run is called: the title of its model, or the name of its folder.
+/// Returns the title of a run: the title of its model, or the name of its folder.
 pub fn title(results: &Results) -> Cow<'_, str> {
     let folder = results.folder().path();
     let name = || folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
     results.model().title.as_deref().map_or_else(name, Cow::Borrowed)
 }
 
-/// A run with its columns, without states and without a word about its end.
+/// Returns a recording with the columns of a run, without frames, summary and outcome.
 pub fn recording<'a>(results: &'a Results, title: &'a str, series: &'a Series) -> Recording<'a> {
     Recording {
         simulation: results.simulation(),

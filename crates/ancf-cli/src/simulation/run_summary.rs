@@ -1,4 +1,4 @@
-//! What a run did, in a sentence and a small table.
+//! Summary of a run: a sentence and a small table.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -8,22 +8,24 @@ use ancf::model::Analysis;
 use ancf::record::Sink;
 use ancf::{Outcome, Summary};
 
-/// Keeps of the rows what the conclusion of an analysis tells.
-pub struct Conclusion<'a> {
+use crate::terminal::{count, short};
+
+/// Values of the rows that the summary of an analysis needs.
+pub struct RunSummary<'a> {
     analysis: &'a Analysis,
-    /// Places of the columns in a row.
+    /// Indices of the columns in a row.
     columns: Vec<usize>,
-    /// Their values, row by row.
+    /// Values, row by row.
     rows: Vec<Vec<f64>>,
 }
 
-impl<'a> Conclusion<'a> {
-    /// Of an analysis that is about to run.
-    pub const fn of(analysis: &'a Analysis) -> Self {
+impl<'a> RunSummary<'a> {
+    /// Creates an empty summary of an analysis.
+    pub const fn new(analysis: &'a Analysis) -> Self {
         Self { analysis, columns: Vec::new(), rows: Vec::new() }
     }
 
-    /// Names of the columns that are kept.
+    /// Returns the names of the recorded columns.
     const fn names(&self) -> &'static [&'static str] {
         match self.analysis {
             Analysis::Dynamics(_) | Analysis::Statics(_) => &[],
@@ -33,12 +35,12 @@ impl<'a> Conclusion<'a> {
         }
     }
 
-    /// The values of a kept column.
+    /// Returns the values of a recorded column.
     fn column(&self, place: usize) -> impl Iterator<Item = f64> {
         self.rows.iter().filter_map(move |row| row.get(place).copied())
     }
 
-    /// Modes and critical loads as aligned lines; nothing of another analysis.
+    /// Returns modes and critical loads as aligned lines. Empty for other analyses.
     pub fn table(&self) -> String {
         let (heading, lines): (_, Vec<_>) = match self.analysis {
             Analysis::Modes(_) => ("mode       frequency\n", self.column(1).map(frequency).collect()),
@@ -52,7 +54,7 @@ impl<'a> Conclusion<'a> {
         heading.to_owned() + &lines.iter().enumerate().map(line).collect::<String>()
     }
 
-    /// Modes and critical loads, column by column; nothing of another analysis.
+    /// Returns modes and critical loads by column. Empty for other analyses.
     pub fn columns(&self) -> BTreeMap<&'static str, Vec<f64>> {
         match self.analysis {
             Analysis::Modes(_) | Analysis::Buckling(_) => {
@@ -62,17 +64,18 @@ impl<'a> Conclusion<'a> {
         }
     }
 
-    /// How the run ended and what was done, for the terminal.
+    /// Returns outcome and extent of the run, for the terminal.
     pub fn sentence(&self, summary: &Summary, seconds: f64, folder: &str) -> String {
-        let did = format!("{}, {seconds:.3} s", self.did(summary));
+        let extent = format!("{}, {seconds:.3} s", self.extent(summary));
         match summary.outcome.failure(self.analysis) {
-            Some(failure) => format!("{failure}\n{did}; results so far in {folder}"),
-            None if summary.outcome.is_finished() => format!("done: {did}; results in {folder}"),
-            None => format!("stopped: {did}; results so far in {folder}"),
+            Some(failure) => format!("{failure}\n{extent}; results so far in {folder}"),
+            None if summary.outcome.is_finished() => format!("done: {extent}; results in {folder}"),
+            None => format!("stopped: {extent}; results so far in {folder}"),
         }
     }
 
-    fn did(&self, summary: &Summary) -> String {
+    /// Returns steps, iterations and the value reached.
+    fn extent(&self, summary: &Summary) -> String {
         let Summary { time, steps, iterations, .. } = summary;
         let newton = count(*iterations, "Newton iteration");
         match self.analysis {
@@ -86,7 +89,7 @@ impl<'a> Conclusion<'a> {
                 let limits = self.column(0).filter(|limit| *limit != 0.0).count() as u64;
                 let limits = count(limits, "limit point");
                 let end = match summary.outcome {
-                    Outcome::Finished if *time != path.load => " (the most points permitted)",
+                    Outcome::Finished if *time != path.load => " (maximum number of points)",
                     _ => "",
                 };
                 let points = count(*steps, "point");
@@ -100,13 +103,13 @@ impl<'a> Conclusion<'a> {
     fn modes(&self) -> String {
         let of = |test: fn(f64) -> bool| self.column(0).filter(|squared| test(*squared)).count();
         let (rigid, unstable) = (of(|squared| squared == 0.0), of(|squared| squared < 0.0));
-        let mut did = count(self.rows.len() as u64, "mode");
+        let mut text = count(self.rows.len() as u64, "mode");
         for (number, kind) in [(rigid, "rigid"), (unstable, "unstable")] {
             if number > 0 {
-                did += &format!(", {number} {kind}");
+                text += &format!(", {number} {kind}");
             }
         }
-        did
+        text
     }
 
     fn critical(&self) -> String {
@@ -121,10 +124,10 @@ impl<'a> Conclusion<'a> {
     }
 }
 
-impl Sink for Conclusion<'_> {
+impl Sink for RunSummary<'_> {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
-        let place = |name: &&str| columns.iter().position(|column| column == name);
-        self.columns = self.names().iter().filter_map(place).collect();
+        let index = |name: &&str| columns.iter().position(|column| column == name);
+        self.columns = self.names().iter().filter_map(index).collect();
         Ok(())
     }
 
@@ -136,19 +139,7 @@ impl Sink for Conclusion<'_> {
     }
 }
 
-/// "1 step", "2 steps".
-pub fn count(number: u64, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
-}
-
-/// At most six digits, without trailing zeros; of numbers that are small or large with an exponent.
-pub fn short(x: f64) -> String {
-    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
-    let rounded = format!("{x:.5e}").parse::<f64>();
-    rounded.map_or_else(|_| x.to_string(), |x| if plain { x.to_string() } else { format!("{x:e}") })
-}
-
-/// Seven digits.
+/// Formats a number with seven digits.
 fn digits(x: f64) -> String {
     let places = 6 - x.abs().log10().floor().clamp(-4.0, 6.0) as i32;
     if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) {

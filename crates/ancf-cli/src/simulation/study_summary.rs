@@ -1,22 +1,20 @@
-//! What a study came to, for the terminal.
+//! Summary of a study, for the terminal and as JSON.
 
 use std::collections::BTreeMap;
 
+use ancf_study::{CaseOutcome, CaseRow, ObjectiveRange, StudyOutcome, StudyResults};
 use serde::Serialize;
 
-use super::results::Results;
-use super::row::Ending;
-use crate::command::Ended;
-use crate::conclusion::{count, short};
+use crate::terminal::{count, short};
 
-/// Messages that are shown; the others are in the table.
-const SHOWN: usize = 3;
+/// Maximum number of printed messages. All messages are in the table.
+const MAX_MESSAGES: usize = 3;
 
-/// Least value, mean and largest value of each objective over the cases that have it, as aligned lines.
-pub fn ranges(results: &Results<'_>) -> String {
+/// Returns smallest value, mean and largest value of each objective as aligned lines.
+pub fn ranges(results: &StudyResults) -> String {
     let mut lines = vec![["objective", "least", "mean", "largest"].map(str::to_owned)];
     for (k, name) in results.objectives().keys().enumerate() {
-        let Range { least, mean, largest } = range(results, k);
+        let ObjectiveRange { least, mean, largest } = results.range(k);
         let shown = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), short);
         lines.push([name.clone(), shown(least), shown(mean), shown(largest)]);
     }
@@ -30,9 +28,9 @@ pub fn ranges(results: &Results<'_>) -> String {
     lines.iter().map(line).collect()
 }
 
-/// The answer to those who want JSON.
+/// JSON output of a study.
 #[derive(Serialize)]
-pub struct Answer<'a> {
+pub struct StudyJson<'a> {
     results: String,
     outcome: &'static str,
     cases: usize,
@@ -42,101 +40,88 @@ pub struct Answer<'a> {
     invalid: usize,
     stopped: usize,
     wall_seconds: f64,
-    objectives: BTreeMap<&'a str, Range>,
-    failures: Vec<Failure<'a>>,
+    objectives: BTreeMap<&'a str, ObjectiveRange>,
+    failures: Vec<FailedCase<'a>>,
 }
 
-/// Of the cases that have the objective; null if none has.
+/// Case that failed or was invalid.
 #[derive(Serialize)]
-struct Range {
-    least: Option<f64>,
-    mean: Option<f64>,
-    largest: Option<f64>,
-}
-
-/// A case that failed or was invalid.
-#[derive(Serialize)]
-struct Failure<'a> {
+struct FailedCase<'a> {
     case: usize,
     status: &'static str,
     message: &'a str,
 }
 
-/// What a study came to.
-pub fn answer<'a>(results: &'a Results<'_>, seconds: f64) -> Answer<'a> {
-    let count = |ending| results.count(ending);
+/// Returns the JSON output of a study.
+pub fn json<'a>(results: &'a StudyResults, seconds: f64) -> StudyJson<'a> {
+    let count = |outcome| results.count(outcome);
     let objectives = results.objectives().keys().enumerate();
-    let failure = |(case, row): (usize, &'a super::row::Row)| Failure {
+    let failure = |(case, row): (usize, &'a CaseRow)| FailedCase {
         case,
-        status: row.ending.word(),
+        status: row.outcome.word(),
         message: row.message.as_deref().unwrap_or_default(),
     };
-    Answer {
+    StudyJson {
         results: results.path().display().to_string(),
-        outcome: if results.ended() == Ended::Stopped { "stopped" } else { "finished" },
-        cases: results.wanted(),
+        outcome: if results.outcome() == StudyOutcome::Stopped { "stopped" } else { "finished" },
+        cases: results.requested(),
         taken_over: results.taken_over(),
-        finished: count(Ending::Finished),
-        failed: count(Ending::Failed),
-        invalid: count(Ending::Invalid),
-        stopped: count(Ending::Stopped),
+        finished: count(CaseOutcome::Finished),
+        failed: count(CaseOutcome::Failed),
+        invalid: count(CaseOutcome::Invalid),
+        stopped: count(CaseOutcome::Stopped),
         wall_seconds: seconds,
-        objectives: objectives.map(|(k, name)| (name.as_str(), range(results, k))).collect(),
-        failures: results.rows().filter(|(_, row)| is_failure(row.ending)).map(failure).collect(),
+        objectives: objectives.map(|(k, name)| (name.as_str(), results.range(k))).collect(),
+        failures: results.rows().filter(|(_, row)| is_failure(row.outcome)).map(failure).collect(),
     }
 }
 
-fn range(results: &Results<'_>, objective: usize) -> Range {
-    let values: Vec<f64> = results.rows().filter_map(|(_, row)| row.objectives[objective]).collect();
-    let bound = |better: fn(f64, f64) -> f64| values.iter().copied().reduce(better);
-    let mean = (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64);
-    Range { least: bound(f64::min), mean, largest: bound(f64::max) }
+const fn is_failure(outcome: CaseOutcome) -> bool {
+    matches!(outcome, CaseOutcome::Failed | CaseOutcome::Invalid)
 }
 
-const fn is_failure(ending: Ending) -> bool {
-    matches!(ending, Ending::Failed | Ending::Invalid)
-}
-
-/// The first messages of cases that failed or were invalid.
-pub fn failures(results: &Results<'_>) -> Vec<String> {
-    let failed: Vec<_> = results.rows().filter(|(_, row)| is_failure(row.ending)).collect();
-    let line = |(case, row): &(usize, &super::row::Row)| {
+/// Returns the first messages of cases that failed or were invalid.
+pub fn failures(results: &StudyResults) -> Vec<String> {
+    let failed: Vec<_> = results.rows().filter(|(_, row)| is_failure(row.outcome)).collect();
+    let line = |(case, row): &(usize, &CaseRow)| {
         let message = row.message.as_deref().unwrap_or_default();
         let message = message.replace('\n', "\n  ");
-        let kind = if row.ending == Ending::Invalid { "invalid: " } else { "" };
+        let kind = if row.outcome == CaseOutcome::Invalid { "invalid: " } else { "" };
         format!("case {case}: {kind}{message}")
     };
-    let mut lines: Vec<_> = failed.iter().take(SHOWN).map(line).collect();
-    if failed.len() > SHOWN {
-        lines.push(format!("and {} more: see the column `message`", failed.len() - SHOWN));
+    let mut lines: Vec<_> = failed.iter().take(MAX_MESSAGES).map(line).collect();
+    if failed.len() > MAX_MESSAGES {
+        lines.push(format!("{} more messages are in the column `message`", failed.len() - MAX_MESSAGES));
     }
     lines
 }
 
-/// How many cases failed or were invalid, if any.
-pub fn trouble(results: &Results<'_>) -> String {
-    let words = [Ending::Failed, Ending::Invalid].map(|ending| match results.count(ending) {
+/// Returns the numbers of cases that failed or were invalid, if any.
+pub fn failure_counts(results: &StudyResults) -> String {
+    let words = [CaseOutcome::Failed, CaseOutcome::Invalid].map(|outcome| match results.count(outcome) {
         0 => String::new(),
-        count => format!("{count} {}", ending.word()),
+        count => format!("{count} {}", outcome.word()),
     });
     words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
-/// How the study ended.
-pub fn sentence(results: &Results<'_>, seconds: f64) -> String {
-    let stopped = results.count(Ending::Stopped);
+/// Returns outcome and extent of the study.
+pub fn sentence(results: &StudyResults, seconds: f64) -> String {
+    let stopped = results.count(CaseOutcome::Stopped);
     let done = (results.done() - stopped) as u64;
-    let (word, cases) = match results.ended() {
-        Ended::Stopped => ("stopped", format!("{done} of {}", count(results.wanted() as u64, "case"))),
+    let (word, cases) = match results.outcome() {
+        StudyOutcome::Stopped => {
+            ("stopped", format!("{done} of {}", count(results.requested() as u64, "case")))
+        }
         _ => ("done", count(done, "case")),
     };
     let taken_over = match results.taken_over() {
         0 => String::new(),
         count => format!(" ({count} taken over)"),
     };
-    let trouble = match trouble(results) {
+    let failures = match failure_counts(results) {
         none if none.is_empty() => none,
-        trouble => format!(", {trouble}"),
+        counts => format!(", {counts}"),
     };
-    format!("{word}: {cases}{taken_over}{trouble}, {seconds:.3} s; results in {}", results.path().display())
+    format!("{word}: {cases}{taken_over}{failures}, {seconds:.3} s; results in {}", results.path().display())
 }

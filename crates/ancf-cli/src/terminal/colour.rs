@@ -1,4 +1,4 @@
-//! Whether there are colours.
+//! Choice of colours.
 
 use std::env;
 use std::ffi::OsString;
@@ -7,10 +7,10 @@ use std::io;
 use anstream::{AutoStream, ColorChoice};
 use clap::ValueEnum;
 
-/// Where there are colours.
+/// Use of colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Colour {
-    // Words alone: their help would take half of each page.
+    // No doc comments: the help would be twice as long.
     #[default]
     Auto,
     Always,
@@ -18,10 +18,10 @@ pub enum Colour {
 }
 
 impl Colour {
-    /// What arguments ask for: the help, and what is wrong with them, is coloured before they are understood.
-    pub fn asked(arguments: impl Iterator<Item = OsString>) -> Self {
+    /// Returns the choice in the arguments. It is required before parsing, for help and error messages.
+    pub fn requested(arguments: impl Iterator<Item = OsString>) -> Self {
         let mut arguments = arguments.take_while(|argument| argument != "--");
-        let mut asked = Self::default();
+        let mut requested = Self::default();
         while let Some(argument) = arguments.next() {
             let argument = argument.to_string_lossy().into_owned();
             let value = match argument.strip_prefix("--color") {
@@ -29,12 +29,12 @@ impl Colour {
                 Some(value) => value.strip_prefix('=').map(str::to_owned),
                 None => None,
             };
-            asked = value.and_then(|value| Self::from_str(&value, false).ok()).unwrap_or(asked);
+            requested = value.and_then(|value| Self::from_str(&value, false).ok()).unwrap_or(requested);
         }
-        asked
+        requested
     }
 
-    /// The choice with regard to `FORCE_COLOR`, which the streams do not know; they know `NO_COLOR` and `CLICOLOR_FORCE`.
+    /// Returns the choice, considering `FORCE_COLOR`. The streams consider `NO_COLOR` and `CLICOLOR_FORCE` themselves.
     fn choice(self) -> ColorChoice {
         let set = |name| env::var_os(name).filter(|value| !value.is_empty());
         match self {
@@ -49,8 +49,8 @@ impl Colour {
         }
     }
 
-    /// Makes it the choice of all streams, and tells that of the help.
-    pub fn establish(self) -> clap::ColorChoice {
+    /// Applies the choice to all streams, and returns the choice of the help.
+    pub fn apply(self) -> clap::ColorChoice {
         let choice = self.choice();
         choice.write_global();
         match choice {
@@ -61,12 +61,12 @@ impl Colour {
     }
 }
 
-/// Whether standard error is coloured.
-pub fn on_stderr() -> bool {
+/// True if standard error is coloured.
+pub fn is_stderr_coloured() -> bool {
     AutoStream::choice(&io::stderr()) != ColorChoice::Never
 }
 
-/// Whether standard output is coloured.
-pub fn on_stdout() -> bool {
+/// True if standard output is coloured.
+pub fn is_stdout_coloured() -> bool {
     AutoStream::choice(&io::stdout()) != ColorChoice::Never
 }

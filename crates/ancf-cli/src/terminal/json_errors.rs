@@ -5,34 +5,37 @@ use std::path::Path;
 use ancf::ModelError;
 use serde::Serialize;
 
-/// The answer to what cannot be done.
+/// JSON output of a command that was rejected.
 #[derive(Debug, Serialize)]
-pub struct Faults {
-    errors: Vec<Fault>,
+pub struct JsonErrors {
+    errors: Vec<JsonError>,
 }
 
-/// What is wrong; what is not known is null.
+/// Error. Unknown properties are null.
 #[derive(Debug, Default, Serialize)]
-struct Fault {
-    /// The file that it is about.
+struct JsonError {
+    /// File with the error.
     file: Option<String>,
-    /// From 1.
+    /// Line, from 1.
     line: Option<usize>,
-    /// In characters, from 1.
+    /// Column in characters, from 1.
     column: Option<usize>,
-    /// The key.
+    /// Path of the key.
     path: Option<String>,
+    /// Value found.
     found: Option<String>,
+    /// Value required.
     wanted: Option<String>,
+    /// Suggestion.
     hint: Option<String>,
-    /// All of it in one line.
+    /// Complete message in one line.
     message: String,
 }
 
-impl Faults {
-    /// Errors in a file of the user.
-    pub fn of(errors: &[ModelError], file: &Path) -> Self {
-        let fault = |error: &ModelError| Fault {
+impl JsonErrors {
+    /// Converts the errors of a file.
+    pub fn from_errors(errors: &[ModelError], file: &Path) -> Self {
+        let convert = |error: &ModelError| JsonError {
             file: Some(file.display().to_string()),
             line: error.at.as_ref().map(|at| at.line),
             column: error.at.as_ref().map(|at| at.column),
@@ -42,11 +45,11 @@ impl Faults {
             hint: error.hint.clone(),
             message: error.to_string(),
         };
-        Self { errors: errors.iter().map(fault).collect() }
+        Self { errors: errors.iter().map(convert).collect() }
     }
 
-    /// Any other error.
-    pub fn other(message: impl Into<String>) -> Self {
-        Self { errors: vec![Fault { message: message.into(), ..Fault::default() }] }
+    /// Converts any other error.
+    pub fn from_message(message: impl Into<String>) -> Self {
+        Self { errors: vec![JsonError { message: message.into(), ..JsonError::default() }] }
     }
 }

@@ -1,66 +1,65 @@
-//! Errors of a model, shown in its text.
+//! Errors of a model file as text: with source lines on a terminal, otherwise one line per error.
 
-use std::fmt::{self, Write};
 use std::io::{self, IsTerminal};
 
 use ancf::model::ModelError;
-use miette::{
-    Diagnostic, LabeledSpan, MietteDiagnostic, MietteHandler, MietteHandlerOpts, NamedSource, Report,
-    ReportHandler,
-};
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-use crate::colour;
+use super::colour::is_stderr_coloured;
+use super::locale::is_unicode;
 
-/// The errors of the model file `file`: in its text, if stderr is a terminal or colours are wanted all the same, else one a
-/// line as compilers do.
+/// Maximum length of a label at its place. Longer texts are printed below the source line.
+const LABEL_LENGTH: usize = 60;
+
+/// Returns the errors of the model file `file`.
+///
+/// They are shown in the text of the file if standard error is a terminal or coloured, otherwise one per line as by compilers.
 pub fn render(errors: &[ModelError], file: &str, text: &str) -> String {
-    let is_colourful = colour::on_stderr();
-    let is_shown = is_colourful || io::stderr().is_terminal();
-    if is_shown { snippets(errors, file, text, is_colourful) } else { lines(errors, file) }
+    let is_coloured = is_stderr_coloured();
+    if is_coloured || io::stderr().is_terminal() {
+        snippets(errors, file, text, is_coloured)
+    } else {
+        lines(errors, file)
+    }
 }
 
-/// `file:line:column: path: found this, wanted that (hint)`, one error a line.
+/// Returns `file:line:column: path: found this, wanted that (hint)`, one error per line.
 fn lines(errors: &[ModelError], file: &str) -> String {
     let separator = |error: &ModelError| if error.at.is_some() { ":" } else { ": " };
     errors.iter().map(|error| format!("{file}{}{error}\n", separator(error))).collect()
 }
 
-fn snippets(errors: &[ModelError], file: &str, text: &str, is_colourful: bool) -> String {
-    let handler = MietteHandlerOpts::new().color(is_colourful).build();
+/// Returns the errors with their source lines.
+fn snippets(errors: &[ModelError], file: &str, text: &str, is_coloured: bool) -> String {
+    let renderer = if is_coloured { Renderer::styled() } else { Renderer::plain() };
+    let renderer = renderer.decor_style(if is_unicode() { DecorStyle::Unicode } else { DecorStyle::Ascii });
     let mut shown = String::new();
     for error in errors {
-        let report = report(error, file, text);
-        writeln!(shown, "{}", Shown(&handler, report.as_ref())).expect("a String takes any text");
+        shown += &renderer.render(&[report(error, file, text)]);
+        shown += "\n\n";
     }
     let count = errors.len();
     shown + &format!("{file}: {count} error{}\n", if count == 1 { "" } else { "s" })
 }
 
-/// The error as a report: found at the head, wanted at the place, a suggestion below.
-fn report(error: &ModelError, file: &str, text: &str) -> Report {
+/// Returns an error as a report: the value found as title, the value required at its place, the hint below.
+fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> {
     let path = if error.path.is_empty() { file } else { &error.path };
-    let head = MietteDiagnostic::new(format!("{path}: found {}", error.found));
+    let title = Level::ERROR.primary_title(format!("{path}: found {}", error.found));
     let wanted = format!("wanted {}", error.wanted);
-    let Some(at) = error.at.as_ref().filter(|at| at.bytes.end <= text.len()) else {
-        let help = error.hint.iter().fold(wanted, |wanted, hint| format!("{wanted} ({hint})"));
-        return Report::new(head.with_help(help));
+    // Positions refer to the file as it was read, which may have changed.
+    let place =
+        error.at.as_ref().map(|at| at.bytes.clone()).filter(|place| text.get(place.clone()).is_some());
+    let Some(place) = place else {
+        let hint = error.hint.iter().map(|hint| Level::HELP.message(hint.as_str()));
+        return title.element(Level::HELP.message(wanted)).elements(hint);
     };
-    // A label does not wrap, so that a long one goes below.
-    let (label, below) =
-        if wanted.chars().count() <= 60 { (Some(wanted), None) } else { (None, Some(wanted)) };
-    let help = [below, error.hint.clone()].into_iter().flatten().collect::<Vec<_>>().join("; ");
-    let head = head.with_label(LabeledSpan::new_with_span(label, at.bytes.clone()));
-    let head = if help.is_empty() { head } else { head.with_help(help) };
-    Report::new(head).with_source_code(NamedSource::new(file, text.to_owned()))
-}
-
-/// A diagnostic in the form of a handler.
-struct Shown<'a>(&'a MietteHandler, &'a dyn Diagnostic);
-
-impl fmt::Display for Shown<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.debug(self.1, f)
-    }
+    let is_short = wanted.chars().count() <= LABEL_LENGTH;
+    let (label, below) = if is_short { (Some(wanted), None) } else { (None, Some(wanted)) };
+    let annotation = AnnotationKind::Primary.span(place).label(label);
+    let help = below.into_iter().chain(error.hint.clone()).map(|text| Level::HELP.message(text));
+    title.element(Snippet::source(text).path(file).annotation(annotation)).elements(help)
 }
 
 #[cfg(test)]
@@ -94,9 +93,24 @@ mod tests {
             "found unknown key `outputs`",
             "did you mean `output`?",
             "wanted an array of 3 numbers",
+            "a.toml:1:11",
+            "a.toml:2:1",
+            "1 | gravity = [0, 1] | ^^^^^^ wanted an array of 3 numbers",
             "5 errors",
         ] {
-            assert!(shown.contains(part), "{part} is not in {shown}");
+            assert!(shown.replace('│', "|").replace('━', "^").contains(part), "{part} is not in {shown}");
         }
+    }
+
+    /// An error without a place, and one whose place is not in the text.
+    #[test]
+    fn errors_without_a_place_have_no_source_line() {
+        let missing = ModelError::new("", "no such file", "a model file").hint("a hint");
+        let mut errors = Model::parse("gravity = 3").expect_err("no model").0;
+        errors.insert(0, missing);
+        let shown = snippets(&errors, "a.toml", "", false);
+        assert!(shown.contains("error: a.toml: found no such file"), "{shown}");
+        assert!(shown.contains("wanted a model file") && shown.contains("a hint"), "{shown}");
+        assert!(!shown.contains("a.toml:1:"), "{shown}");
     }
 }

@@ -1,4 +1,4 @@
-//! What the program says: what was asked for on standard output, news and complaints on standard error.
+//! Output of the program: results on standard output, messages on standard error.
 
 use std::io::Write;
 use std::sync::OnceLock;
@@ -6,72 +6,72 @@ use std::sync::OnceLock;
 use anstyle::{AnsiColor, Style};
 use serde::Serialize;
 
-/// How the user wants to be talked to.
+/// Output mode: quiet and JSON.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Manners {
-    /// Nothing on standard error but what went wrong.
+pub struct OutputMode {
+    /// Prints only warnings and errors on standard error.
     pub quiet: bool,
-    /// One JSON object on standard output and nothing else.
+    /// Prints one JSON object on standard output and nothing else.
     pub json: bool,
 }
 
-static MANNERS: OnceLock<Manners> = OnceLock::new();
+static OUTPUT_MODE: OnceLock<OutputMode> = OnceLock::new();
 
-/// Chooses the manners, once, before anything is said.
-pub fn choose(manners: Manners) {
-    // A second choice would be a mistake; the first one holds.
-    let _ = MANNERS.set(manners);
+/// Sets the output mode, once, before any output.
+pub fn set_output_mode(mode: OutputMode) {
+    // Later calls have no effect.
+    let _ = OUTPUT_MODE.set(mode);
 }
 
-fn manners() -> Manners {
-    MANNERS.get().copied().unwrap_or_default()
+fn output_mode() -> OutputMode {
+    OUTPUT_MODE.get().copied().unwrap_or_default()
 }
 
-/// Whether only what went wrong is to be said.
+/// True if status messages are suppressed.
 pub fn is_quiet() -> bool {
-    manners().quiet
+    output_mode().quiet
 }
 
-/// Whether the answer is to be JSON.
-pub fn is_json() -> bool {
-    manners().json
+/// True if the output is JSON.
+fn is_json() -> bool {
+    output_mode().json
 }
 
-/// Tells news on standard error, unless it is to be quiet.
-pub fn say(line: &str) {
+/// Prints a status message on standard error, unless `--quiet` is set.
+pub fn print_status(line: &str) {
     if !is_quiet() {
-        complain(line);
+        print_error(line);
     }
 }
 
-/// Says what went wrong on standard error.
-pub fn complain(line: &str) {
-    let (head, style) = headline(line);
-    // Nothing is left to be done if standard error is closed.
+/// Prints an error or a warning on standard error.
+pub fn print_error(line: &str) {
+    let (head, style) = status_word(line);
+    // A closed standard error is ignored.
     let _ = writeln!(anstream::stderr(), "{style}{head}{style:#}{}", &line[head.len()..]);
 }
 
-/// Prints for people on standard output, unless the answer is to be JSON; a closed pipe is no error.
+/// Prints a result as text on standard output, unless the output is JSON. A closed pipe is not an error.
 pub fn print(text: &str) {
     if !is_json() {
-        deliver(text);
+        print_output(text);
     }
 }
 
-/// Prints what was asked for on standard output; a closed pipe is no error.
-pub fn deliver(text: &str) {
+/// Prints the output of a command on standard output. A closed pipe is not an error.
+pub fn print_output(text: &str) {
     let _ = anstream::stdout().write_all(text.as_bytes());
 }
 
-/// Prints the answer as JSON, if it is wanted so.
-pub fn answer(object: &impl Serialize) {
+/// Prints an object as JSON, if the output is JSON.
+pub fn print_json(object: &impl Serialize) {
     if let (true, Ok(text)) = (is_json(), serde_json::to_string_pretty(object)) {
-        deliver(&(text + "\n"));
+        print_output(&(text + "\n"));
     }
 }
 
-/// The word that a message begins with if it says how things stand, and how the word looks.
-fn headline(line: &str) -> (&str, Style) {
+/// Returns the status word at the start of a message and its style.
+fn status_word(line: &str) -> (&str, Style) {
     const WORDS: [(&str, AnsiColor); 6] = [
         ("error:", AnsiColor::Red),
         ("failed", AnsiColor::Red),

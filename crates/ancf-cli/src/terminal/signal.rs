@@ -1,6 +1,6 @@
-//! What stops a run: Ctrl-C, and SIGTERM where there is such.
+//! Signals that stop a run: Ctrl-C, and SIGTERM on Unix.
 //!
-//! SIGHUP does not: under `nohup` it is ignored, and is to stay so.
+//! SIGHUP is not handled: `nohup` ignores it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
@@ -8,21 +8,21 @@ use std::sync::{Arc, LazyLock};
 use ancf::analysis::Interrupt;
 use anyhow::{Context, Result};
 
-/// Whether SIGTERM came.
+/// True after SIGTERM.
 static TERMINATED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Listens from now on.
+/// Installs the signal handlers and returns the interrupt flag.
 pub fn interrupt() -> Result<Interrupt> {
     let stop = Arc::new(AtomicBool::new(false));
-    let heard = Arc::clone(&stop);
-    ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed)).context("cannot listen to Ctrl-C")?;
+    let flag = Arc::clone(&stop);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("cannot handle Ctrl-C")?;
     #[cfg(unix)]
     signal_hook::flag::register(signal_hook::consts::SIGTERM, Arc::clone(&TERMINATED))
-        .context("cannot listen to SIGTERM")?;
+        .context("cannot handle SIGTERM")?;
     Ok(Interrupt::new(move || stop.load(Ordering::Relaxed) || is_terminated()))
 }
 
-/// Whether it was SIGTERM that stopped the run.
+/// True if SIGTERM stopped the run.
 pub fn is_terminated() -> bool {
     TERMINATED.load(Ordering::Relaxed)
 }

@@ -1,6 +1,4 @@
-//! A disk that is full: here files that may not grow beyond a size, which needs no rights.
-#![cfg(test)]
-#![cfg(target_os = "linux")]
+//! Full disk, simulated by a limit on the file size.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +7,7 @@ use std::process::{Command, Output};
 use ancf_results::Results;
 use tempfile::TempDir;
 
-/// Runs the cantilever with files of at most so many times 512 bytes.
+/// Runs the cantilever with files of at most `blocks` times 512 bytes.
 fn run(blocks: u32, folder: &Path) -> Output {
     let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"");
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/cantilever.toml");
@@ -25,28 +23,31 @@ fn run(blocks: u32, folder: &Path) -> Output {
         .unwrap()
 }
 
-/// All files below a folder.
+/// Returns all files below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
 }
 
 #[test]
-fn what_fits_is_kept_and_the_file_is_named() {
-    // Beyond the first rows, the first states, the first checkpoint.
+fn results_so_far_are_preserved_and_the_file_is_named() {
+    // Limits after the first rows, the first states, the first checkpoint.
     for blocks in [40, 200, 600] {
         let place = TempDir::new().unwrap();
         let folder = place.path().join("out");
         let ended = run(blocks, &folder);
-        let said = String::from_utf8_lossy(&ended.stderr).into_owned();
-        assert_eq!(ended.status.code(), Some(1), "{said}");
-        assert_eq!(said.lines().count(), 1, "one line: {said}");
-        assert!(said.starts_with("error: ") && said.contains("probes.csv: File too large"), "{said}");
+        let messages = String::from_utf8_lossy(&ended.stderr).into_owned();
+        assert_eq!(ended.status.code(), Some(1), "{messages}");
+        assert_eq!(messages.lines().count(), 1, "one line: {messages}");
+        assert!(
+            messages.starts_with("error: ") && messages.contains("probes.csv: File too large"),
+            "{messages}"
+        );
         let unfinished: Vec<_> =
             files(&folder).into_iter().filter(|path| path.to_string_lossy().ends_with(".part")).collect();
         assert!(unfinished.is_empty(), "{unfinished:?}");
         assert_rows(&folder);
-        // With room again, it goes on or begins anew, to the end.
+        // Without the limit the run is resumed or starts from the beginning.
         let resumed = Command::new(env!("CARGO_BIN_EXE_ancf")).arg("resume").arg(&folder).output().unwrap();
         assert_eq!(resumed.status.code(), Some(0), "{}", String::from_utf8_lossy(&resumed.stderr));
         let rows = Results::open(&folder).unwrap().columns().unwrap();
@@ -55,13 +56,13 @@ fn what_fits_is_kept_and_the_file_is_named() {
     }
 }
 
-/// The rows of the table and of the text are those of the first instants.
+/// Asserts that the rows of the table and of the text are those of the first instants.
 fn assert_rows(folder: &Path) {
     let rows = Results::open(folder).unwrap().columns().unwrap();
     let t = rows.column("t").unwrap();
     assert!(!t.is_empty() && t.iter().enumerate().all(|(k, t)| (t - 1e-3 * k as f64).abs() < 1e-9), "{t:?}");
     let text = fs::read_to_string(folder.join("probes.csv")).unwrap();
-    // The last line may be cut.
+    // The last line may be incomplete.
     let lines: Vec<&str> = text.lines().collect();
     let width = lines[0].split(',').count();
     for (k, line) in lines[1..lines.len() - 1].iter().enumerate() {
@@ -71,15 +72,15 @@ fn assert_rows(folder: &Path) {
     assert!(lines.len() > 2, "{text}");
 }
 
-/// Where not even the model fits, there is no run.
+/// Without space for the model there is no run.
 #[test]
-fn a_disk_without_any_room_is_told() {
+fn a_full_disk_is_reported() {
     let place = TempDir::new().unwrap();
     let ended = run(0, &place.path().join("out"));
-    let said = String::from_utf8_lossy(&ended.stderr);
-    assert_eq!(ended.status.code(), Some(1), "{said}");
+    let messages = String::from_utf8_lossy(&ended.stderr);
+    assert_eq!(ended.status.code(), Some(1), "{messages}");
     assert!(
-        said.starts_with("error: results could not be written: ") && said.contains("model.toml: "),
-        "{said}"
+        messages.starts_with("error: results could not be written: ") && messages.contains("model.toml: "),
+        "{messages}"
     );
 }

@@ -1,5 +1,4 @@
-//! Bad numerics as the user of the program meets them: exit code, message, results so far.
-#![cfg(test)]
+//! Numerical failures: exit code, message, results so far.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,14 +6,14 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-/// A run of one of the library's models of bad numerics.
-struct Ran {
+/// Run of a model with numerical difficulties.
+struct FailedRun {
     code: Option<i32>,
-    said: String,
+    messages: String,
     folder: TempDir,
 }
 
-fn run(model: &str) -> Ran {
+fn run(model: &str) -> FailedRun {
     let file =
         Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../ancf/tests/models/numerics/{model}.toml"));
     let folder = TempDir::new().unwrap();
@@ -27,24 +26,28 @@ fn run(model: &str) -> Ran {
         .arg(folder.path().join("out"))
         .output()
         .unwrap();
-    Ran { code: output.status.code(), said: String::from_utf8_lossy(&output.stderr).into_owned(), folder }
+    FailedRun {
+        code: output.status.code(),
+        messages: String::from_utf8_lossy(&output.stderr).into_owned(),
+        folder,
+    }
 }
 
-impl Ran {
+impl FailedRun {
     fn out(&self) -> PathBuf {
         self.folder.path().join("out")
     }
 
-    /// The first column of what was recorded.
+    /// Returns the first column of the results.
     fn times(&self) -> Vec<f64> {
         let text = fs::read_to_string(self.out().join("probes.csv")).unwrap();
         text.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect()
     }
 }
 
-/// When, why, where and what to try; exit code 1; rows until then.
+/// Time, reason, location and advice; exit code 1; rows so far.
 #[test]
-fn failures_are_told_and_leave_what_was_computed() {
+fn failures_are_reported_and_preserve_results() {
     let cases = [
         (
             "divergence",
@@ -80,14 +83,14 @@ fn failures_are_told_and_leave_what_was_computed() {
     ];
     for (model, words, last) in cases {
         let ran = run(model);
-        assert_eq!(ran.code, Some(1), "{model}: {}", ran.said);
+        assert_eq!(ran.code, Some(1), "{model}: {}", ran.messages);
         for word in words {
-            assert!(ran.said.contains(word), "{model}: no `{word}` in\n{}", ran.said);
+            assert!(ran.messages.contains(word), "{model}: no `{word}` in\n{}", ran.messages);
         }
         assert!(
-            ran.said.contains("; try: ") && ran.said.contains("results so far in "),
+            ran.messages.contains("; try: ") && ran.messages.contains("results so far in "),
             "{model}: {}",
-            ran.said
+            ran.messages
         );
         let times = ran.times();
         assert!(times[0] == 0.0 && (times.last().unwrap() - last).abs() < 1e-6, "{model}: {times:?}");
@@ -98,23 +101,28 @@ fn failures_are_told_and_leave_what_was_computed() {
     }
 }
 
-/// There is nothing to record of an equilibrium that cannot be.
+/// A mechanism has no equilibrium.
 #[test]
 fn mechanisms_have_no_equilibrium() {
     let ran = run("singular");
-    assert_eq!(ran.code, Some(1), "{}", ran.said);
-    assert!(ran.said.contains("held by nothing; at: body `arm` can rotate about the axis"), "{}", ran.said);
+    assert_eq!(ran.code, Some(1), "{}", ran.messages);
+    assert!(
+        ran.messages.contains("held by nothing; at: body `arm` can rotate about the axis"),
+        "{}",
+        ran.messages
+    );
 }
 
-/// What is not wrong goes on, with a warning.
+/// Warnings of runs that finish.
 #[test]
-fn warnings_of_runs_that_go_on() {
+fn warnings_of_finished_runs() {
     let ran = run("redundant");
-    assert_eq!(ran.code, Some(0), "{}", ran.said);
+    assert_eq!(ran.code, Some(0), "{}", ran.messages);
     assert!(
-        ran.said.contains("warning: redundant: joint `lower`: position along x, follows from joint `upper`")
+        ran.messages
+            .contains("warning: redundant: joint `lower`: position along x, follows from joint `upper`")
     );
     let ran = run("buckling");
-    assert_eq!(ran.code, Some(0), "{}", ran.said);
-    assert!(ran.said.contains("warning: from about t = 10."), "{}", ran.said);
+    assert_eq!(ran.code, Some(0), "{}", ran.messages);
+    assert!(ran.messages.contains("warning: from about t = 10."), "{}", ran.messages);
 }

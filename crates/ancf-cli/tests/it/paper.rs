@@ -1,5 +1,4 @@
-//! `ancf paper` as its reader meets it: files, page, and the printed numbers of Kim et al. (2017).
-#![cfg(test)]
+//! `ancf paper`: files, page, and the printed numbers of Kim et al. (2017).
 
 use std::fs;
 use std::io::Cursor;
@@ -28,14 +27,14 @@ const TABLES: [&str; 8] =
     ["table3", "table4", "table5", "table6", "table7", "conditioning", "gain", "tolerances"];
 const ELEMENTS: [u64; 6] = [1, 2, 5, 10, 15, 20];
 
-/// The folder of one report, written once for all tests.
+/// Folder of one report, written once for all tests.
 static REPORT: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paper");
     let _ = fs::remove_dir_all(&folder);
     let output = ancf(&folder).output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{said}");
-    assert!(said.trim_end().ends_with("index.html"), "{said}");
+    let messages = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{messages}");
+    assert!(messages.trim_end().ends_with("index.html"), "{messages}");
     folder
 });
 
@@ -81,7 +80,7 @@ fn figures_are_drawn() {
     }
 }
 
-/// The share of pixels of a PNG that are not nearly white.
+/// Returns the share of dark pixels of a PNG.
 fn dark_share(png: &[u8]) -> f64 {
     let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
     let mut picture = vec![0; reader.output_buffer_size().unwrap()];
@@ -104,7 +103,7 @@ fn tables_are_written() {
     assert_eq!(fs::read_dir(&*REPORT).unwrap().filter(|file| hidden(file.as_ref().unwrap())).count(), 0);
 }
 
-/// Files that were being written.
+/// True for a temporary file.
 fn hidden(file: &fs::DirEntry) -> bool {
     file.file_name().to_string_lossy().starts_with('.')
 }
@@ -194,7 +193,7 @@ fn figure_7() {
 }
 
 #[test]
-fn both_forms_move_alike_with_one_physical_step() {
+fn both_forms_have_equal_motions_with_equal_steps() {
     for gain in RESULTS["gain"].as_array().unwrap() {
         assert!(gain["tip_difference"].as_f64().unwrap() < 1e-9, "{gain}");
         let factor = |name: &str| gain[name].as_f64().unwrap();
@@ -203,7 +202,7 @@ fn both_forms_move_alike_with_one_physical_step() {
     }
 }
 
-/// n, h, then the writings in their order, rounded. Independent calculation: dense matrices, inverse through the
+/// n, h, and the condition numbers of all forms, rounded. Independent calculation: dense matrices, inverse of the
 /// equilibrated matrix.
 const CONDITION: [(u64, f64, [f64; 7]); 3] = [
     (1, 1e-3, [9.611e8, 9.611e8, 3.882e7, 1.693e6, 1.001e15, 1.693e6, 3.911e5]),
@@ -224,7 +223,7 @@ fn condition_numbers() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_made_is_told_at_once() {
+fn a_folder_that_cannot_be_created_is_reported_before_the_runs() {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-folder");
     fs::write(&file, "").unwrap();
     let output = ancf(&file.join("report")).output().unwrap();

@@ -1,6 +1,4 @@
-//! Runs that are killed or stopped, again and again, and go on: their files are to the last bit those of a run that was not.
-#![cfg(test)]
-#![cfg(unix)]
+//! Runs that are killed or stopped repeatedly and resumed: their files are bit-identical to those of an uninterrupted run.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,14 +21,14 @@ fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A motion of some seconds and two folders for it.
-struct Bench {
+/// Folder with a model and its runs.
+struct ResumeFolder {
     folder: TempDir,
     model: String,
 }
 
-impl Bench {
-    /// The cantilever for so many seconds of its time.
+impl ResumeFolder {
+    /// Creates a folder with the cantilever of `duration` seconds.
     fn new(duration: f64) -> Self {
         let folder = TempDir::new().unwrap();
         let text = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/cantilever.toml");
@@ -56,7 +54,7 @@ impl Bench {
         ancf(&["resume", self.out(name).to_str().unwrap(), "--checkpoint", "500"])
     }
 
-    /// Lets a program run until it has put down another checkpoint, or has ended.
+    /// Waits until a program has written another checkpoint or has ended.
     fn until_checkpoint(&self, name: &str, program: &mut Child) {
         let path = self.out(name).join("checkpoint");
         let written = || fs::metadata(&path).and_then(|file| file.modified()).ok();
@@ -64,7 +62,7 @@ impl Bench {
         while written() == before && program.try_wait().unwrap().is_none() {
             std::thread::sleep(Duration::from_millis(5));
         }
-        // A little more, so that there is something that is lost.
+        // Rows after the checkpoint are lost.
         std::thread::sleep(Duration::from_millis(30));
     }
 
@@ -78,7 +76,7 @@ impl Bench {
                 ["whole", "pieces"].map(|name| fs::read(self.out(name).join(file)).unwrap());
             assert!(whole == pieces, "{file} differs");
         }
-        assert!(!self.out("pieces").join("checkpoint").exists(), "there is nothing left to do");
+        assert!(!self.out("pieces").join("checkpoint").exists(), "a finished run has no checkpoint");
     }
 
     fn outcome(&self, name: &str) -> Value {
@@ -87,80 +85,80 @@ impl Bench {
     }
 }
 
-/// Runs a model whole, and in pieces that a signal ends each; the exit codes of the pieces.
-fn in_pieces(bench: &Bench, signal: &str) -> Vec<Option<i32>> {
-    let whole = bench.run("whole").output().unwrap();
+/// Runs a model without interruption and in pieces that a signal stops. Returns the exit codes of the pieces.
+fn in_pieces(folder: &ResumeFolder, signal: &str) -> Vec<Option<i32>> {
+    let whole = folder.run("whole").output().unwrap();
     assert_eq!(whole.status.code(), Some(0), "{}", stderr(&whole));
     let mut codes = Vec::new();
-    let mut program = bench.run("pieces").spawn().unwrap();
+    let mut program = folder.run("pieces").spawn().unwrap();
     loop {
-        bench.until_checkpoint("pieces", &mut program);
-        // The first pieces are ended, the last one is let go on.
+        folder.until_checkpoint("pieces", &mut program);
+        // The last piece is not stopped.
         if codes.len() < 4 {
-            Bench::signal(&program, signal);
+            ResumeFolder::signal(&program, signal);
         }
         let ended = program.wait_with_output().unwrap();
         codes.push(ended.status.code());
-        // What there is can be read at any time.
-        let rows = Results::open(bench.out("pieces")).unwrap().columns().unwrap();
+        // The results so far are readable at any time.
+        let rows = Results::open(folder.out("pieces")).unwrap().columns().unwrap();
         let t = rows.column("t").unwrap();
         assert!(t.windows(2).all(|pair| pair[0] < pair[1]), "rows in order, each once");
         if ended.status.success() {
             break;
         }
-        program = bench.resume("pieces").spawn().unwrap();
+        program = folder.resume("pieces").spawn().unwrap();
     }
     codes
 }
 
 #[test]
-fn killed_runs_go_on_to_the_last_bit() {
-    let bench = Bench::new(20.0);
-    let codes = in_pieces(&bench, "KILL");
+fn killed_runs_resume_bit_identically() {
+    let folder = ResumeFolder::new(20.0);
+    let codes = in_pieces(&folder, "KILL");
     assert!(codes.len() > 1 && codes[0].is_none(), "it was killed at least once: {codes:?}");
-    bench.assert_equal_files();
-    assert_eq!(bench.outcome("pieces"), "finished");
+    folder.assert_equal_files();
+    assert_eq!(folder.outcome("pieces"), "finished");
 }
 
 #[test]
-fn stopped_runs_go_on_to_the_last_bit() {
+fn stopped_runs_resume_bit_identically() {
     for (signal, code) in [("INT", 130), ("TERM", 143)] {
-        let bench = Bench::new(20.0);
-        let codes = in_pieces(&bench, signal);
+        let folder = ResumeFolder::new(20.0);
+        let codes = in_pieces(&folder, signal);
         assert!(codes.len() > 1 && codes[0] == Some(code), "SIG{signal} stopped it at least once: {codes:?}");
-        bench.assert_equal_files();
+        folder.assert_equal_files();
     }
 }
 
-/// `nohup` is heeded: what outlives its terminal goes on.
+/// Under `nohup` a run continues after its terminal is closed.
 #[test]
-fn a_hang_up_that_is_ignored_stops_nothing() {
-    let bench = Bench::new(1000.0);
+fn an_ignored_hang_up_does_not_stop_a_run() {
+    let folder = ResumeFolder::new(1000.0);
     let script = "trap '' HUP; exec \"$@\"";
-    let run = bench.run("out");
+    let run = folder.run("out");
     let arguments: Vec<_> = run.get_args().collect();
     let mut program =
         Command::new("sh").args(["-c", script, "sh"]).arg(run.get_program()).args(arguments).spawn().unwrap();
-    bench.until_checkpoint("out", &mut program);
-    Bench::signal(&program, "HUP");
-    bench.until_checkpoint("out", &mut program);
-    assert!(program.try_wait().unwrap().is_none(), "it goes on");
+    folder.until_checkpoint("out", &mut program);
+    ResumeFolder::signal(&program, "HUP");
+    folder.until_checkpoint("out", &mut program);
+    assert!(program.try_wait().unwrap().is_none(), "the run continues");
     program.kill().unwrap();
     program.wait().unwrap();
 }
 
-/// A stopped run says so everywhere; a finished one has nothing to resume.
+/// A stopped run reports its outcome. A finished run is not resumed.
 #[test]
-fn the_end_is_told() {
-    let bench = Bench::new(1000.0);
-    let mut program = bench.run("out").spawn().unwrap();
-    bench.until_checkpoint("out", &mut program);
-    Bench::signal(&program, "TERM");
+fn the_outcome_is_reported() {
+    let folder = ResumeFolder::new(1000.0);
+    let mut program = folder.run("out").spawn().unwrap();
+    folder.until_checkpoint("out", &mut program);
+    ResumeFolder::signal(&program, "TERM");
     let ended = program.wait_with_output().unwrap();
     assert_eq!(ended.status.code(), Some(143));
     assert!(stderr(&ended).starts_with("stopped: "), "{}", stderr(&ended));
-    assert_eq!(bench.outcome("out"), "stopped");
-    let short = Bench::new(0.1);
+    assert_eq!(folder.outcome("out"), "stopped");
+    let short = ResumeFolder::new(0.1);
     assert!(short.run("out").status().unwrap().success());
     let again = short.resume("out").output().unwrap();
     assert_eq!(again.status.code(), Some(0));

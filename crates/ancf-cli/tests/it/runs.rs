@@ -1,5 +1,4 @@
-//! The program as its user meets it: commands, files, messages, exit codes.
-#![cfg(test)]
+//! Runs and checks: files, messages, exit codes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,10 +21,10 @@ fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A folder for the model and the results of one test.
-struct Bench(TempDir);
+/// Folder with the model and the results of one test.
+struct RunFolder(TempDir);
 
-impl Bench {
+impl RunFolder {
     fn new() -> Self {
         Self(TempDir::new().unwrap())
     }
@@ -39,7 +38,7 @@ impl Bench {
         command(&["run", file, "-o", self.out().to_str().unwrap()])
     }
 
-    /// The cantilever with a line replaced.
+    /// Writes the cantilever with a line replaced, and returns its path.
     fn cantilever(&self, line: &str, by: &str) -> String {
         let text = fs::read_to_string(root().join("models/cantilever.toml")).unwrap();
         assert!(text.contains(line), "the cantilever has `{line}`");
@@ -59,21 +58,21 @@ impl Bench {
     }
 }
 
-/// The README's command. Mean tip deflection: Kim et al. (2017), Table 5, 20 elements, -2.037 mm.
+/// Command of the README. Mean tip deflection: Kim et al. (2017), Table 5, 20 elements, -2.037 mm.
 #[test]
 fn the_cantilever_runs_as_the_readme_says() {
-    let bench = Bench::new();
-    let run = bench.run("models/cantilever.toml").output().unwrap();
+    let folder = RunFolder::new();
+    let run = folder.run("models/cantilever.toml").output().unwrap();
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
-    let tip = bench.column("tip.y");
+    let tip = folder.column("tip.y");
     assert_eq!(tip.len(), 2001);
     let mean = 1e3 * tip.iter().sum::<f64>() / tip.len() as f64;
     assert!((mean + 2.037).abs() < 2e-3, "mean deflection {mean} mm");
-    assert_eq!(bench.summary()["outcome"]["kind"], "finished");
-    assert_eq!(bench.summary()["steps"], 2000);
+    assert_eq!(folder.summary()["outcome"]["kind"], "finished");
+    assert_eq!(folder.summary()["steps"], 2000);
 }
 
-/// Every model in `models/` is valid and runs; motions for a tenth of a second, since the tests of physics are elsewhere.
+/// Every model in `models/` is valid and runs. Motions run for 0.1 s; their physics is tested elsewhere.
 #[test]
 fn every_model_runs() {
     for entry in fs::read_dir(root().join("models")).unwrap() {
@@ -81,26 +80,26 @@ fn every_model_runs() {
         if path.is_dir() {
             continue;
         }
-        let (bench, text) = (Bench::new(), fs::read_to_string(&path).unwrap());
+        let (folder, text) = (RunFolder::new(), fs::read_to_string(&path).unwrap());
         let duration = text.lines().find(|line| line.starts_with("duration"));
         let text = duration.map_or(text.clone(), |line| text.replace(line, "duration = 0.1"));
-        let short = bench.0.path().join("short.toml");
+        let short = folder.0.path().join("short.toml");
         fs::write(&short, text).unwrap();
-        let run = bench.run(short.to_str().unwrap()).output().unwrap();
+        let run = folder.run(short.to_str().unwrap()).output().unwrap();
         assert_eq!(run.status.code(), Some(0), "{}: {}", path.display(), stderr(&run));
     }
 }
 
-/// Runs a model of `models/` to its end; its last line and what it printed.
-fn ran(bench: &Bench, model: &str) -> (String, String) {
-    let run = bench.run(&format!("models/{model}.toml")).output().unwrap();
+/// Runs a model of `models/` and returns standard error and standard output.
+fn ran(folder: &RunFolder, model: &str) -> (String, String) {
+    let run = folder.run(&format!("models/{model}.toml")).output().unwrap();
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     (stderr(&run), String::from_utf8(run.stdout).unwrap())
 }
 
-/// x, y and z of a probe in the last row.
-fn last(bench: &Bench, probe: &str) -> [f64; 3] {
-    ["x", "y", "z"].map(|axis| *bench.column(&format!("{probe}.{axis}")).last().unwrap())
+/// Returns x, y and z of a probe in the last row.
+fn last(folder: &RunFolder, probe: &str) -> [f64; 3] {
+    ["x", "y", "z"].map(|axis| *folder.column(&format!("{probe}.{axis}")).last().unwrap())
 }
 
 fn assert_near(ours: &[f64], wanted: &[f64], tolerance: f64) {
@@ -108,32 +107,33 @@ fn assert_near(ours: &[f64], wanted: &[f64], tolerance: f64) {
     assert!(!off && ours.len() == wanted.len(), "{ours:?} instead of {wanted:?}");
 }
 
-/// The tips that the comments of the models promise; the elastica by Bisshopp & Drucker (1945), the bend by Romero (2004).
+/// Tips as in the comments of the models. Elastica: Bisshopp & Drucker (1945); bend: Romero (2004).
 #[test]
-fn equilibria_are_told() {
-    let bench = Bench::new();
-    let (said, printed) = ran(&bench, "elastica");
+fn equilibria_are_reported() {
+    let folder = RunFolder::new();
+    let (messages, printed) = ran(&folder, "elastica");
     assert!(
-        said.starts_with("done: equilibrium at load factor 1 in ") && printed.is_empty(),
-        "{said}{printed}"
+        messages.starts_with("done: equilibrium at load factor 1 in ") && printed.is_empty(),
+        "{messages}{printed}"
     );
-    assert_near(&last(&bench, "tip"), &[0.445004, -0.810609, 0.0], 5e-6);
-    let (said, _) = ran(&bench, "arc");
+    assert_near(&last(&folder, "tip"), &[0.445004, -0.810609, 0.0], 5e-6);
+    let (messages, _) = ran(&folder, "arc");
     assert!(
-        said.starts_with("done: equilibrium at load factor 1, ") && said.contains(" Newton iterations, "),
-        "{said}"
+        messages.starts_with("done: equilibrium at load factor 1, ")
+            && messages.contains(" Newton iterations, "),
+        "{messages}"
     );
-    assert_near(&last(&bench, "tip"), &[47.15, 15.69, 53.47], 0.02);
+    assert_near(&last(&folder, "tip"), &[47.15, 15.69, 53.47], 0.02);
 }
 
-/// Lee's frame: the loads at the limit points by a planar rod without shear, to 1 % of the larger. The least load is 0.6 % off,
-/// more than in `crates/ancf/tests/paths.rs`, which ties the joints by hand: to be explained.
+/// Lee's frame: the loads at the limit points by a planar rod without shear, to 1 % of the larger. The smallest load differs
+/// by 0.6 %, more than in `crates/ancf/tests/paths.rs`, which states the joints explicitly: to be explained.
 #[test]
-fn a_path_is_told() {
-    let bench = Bench::new();
-    let (said, _) = ran(&bench, "lees_frame");
-    assert!(said.contains(" points to load factor 2.5, 2 limit points, "), "{said}");
-    let (load, limit) = (bench.column("load"), bench.column("limit"));
+fn an_equilibrium_path_is_reported() {
+    let folder = RunFolder::new();
+    let (messages, _) = ran(&folder, "lees_frame");
+    assert!(messages.contains(" points to load factor 2.5, 2 limit points, "), "{messages}");
+    let (load, limit) = (folder.column("load"), folder.column("limit"));
     let limits: Vec<f64> =
         load.iter().zip(&limit).filter(|(_, limit)| **limit != 0.0).map(|(load, _)| *load).collect();
     assert_near(&limits, &[1.85567, -0.94144], 0.01 * 1.85567);
@@ -141,10 +141,10 @@ fn a_path_is_told() {
 
 /// Euler (1744): 1017.5 N and nine times as much, each twice.
 #[test]
-fn critical_loads_are_told_and_printed() {
-    let bench = Bench::new();
-    let (said, printed) = ran(&bench, "column");
-    assert!(said.starts_with("done: 6 critical load factors, 1017."), "{said}");
+fn critical_loads_are_reported_and_printed() {
+    let folder = RunFolder::new();
+    let (messages, printed) = ran(&folder, "column");
+    assert!(messages.starts_with("done: 6 critical load factors, 1017."), "{messages}");
     let factors: Vec<f64> = printed
         .lines()
         .skip(1)
@@ -160,31 +160,34 @@ fn critical_loads_are_told_and_printed() {
 }
 
 #[test]
-fn modes_are_told_and_printed() {
-    let (said, printed) = ran(&Bench::new(), "tuning_fork");
-    assert!(said.starts_with("done: 12 modes, 6 rigid, "), "{said}");
+fn modes_are_reported_and_printed() {
+    let (messages, printed) = ran(&RunFolder::new(), "tuning_fork");
+    assert!(messages.starts_with("done: 12 modes, 6 rigid, "), "{messages}");
     let lines: Vec<&str> = printed.lines().collect();
     assert_eq!((lines.len(), lines[6]), (13, "   6           rigid"), "{printed}");
     assert!(lines.iter().all(|line| line.chars().count() == 20), "aligned: {printed}");
 }
 
-/// A model that nothing holds has no equilibrium: exit code 1, the load factor and the motion.
+/// An unsupported model has no equilibrium: exit code 1, load factor and free motion.
 #[test]
-fn a_failed_equilibrium_is_told() {
-    let bench = Bench::new();
+fn a_failed_equilibrium_is_reported() {
+    let folder = RunFolder::new();
     let text = fs::read_to_string(root().join("models/arc.toml")).unwrap();
-    let path = bench.0.path().join("loose.toml");
+    let path = folder.0.path().join("loose.toml");
     fs::write(&path, text.replace("kind = \"clamp\"", "kind = \"spherical\"")).unwrap();
-    let run = bench.run(path.to_str().unwrap()).output().unwrap();
+    let run = folder.run(path.to_str().unwrap()).output().unwrap();
     assert_eq!(run.status.code(), Some(1));
-    let said = stderr(&run);
-    assert!(said.starts_with("failed at load factor 0: there is no equilibrium to find"), "{said}");
-    assert!(said.contains("body `bend` can rotate") && said.contains("\nno equilibrium, "), "{said}");
+    let messages = stderr(&run);
+    assert!(messages.starts_with("failed at load factor 0: there is no equilibrium to find"), "{messages}");
+    assert!(
+        messages.contains("body `bend` can rotate") && messages.contains("\nno equilibrium, "),
+        "{messages}"
+    );
 }
 
-/// Bad input: a precise message with file, line, column, key, what was found and what is wanted; exit code 2; no folder.
+/// Bad input: message with file, line, column, key, value found and value required; exit code 2; no folder.
 #[test]
-fn bad_input_is_refused() {
+fn bad_input_is_rejected() {
     let density = "density = 8030.0";
     let cases = [
         (density, "denstiy = 8030.0", ":11:1: materials.steel.denstiy: found unknown key `denstiy`"),
@@ -196,42 +199,42 @@ fn bad_input_is_refused() {
         ("{ body = \"beam\"", "{ body = \"bean\"", ":31:14: joints[0].a.body: found \"bean\""),
     ];
     for (line, by, message) in cases {
-        let bench = Bench::new();
-        let run = bench.run(&bench.cantilever(line, by)).output().unwrap();
+        let folder = RunFolder::new();
+        let run = folder.run(&folder.cantilever(line, by)).output().unwrap();
         assert_eq!(run.status.code(), Some(2), "{by}");
         assert!(stderr(&run).contains(message), "{by}: {}", stderr(&run));
-        assert!(!bench.out().exists(), "{by}: an output folder");
+        assert!(!folder.out().exists(), "{by}: an output folder");
     }
 }
 
-/// The program has no functions to supply: it says which a model waits for.
+/// The program supplies no external functions: it reports the functions that a model needs.
 #[test]
-fn functions_of_other_programs_are_refused() {
-    let (bench, file) = (Bench::new(), "crates/ancf/tests/models/good/external.toml");
-    for mut command in [command(&["check", file]), bench.run(file)] {
+fn external_functions_are_rejected() {
+    let (folder, file) = (RunFolder::new(), "crates/ancf/tests/models/good/external.toml");
+    for mut command in [command(&["check", file]), folder.run(file)] {
         let output = command.output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
-        let said = stderr(&output);
-        assert_eq!(said.lines().count(), 5, "{said}");
+        let messages = stderr(&output);
+        assert_eq!(messages.lines().count(), 5, "{messages}");
         let motor = "external.toml: joints[0].drive.time.name: found the external function \"motor\", wanted a function \
                      that the program supplies under this name\n";
-        assert!(said.contains(motor), "{said}");
+        assert!(messages.contains(motor), "{messages}");
     }
-    assert!(!bench.out().exists(), "an output folder");
+    assert!(!folder.out().exists(), "an output folder");
     assert_eq!(command(&["scaled", file]).output().unwrap().status.code(), Some(0));
 }
 
-/// What a model consists of, ties and leaves free is told; a joint that ties what another ties already is a warning.
+/// Diagnosis of a model: bodies, joints, degrees of freedom. A redundant constraint is a warning.
 #[test]
 fn a_model_is_diagnosed() {
-    let bench = Bench::new();
+    let folder = RunFolder::new();
     let second =
         "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
-    let model = bench.cantilever("[[probes]]", second);
+    let model = folder.cantilever("[[probes]]", second);
     let check = command(&["check", &model]).output().unwrap();
     assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
     assert!(stderr(&check).ends_with("model.toml: no errors\n"), "{}", stderr(&check));
-    let told = String::from_utf8(check.stdout).unwrap();
+    let printed = String::from_utf8(check.stdout).unwrap();
     for line in [
         "bodies:    1 beam\n",
         "joints:    1 clamp, 1 spherical\n",
@@ -242,67 +245,68 @@ fn a_model_is_diagnosed() {
         "           240 by rank, bodies that deform\n",
         "warning:   redundant: joint `again`: position along y, follows from joint `root`; they share its force\n",
     ] {
-        assert!(told.contains(&line.replace("1 gravity", "gravity")), "{line} is not in\n{told}");
+        assert!(printed.contains(&line.replace("1 gravity", "gravity")), "{line} is not in\n{printed}");
     }
 }
 
-/// Gaps are refused, or closed where the model asks for it.
+/// Gaps are rejected, or closed if the model requests it.
 #[test]
-fn gaps_are_told() {
-    let bench = Bench::new();
+fn gaps_are_reported_or_closed() {
+    let folder = RunFolder::new();
     let clamp = "b = { point = [0.0, 0.01, 0.0] }\nname = \"root\"";
-    let open = bench.cantilever("name = \"root\"", clamp);
+    let open = folder.cantilever("name = \"root\"", clamp);
     let check = command(&["check", &open]).output().unwrap();
     assert_eq!(check.status.code(), Some(2));
-    let said = stderr(&check);
+    let messages = stderr(&check);
     assert!(
-        said.contains("found a point that is 0.01 away from `a`") && said.contains("`assemble = true`"),
-        "{said}"
+        messages.contains("found a point that is 0.01 away from `a`")
+            && messages.contains("`assemble = true`"),
+        "{messages}"
     );
     let text = fs::read_to_string(&open).unwrap();
     fs::write(&open, format!("assemble = true\n{text}")).unwrap();
     let check = command(&["check", &open]).output().unwrap();
     assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
-    let told = String::from_utf8(check.stdout).unwrap();
-    assert!(told.contains("closed:    joint `root`, whose places are 0.01 apart\n"), "{told}");
-    assert!(told.contains("moved:     body `beam`, by up to 0.01\n"), "{told}");
+    let printed = String::from_utf8(check.stdout).unwrap();
+    assert!(printed.contains("closed:    joint `root`, whose places are 0.01 apart\n"), "{printed}");
+    assert!(printed.contains("moved:     body `beam`, by up to 0.01\n"), "{printed}");
 }
 
-/// A failed analysis: exit code 1, a message that says when, why and where, and the results so far.
+/// Failed analysis: exit code 1, message with time, reason and location, results so far.
 #[test]
 fn a_failed_analysis_keeps_its_results() {
-    let bench = Bench::new();
+    let folder = RunFolder::new();
     let absolute = "step = 1e-3\nmax_halvings = 1\nstop = { rule = \"residual\", tolerance = 1e-13 }";
-    let run = bench.run(&bench.cantilever("step = 1e-3", absolute)).output().unwrap();
+    let run = folder.run(&folder.cantilever("step = 1e-3", absolute)).output().unwrap();
     assert_eq!(run.status.code(), Some(1), "{}", stderr(&run));
     assert!(
         stderr(&run).contains("failed at t = ") && stderr(&run).contains("did not converge"),
         "{}",
         stderr(&run)
     );
-    assert_eq!(bench.summary()["outcome"]["kind"], "failed");
-    let steps = bench.summary()["steps"].as_u64().unwrap();
-    assert_eq!(bench.column("t").len() as u64, steps + 1, "every step that was solved is there");
+    assert_eq!(folder.summary()["outcome"]["kind"], "failed");
+    let steps = folder.summary()["steps"].as_u64().unwrap();
+    assert_eq!(folder.column("t").len() as u64, steps + 1, "every step that was solved is there");
 }
 
-/// Ctrl-C: exit code 130 and what was computed.
+/// Ctrl-C: exit code 130 and the results so far.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_keeps_its_results() {
-    let bench = Bench::new();
-    let mut run = bench.run(&bench.cantilever("duration = 2.0", "duration = 1000.0")).spawn().unwrap();
-    let csv = bench.out().join("probes.csv");
+    let folder = RunFolder::new();
+    let mut run = folder.run(&folder.cantilever("duration = 2.0", "duration = 1000.0")).spawn().unwrap();
+    let csv = folder.out().join("probes.csv");
     while fs::metadata(&csv).map_or(0, |file| file.len()) == 0 {
-        assert!(run.try_wait().unwrap().is_none(), "it ended before it was interrupted");
+        assert!(run.try_wait().unwrap().is_none(), "the run ended before the interrupt");
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
     assert_eq!(run.wait().unwrap().code(), Some(130));
-    assert_eq!(bench.summary()["outcome"]["kind"], "stopped");
-    assert_eq!(bench.column("t").len() as u64, bench.summary()["steps"].as_u64().unwrap() + 1);
+    assert_eq!(folder.summary()["outcome"]["kind"], "stopped");
+    assert_eq!(folder.column("t").len() as u64, folder.summary()["steps"].as_u64().unwrap() + 1);
 }
 
-/// The scaled model is a model: it reads back, and its numbers are those of eqs (7), (26), (33) of Kim et al. (2017).
+/// The scaled model is a valid model with the numbers of eqs (7), (26), (33) of Kim et al. (2017).
 #[test]
 fn the_scaled_model_is_printed() {
     let printed = command(&["scaled", "models/revolute_pendulum.toml"]).output().unwrap();

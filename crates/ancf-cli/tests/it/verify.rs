@@ -1,5 +1,4 @@
-//! `ancf verify` as its reader meets it: lines, page, JSON, exit codes.
-#![cfg(test)]
+//! `ancf verify`: lines, page, JSON, exit codes.
 
 use std::fs;
 use std::path::Path;
@@ -52,9 +51,9 @@ fn a_problem_is_reported() {
     assert_well_formed(&page, folder.path());
 }
 
-/// All tags are closed, links lead somewhere, nothing comes from elsewhere, pictures are SVG with words.
+/// Asserts a well-formed page: valid links, no external resources, figures with an alternative text.
 fn assert_well_formed(page: &str, folder: &Path) {
-    // HTML closes no `meta`; all else is as in XML.
+    // `meta` is not closed in HTML. All other tags are as in XML.
     let closed: Vec<String> = page
         .strip_prefix("<!DOCTYPE html>")
         .unwrap()
@@ -82,26 +81,26 @@ fn assert_well_formed(page: &str, folder: &Path) {
 }
 
 #[test]
-fn an_unknown_problem_is_refused() {
+fn an_unknown_problem_is_rejected() {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("out");
     let run = into(&out, &["elastcia"]);
     assert_eq!(run.status.code(), Some(2));
-    let said = text(&run.stderr);
+    let messages = text(&run.stderr);
     assert!(
-        said.contains("possible values: ") && said.contains("a similar value exists: 'elastica'"),
-        "{said}"
+        messages.contains("possible values: ") && messages.contains("a similar value exists: 'elastica'"),
+        "{messages}"
     );
     assert!(!out.exists());
 }
 
 #[test]
 fn every_problem_is_named() {
-    // Long titles go on in the next line.
+    // Long titles are wrapped.
     let help = text(&verify(&["--help"]).stdout).split_whitespace().collect::<Vec<_>>().join(" ");
     for problem in ancf_verification::problems::ALL.iter().copied() {
         assert!(help.contains(&format!("- {}: {}", problem.name, problem.title)), "{}: {help}", problem.name);
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        assert!(problem.name.chars().all(plain), "{} is the place of a link", problem.name);
+        assert!(problem.name.chars().all(plain), "{} is an anchor", problem.name);
     }
 }

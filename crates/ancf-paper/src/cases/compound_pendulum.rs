@@ -1,6 +1,6 @@
-//! The rigid compound pendulum in closed form, the reference of Figures 8 and 9.
+//! Rigid compound pendulum in closed form, the reference of Figures 8 and 9.
 
-/// A uniform rod of length L and diameter d, hinged at one end and released at rest from the horizontal.
+/// Uniform rod of length L and diameter d on a hinge, released at rest from the horizontal.
 ///
 /// θ'' = W² cos θ with θ from the horizontal downwards, W² = ½ g L / (L²/3 + d²/16). With φ = π/2 − θ,
 /// sin(φ/2) = k sn(K − W t, k), k = sin(π/4): exact to rounding.
@@ -13,27 +13,27 @@ pub struct CompoundPendulum {
     length: f64,
 }
 
-/// Position and acceleration of the tip in the plane of motion: x along the start, y upwards.
+/// Position and acceleration of the tip in the plane of motion. x is the initial direction, y points upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tip {
+pub struct TipState {
     /// Position (x, y).
     pub position: [f64; 2],
     /// Acceleration.
     pub acceleration: [f64; 2],
 }
 
-/// sin(φ₀/2) of the release at φ₀ = π/2.
+/// Modulus sin(φ₀/2) of the release at φ₀ = π/2.
 const MODULUS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl CompoundPendulum {
-    /// A rod under gravity g.
+    /// Creates a pendulum under gravity g.
     pub fn new(length: f64, diameter: f64, gravity: f64) -> Self {
         let arm = length * length / 3.0 + diameter * diameter / 16.0;
         Self { frequency: (0.5 * gravity * length / arm).sqrt(), length }
     }
 
-    /// The tip at time t.
-    pub fn tip(&self, t: f64) -> Tip {
+    /// Returns the state of the tip at time t.
+    pub fn tip(&self, t: f64) -> TipState {
         let (w, l) = (self.frequency, self.length);
         let (quarter, _) = jacobi(0.0);
         let (_, [sn, cn]) = jacobi(quarter - w * t);
@@ -42,14 +42,14 @@ impl CompoundPendulum {
         let (cos, sin) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
         let rate = 2.0 * MODULUS * w * cn;
         let (radial, tangential) = (rate * rate, w * w * cos);
-        Tip {
+        TipState {
             position: [l * cos, -l * sin],
             acceleration: [l * (-radial * cos - tangential * sin), l * (radial * sin - tangential * cos)],
         }
     }
 }
 
-/// The quarter period K and sn(u), cn(u) of modulus [`MODULUS`] by the arithmetic-geometric mean.
+/// Returns the quarter period K and sn(u), cn(u) of modulus [`MODULUS`] by the arithmetic-geometric mean.
 fn jacobi(u: f64) -> (f64, [f64; 2]) {
     let (mut a, mut b) = (1.0, (1.0 - MODULUS * MODULUS).sqrt());
     let mut ratios = Vec::with_capacity(8);
@@ -71,7 +71,7 @@ fn jacobi(u: f64) -> (f64, [f64; 2]) {
 mod tests {
     use super::*;
 
-    /// L = 1, d = 0.02, g = 9.81: independent integration by an eighth-order Runge-Kutta method, 12 digits printed.
+    /// L = 1, d = 0.02, g = 9.81: independent integration by an eighth-order Runge-Kutta method, 12 digits.
     #[test]
     fn agrees_with_numerical_integration() {
         let pendulum = CompoundPendulum::new(1.0, 0.02, 9.81);

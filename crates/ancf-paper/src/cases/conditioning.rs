@@ -1,4 +1,4 @@
-//! Condition numbers of the iteration matrix in the forms that have been proposed for index-3 equations.
+//! Condition numbers of the iteration matrix in the forms proposed for index-3 equations.
 
 use ancf::model::Model;
 use ancf::system::{EquationsOfMotion, Weights};
@@ -6,30 +6,30 @@ use anyhow::{Context, Result};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use super::cases::{BETA, Case, Form};
+use super::models::{BETA, EquationForm, PaperCase};
 
-/// A way to write the iteration matrix of one Newton step.
+/// Form of the iteration matrix of a Newton step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Writing {
+pub enum MatrixForm {
     /// [M + βh²K, Φᵀ; βh²Φ, 0] of eq. (37) with dimensional coordinates (r, r_x, r_y, r_z).
     Dimensional,
-    /// The same with coordinates (r, l r_x, l r_y, l r_z).
+    /// Eq. (37) with coordinates (r, l r_x, l r_y, l r_z).
     LengthSlopes,
-    /// The same, non-dimensional: the paper's.
+    /// Non-dimensional eq. (37), as in the paper.
     Paper,
-    /// Constraint rows divided by βh², which makes it symmetric (Negrut et al. 2007).
+    /// Symmetric form: constraint rows divided by βh² (Negrut et al. 2007).
     Symmetric,
-    /// Displacements as unknowns, [M/βh² + K, Φᵀ; Φ, 0], with no scaling.
+    /// Displacements as unknowns, [M/βh² + K, Φᵀ; Φ, 0], without scaling.
     Displacement,
-    /// That, scaled from left and right by powers of h (Bottasso, Dopico & Trainelli 2008).
+    /// Displacement form scaled from left and right by powers of h (Bottasso, Dopico & Trainelli 2008).
     Bottasso,
-    /// The symmetric one, equilibrated by a diagonal on both sides (Ruiz 2001).
+    /// Symmetric form equilibrated by diagonal matrices on both sides (Ruiz 2001).
     Equilibrated,
 }
 
-impl Writing {
-    /// All of them, in the order of the report.
+impl MatrixForm {
+    /// All forms, in the order of the report.
     pub const ALL: [Self; 7] = [
         Self::Dimensional,
         Self::LengthSlopes,
@@ -40,42 +40,42 @@ impl Writing {
         Self::Equilibrated,
     ];
 
-    fn form(self) -> Form {
+    fn equations(self) -> EquationForm {
         match self {
-            Self::Paper => Form::NonDimensional,
-            Self::LengthSlopes => Form::LengthSlopes,
-            _ => Form::Dimensional,
+            Self::Paper => EquationForm::NonDimensional,
+            Self::LengthSlopes => EquationForm::LengthSlopes,
+            _ => EquationForm::Dimensional,
         }
     }
 }
 
-/// One row of the table: all writings for one mesh and step.
+/// Condition numbers of all forms for one mesh and step.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub struct ConditionRow {
     /// Number of elements.
     pub n: u32,
     /// Physical step, s.
     pub h: f64,
-    /// 2-norm condition numbers, in the order of [`Writing::ALL`].
+    /// 2-norm condition numbers, in the order of [`MatrixForm::ALL`].
     pub condition: [f64; 7],
 }
 
-/// Condition numbers of the beam on a ball joint, with the modulus given, at the straight state at rest.
+/// Computes the condition numbers of the beam on a spherical joint with Young's modulus `young`, straight and at rest.
 ///
 /// # Errors
 /// If the model cannot be assembled.
-pub fn row(young: f64, n: u32, h: f64) -> Result<Row> {
+pub fn condition_row(young: f64, n: u32, h: f64) -> Result<ConditionRow> {
     let mut condition = [0.0; 7];
-    for (number, writing) in condition.iter_mut().zip(Writing::ALL) {
-        let mut model = Case::Spherical.model(writing.form(), n, h);
+    for (number, form) in condition.iter_mut().zip(MatrixForm::ALL) {
+        let mut model = PaperCase::Spherical.model(form.equations(), n, h);
         model.materials.values_mut().for_each(|material| material.young = young);
         let matrices = Matrices::new(&model)?;
-        *number = matrices.condition(writing)?;
+        *number = matrices.condition(form)?;
     }
-    Ok(Row { n, h, condition })
+    Ok(ConditionRow { n, h, condition })
 }
 
-/// M, K and Φ_q of a model at rest, as one bordered matrix, and its step.
+/// Bordered matrix of M, K and Φ_q at rest, and the step.
 struct Matrices {
     /// [M + βh²K, Φᵀ; Φ, 0].
     symmetric: DMatrix<f64>,
@@ -86,8 +86,8 @@ struct Matrices {
 impl Matrices {
     fn new(model: &Model) -> Result<Self> {
         let scales = model.scales().scales;
-        let dynamics = model.analysis.dynamics().context("the paper is about motion")?;
-        let h = dynamics.step.fixed().context("the paper has steps of one size")? / scales.time;
+        let dynamics = model.analysis.dynamics().context("the problems of the paper are dynamic")?;
+        let h = dynamics.step.fixed().context("the problems of the paper have a fixed step")? / scales.time;
         let assembly = model.scaled(&scales).assemble().ok().context("the model of the paper is valid")?;
         let (system, beta_h2) = (&assembly.system, BETA * h * h);
         let mut tangent = system.matrix();
@@ -97,11 +97,11 @@ impl Matrices {
         Ok(Self { symmetric, coordinates: system.coordinates(), beta_h2 })
     }
 
-    /// ‖J‖₂ ‖J⁻¹‖₂ of J = L S R, where S is the symmetric writing and L, R are diagonal.
+    /// Returns ‖J‖₂ ‖J⁻¹‖₂ of J = L S R. S is the symmetric form, L and R are diagonal.
     ///
-    /// J⁻¹ is formed from the inverse of the equilibrated matrix, so that the number is right beyond 1/ε as well.
-    fn condition(&self, writing: Writing) -> Result<f64> {
-        let (left, right) = self.scaling(writing);
+    /// J⁻¹ is computed from the inverse of the equilibrated matrix. The result is accurate beyond 1/ε too.
+    fn condition(&self, form: MatrixForm) -> Result<f64> {
+        let (left, right) = self.scaling(form);
         let ruiz = equilibration(&self.symmetric);
         let scaled = |l: &DVector<f64>, r: &DVector<f64>, a: &DMatrix<f64>| {
             DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| l[i] * a[(i, j)] * r[j])
@@ -112,23 +112,23 @@ impl Matrices {
         Ok(norm(&scaled(&left, &right, &self.symmetric)) * norm(&scaled(&outer, &inner, &inverse)))
     }
 
-    /// Diagonals L and R of a writing.
-    fn scaling(&self, writing: Writing) -> (DVector<f64>, DVector<f64>) {
+    /// Returns the diagonals L and R of a form.
+    fn scaling(&self, form: MatrixForm) -> (DVector<f64>, DVector<f64>) {
         let n = self.symmetric.nrows();
         let diagonal = |coordinates: f64, multipliers: f64| {
             DVector::from_fn(n, |i, _| if i < self.coordinates { coordinates } else { multipliers })
         };
         let one = diagonal(1.0, 1.0);
         let b = self.beta_h2;
-        match writing {
-            Writing::Dimensional | Writing::LengthSlopes | Writing::Paper => (diagonal(1.0, b), one),
-            Writing::Symmetric => (one.clone(), one),
-            Writing::Displacement => (diagonal(1.0 / b, 1.0), diagonal(1.0, b)),
-            Writing::Bottasso => {
-                let (left, right) = self.scaling(Writing::Displacement);
+        match form {
+            MatrixForm::Dimensional | MatrixForm::LengthSlopes | MatrixForm::Paper => (diagonal(1.0, b), one),
+            MatrixForm::Symmetric => (one.clone(), one),
+            MatrixForm::Displacement => (diagonal(1.0 / b, 1.0), diagonal(1.0, b)),
+            MatrixForm::Bottasso => {
+                let (left, right) = self.scaling(MatrixForm::Displacement);
                 (left.component_mul(&diagonal(b, 1.0)), right.component_mul(&diagonal(1.0, 1.0 / b)))
             }
-            Writing::Equilibrated => {
+            MatrixForm::Equilibrated => {
                 let d = equilibration(&self.symmetric);
                 (d.clone(), d)
             }
@@ -136,7 +136,7 @@ impl Matrices {
     }
 }
 
-/// Ruiz's diagonal: repeated division by the roots of the largest entries of the rows.
+/// Returns the equilibration of Ruiz (2001): repeated division by the square roots of the row maxima.
 fn equilibration(a: &DMatrix<f64>) -> DVector<f64> {
     let mut d = DVector::from_element(a.nrows(), 1.0);
     for _ in 0..20 {
@@ -148,7 +148,7 @@ fn equilibration(a: &DMatrix<f64>) -> DVector<f64> {
     d
 }
 
-/// ‖A‖₂ by power iteration on AᵀA.
+/// Computes ‖A‖₂ by power iteration on AᵀA.
 fn norm(a: &DMatrix<f64>) -> f64 {
     let mut x = DVector::from_fn(a.ncols(), |i, _| 1.0 + 0.37 * (i as f64).sin());
     let mut norm = 0.0;

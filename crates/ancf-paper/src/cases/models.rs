@@ -1,62 +1,74 @@
-//! The three problems of the paper as models, in every form.
+//! Models of the three problems of the paper.
 
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::model::{
     Analysis, At, Beam, Body, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output, Place,
     Probe, ScaleChoice, Scheme, Section, Slopes, Start,
 };
+use serde::Serialize;
 
 /// Length of the beam, m (Table 2).
 pub const LENGTH: f64 = 1.0;
-/// Diameter, m. Table 2 prints 0.20; eq. (34) and Table 5 hold for 0.02 only.
+/// Diameter, m. Table 2 prints 0.20. Eq. (34) and Table 5 require 0.02.
 pub const DIAMETER: f64 = 0.02;
 /// Density, kg/m³ (Table 2).
 pub const DENSITY: f64 = 8030.0;
 /// Young's modulus, N/m² (Table 2).
 pub const YOUNG: f64 = 193e9;
-/// Acceleration of gravity, m/s². Not printed; recovered from the 6263 instants of Table 6 (see `docs/paper.md`).
+/// Acceleration of gravity, m/s². Not printed, recovered from the 6263 instants of Table 6 (see `docs/paper.md`).
 pub const GRAVITY: f64 = 9.806;
 /// Duration, s (Tables 4 to 6).
 pub const DURATION: f64 = 2.0;
-/// Step in the time of each form (Table 6).
+/// Step size in the time unit of each form (Table 6).
 pub const STEP: f64 = 1e-3;
-/// Newmark's β of the paper.
+/// Newmark parameter β of the paper.
 pub const BETA: f64 = 0.36;
 /// Numbers of elements (Tables 3 to 5).
 pub const ELEMENTS: [u32; 6] = [1, 2, 5, 10, 15, 20];
 
-/// One of the paper's problems.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Case {
-    /// Section 3.1: a cantilever dropped from straight under its own weight.
+/// Problem of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PaperCase {
+    /// Section 3.1: cantilever released from the straight state under its own weight.
     Cantilever,
-    /// Section 3.2: a pendulum on a hinge, released from the horizontal.
+    /// Section 3.2: pendulum on a revolute joint, released from the horizontal.
     Revolute,
-    /// Section 3.3: a pendulum on a ball joint, E/1000, gravity along -y and as much along -z.
+    /// Section 3.3: pendulum on a spherical joint, E/1000, equal gravity along -y and -z.
     Spherical,
 }
 
-/// A form of the equations of motion.
+/// Form of the equations of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Units of the user, coordinates (r, r_x, r_y, r_z).
+pub enum EquationForm {
+    /// SI units, coordinates (r, r_x, r_y, r_z).
     Dimensional,
-    /// Units of the user, coordinates (r, l r_x, l r_y, l r_z).
+    /// SI units, coordinates (r, l r_x, l r_y, l r_z).
     LengthSlopes,
     /// Units L_ND, T_ND, F_ND and coordinates (r, l r_x, l r_y, l r_z).
     NonDimensional,
 }
 
-/// T_ND = L √(ρA/F) with F the weight of one element: √(L n/g) (Table 3).
+/// Returns the time unit T_ND = L √(ρA/F), with F the weight of one element: √(L n/g) (Table 3).
 pub fn time_unit(n: u32) -> f64 {
     (LENGTH * f64::from(n) / GRAVITY).sqrt()
 }
 
-impl Case {
-    /// The model of n elements in a form, with a physical step in seconds.
-    pub fn model(self, form: Form, n: u32, step: f64) -> Model {
+impl PaperCase {
+    /// Returns the name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Cantilever => "cantilever",
+            Self::Revolute => "revolute pendulum",
+            Self::Spherical => "spherical pendulum",
+        }
+    }
+
+    /// Returns the model with `n` elements in a form, with the physical step in seconds.
+    pub fn model(self, form: EquationForm, n: u32, step: f64) -> Model {
         let end = |end| Place::new("beam", At::Named(end));
         let (name, a, b) = ("joint".to_owned(), end(Named::Start), End::Ground);
         let joint = match self {
@@ -73,9 +85,9 @@ impl Case {
             Self::Spherical => Joint::Spherical { name, a, b },
         };
         let (slopes, scales) = match form {
-            Form::Dimensional => (Slopes::Gradient, ScaleChoice::None),
-            Form::LengthSlopes => (Slopes::Length, ScaleChoice::None),
-            Form::NonDimensional => (Slopes::Length, self.scales(n)),
+            EquationForm::Dimensional => (Slopes::Gradient, ScaleChoice::None),
+            EquationForm::LengthSlopes => (Slopes::Length, ScaleChoice::None),
+            EquationForm::NonDimensional => (Slopes::Length, self.scales(n)),
         };
         Model {
             title: None,
@@ -93,11 +105,11 @@ impl Case {
             contacts: Vec::new(),
             scales,
             analysis: Analysis::Dynamics(Dynamics {
-                // As the paper does, whose iterations are counted.
+                // Full Newton method, as in the paper, because iterations are counted.
                 newton: NewtonMethod::Full,
                 scheme: Scheme::Adams,
                 start: Start::Zero,
-                // The last whole step, as the paper has it.
+                // Ends with the last full step, as in the paper.
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
             probes: vec![Probe::of_motion("tip", end(Named::End))],
@@ -111,7 +123,7 @@ impl Case {
         Material::elastic(DENSITY, young, 0.0)
     }
 
-    /// The paper's units. Those of the spherical pendulum are the same (Table 3), although gravity acts twice there.
+    /// Returns the units of the paper. The spherical pendulum has the same units (Table 3), although gravity acts twice.
     fn scales(self, n: u32) -> ScaleChoice {
         match self {
             Self::Cantilever | Self::Revolute => ScaleChoice::Paper,
@@ -122,4 +134,14 @@ impl Case {
             }
         }
     }
+}
+
+/// Returns the area of the section, m².
+pub fn area() -> f64 {
+    PI * DIAMETER * DIAMETER / 4.0
+}
+
+/// Returns the second moment of area of the section, m⁴.
+pub fn second_moment() -> f64 {
+    PI * DIAMETER.powi(4) / 64.0
 }

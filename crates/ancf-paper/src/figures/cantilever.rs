@@ -1,42 +1,33 @@
 //! Figures 3 to 5.
 
-use super::{DIM, Drawing, NONDIM, dim, elements, nondim, pale, stack, times};
-use crate::figure::{Dash, Figure, Legend, Marker, Series, Style};
-use crate::paper::cases::DURATION;
-use crate::paper::results::{Forms, Results};
-use crate::paper::study::{Run, Study};
-use crate::report::number::{fixed, significant};
+use ancf_figure::{CurveStyle, DashPattern, Figure, FigureSeries, LegendPlacement, MarkerShape};
 
-/// Figures 3, 4 and 5.
-pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {
-    let mut drawings = vec![figure3(&results.table4)];
-    drawings.extend(figure4(study, results));
-    drawings.push(figure5(results));
-    drawings
+use super::common::{DIM, NONDIM, analysis_times, dim, elements, nondim, pale, scaled, stack};
+use super::paper_figure::PaperFigure;
+use crate::cases::models::DURATION;
+use crate::cases::{PaperRuns, TimedRun};
+use crate::page::number::{fixed, significant};
+use crate::results::{FormValues, PaperResults};
+
+/// Returns Figures 3, 4 and 5.
+pub fn all(runs: &PaperRuns, results: &PaperResults) -> Vec<PaperFigure> {
+    let mut figures = vec![figure3(&results.table4)];
+    figures.extend(figure4(runs, results));
+    figures.push(figure5(results));
+    figures
 }
 
-/// Time of analysis against the number of elements.
-pub fn times_of_analysis(label: &str, n: &[u32], of_dim: &[f64], of_nondim: &[f64]) -> Figure {
-    let mut figure = Figure::new("number of elements", label)
-        .with(Series::new(DIM, elements(n), of_dim.to_vec()).style(dim().marked(Marker::Circle, 1)))
-        .with(Series::new(NONDIM, elements(n), of_nondim.to_vec()).style(nondim().marked(Marker::Square, 1)));
-    let most = of_dim.iter().chain(of_nondim).copied().fold(0.0, f64::max);
-    figure.y.range = Some((0.0, 1.08 * most));
-    figure
-}
-
-fn figure3(table: &Forms) -> Drawing {
-    let ours = times_of_analysis("ours: time (s)", &table.n, &table.dim, &table.nondim);
+fn figure3(table: &FormValues) -> PaperFigure {
+    let ours = analysis_times("ours: time (s)", &table.n, &table.dim, &table.nondim);
     let printed = |column: &Option<Vec<f64>>| column.clone().unwrap_or_default();
     let (paper_dim, paper_nondim) = (printed(&table.paper_dim), printed(&table.paper_nondim));
-    let paper = times_of_analysis("paper: time (s)", &table.n, &paper_dim, &paper_nondim);
+    let paper = analysis_times("paper: time (s)", &table.n, &paper_dim, &paper_nondim);
     let last = |column: &[f64]| significant(column.last().copied().unwrap_or(f64::NAN), 3);
-    Drawing::new(
+    PaperFigure::new(
         "fig3",
         stack([ours, paper].map(|figure| Figure { height: 250.0, ..figure })),
         "Analysis time of the cantilever against the number of elements: ours above, the paper's below. \
-         The non-dimensional form is slower with few elements and faster with many, because its physical \
-         step grows like the root of n.",
+         The non-dimensional form is slower with few elements and faster with many, because its physical step grows like √n.",
     )
     .described(format!(
         "Two plots of analysis time against number of elements. At 20 elements ours takes {} s (DIM) and \
@@ -48,30 +39,32 @@ fn figure3(table: &Forms) -> Drawing {
     ))
 }
 
-fn figure4(study: &Study, results: &Results) -> Option<Drawing> {
-    let runs = study.cantilever.last()?;
+fn figure4(runs: &PaperRuns, results: &PaperResults) -> Option<PaperFigure> {
+    let runs = runs.cantilever.last()?;
     let value = results.equation34.value;
-    let deflection = |run: &Run| times(1e3, run.column("tip.y"));
-    let both = |label: &str, of: &dyn Fn(&Run) -> Vec<f64>| {
+    let deflection = |run: &TimedRun| scaled(1e3, run.column("tip.y"));
+    let both = |label: &str, of: &dyn Fn(&TimedRun) -> Vec<f64>| {
         Figure::new("time (s)", label)
-            .with(Series::new(DIM, runs.dim.column("t").to_vec(), of(&runs.dim)).style(dim()))
-            .with(Series::new(NONDIM, runs.nondim.column("t").to_vec(), of(&runs.nondim)).style(nondim()))
+            .with(FigureSeries::new(DIM, runs.dim.column("t").to_vec(), of(&runs.dim)).style(dim()))
             .with(
-                Series::horizontal("static, eq. (34)", value, (0.0, DURATION))
-                    .style(Style::nth(0).dashed(Dash::Solid)),
+                FigureSeries::new(NONDIM, runs.nondim.column("t").to_vec(), of(&runs.nondim)).style(nondim()),
+            )
+            .with(
+                FigureSeries::horizontal("static, eq. (34)", value, (0.0, DURATION))
+                    .style(CurveStyle::nth(0).dashed(DashPattern::Solid)),
             )
     };
     let tip = Figure { height: 300.0, ..both("tip deflection (mm)", &deflection) };
     let mut means = Figure { height: 200.0, ..both("mean up to then (mm)", &|run| means(&deflection(run))) };
     means.y.range = Some((value - 0.15, value + 0.15));
     let last = |column: &[f64]| fixed(column.last().copied().unwrap_or(f64::NAN), 4);
-    let drawing = Drawing::new(
+    let drawing = PaperFigure::new(
         "fig4",
         stack([tip, means]),
         format!(
-            "Tip deflection of the cantilever of {} elements, dropped from straight, and its mean over all \
-             instants up to then. The beam has no damping of its own: the oscillation dies by the \
-             numerical damping of β = 0.36, γ = 0.70, faster with the longer step of the non-dimensional \
+            "TipState deflection of the cantilever of {} elements, released from the straight state, and its mean \
+             over all instants so far. The beam has no material damping: the oscillation decays by the numerical \
+             damping of β = 0.36, γ = 0.70, faster with the longer step of the non-dimensional \
              form. After 2 s the means are {} mm (DIM) and {} mm (Non-DIM).",
             runs.n,
             last(&results.table5.dim),
@@ -85,7 +78,7 @@ fn figure4(study: &Study, results: &Results) -> Option<Drawing> {
     )))
 }
 
-/// Mean of all values up to each.
+/// Returns the running means.
 fn means(values: &[f64]) -> Vec<f64> {
     let sums = values.iter().scan(0.0, |sum, x| {
         *sum += x;
@@ -94,31 +87,31 @@ fn means(values: &[f64]) -> Vec<f64> {
     sums.enumerate().map(|(i, sum)| sum / (i + 1) as f64).collect()
 }
 
-fn figure5(results: &Results) -> Drawing {
-    let Forms { n, dim: of_dim, nondim: of_nondim, paper_dim, .. } = &results.table5;
+fn figure5(results: &PaperResults) -> PaperFigure {
+    let FormValues { n, dim: of_dim, nondim: of_nondim, paper_dim, .. } = &results.table5;
     let value = results.equation34.value;
     let fine: Vec<f64> = (0..=380).map(|i| 1.0 + 0.05 * f64::from(i)).collect();
     let locked = fine.iter().map(|n| value * (1.0 - 1.0 / (3.0 * n * n))).collect();
     let paper = paper_dim.clone().unwrap_or_default();
-    let cross = Style::nth(2).dashed(Dash::None).marked(Marker::Cross, 1);
+    let cross = CurveStyle::nth(2).dashed(DashPattern::None).marked(MarkerShape::Cross, 1);
     let mut figure = Figure::new("number of elements n", "mean tip deflection (mm)")
         .with(
-            Series::horizontal("static, eq. (34)", value, (1.0, 20.0))
-                .style(Style::nth(0).dashed(Dash::Solid)),
+            FigureSeries::horizontal("static, eq. (34)", value, (1.0, 20.0))
+                .style(CurveStyle::nth(0).dashed(DashPattern::Solid)),
         )
-        .with(Series::new("δ (1 − 1/(3n²))", fine, locked).style(pale()))
+        .with(FigureSeries::new("δ (1 − 1/(3n²))", fine, locked).style(pale()))
         .with(
-            Series::new("paper, DIM", elements(n), paper)
-                .style(Style::nth(0).dashed(Dash::None).marked(Marker::Diamond, 1)),
+            FigureSeries::new("paper, DIM", elements(n), paper)
+                .style(CurveStyle::nth(0).dashed(DashPattern::None).marked(MarkerShape::Diamond, 1)),
         )
         .with(
-            Series::new(DIM, elements(n), of_dim.clone())
-                .style(dim().dashed(Dash::None).marked(Marker::Circle, 1)),
+            FigureSeries::new(DIM, elements(n), of_dim.clone())
+                .style(dim().dashed(DashPattern::None).marked(MarkerShape::Circle, 1)),
         )
-        .with(Series::new(NONDIM, elements(n), of_nondim.clone()).style(cross));
-    figure.legend = Legend::Below;
+        .with(FigureSeries::new(NONDIM, elements(n), of_nondim.clone()).style(cross));
+    figure.legend = LegendPlacement::Below;
     figure.height = 430.0;
-    Drawing::new(
+    PaperFigure::new(
         "fig5",
         figure,
         "Shear locking: mean tip deflection against the number of elements. Without shear, n elements have \

@@ -1,38 +1,40 @@
 //! Figures 7 to 9.
 
-use super::{DIM, Drawing, NONDIM, RIGID, dim, nondim, pale, stack};
-use crate::figure::{Dash, Figure, Legend, Scale, Series, Style};
-use crate::paper::cases::{DIAMETER, GRAVITY, LENGTH};
-use crate::paper::results::{Figure7, Results, StepCounts};
-use crate::paper::rigid::{CompoundPendulum, Tip};
-use crate::paper::study::{Run, Study};
-use crate::report::number::{fixed, scientific};
+use ancf_figure::{AxisScale, CurveStyle, DashPattern, Figure, FigureSeries, LegendPlacement};
 
-/// Figures 7, 8a, 8b and 9.
-pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {
-    let motion = Motion::new(study);
+use super::common::{DIM, NONDIM, RIGID, dim, nondim, pale, stack};
+use super::paper_figure::PaperFigure;
+use crate::cases::models::{DIAMETER, GRAVITY, LENGTH};
+use crate::cases::{CompoundPendulum, MAX_ITERATIONS, PaperRuns, TimedRun, TipState};
+use crate::page::number::{fixed, scientific};
+use crate::results::{Figure7, PaperResults, StepCounts};
+
+/// Returns Figures 7, 8a, 8b and 9.
+pub fn all(runs: &PaperRuns, results: &PaperResults) -> Vec<PaperFigure> {
+    let motion = Motion::new(runs);
     vec![figure7(&results.fig7), motion.figure8a(), motion.figure8b(), motion.figure9()]
 }
 
-/// Iterations as small numbers on a logarithmic axis.
+/// Returns the iterations per step of both forms.
 fn counts(label: &str, counts: &StepCounts) -> Figure {
     let numbers = |counts: &[u32]| counts.iter().copied().map(f64::from).collect();
-    // Dashes would be lost where counts alternate.
-    let solid = nondim().dashed(Dash::Solid);
+    // Dashes are not visible where counts alternate.
+    let solid = nondim().dashed(DashPattern::Solid);
     Figure::new("time (s)", label)
-        .with(Series::new(DIM, counts.t_dim.clone(), numbers(&counts.dim)).style(dim()))
-        .with(Series::new(NONDIM, counts.t_nondim.clone(), numbers(&counts.nondim)).style(solid))
+        .with(FigureSeries::new(DIM, counts.t_dim.clone(), numbers(&counts.dim)).style(dim()))
+        .with(FigureSeries::new(NONDIM, counts.t_nondim.clone(), numbers(&counts.nondim)).style(solid))
 }
 
-fn figure7(figure: &Figure7) -> Drawing {
+fn figure7(figure: &Figure7) -> PaperFigure {
     let most = figure.absolute.dim.iter().copied().max().unwrap_or(0);
     let mut absolute = counts("iterations, absolute rule", &figure.absolute);
     if let Some(t) = figure.stalled_at {
         let top = 2.0 * f64::from(most.max(10));
-        let stall = Series::new("", vec![t, t], vec![0.7, top]).style(Style::nth(0).dashed(Dash::Dotted));
+        let stall = FigureSeries::new("", vec![t, t], vec![0.7, top])
+            .style(CurveStyle::nth(0).dashed(DashPattern::Dotted));
         absolute = absolute.with(stall);
     }
-    absolute.y.scale = Scale::Log;
+    absolute.y.scale = AxisScale::Log;
     absolute.height = 320.0;
     let mut blind = counts("iterations, unit-blind rule", &figure.unit_blind);
     let largest = figure.unit_blind.dim.iter().chain(&figure.unit_blind.nondim).copied().max().unwrap_or(0);
@@ -40,18 +42,18 @@ fn figure7(figure: &Figure7) -> Drawing {
     blind.height = 220.0;
     let end = figure.stalled_at.map_or_else(String::new, |t| {
         format!(
-            ", and at {} s (dotted) one that {} iterations do not end",
+            ", and at {} s (dotted) one that does not converge in {} iterations",
             fixed(t, 3),
-            crate::paper::study::MOST_ITERATIONS
+            MAX_ITERATIONS
         )
     });
     let largest_nondim = figure.absolute.nondim.iter().copied().max().unwrap_or(0);
-    Drawing::new(
+    PaperFigure::new(
         "fig7",
         stack([absolute, blind]),
         format!(
             "Newton iterations of each step, revolute pendulum of one element. Above: every step must \
-             reach |r| ≤ {} in the numbers of its own form; the dimensional form has steps of up to {most} \
+             reach |r| ≤ {} in the units of its form; the dimensional form has steps of up to {most} \
              iterations{end}, the non-dimensional one none above {largest_nondim}. Below: the unit-blind \
              rule, under which both need at most {largest}.",
             scientific(figure.tolerance, 1)
@@ -66,33 +68,36 @@ fn figure7(figure: &Figure7) -> Drawing {
 
 /// The tip of the pendulum three times.
 struct Motion<'a> {
-    dim: &'a Run,
-    nondim: &'a Run,
+    dim: &'a TimedRun,
+    nondim: &'a TimedRun,
     pendulum: CompoundPendulum,
-    rigid: Vec<Tip>,
+    rigid: Vec<TipState>,
 }
 
 impl<'a> Motion<'a> {
-    fn new(study: &'a Study) -> Self {
+    fn new(runs: &'a PaperRuns) -> Self {
         let pendulum = CompoundPendulum::new(LENGTH, DIAMETER, GRAVITY);
-        let (dim, nondim) = (&study.revolute.dim, &study.revolute.nondim);
+        let (dim, nondim) = (&runs.revolute.dim, &runs.revolute.nondim);
         let rigid = dim.column("t").iter().map(|&t| pendulum.tip(t)).collect();
         Self { dim, nondim, pendulum, rigid }
     }
 
-    fn history(&self, label: &str, column: &str, rigid: impl Fn(&Tip) -> f64) -> Figure {
-        let t = |run: &Run| run.column("t").to_vec();
+    fn history(&self, label: &str, column: &str, rigid: impl Fn(&TipState) -> f64) -> Figure {
+        let t = |run: &TimedRun| run.column("t").to_vec();
         let values = self.rigid.iter().map(rigid).collect();
         let mut figure = Figure::new("time (s)", label)
-            .with(Series::new(RIGID, t(self.dim), values).style(pale()))
-            .with(Series::new(DIM, t(self.dim), self.dim.column(column).to_vec()).style(dim()))
-            .with(Series::new(NONDIM, t(self.nondim), self.nondim.column(column).to_vec()).style(nondim()));
+            .with(FigureSeries::new(RIGID, t(self.dim), values).style(pale()))
+            .with(FigureSeries::new(DIM, t(self.dim), self.dim.column(column).to_vec()).style(dim()))
+            .with(
+                FigureSeries::new(NONDIM, t(self.nondim), self.nondim.column(column).to_vec())
+                    .style(nondim()),
+            );
         figure.height = 230.0;
         figure
     }
 
-    /// Largest distance of the tip of a run from that of the rigid body, mm.
-    fn distance(&self, run: &Run) -> f64 {
+    /// Returns the largest distance of the tip of a run from the tip of the rigid body, mm.
+    fn distance(&self, run: &TimedRun) -> f64 {
         let (t, x, y) = (run.column("t"), run.column("tip.x"), run.column("tip.y"));
         let distances = t.iter().zip(x).zip(y).map(|((&t, x), y)| {
             let rigid = self.pendulum.tip(t).position;
@@ -101,15 +106,15 @@ impl<'a> Motion<'a> {
         1e3 * distances.fold(0.0, f64::max)
     }
 
-    fn figure8a(&self) -> Drawing {
+    fn figure8a(&self) -> PaperFigure {
         let x = self.history("tip x (m)", "tip.x", |tip| tip.position[0]);
         let y = self.history("tip y (m)", "tip.y", |tip| tip.position[1]);
-        Drawing::new(
+        PaperFigure::new(
             "fig8a",
             stack([x, y]),
             format!(
-                "Tip of the revolute pendulum against time. The beam moves like the rigid body: its tip is \
-                 at most {} mm (DIM) and {} mm (Non-DIM) off, and less with the shorter step.",
+                "TipState of the revolute pendulum against time. The beam moves like the rigid body: the difference \
+                 of its tip is at most {} mm (DIM) and {} mm (Non-DIM), less with the shorter step.",
                 fixed(self.distance(self.dim), 1),
                 fixed(self.distance(self.nondim), 1)
             ),
@@ -120,16 +125,16 @@ impl<'a> Motion<'a> {
         )
     }
 
-    fn figure8b(&self) -> Drawing {
-        let path = |run: &Run| [run.column("tip.x").to_vec(), run.column("tip.y").to_vec()];
+    fn figure8b(&self) -> PaperFigure {
+        let path = |run: &TimedRun| [run.column("tip.x").to_vec(), run.column("tip.y").to_vec()];
         let rigid = |axis: usize| self.rigid.iter().map(|tip| tip.position[axis]).collect();
         let ([x1, y1], [x2, y2]) = (path(self.dim), path(self.nondim));
         let mut figure = Figure::new("tip x (m)", "tip y (m)")
-            .with(Series::new(RIGID, rigid(0), rigid(1)).style(pale()))
-            .with(Series::new(DIM, x1, y1).style(dim()))
-            .with(Series::new(NONDIM, x2, y2).style(nondim()));
-        (figure.equal_aspect, figure.legend) = (true, Legend::Below);
-        Drawing::new(
+            .with(FigureSeries::new(RIGID, rigid(0), rigid(1)).style(pale()))
+            .with(FigureSeries::new(DIM, x1, y1).style(dim()))
+            .with(FigureSeries::new(NONDIM, x2, y2).style(nondim()));
+        (figure.equal_aspect, figure.legend) = (true, LegendPlacement::Below);
+        PaperFigure::new(
             "fig8b",
             figure,
             "Path of the tip of the revolute pendulum: a half circle of radius 1 m.",
@@ -137,15 +142,15 @@ impl<'a> Motion<'a> {
         .described("Three coinciding half circles below the hinge.")
     }
 
-    fn figure9(&self) -> Drawing {
+    fn figure9(&self) -> PaperFigure {
         let x = self.history("tip acceleration x (m/s²)", "tip.ax", |tip| tip.acceleration[0]);
         let y = self.history("tip acceleration y (m/s²)", "tip.ay", |tip| tip.acceleration[1]);
-        Drawing::new(
+        PaperFigure::new(
             "fig9",
             stack([x, y]),
-            "Tip acceleration of the revolute pendulum. The release sets the flexible beam vibrating about \
-             the rigid motion; the numerical damping of the scheme ends the vibration. The shorter step of \
-             the non-dimensional form at one element lets more of it through.",
+            "TipState acceleration of the revolute pendulum. After the release the flexible beam vibrates about the \
+             rigid motion; the numerical damping of the scheme reduces the vibration. The shorter step of the \
+             non-dimensional form at one element damps it less.",
         )
         .described(
             "The accelerations of both flexible models ring for a fraction of a second about those \

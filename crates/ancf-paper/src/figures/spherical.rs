@@ -1,29 +1,33 @@
 //! Figures 11 to 13.
 
-use super::{DIM, Drawing, NONDIM, cantilever, dim, nondim};
-use crate::figure::{Dash, Figure, Legend, Panels, Series, SpaceFigure, SpaceSeries, Style};
-use crate::paper::results::{Results, Table7};
-use crate::paper::study::{Comparison, Run, Study};
-use crate::report::number::scientific;
+use ancf_figure::{
+    CurveStyle, DashPattern, Figure, FigurePanels, FigureSeries, LegendPlacement, SpaceCurve, SpaceFigure,
+};
 
-/// Figures 11, 12a, 12b, 13a and 13b.
-pub fn all(study: &Study, results: &Results) -> Vec<Drawing> {
-    let mut drawings = vec![figure11(&results.table7)];
-    if let Some(runs) = study.spherical.last() {
-        drawings.extend([figure12a(runs), figure12b(runs), figure13a(runs), figure13b(runs)]);
+use super::common::{DIM, NONDIM, analysis_times, dim, nondim};
+use super::paper_figure::PaperFigure;
+use crate::cases::{CaseRuns, PaperRuns, TimedRun};
+use crate::page::number::scientific;
+use crate::results::{PaperResults, Table7};
+
+/// Returns Figures 11, 12a, 12b, 13a and 13b.
+pub fn all(runs: &PaperRuns, results: &PaperResults) -> Vec<PaperFigure> {
+    let mut figures = vec![figure11(&results.table7)];
+    if let Some(runs) = runs.spherical.last() {
+        figures.extend([figure12a(runs), figure12b(runs), figure13a(runs), figure13b(runs)]);
     }
-    drawings
+    figures
 }
 
-fn figure11(table: &Table7) -> Drawing {
+fn figure11(table: &Table7) -> PaperFigure {
     let forms = &table.seconds;
-    let figure = cantilever::times_of_analysis("analysis time (s)", &forms.n, &forms.dim, &forms.nondim);
-    Drawing::new(
+    let figure = analysis_times("analysis time (s)", &forms.n, &forms.dim, &forms.nondim);
+    PaperFigure::new(
         "fig11",
         figure,
-        "Analysis time of the spherical pendulum against the number of elements. The dimensional form has \
-         as many steps for every n, so its time grows like n; the non-dimensional one has fewer by the \
-         root of n, so its time grows like the root of n.",
+        "Analysis time of the spherical pendulum against the number of elements. The dimensional form has the same \
+         number of steps for every n: its time grows like n. The non-dimensional form has fewer steps by the factor \
+         √n: its time grows like √n.",
     )
     .described(
         "Both times grow with the number of elements; that of the non-dimensional form grows more \
@@ -31,10 +35,10 @@ fn figure11(table: &Table7) -> Drawing {
     )
 }
 
-/// x in one panel, y and z, which coincide, in another.
-fn histories(runs: &Comparison, quantity: &str, unit: &str, columns: [&str; 3]) -> Panels {
-    let series = |name: &str, run: &Run, column: &str, style: Style| {
-        Series::new(name, run.column("t").to_vec(), run.column(column).to_vec()).style(style)
+/// Returns x in one panel, and y and z, which coincide, in another.
+fn histories(runs: &CaseRuns, quantity: &str, unit: &str, columns: [&str; 3]) -> FigurePanels {
+    let series = |name: &str, run: &TimedRun, column: &str, style: CurveStyle| {
+        FigureSeries::new(name, run.column("t").to_vec(), run.column(column).to_vec()).style(style)
     };
     let [x, y, z] = columns;
     let first = Figure::new("time (s)", format!("{quantity} x ({unit})"))
@@ -44,23 +48,24 @@ fn histories(runs: &Comparison, quantity: &str, unit: &str, columns: [&str; 3]) 
         .with(series("DIM y", &runs.dim, y, dim().wide(4.0)))
         .with(series("DIM z", &runs.dim, z, dim()))
         .with(series("Non-DIM y", &runs.nondim, y, nondim()))
-        .with(series("Non-DIM z", &runs.nondim, z, Style::nth(0).dashed(Dash::Dotted)));
-    Panels::new([first, second].map(|figure| Figure { height: 260.0, ..figure }).to_vec())
+        .with(series("Non-DIM z", &runs.nondim, z, CurveStyle::nth(0).dashed(DashPattern::Dotted)));
+    FigurePanels::new([first, second].map(|figure| Figure { height: 260.0, ..figure }).to_vec())
 }
 
-/// Largest |y − z| of both forms.
-fn asymmetry(runs: &Comparison, y: &str, z: &str) -> f64 {
-    let of =
-        |run: &Run| run.column(y).iter().zip(run.column(z)).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max);
+/// Returns the largest |y − z| of both forms.
+fn asymmetry(runs: &CaseRuns, y: &str, z: &str) -> f64 {
+    let of = |run: &TimedRun| {
+        run.column(y).iter().zip(run.column(z)).map(|(y, z)| (y - z).abs()).fold(0.0, f64::max)
+    };
     of(&runs.dim).max(of(&runs.nondim))
 }
 
-fn figure12a(runs: &Comparison) -> Drawing {
-    Drawing::new(
+fn figure12a(runs: &CaseRuns) -> PaperFigure {
+    PaperFigure::new(
         "fig12a",
         histories(runs, "tip", "m", ["tip.x", "tip.y", "tip.z"]),
         format!(
-            "Tip of the spherical pendulum of {} elements against time. Gravity acts along −y and as much \
+            "TipState of the spherical pendulum of {} elements against time. Gravity acts along −y and as much \
              along −z, so y and z must coincide; they do to {} m.",
             runs.n,
             scientific(asymmetry(runs, "tip.y", "tip.z"), 1)
@@ -72,36 +77,36 @@ fn figure12a(runs: &Comparison) -> Drawing {
     )
 }
 
-fn figure12b(runs: &Comparison) -> Drawing {
-    let path = |run: &Run| -> Vec<[f64; 3]> {
+fn figure12b(runs: &CaseRuns) -> PaperFigure {
+    let path = |run: &TimedRun| -> Vec<[f64; 3]> {
         let (x, y, z) = (run.column("tip.x"), run.column("tip.y"), run.column("tip.z"));
         x.iter().zip(y).zip(z).map(|((&x, &y), &z)| [x, y, z]).collect()
     };
     let figure = SpaceFigure {
         labels: ["x (m)", "y (m)", "z (m)"].map(str::to_owned),
-        series: vec![
-            SpaceSeries::new(DIM, path(&runs.dim), dim()),
-            SpaceSeries::new(NONDIM, path(&runs.nondim), nondim()),
+        curves: vec![
+            SpaceCurve::new(DIM, path(&runs.dim), dim()),
+            SpaceCurve::new(NONDIM, path(&runs.nondim), nondim()),
         ],
-        legend: Legend::Below,
+        legend: LegendPlacement::Below,
         height: 410.0,
         ..SpaceFigure::default()
     };
-    Drawing::new(
+    PaperFigure::new(
         "fig12b",
         figure,
-        "Path of the tip of the spherical pendulum in space, with its shadow on the floor.",
+        "Path of the tip of the spherical pendulum in space, with its projection on the floor.",
     )
     .described("An arc in the plane y = z, from the horizontal down through the lowest point and up again.")
 }
 
-fn figure13a(runs: &Comparison) -> Drawing {
-    Drawing::new(
+fn figure13a(runs: &CaseRuns) -> PaperFigure {
+    PaperFigure::new(
         "fig13a",
         histories(runs, "acceleration", "m/s²", ["tip.ax", "tip.ay", "tip.az"]),
         format!(
-            "Tip acceleration of the spherical pendulum; y and z coincide to {} m/s². The ripple is that \
-             of a beam a thousand times softer than steel.",
+            "TipState acceleration of the spherical pendulum; y and z coincide to {} m/s². The ripple is due to the \
+             beam, which is a thousand times softer than steel.",
             scientific(asymmetry(runs, "tip.ay", "tip.az"), 1)
         ),
     )
@@ -111,8 +116,8 @@ fn figure13a(runs: &Comparison) -> Drawing {
     )
 }
 
-fn figure13b(runs: &Comparison) -> Drawing {
-    Drawing::new(
+fn figure13b(runs: &CaseRuns) -> PaperFigure {
+    PaperFigure::new(
         "fig13b",
         histories(runs, "reaction", "N", ["joint.fx", "joint.fy", "joint.fz"]),
         format!(

@@ -1,29 +1,31 @@
-//! A report as one self-contained HTML page, in light and dark.
+//! Self-contained HTML page with light and dark colours.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// A page with a heading, a table of contents and sections.
-pub struct Page<'a> {
-    /// Heading and title of the window.
+/// HTML page with a heading, a table of contents and sections.
+#[derive(Debug)]
+pub struct HtmlPage<'a> {
+    /// Heading, and title of the window.
     pub title: &'a str,
-    /// What it is, below the heading.
+    /// Text below the heading.
     pub subtitle: Markup,
-    /// Its parts.
-    pub sections: Vec<Section>,
+    /// Sections.
+    pub sections: Vec<PageSection>,
 }
 
-/// A part of a page with an entry in the table of contents.
-pub struct Section {
-    /// Its place in links.
+/// Section with an entry in the table of contents.
+#[derive(Debug)]
+pub struct PageSection {
+    /// Anchor of links.
     pub id: String,
-    /// Its heading.
+    /// Heading.
     pub title: String,
-    /// What it says.
+    /// Content.
     pub body: Markup,
 }
 
-impl Page<'_> {
-    /// The page as a file.
+impl HtmlPage<'_> {
+    /// Returns the text of the HTML file.
     pub fn into_text(self) -> String {
         let page = html! {
             (DOCTYPE)
@@ -46,8 +48,8 @@ impl Page<'_> {
     }
 }
 
-impl Section {
-    /// A part of a page.
+impl PageSection {
+    /// Creates a section.
     pub fn new(id: impl Into<String>, title: impl Into<String>, body: Markup) -> Self {
         Self { id: id.into(), title: title.into(), body }
     }
@@ -57,11 +59,11 @@ impl Section {
     }
 }
 
-fn contents(sections: &[Section]) -> Markup {
+fn contents(sections: &[PageSection]) -> Markup {
     html! { ol { @for section in sections { li { a href={ "#" (section.id) } { (section.title) } } } } }
 }
 
-/// A picture, one SVG element, with its caption.
+/// Returns a figure, one SVG element, with its caption.
 pub fn figure(id: &str, svg: String, caption: &Markup) -> Markup {
     html! {
         figure id=(id) {

@@ -1,28 +1,28 @@
-//! Where times were measured.
+//! Machine on which times were measured.
 
 use std::fs;
 
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// The machine and the program.
+/// Machine and version of the program.
 #[derive(Clone, Debug, Serialize)]
-pub struct Machine {
+pub struct MachineInfo {
     /// Name of the processor.
     pub processor: String,
-    /// Cores that the program may use; timings use one.
+    /// Available cores. Timings use one.
     pub cores: usize,
     /// Operating system and architecture.
     pub system: String,
     /// Version of the program.
     pub version: &'static str,
-    /// Whether it was compiled with optimisation; times mean little without.
+    /// True if the program was compiled with optimisation. Otherwise times are not meaningful.
     pub optimised: bool,
 }
 
-impl Machine {
-    /// The machine that this runs on.
-    pub fn this() -> Self {
+impl MachineInfo {
+    /// Returns the properties of this machine.
+    pub fn current() -> Self {
         let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
         Self {
@@ -34,11 +34,11 @@ impl Machine {
         }
     }
 
-    /// Program and machine as entries of a list of terms.
+    /// Returns program and machine as entries of a description list.
     pub fn entries(&self) -> Markup {
         html! {
             dt { "Program" } dd {
-                "ancf " (self.version) @if !self.optimised { ", not optimised: times mean little" }
+                "ancf " (self.version) @if !self.optimised { ", not optimised: times are not meaningful" }
             }
             dt { "Machine" } dd { (self.processor) ", " (self.cores) " cores, " (self.system) }
         }

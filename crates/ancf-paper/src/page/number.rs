@@ -1,26 +1,26 @@
-//! Numbers as text, the same in tables, prose and figures.
+//! Number formats of tables, text and figures.
 
-/// The minus sign of typesetting, which is as wide as a plus.
+/// Minus sign, as wide as a plus sign.
 const MINUS: &str = "\u{2212}";
 
-/// With so many decimals: `-1.357`.
+/// Formats with fixed decimals: `-1.357`.
 pub fn fixed(x: f64, decimals: usize) -> String {
     typeset(&format!("{x:.decimals$}"))
 }
 
-/// With so many decimals and always a sign, but for zero: `+0.001`.
+/// Formats with fixed decimals and a sign, except for zero: `+0.001`.
 pub fn signed(x: f64, decimals: usize) -> String {
     let text = format!("{x:+.decimals$}");
     let is_zero = text.chars().all(|c| !c.is_ascii_digit() || c == '0');
     if is_zero { text[1..].to_owned() } else { typeset(&text) }
 }
 
-/// With so many digits that count: `0.0995`, `131`, `2.3×10⁻¹²`.
+/// Formats with significant digits: `0.0995`, `131`, `2.3×10⁻¹²`.
 pub fn significant(x: f64, digits: usize) -> String {
     if x == 0.0 || !x.is_finite() {
         return typeset(&x.to_string());
     }
-    // The exponent after rounding, so that 9.996 counts as 10.0.
+    // Exponent after rounding: 9.996 is 10.0.
     let rounded = format!("{x:.*e}", digits.saturating_sub(1));
     let exponent: i32 = rounded.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
     if (-4..5).contains(&exponent) {
@@ -31,7 +31,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
 }
 
-/// As a power of ten with so many digits in front: `8.4×10¹⁰`, `10⁻⁵`.
+/// Formats as a power of ten with a factor of `digits` digits: `8.4×10¹⁰`, `10⁻⁵`.
 pub fn scientific(x: f64, digits: usize) -> String {
     let text = format!("{x:.*e}", digits.saturating_sub(1));
     let Some((front, exponent)) = text.split_once('e') else { return text };
@@ -39,7 +39,7 @@ pub fn scientific(x: f64, digits: usize) -> String {
     format!("{factor}10{}", exponent.chars().map(raised).collect::<String>())
 }
 
-/// So exactly that it reads back as the same number.
+/// Formats without loss: the text parses to the same number.
 pub fn exact(x: f64) -> String {
     if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }

@@ -1,4 +1,4 @@
-//! The folder that the report is written into.
+//! Folder of a report.
 
 use std::fs;
 use std::io::Write;
@@ -7,29 +7,29 @@ use std::path::{Path, PathBuf};
 use ancf_results::whole;
 use anyhow::{Context, Result};
 
-/// A folder that can be written into.
+/// Writable folder of a report.
 #[derive(Debug)]
-pub struct Output(PathBuf);
+pub struct ReportFolder(PathBuf);
 
-impl Output {
-    /// Creates the folder and finds out now, not after the runs, whether files can be made in it.
+impl ReportFolder {
+    /// Creates the folder and checks that it is writable, before the runs.
     ///
     /// # Errors
-    /// If it cannot be created or written into.
+    /// If the folder cannot be created or is not writable.
     pub fn create(path: &Path) -> Result<Self> {
         fs::create_dir_all(path).with_context(|| format!("cannot create the folder {}", path.display()))?;
-        let output = Self(path.to_owned());
-        let trial = output.0.join(".trial.part");
+        let folder = Self(path.to_owned());
+        let trial = folder.0.join(".trial.part");
         fs::write(&trial, "")
             .and_then(|()| fs::remove_file(&trial))
             .with_context(|| format!("cannot write into the folder {}", path.display()))?;
-        Ok(output)
+        Ok(folder)
     }
 
-    /// Writes a file that is either the old one or the new one at any time, never half of it.
+    /// Writes a file. The old file is replaced as a whole.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If the file cannot be written.
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
         let path = self.0.join(name);
         whole(&path, |mut file| file.write_all(contents.as_ref()))

@@ -1,74 +1,51 @@
-//! Where the difference in time between the two forms comes from.
+//! Factors of the difference in time between the two forms.
 
 use serde::Serialize;
 
-use crate::paper::study::{Comparison, Run, Study};
+use crate::cases::{CaseRuns, PaperCase, PaperRuns, TimedRun};
 
-/// A problem of the paper by its joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Problem {
-    /// Section 3.1.
-    Cantilever,
-    /// Section 3.2.
-    Revolute,
-    /// Section 3.3.
-    Spherical,
-}
-
-impl Problem {
-    /// Its name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Cantilever => "cantilever",
-            Self::Revolute => "revolute pendulum",
-            Self::Spherical => "spherical pendulum",
-        }
-    }
-}
-
-/// The factors of one problem and mesh: `total = longer_step × fewer_iterations × faster_iteration`.
+/// Factors of one problem and mesh: `total = longer_step × fewer_iterations × faster_iteration`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Gain {
-    /// The problem.
-    pub problem: Problem,
+    /// PaperCase.
+    pub problem: PaperCase,
     /// Number of elements.
     pub n: u32,
-    /// Time of the dimensional form over that of the non-dimensional one.
+    /// Ratio of times, DIM / Non-DIM.
     pub total: f64,
-    /// Numbers of steps, dimensional over non-dimensional.
+    /// Ratio of numbers of steps, DIM / Non-DIM.
     pub longer_step: f64,
-    /// Newton iterations per step, dimensional over non-dimensional.
+    /// Ratio of Newton iterations per step, DIM / Non-DIM.
     pub fewer_iterations: f64,
-    /// Time per iteration, dimensional over non-dimensional.
+    /// Ratio of times per iteration, DIM / Non-DIM.
     pub faster_iteration: f64,
-    /// Time of the dimensional form over that of the non-dimensional one with the same physical step.
+    /// Ratio of times with the same physical step, DIM / Non-DIM.
     pub same_step_total: f64,
-    /// Newton iterations in all, dimensional form.
+    /// Total Newton iterations, dimensional form.
     pub iterations_dim: u64,
-    /// Newton iterations in all, non-dimensional form with the same physical step.
+    /// Total Newton iterations, non-dimensional form with the same physical step.
     pub iterations_same_step: u64,
-    /// Largest distance between the tips of these two at any instant, m.
+    /// Largest distance between the tips of these two runs, m.
     pub tip_difference: f64,
 }
 
-/// The factors of all problems and meshes.
-pub fn all(study: &Study) -> Vec<Gain> {
-    let cantilever = study.cantilever.iter().map(|c| (Problem::Cantilever, c));
-    let spherical = study.spherical.iter().map(|c| (Problem::Spherical, c));
-    let revolute = [(Problem::Revolute, &study.revolute)];
+/// Returns the factors of all problems and meshes.
+pub fn all(runs: &PaperRuns) -> Vec<Gain> {
+    let cantilever = runs.cantilever.iter().map(|c| (PaperCase::Cantilever, c));
+    let spherical = runs.spherical.iter().map(|c| (PaperCase::Spherical, c));
+    let revolute = [(PaperCase::Revolute, &runs.revolute)];
     cantilever.chain(revolute).chain(spherical).map(|(problem, c)| Gain::new(problem, c)).collect()
 }
 
 impl Gain {
-    /// Whether both forms did the same number of iterations with the same physical step.
+    /// True if both forms need the same number of iterations with the same physical step.
     pub const fn has_equal_iterations(&self) -> bool {
         self.iterations_dim == self.iterations_same_step
     }
 
-    fn new(problem: Problem, comparison: &Comparison) -> Self {
-        let Comparison { n, dim, nondim, same_step } = comparison;
-        let time_per_iteration = |run: &Run| run.seconds / run.summary.iterations as f64;
+    fn new(problem: PaperCase, comparison: &CaseRuns) -> Self {
+        let CaseRuns { n, dim, nondim, same_step } = comparison;
+        let time_per_iteration = |run: &TimedRun| run.seconds / run.summary.iterations as f64;
         Self {
             problem,
             n: *n,
@@ -84,8 +61,8 @@ impl Gain {
     }
 }
 
-/// Largest distance between the tips of two runs with the same instants, m.
-fn tip_difference(one: &Run, other: &Run) -> f64 {
+/// Returns the largest distance between the tips of two runs with the same instants, m.
+fn tip_difference(one: &TimedRun, other: &TimedRun) -> f64 {
     let square = |axis: &str| -> Vec<f64> {
         let (a, b) = (one.column(axis), other.column(axis));
         a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).collect()

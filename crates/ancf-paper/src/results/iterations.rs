@@ -2,28 +2,28 @@
 
 use serde::Serialize;
 
-use crate::paper::study::{Counts, Run, Study, Tolerance};
+use crate::cases::{IterationCounts, PaperRuns, TimedRun, ToleranceRuns};
 
 /// Name of the default stopping rule in tables.
 pub const UNIT_BLIND: &str = "unit-blind";
 
-/// Figure 7: iterations of each step of the revolute pendulum of one element.
+/// Figure 7: iterations per step of the revolute pendulum of one element.
 #[derive(Clone, Debug, Serialize)]
 pub struct Figure7 {
     /// Number of elements.
     pub n: [u32; 1],
-    /// Bound on |r|₂ in the numbers of each form.
+    /// Bound on |r|₂ in the units of each form.
     pub tolerance: f64,
     /// Time at which the dimensional form stalled, s.
     pub stalled_at: Option<f64>,
-    /// Under that absolute tolerance.
+    /// Iterations under that absolute tolerance.
     #[serde(flatten)]
     pub absolute: StepCounts,
-    /// Under the unit-blind rule.
+    /// Iterations under the unit-blind rule.
     pub unit_blind: StepCounts,
 }
 
-/// Iterations of each step.
+/// Iterations per step.
 #[derive(Clone, Debug, Serialize)]
 pub struct StepCounts {
     /// Time of each step, s, dimensional form.
@@ -37,26 +37,26 @@ pub struct StepCounts {
 }
 
 impl StepCounts {
-    fn new(dim: Counts, nondim: Counts) -> Self {
+    fn new(dim: IterationCounts, nondim: IterationCounts) -> Self {
         Self { t_dim: dim.t, dim: dim.iterations, t_nondim: nondim.t, nondim: nondim.iterations }
     }
 }
 
 impl Figure7 {
-    /// The absolute tolerance under which the dimensional form needs the most, and the unit-blind rule.
-    pub fn new(study: &Study) -> Self {
-        let most = study.tolerances.iter().max_by_key(|tolerance| tolerance.dim.most());
-        let (tolerance, dim, nondim) = most.map_or_else(
-            || (f64::NAN, Counts::default(), Counts::default()),
-            |Tolerance { tolerance, dim, nondim }| (*tolerance, dim.clone(), nondim.clone()),
+    /// Selects the absolute tolerance with the most iterations of the dimensional form, and the unit-blind rule.
+    pub fn new(runs: &PaperRuns) -> Self {
+        let largest = runs.tolerances.iter().max_by_key(|tolerance| tolerance.dim.max());
+        let (tolerance, dim, nondim) = largest.map_or_else(
+            || (f64::NAN, IterationCounts::default(), IterationCounts::default()),
+            |ToleranceRuns { tolerance, dim, nondim }| (*tolerance, dim.clone(), nondim.clone()),
         );
-        let counts = |run: &Run| Counts::of(&run.series, None);
+        let counts = |run: &TimedRun| IterationCounts::of(&run.series, None);
         Self {
-            n: [study.revolute.n],
+            n: [runs.revolute.n],
             tolerance,
             stalled_at: dim.stalled_at,
             absolute: StepCounts::new(dim, nondim),
-            unit_blind: StepCounts::new(counts(&study.revolute.dim), counts(&study.revolute.nondim)),
+            unit_blind: StepCounts::new(counts(&runs.revolute.dim), counts(&runs.revolute.nondim)),
         }
     }
 }
@@ -64,31 +64,32 @@ impl Figure7 {
 /// Iterations of both forms under one stopping rule.
 #[derive(Clone, Debug, Serialize)]
 pub struct ToleranceRow {
-    /// Absolute tolerance, or none for the unit-blind rule.
+    /// Absolute tolerance, `None` for the unit-blind rule.
     pub tolerance: Option<f64>,
     /// Dimensional form.
-    pub dim: Effort,
+    pub dim: IterationEffort,
     /// Non-dimensional form.
-    pub nondim: Effort,
+    pub nondim: IterationEffort,
 }
 
 /// Iterations of a run.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Effort {
-    /// The most of one completed step.
-    pub most: u32,
-    /// Of all completed steps.
+pub struct IterationEffort {
+    /// Maximum of a completed step.
+    #[serde(rename = "most")]
+    pub max: u32,
+    /// Total of all completed steps.
     pub total: u64,
-    /// Steps completed.
+    /// Completed steps.
     pub steps: usize,
-    /// Time at which a step did not end, s, if any.
+    /// Time of a step that did not converge, s, if any.
     pub stalled_at: Option<f64>,
 }
 
-impl Effort {
-    fn new(counts: &Counts) -> Self {
+impl IterationEffort {
+    fn new(counts: &IterationCounts) -> Self {
         Self {
-            most: counts.most(),
+            max: counts.max(),
             total: counts.iterations.iter().copied().map(u64::from).sum(),
             steps: counts.iterations.len(),
             stalled_at: counts.stalled_at,
@@ -96,15 +97,15 @@ impl Effort {
     }
 }
 
-/// The absolute tolerances, largest first, then the unit-blind rule.
-pub fn tolerances(study: &Study) -> Vec<ToleranceRow> {
-    let row = |tolerance, dim: &Counts, nondim: &Counts| ToleranceRow {
+/// Returns the iterations under absolute tolerances, largest first, then under the unit-blind rule.
+pub fn tolerances(runs: &PaperRuns) -> Vec<ToleranceRow> {
+    let row = |tolerance, dim: &IterationCounts, nondim: &IterationCounts| ToleranceRow {
         tolerance,
-        dim: Effort::new(dim),
-        nondim: Effort::new(nondim),
+        dim: IterationEffort::new(dim),
+        nondim: IterationEffort::new(nondim),
     };
-    let absolute = study.tolerances.iter().map(|t| row(Some(t.tolerance), &t.dim, &t.nondim));
+    let absolute = runs.tolerances.iter().map(|t| row(Some(t.tolerance), &t.dim, &t.nondim));
     let [dim, nondim] =
-        [&study.revolute.dim, &study.revolute.nondim].map(|run| Counts::of(&run.series, None));
+        [&runs.revolute.dim, &runs.revolute.nondim].map(|run| IterationCounts::of(&run.series, None));
     absolute.chain([row(None, &dim, &nondim)]).collect()
 }

@@ -1,37 +1,36 @@
-//! How the printed numbers that do not depend on the machine compare.
+//! CaseRuns with the printed numbers that do not depend on the machine.
 
 use serde::Serialize;
 
-use super::gravity::Agreement;
-use super::{Equation34, Forms, Table6};
+use super::forms::{Agreement, Equation34, FormValues, Table6};
 
-/// One comparison for each printed table.
+/// Comparison with each printed table.
 #[derive(Clone, Debug, Serialize)]
-pub struct Verdict {
-    /// The comparisons.
-    pub checks: Vec<Check>,
+pub struct PaperVerdict {
+    /// Comparisons.
+    pub checks: Vec<PrintedCheck>,
 }
 
-/// A group of printed numbers.
+/// Comparison with a group of printed numbers.
 #[derive(Clone, Debug, Serialize)]
-pub struct Check {
-    /// Where they are printed.
+pub struct PrintedCheck {
+    /// Place in the paper.
     pub what: &'static str,
-    /// Their unit.
+    /// Unit.
     pub unit: &'static str,
-    /// Difference below which a number counts as reproduced.
+    /// Largest difference of a reproduced number.
     pub tolerance: f64,
-    /// Numbers that are within the tolerance.
+    /// Numbers within the tolerance.
     pub within: usize,
-    /// Numbers compared, agreement to the last digit, worst difference.
+    /// Compared numbers, exact numbers, largest difference.
     #[serde(flatten)]
     pub agreement: Agreement,
 }
 
-impl Verdict {
-    /// Compares everything that is printed and not a time of analysis.
-    pub fn new(equation34: Equation34, table3: &Forms, table5: &Forms, table6: &Table6) -> Self {
-        let single = |ours: f64, paper: f64| Forms {
+impl PaperVerdict {
+    /// Compares all printed numbers except the analysis times.
+    pub fn new(equation34: Equation34, table3: &FormValues, table5: &FormValues, table6: &Table6) -> Self {
+        let single = |ours: f64, paper: f64| FormValues {
             n: vec![1],
             dim: vec![ours],
             nondim: Vec::new(),
@@ -44,34 +43,40 @@ impl Verdict {
         steps.paper_nondim = Some(vec![table6.step.paper_step_nondim]);
         Self {
             checks: vec![
-                Check::new("Table 3, unit of time", "s", table3, 2, 0.005),
-                Check::new("Eq. (34), static deflection", "mm", &eq34, 3, 0.0005),
-                Check::new("Table 5, mean deflection", "mm", table5, 3, 2e-3),
-                Check::new("Table 6, step", "s", &steps, 5, 5e-6),
-                Check::new("Table 6, instants", "", &table6.instants, 0, 0.0),
+                PrintedCheck::new("Table 3, unit of time", "s", table3, 2, 0.005),
+                PrintedCheck::new("Eq. (34), static deflection", "mm", &eq34, 3, 0.0005),
+                PrintedCheck::new("Table 5, mean deflection", "mm", table5, 3, 2e-3),
+                PrintedCheck::new("Table 6, step", "s", &steps, 5, 5e-6),
+                PrintedCheck::new("Table 6, instants", "", &table6.instants, 0, 0.0),
             ],
         }
     }
 
-    /// Printed numbers in all.
+    /// Returns the number of printed numbers.
     pub fn numbers(&self) -> usize {
         self.checks.iter().map(|check| check.agreement.numbers).sum()
     }
 
-    /// Those within their tolerance.
+    /// Returns the number of printed numbers within their tolerance.
     pub fn within(&self) -> usize {
         self.checks.iter().map(|check| check.within).sum()
     }
 
-    /// Those that agree to the last printed digit.
+    /// Returns the number of printed numbers that agree to the last digit.
     pub fn exact(&self) -> usize {
         self.checks.iter().map(|check| check.agreement.exact).sum()
     }
 }
 
-impl Check {
-    fn new(what: &'static str, unit: &'static str, table: &Forms, decimals: usize, tolerance: f64) -> Self {
-        // Half a unit of the last digit is allowed to its end, rounding included.
+impl PrintedCheck {
+    fn new(
+        what: &'static str,
+        unit: &'static str,
+        table: &FormValues,
+        decimals: usize,
+        tolerance: f64,
+    ) -> Self {
+        // Half a unit of the last digit is allowed, including rounding.
         let allowed = tolerance * (1.0 + 1e-9);
         let within = table.pairs().filter(|(ours, printed)| (ours - printed).abs() <= allowed).count();
         let agreement = Agreement::new(table, decimals);

@@ -1,10 +1,10 @@
-//! How times were taken, what files there are, what is cited.
+//! Measurement of times, files, references.
 
 use maud::{Markup, html};
 
-use super::Report;
+use super::context::PageContext;
 
-/// Works that the text cites.
+/// References of the text.
 const REFERENCES: [&str; 4] = [
     "K.-W. Kim, J.-W. Lee, J.-S. Jang, J.-Y. Oh, J.-H. Kang, H.-R. Kim, W.-S. Yoo: Efficiency of \
      non-dimensional analysis for absolute nodal coordinate formulation. Nonlinear Dynamics 87 (2017), doi \
@@ -18,24 +18,22 @@ const REFERENCES: [&str; 4] = [
      Appleton Laboratory, RAL-TR-2001-034 (2001).",
 ];
 
-impl Report<'_> {
-    pub(super) fn sources(&self) -> Markup {
-        html! {
-            p { "Every time is that of one whole simulation on one thread: checking and assembling the \
-                model, all steps, all columns kept in memory. The forms of a problem run in turn, so that \
-                a drift of the machine touches all alike; " (self.repeats()) ". Times below a tenth of a \
-                second scatter by several tens of per cent on a busy machine." }
-            p { "Every figure is here as SVG and PNG, every table as CSV in full precision; "
-                a href="results.json" { "results.json" } " holds all numbers. The command "
-                code { "ancf paper" } " writes them anew." }
-            ul.references { @for reference in REFERENCES { li { (reference) } } }
-        }
+pub(super) fn section(context: &PageContext<'_>) -> Markup {
+    html! {
+        p { "Every time is that of one complete simulation on one thread: check and assembly of the model, all steps, \
+            all columns in memory. The forms of a problem alternate, so that a drift of the machine affects all \
+            equally; " (repeats(context)) ". Times below a tenth of a \
+            second scatter by several tens of per cent on a busy machine." }
+        p { "Every figure is available as SVG and PNG, every table as CSV in full precision; "
+            a href="results.json" { "results.json" } " contains all numbers. The command "
+            code { "ancf paper" } " writes them again." }
+        ul.references { @for reference in REFERENCES { li { (reference) } } }
     }
+}
 
-    fn repeats(&self) -> String {
-        match self.results.repeats {
-            0 | 1 => "each ran once".to_owned(),
-            repeats => format!("the median of {repeats} repetitions is shown"),
-        }
+fn repeats(context: &PageContext<'_>) -> String {
+    match context.results.repeats {
+        0 | 1 => "each ran once".to_owned(),
+        repeats => format!("the median of {repeats} repetitions is shown"),
     }
 }

@@ -1,132 +1,132 @@
-//! A table of numbers, written as CSV in full precision and shown with fewer digits.
+//! PaperTable of numbers: CSV in full precision, text with fewer digits.
 
 use std::ops::Range;
 
 use anyhow::{Context, Result};
 
-use crate::report::number;
+use crate::page::number;
 
-/// A table with named columns.
+/// PaperTable with named columns.
 #[derive(Clone, Debug)]
-pub struct Table {
-    /// Name of its CSV file without the ending.
+pub struct PaperTable {
+    /// Name of the CSV file without the extension.
     pub file: &'static str,
-    /// The columns.
-    pub columns: Vec<Column>,
-    /// The rows, each as long as `columns`.
-    pub rows: Vec<Vec<Value>>,
+    /// Columns.
+    pub columns: Vec<PaperColumn>,
+    /// Rows, each as long as `columns`.
+    pub rows: Vec<Vec<CellValue>>,
 }
 
-/// What a column holds.
+/// Heading and format of a column.
 #[derive(Clone, Copy, Debug)]
-pub struct Column {
-    /// Heading shared with its neighbours, may be empty.
+pub struct PaperColumn {
+    /// Heading shared with the neighbours, may be empty.
     pub group: &'static str,
-    /// Its own heading.
+    /// Heading.
     pub name: &'static str,
     /// Unit, may be empty.
     pub unit: &'static str,
-    /// How its numbers are shown.
-    pub format: Format,
+    /// Number format.
+    pub format: NumberFormat,
 }
 
-/// How numbers are shown; see [`number`].
+/// Number format, see [`number`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// So many decimals.
+pub enum NumberFormat {
+    /// Number of decimals.
     Fixed(usize),
-    /// So many decimals, with a sign.
+    /// Number of decimals, with a sign.
     Signed(usize),
-    /// So many digits that count.
+    /// Number of significant digits.
     Significant(usize),
-    /// Powers of ten with so many digits in front.
+    /// Power of ten with the number of digits of the factor.
     Scientific(usize),
 }
 
-/// One cell.
+/// Cell.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// A number.
+pub enum CellValue {
+    /// Number.
     Number(f64),
-    /// Words.
+    /// Text.
     Text(String),
 }
 
-impl From<f64> for Value {
+impl From<f64> for CellValue {
     fn from(x: f64) -> Self {
         Self::Number(x)
     }
 }
 
-impl From<u32> for Value {
+impl From<u32> for CellValue {
     fn from(x: u32) -> Self {
         Self::Number(f64::from(x))
     }
 }
 
-impl From<&str> for Value {
+impl From<&str> for CellValue {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 }
 
-impl Column {
-    /// A column under no shared heading.
-    pub const fn new(name: &'static str, unit: &'static str, format: Format) -> Self {
+impl PaperColumn {
+    /// Creates a column without a shared heading.
+    pub const fn new(name: &'static str, unit: &'static str, format: NumberFormat) -> Self {
         Self { group: "", name, unit, format }
     }
 
-    /// A column of words under no shared heading.
+    /// Creates a column of text without a shared heading.
     pub const fn text(name: &'static str) -> Self {
-        Self::new(name, "", Format::Fixed(0))
+        Self::new(name, "", NumberFormat::Fixed(0))
     }
 
-    /// The same column under a shared heading.
+    /// Sets the shared heading.
     #[must_use]
     pub const fn under(self, group: &'static str) -> Self {
         Self { group, ..self }
     }
 
-    /// Its own heading with the unit.
+    /// Returns the heading with the unit.
     pub fn heading(&self) -> String {
         if self.unit.is_empty() { self.name.to_owned() } else { format!("{} ({})", self.name, self.unit) }
     }
 
-    /// Both headings and the unit.
+    /// Returns both headings and the unit.
     fn full_heading(&self) -> String {
         if self.group.is_empty() { self.heading() } else { format!("{}: {}", self.group, self.heading()) }
     }
 
-    /// A cell as it is shown.
-    pub fn show(&self, value: &Value) -> String {
+    /// Formats a cell.
+    pub fn show(&self, value: &CellValue) -> String {
         match (value, self.format) {
-            (Value::Text(text), _) => text.clone(),
-            (&Value::Number(x), Format::Fixed(decimals)) => number::fixed(x, decimals),
-            (&Value::Number(x), Format::Signed(decimals)) => number::signed(x, decimals),
-            (&Value::Number(x), Format::Significant(digits)) => number::significant(x, digits),
-            (&Value::Number(x), Format::Scientific(digits)) => number::scientific(x, digits),
+            (CellValue::Text(text), _) => text.clone(),
+            (&CellValue::Number(x), NumberFormat::Fixed(decimals)) => number::fixed(x, decimals),
+            (&CellValue::Number(x), NumberFormat::Signed(decimals)) => number::signed(x, decimals),
+            (&CellValue::Number(x), NumberFormat::Significant(digits)) => number::significant(x, digits),
+            (&CellValue::Number(x), NumberFormat::Scientific(digits)) => number::scientific(x, digits),
         }
     }
 }
 
-impl Table {
-    /// The table as CSV: a line of headings with units, then a line per row.
+impl PaperTable {
+    /// Returns the table as CSV: a line of headings with units, then one line per row.
     ///
     /// # Errors
     /// If a row is not as long as the heading.
     pub fn csv(&self) -> Result<Vec<u8>> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.columns.iter().map(Column::full_heading))?;
+        writer.write_record(self.columns.iter().map(PaperColumn::full_heading))?;
         for row in &self.rows {
             writer.write_record(row.iter().map(|value| match value {
-                Value::Number(x) => number::exact(*x),
-                Value::Text(text) => text.clone(),
+                CellValue::Number(x) => number::exact(*x),
+                CellValue::Text(text) => text.clone(),
             }))?;
         }
         writer.into_inner().ok().context("memory can be written")
     }
 
-    /// Some of its rows and columns, under the name of the same file.
+    /// Returns a part of the rows and columns. The file name remains.
     #[must_use]
     pub fn part(&self, rows: Range<usize>, columns: Range<usize>) -> Self {
         let rows = self.rows.get(rows).unwrap_or_default().iter();
@@ -137,7 +137,7 @@ impl Table {
         }
     }
 
-    /// The shared headings in order, each with the number of its columns; none if there is no such heading.
+    /// Returns the shared headings in order, each with its number of columns. Empty if there are none.
     pub fn groups(&self) -> Vec<(&'static str, usize)> {
         let mut groups: Vec<(&'static str, usize)> = Vec::new();
         for column in &self.columns {

@@ -1,27 +1,29 @@
+//! HTML page of the verification.
+
 use ancf_verification::Comparison;
 use maud::{Markup, html};
 
 use super::plot;
-use super::record::Record;
-use super::verdict::Verdict;
-use crate::report::number::{fixed, scientific, significant};
-use crate::report::{Page, Section, figure};
+use super::record::VerificationRecord;
+use super::verdict::ProblemVerdict;
+use crate::page::number::{fixed, scientific, significant};
+use crate::page::{HtmlPage, PageSection, figure};
 
-/// Longer tables are folded if all in them holds.
-const MOST_ROWS: usize = 16;
+/// Maximum number of rows of a table that is not collapsed, if all rows hold.
+const MAX_ROWS: usize = 16;
 
-/// The report.
-pub fn page(verdicts: &[Verdict], record: &Record) -> String {
-    let mut sections = vec![Section::new("summary", "Summary", summary(verdicts, record))];
+/// Returns the page as HTML.
+pub fn page(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> String {
+    let mut sections = vec![PageSection::new("summary", "Summary", summary(verdicts, record))];
     sections.extend(verdicts.iter().map(section));
     let subtitle = html! {
-        "Closed forms, independent solutions and published numbers, solved anew on this machine by "
+        "Closed forms, independent solutions and published numbers, computed on this machine by "
         code { "ancf verify" } "."
     };
-    Page { title: "Problems with known answers", subtitle, sections }.into_text()
+    HtmlPage { title: "Problems with known answers", subtitle, sections }.into_text()
 }
 
-fn summary(verdicts: &[Verdict], record: &Record) -> Markup {
+fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
     let numbers: usize = verdicts.iter().map(|verdict| verdict.comparisons().len()).sum();
     html! {
         div class=(if record.holds { "box good" } else { "box off" }) {
@@ -34,13 +36,13 @@ fn summary(verdicts: &[Verdict], record: &Record) -> Markup {
         div.table tabindex="0" role="region" aria-label="All problems" {
             table.wide {
                 caption { span {
-                    "The worst of each problem: the comparison whose error is the largest part of its tolerance. "
+                    "Worst comparison of each problem: the largest ratio of error to tolerance. "
                     span.files { a href="results.json" { "JSON" } }
                 } }
                 thead { tr {
                     th.text scope="col" { "Problem" } th.text scope="col" { "Source" }
                     th scope="col" { "Numbers" } th scope="col" { "Worst error" }
-                    th scope="col" { "Tolerance" } th.text scope="col" { "Verdict" }
+                    th scope="col" { "Tolerance" } th.text scope="col" { "ProblemVerdict" }
                     th scope="col" { "Time (s)" }
                 } }
                 tbody { @for verdict in verdicts { (line(verdict)) } }
@@ -49,7 +51,7 @@ fn summary(verdicts: &[Verdict], record: &Record) -> Markup {
     }
 }
 
-fn headline(verdicts: &[Verdict]) -> String {
+fn headline(verdicts: &[ProblemVerdict]) -> String {
     let holding = verdicts.iter().filter(|verdict| verdict.holds()).count();
     match (verdicts.len(), holding) {
         (1, 1) => "The problem holds.".to_owned(),
@@ -58,8 +60,8 @@ fn headline(verdicts: &[Verdict]) -> String {
     }
 }
 
-/// A problem's line in the summary.
-fn line(verdict: &Verdict) -> Markup {
+/// Returns the row of a problem in the summary.
+fn line(verdict: &ProblemVerdict) -> Markup {
     let problem = verdict.problem;
     html! {
         tr {
@@ -76,7 +78,7 @@ fn line(verdict: &Verdict) -> Markup {
     }
 }
 
-fn section(verdict: &Verdict) -> Section {
+fn section(verdict: &ProblemVerdict) -> PageSection {
     let problem = verdict.problem;
     let plots = verdict.findings.iter().flat_map(|findings| &findings.plots).enumerate();
     let body = html! {
@@ -91,10 +93,10 @@ fn section(verdict: &Verdict) -> Section {
             (figure(&format!("{}-{}", problem.name, k + 1), plot::figure(plot).svg(), &html! { (plot.title) "." }))
         }
     };
-    Section::new(problem.name, problem.title, body)
+    PageSection::new(problem.name, problem.title, body)
 }
 
-/// A drawing in characters without empty lines around it and without the margin that all its lines share.
+/// Removes empty lines around a text drawing, and the margin common to all lines.
 fn sketch(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
     let full = |line: &&str| !line.is_empty();
@@ -104,12 +106,12 @@ fn sketch(text: &str) -> String {
     lines.join("\n").trim_matches('\n').to_owned()
 }
 
-/// What was compared; folded if it is long and holds.
-fn compared(verdict: &Verdict) -> Markup {
+/// Returns the comparisons, collapsed if there are many and all hold.
+fn compared(verdict: &ProblemVerdict) -> Markup {
     let count = verdict.comparisons().len();
     let off = verdict.comparisons().iter().filter(|comparison| !comparison.holds()).count();
     html! {
-        @if count > MOST_ROWS && off == 0 {
+        @if count > MAX_ROWS && off == 0 {
             details {
                 summary { "All " (count) " numbers hold" @if let Some(worst) = verdict.worst() {
                     "; the worst is " (worst.what) ", " (error(worst)) " off, where " (tolerance(worst)) " is allowed"
@@ -120,13 +122,13 @@ fn compared(verdict: &Verdict) -> Markup {
     }
 }
 
-fn table(verdict: &Verdict) -> Markup {
+fn table(verdict: &ProblemVerdict) -> Markup {
     html! {
         div.table tabindex="0" role="region" aria-label={ "Numbers of " (verdict.problem.title) } {
             table {
                 thead { tr {
-                    th.text scope="col" { "What" } th scope="col" { "Ours" } th scope="col" { "Reference" }
-                    th scope="col" { "Error" } th scope="col" { "Tolerance" } th.text scope="col" { "Verdict" }
+                    th.text scope="col" { "Quantity" } th scope="col" { "Computed" } th scope="col" { "Reference" }
+                    th scope="col" { "Error" } th scope="col" { "Tolerance" } th.text scope="col" { "ProblemVerdict" }
                 } }
                 tbody { @for comparison in verdict.comparisons() { (row(comparison)) } }
             }
@@ -151,7 +153,7 @@ fn word(holds: bool) -> Markup {
     html! { @if holds { span.good { "holds" } } @else { strong.off { "failed" } } }
 }
 
-/// A number of a comparison with two digits beyond its tolerance; what is far below the error allowed is zero.
+/// Formats a number of a comparison with two digits beyond its tolerance.
 fn value(comparison: &Comparison, x: f64) -> String {
     let allowed = comparison.tolerance * comparison.scale;
     if !(x.is_finite() && allowed > 0.0 && allowed.is_finite()) || x == 0.0 {
@@ -169,7 +171,7 @@ fn tolerance(comparison: &Comparison) -> String {
     relative(comparison.tolerance)
 }
 
-/// A part of a size, with at most two digits.
+/// Formats a relative number with at most two digits.
 fn relative(x: f64) -> String {
     let two = scientific(x, 2);
     match x {
@@ -184,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_the_digits_that_count() {
+    fn numbers_have_significant_digits() {
         let mut findings = ancf_verification::Findings::default();
         findings.compare("x", 0.943_566_763, 0.943_566_123, 1.0, 1e-5);
         findings.compare("y", 3e-13, 0.0, 2.0, 2.5e-6);

@@ -1,16 +1,18 @@
+//! Content of `results.json` of the verification.
+
 use serde::Serialize;
 
-use super::verdict::Verdict;
-use crate::report::Machine;
+use super::verdict::ProblemVerdict;
+use crate::page::MachineInfo;
 
-/// The contents of `results.json`; what is not a number is null.
+/// Content of `results.json`. A value that is not finite is null.
 #[derive(Debug, Serialize)]
-pub struct Record {
-    /// Where it was run, by which version.
-    pub machine: Machine,
-    /// Time of all together.
+pub struct VerificationRecord {
+    /// Machine and version of the program.
+    pub machine: MachineInfo,
+    /// Total time, s.
     pub seconds: f64,
-    /// Whether all hold.
+    /// True if all problems hold.
     pub holds: bool,
     problems: Vec<ProblemRecord>,
 }
@@ -22,7 +24,7 @@ struct ProblemRecord {
     source: &'static str,
     goal: &'static str,
     holds: bool,
-    /// Why there is nothing to compare.
+    /// Reason of a problem without comparisons.
     reason: Option<String>,
     seconds: f64,
     comparisons: Vec<ComparisonRecord>,
@@ -39,17 +41,17 @@ struct ComparisonRecord {
     holds: bool,
 }
 
-impl Record {
-    /// The verdicts, which took so many seconds in all.
-    pub fn new(verdicts: &[Verdict], seconds: f64) -> Self {
-        let holds = verdicts.iter().all(Verdict::holds);
+impl VerificationRecord {
+    /// Creates the record of verdicts that took `seconds` in total.
+    pub fn new(verdicts: &[ProblemVerdict], seconds: f64) -> Self {
+        let holds = verdicts.iter().all(ProblemVerdict::holds);
         let problems = verdicts.iter().map(ProblemRecord::new).collect();
-        Self { machine: Machine::this(), seconds, holds, problems }
+        Self { machine: MachineInfo::current(), seconds, holds, problems }
     }
 }
 
 impl ProblemRecord {
-    fn new(verdict: &Verdict) -> Self {
+    fn new(verdict: &ProblemVerdict) -> Self {
         let problem = verdict.problem;
         let comparisons = verdict.comparisons().iter().map(|c| ComparisonRecord {
             what: c.what.clone(),

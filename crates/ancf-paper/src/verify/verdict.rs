@@ -1,47 +1,49 @@
+//! Outcome of a verification problem.
+
 use ancf_verification::{Comparison, Findings, Problem};
 
-/// What came out of a problem.
+/// Outcome of a verification problem.
 #[derive(Clone, Debug)]
-pub struct Verdict {
-    /// The problem.
+pub struct ProblemVerdict {
+    /// Problem.
     pub problem: Problem,
-    /// Ours beside the references, or why there is nothing.
+    /// Comparisons with references, or the reason why there are none.
     pub findings: Result<Findings, String>,
-    /// Time it took.
+    /// Wall-clock time, s.
     pub seconds: f64,
 }
 
-impl Verdict {
-    /// Whether everything that was compared holds, and anything was.
+impl ProblemVerdict {
+    /// True if there are comparisons and all of them hold.
     pub fn holds(&self) -> bool {
         self.worst().is_some() && self.comparisons().iter().all(Comparison::holds)
     }
 
-    /// What was compared.
+    /// Returns the comparisons.
     pub fn comparisons(&self) -> &[Comparison] {
         self.findings.as_ref().map_or(&[], |findings| &findings.comparisons)
     }
 
-    /// The comparison whose error is the largest part of its tolerance.
+    /// Returns the comparison with the largest ratio of error to tolerance.
     pub fn worst(&self) -> Option<&Comparison> {
         self.comparisons().iter().max_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
-    /// Why there is nothing to compare, if so.
+    /// Returns the reason why there are no comparisons, if any.
     pub fn reason(&self) -> Option<&str> {
         match &self.findings {
             Err(reason) => Some(reason),
-            Ok(findings) if findings.comparisons.is_empty() => Some("it compares nothing"),
+            Ok(findings) if findings.comparisons.is_empty() => Some("the problem has no comparisons"),
             Ok(_) => None,
         }
     }
 
-    /// In a word.
+    /// Returns the verdict in a word.
     pub fn word(&self) -> &'static str {
         if self.holds() { "holds" } else { "FAILED" }
     }
 
-    /// A line for the terminal, with so much room for the name.
+    /// Returns a line for the terminal. The name has `width` characters.
     pub fn line(&self, width: usize) -> String {
         let Self { problem, seconds, .. } = self;
         let found = match self.worst() {
@@ -57,7 +59,7 @@ impl Verdict {
     }
 }
 
-/// The error as a part of the tolerance; what is not a number exceeds all.
+/// Returns the ratio of error to tolerance. NaN exceeds every number.
 fn share(comparison: &Comparison) -> f64 {
     let share = comparison.error() / comparison.tolerance;
     match comparison.error() {
@@ -69,17 +71,17 @@ fn share(comparison: &Comparison) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use ancf_verification::Error;
+    use ancf_verification::VerificationError;
 
     use super::*;
 
-    fn verdict(findings: Result<Findings, String>) -> Verdict {
-        let run = || Err(Error::Missing("all".into()));
+    fn verdict(findings: Result<Findings, String>) -> ProblemVerdict {
+        let run = || Err(VerificationError::Missing("all".into()));
         let problem = Problem { name: "p", title: "", source: "", sketch: "", goal: "", run };
-        Verdict { problem, findings, seconds: 0.5 }
+        ProblemVerdict { problem, findings, seconds: 0.5 }
     }
 
-    fn compared(errors: &[f64]) -> Verdict {
+    fn compared(errors: &[f64]) -> ProblemVerdict {
         let mut findings = Findings::default();
         for (k, error) in errors.iter().enumerate() {
             findings.compare(format!("number {k}"), 1.0 + error, 1.0, 1.0, 0.1);
@@ -101,7 +103,7 @@ mod tests {
     fn nothing_compared_is_no_success() {
         for (nothing, reason) in [
             (verdict(Err("no equilibrium".into())), "no equilibrium"),
-            (compared(&[]), "it compares nothing"),
+            (compared(&[]), "the problem has no comparisons"),
         ] {
             assert!(!nothing.holds());
             assert!(nothing.line(1).ends_with(reason), "{}", nothing.line(1));

@@ -1,49 +1,49 @@
-//! The cases of a study: which values the parameters have in each.
+//! Design of a study: values of the parameters in each case.
+
+use std::hash::Hasher;
 
 use ancf::ModelError;
 use ancf::model::substitute;
 use siphasher::sip128::{Hasher128, SipHasher24};
-use std::hash::Hasher;
 use toml::Value;
 
-use super::objective::Objectives;
-use super::statement::{Combine, Parameter, Study};
+use crate::statement::{Combine, Objectives, Parameter, Study};
 
-/// The cases of a study.
+/// Cases of a study.
 ///
-/// Every combination of lists and ranges is run with every sample of the distributions. Cases count from 0; of combinations the
-/// last parameter runs fastest, in alphabetical order, and samples run faster still.
-#[derive(Debug)]
-pub struct Design {
-    axes: Vec<Axis>,
+/// Every combination of lists and ranges is run with every sample of the distributions. Cases are numbered from 0. Samples vary
+/// fastest, then the last parameter in alphabetical order.
+#[derive(Clone, Debug)]
+pub struct CaseDesign {
+    axes: Vec<ParameterAxis>,
     cases: usize,
 }
 
-/// The values of a parameter.
-#[derive(Debug)]
-pub struct Axis {
-    /// The path of the key.
+/// Values of a parameter.
+#[derive(Clone, Debug)]
+pub struct ParameterAxis {
+    /// Path of the key.
     pub path: String,
-    /// In case k the value is that at (k / stride) mod length.
+    /// Values. Case k has the value at (k / stride) mod length.
     values: Vec<Value>,
     stride: usize,
 }
 
-impl Axis {
-    /// All values.
+impl ParameterAxis {
+    /// Returns all values.
     pub fn values(&self) -> &[Value] {
         &self.values
     }
 
-    /// The value in a case.
+    /// Returns the value in a case.
     pub fn value(&self, case: usize) -> &Value {
         &self.values[case / self.stride % self.values.len()]
     }
 }
 
-impl Design {
-    /// The cases that a study states; `None` if there are more than can be counted.
-    pub fn of(study: &Study) -> Option<Self> {
+impl CaseDesign {
+    /// Creates the design of a study. `None` if the number of cases cannot be represented.
+    pub fn new(study: &Study) -> Option<Self> {
         let samples = study.samples();
         let mut cases = samples as usize;
         let mut axes = Vec::new();
@@ -53,12 +53,12 @@ impl Design {
                 (_, Some(values)) => {
                     let stride = if study.combine == Combine::Grid { cases } else { samples as usize };
                     cases = stride.checked_mul(values.len())?;
-                    axes.push(Axis { path, values, stride });
+                    axes.push(ParameterAxis { path, values, stride });
                 }
                 (Parameter::Rule(rule), None) => {
-                    let parts = study.sampling.parts(samples, study.seed, &path);
-                    let values = parts.into_iter().map(|p| Value::Float(rule.quantile(p))).collect();
-                    axes.push(Axis { path, values, stride: 1 });
+                    let probabilities = study.sampling.probabilities(samples, study.seed, &path);
+                    let values = probabilities.into_iter().map(|p| Value::Float(rule.quantile(p))).collect();
+                    axes.push(ParameterAxis { path, values, stride: 1 });
                 }
                 (Parameter::List(_), None) => {}
             }
@@ -67,20 +67,20 @@ impl Design {
         Some(Self { axes, cases })
     }
 
-    /// How many cases there are.
+    /// Returns the number of cases.
     pub const fn cases(&self) -> usize {
         self.cases
     }
 
-    /// The parameters.
-    pub fn axes(&self) -> &[Axis] {
+    /// Returns the parameters.
+    pub fn axes(&self) -> &[ParameterAxis] {
         &self.axes
     }
 
-    /// The data of the model in a case.
+    /// Returns the data of the model in a case.
     ///
     /// # Errors
-    /// If a path leads nowhere, as it may once another parameter has been set.
+    /// If a path has no target, which may happen after another parameter was set.
     pub fn data(&self, base: &Value, case: usize) -> Result<Value, ModelError> {
         let mut data = base.clone();
         for axis in &self.axes {
@@ -89,8 +89,9 @@ impl Design {
         Ok(data)
     }
 
-    /// A hash of all that the study and the model say about a case. The program is not in it: another version may find other
-    /// results, but whether it does is known to the user, who then takes another folder.
+    /// Returns a hash of the model data of a case and of the objectives.
+    ///
+    /// The version of the program is not included. If another version gives other results, the user chooses another folder.
     pub fn key(&self, base: &Value, objectives: &Objectives, case: usize) -> String {
         let mut data = self.data(base, case).unwrap_or_else(|error| Value::String(error.to_string()));
         if let Value::Table(table) = &mut data {

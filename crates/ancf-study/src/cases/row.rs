@@ -1,4 +1,4 @@
-//! A case that was run: a row of the results.
+//! Result of a case: a row of the table.
 
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -9,24 +9,25 @@ use ancf::record::Every;
 use ancf::{Model, Outcome, Simulation, Summary};
 use toml::Value;
 
-use super::design::Design;
-use super::objective::{Gauges, Objectives};
+use super::design::CaseDesign;
+use super::gauges::ObjectiveGauges;
+use crate::statement::Objectives;
 
-/// How a case ended.
+/// Outcome of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Ending {
-    /// All was computed.
+pub enum CaseOutcome {
+    /// The analysis was completed.
     Finished,
-    /// Ctrl-C came before its end.
+    /// The case was interrupted.
     Stopped,
-    /// The equations could not be solved.
+    /// The analysis failed.
     Failed,
-    /// The values do not make a valid model.
+    /// The model with the values of the case is invalid.
     Invalid,
 }
 
-impl Ending {
-    /// Its word in the results.
+impl CaseOutcome {
+    /// Returns the name in the table.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Finished => "finished",
@@ -36,36 +37,36 @@ impl Ending {
         }
     }
 
-    /// The ending of a word.
-    pub fn of(word: &str) -> Option<Self> {
+    /// Returns the outcome of a name in the table.
+    pub fn from_word(word: &str) -> Option<Self> {
         [Self::Finished, Self::Stopped, Self::Failed, Self::Invalid]
             .into_iter()
             .find(|one| one.word() == word)
     }
 }
 
-/// What came of a case.
+/// Result of a case.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// How it ended.
-    pub ending: Ending,
-    /// What went wrong.
+pub struct CaseRow {
+    /// Outcome.
+    pub outcome: CaseOutcome,
+    /// Error message or warnings.
     pub message: Option<String>,
-    /// The objectives in the order of their names, if it finished.
+    /// Objectives in the order of their names. `None` unless the case finished.
     pub objectives: Vec<Option<f64>>,
-    /// Steps, equilibria, modes or critical loads.
+    /// Number of steps, equilibria, modes or critical loads.
     pub steps: Option<u64>,
-    /// Newton iterations.
+    /// Number of Newton iterations.
     pub iterations: Option<u64>,
-    /// Wall-clock time.
+    /// Wall-clock time in seconds.
     pub seconds: f64,
 }
 
-impl Row {
+impl CaseRow {
     /// Runs a case.
-    pub fn of(
+    pub fn run(
         case: usize,
-        design: &Design,
+        design: &CaseDesign,
         base: &Value,
         objectives: &Objectives,
         interrupt: &Interrupt,
@@ -74,49 +75,49 @@ impl Row {
         let row = catch_unwind(AssertUnwindSafe(|| {
             let data = design.data(base, case).map_err(|error| error.to_string());
             match data.and_then(|data| Model::from_value(&data).map_err(|errors| errors.to_string())) {
-                Ok(model) => Self::run(&model, objectives, interrupt),
-                Err(message) => Self::without(Ending::Invalid, message, objectives),
+                Ok(model) => Self::simulate(&model, objectives, interrupt),
+                Err(message) => Self::without(CaseOutcome::Invalid, message, objectives),
             }
         }));
-        // One case that meets an error of the program must not cost the others.
+        // A panic in one case must not end the others.
         let row = row.unwrap_or_else(|_| {
-            Self::without(Ending::Failed, "the program met an error of its own".into(), objectives)
+            Self::without(CaseOutcome::Failed, "internal error of the program".into(), objectives)
         });
         Self { seconds: clock.elapsed().as_secs_f64(), ..row }
     }
 
-    fn run(model: &Model, objectives: &Objectives, interrupt: &Interrupt) -> Self {
-        let mut gauges = Gauges::of(objectives);
+    fn simulate(model: &Model, objectives: &Objectives, interrupt: &Interrupt) -> Self {
+        let mut gauges = ObjectiveGauges::new(objectives);
         let simulation = match Simulation::new(model) {
             Ok(simulation) => simulation.heeding(interrupt.clone()),
-            Err(errors) => return Self::without(Ending::Invalid, errors.to_string(), objectives),
+            Err(errors) => return Self::without(CaseOutcome::Invalid, errors.to_string(), objectives),
         };
         match simulation.run(&mut Every::new(model.output.every, &mut gauges)) {
-            Ok(summary) => Self::ended(model, &summary, &gauges),
-            Err(error) => Self::without(Ending::Invalid, said(&error), objectives),
+            Ok(summary) => Self::from_summary(model, &summary, &gauges),
+            Err(error) => Self::without(CaseOutcome::Invalid, message_of(&error), objectives),
         }
     }
 
-    fn ended(model: &Model, summary: &Summary, gauges: &Gauges<'_>) -> Self {
-        let (values, told) = gauges.values();
-        let (ending, message) = match &summary.outcome {
-            Outcome::Finished => (Ending::Finished, (!told.is_empty()).then(|| told.join("\n"))),
-            Outcome::Stopped => (Ending::Stopped, None),
-            Outcome::Failed { .. } => (Ending::Failed, summary.outcome.failure(&model.analysis)),
+    fn from_summary(model: &Model, summary: &Summary, gauges: &ObjectiveGauges<'_>) -> Self {
+        let (values, messages) = gauges.values();
+        let (outcome, message) = match &summary.outcome {
+            Outcome::Finished => (CaseOutcome::Finished, (!messages.is_empty()).then(|| messages.join("\n"))),
+            Outcome::Stopped => (CaseOutcome::Stopped, None),
+            Outcome::Failed { .. } => (CaseOutcome::Failed, summary.outcome.failure(&model.analysis)),
         };
-        // A mean until something failed is no mean of a motion.
+        // Objectives of an incomplete motion are not comparable.
         let objectives =
-            values.into_iter().map(|value| value.filter(|_| ending == Ending::Finished)).collect();
+            values.into_iter().map(|value| value.filter(|_| outcome == CaseOutcome::Finished)).collect();
         let (steps, iterations) = (Some(summary.steps), Some(summary.iterations));
-        Self { ending, message, objectives, steps, iterations, seconds: 0.0 }
+        Self { outcome, message, objectives, steps, iterations, seconds: 0.0 }
     }
 
-    fn without(ending: Ending, message: String, objectives: &Objectives) -> Self {
+    fn without(outcome: CaseOutcome, message: String, objectives: &Objectives) -> Self {
         let objectives = vec![None; objectives.len()];
-        Self { ending, message: Some(message), objectives, steps: None, iterations: None, seconds: 0.0 }
+        Self { outcome, message: Some(message), objectives, steps: None, iterations: None, seconds: 0.0 }
     }
 }
 
-fn said(error: &io::Error) -> String {
+fn message_of(error: &io::Error) -> String {
     error.get_ref().map_or_else(|| error.to_string(), ToString::to_string)
 }

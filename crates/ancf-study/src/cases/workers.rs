@@ -1,40 +1,38 @@
-//! Threads that run cases, one case each at a time.
+//! Worker threads that run one case at a time.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
+use super::row::CaseRow;
 use ancf::analysis::Interrupt;
-use anyhow::Result;
 
-use super::row::Row;
-
-/// How often the receiver is called if no case ends.
+/// Interval of the calls of `receive` while no case ends.
 const TICK: Duration = Duration::from_millis(200);
-/// Bytes of stack of a thread, as the main thread of a program has.
+/// Stack size of a thread in bytes, as of a main thread.
 const STACK: usize = 8 << 20;
 
-/// Runs cases on so many threads and hands on each row as it comes; `None` now and then, if none comes.
+/// Runs cases on `jobs` threads. Passes each row to `receive` when its case ends, and `None` from time to time.
 ///
-/// A case has a pool of its own, so that it does not wait for work of another. It has one thread, which makes small models
-/// fastest; more only if there are fewer cases than threads. Ctrl-C ends it.
+/// Every worker has a thread pool of its own: a case does not wait for work of another case. The pool has one thread, which is
+/// fastest for small models, and more only if there are fewer cases than threads. The interrupt flag stops the workers.
 ///
 /// # Errors
-/// Those of `receive`, which end it too.
-pub fn run(
+/// The first error of `receive`. It stops the workers.
+pub fn run_cases<E>(
     cases: &[usize],
     jobs: usize,
     interrupt: &Interrupt,
-    work: impl Fn(usize) -> Row + Sync,
-    mut receive: impl FnMut(Option<(usize, Row)>) -> Result<()>,
-) -> Result<()> {
+    work: impl Fn(usize) -> CaseRow + Sync,
+    mut receive: impl FnMut(Option<(usize, CaseRow)>) -> Result<(), E>,
+) -> Result<(), E> {
     let workers = jobs.min(cases.len());
     let threads = (jobs / workers.max(1)).max(1);
     let next = AtomicUsize::new(0);
     let (send, received) = mpsc::channel();
     thread::scope(|scope| {
-        // Dropped with the scope, so that an error here ends the workers after the case they are at.
+        // Dropped at the end of the scope. After an error the workers stop with their current case.
         let received = received;
         for _ in 0..workers {
             let (send, next, work) = (send.clone(), &next, &work);

@@ -1,6 +1,6 @@
-//! Numbers that look random, and the same ones on every machine.
+//! Pseudo-random samples that are the same on every machine.
 //!
-//! Each number is a hash of the seed, of the parameter and of its place: it does not depend on the other parameters of a study.
+//! Each number is a hash of the seed, the path of the parameter and the index. It is independent of the other parameters.
 
 use std::hash::Hasher;
 
@@ -8,22 +8,22 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use siphasher::sip::SipHasher24;
 
-/// How samples fill the range of their distributions.
+/// Sampling method of the distributions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Sampling {
-    /// One sample in each of as many equally likely intervals (McKay, Beckman & Conover 1979).
+    /// Latin hypercube: one sample in each of `n` equally likely intervals (McKay, Beckman & Conover 1979).
     #[default]
     LatinHypercube,
-    /// Samples that know nothing of each other.
+    /// Independent samples.
     Random,
 }
 
 impl Sampling {
-    /// So many parts p of a distribution, 0 < p < 1, whose quantiles are the samples of a parameter.
-    pub fn parts(self, count: u32, seed: u32, parameter: &str) -> Vec<f64> {
+    /// Returns `count` probabilities, 0 < p < 1. Their quantiles are the samples of a parameter.
+    pub fn probabilities(self, count: u32, seed: u32, parameter: &str) -> Vec<f64> {
         let unit = |k: u32| {
-            // 52 bits and a half: neither 0 nor 1.
+            // 52 bits plus one half: neither 0 nor 1.
             ((hash(seed, parameter, "place", k) >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
         };
         match self {
@@ -31,9 +31,10 @@ impl Sampling {
             Self::LatinHypercube => {
                 let mut order: Vec<u32> = (0..count).collect();
                 order.sort_by_key(|&k| (hash(seed, parameter, "interval", k), k));
-                let part = |(k, interval): (u32, u32)| (f64::from(interval) + unit(k)) / f64::from(count);
+                let probability =
+                    |(k, interval): (u32, u32)| (f64::from(interval) + unit(k)) / f64::from(count);
                 let below_one = 1.0 - 0.5 * f64::EPSILON;
-                (0..count).zip(order).map(|place| part(place).min(below_one)).collect()
+                (0..count).zip(order).map(|place| probability(place).min(below_one)).collect()
             }
         }
     }
@@ -53,13 +54,13 @@ fn hash(seed: u32, parameter: &str, purpose: &str, k: u32) -> u64 {
 mod tests {
     use super::*;
 
-    /// Each of the intervals has its sample, in an order of its own for each parameter.
+    /// Every interval has one sample. The order differs between parameters.
     #[test]
     fn a_latin_hypercube_has_a_sample_in_each_interval() {
         for count in [1, 2, 7, 1000] {
             let intervals = |parameter| -> Vec<u32> {
-                let parts = Sampling::LatinHypercube.parts(count, 1, parameter);
-                parts.iter().map(|p| (p * f64::from(count)) as u32).collect()
+                let samples = Sampling::LatinHypercube.probabilities(count, 1, parameter);
+                samples.iter().map(|p| (p * f64::from(count)) as u32).collect()
             };
             let mut sorted = intervals("a");
             sorted.sort_unstable();
@@ -68,12 +69,12 @@ mod tests {
         }
     }
 
-    /// Samples of different parameters have nothing to do with each other, nor has a sample with its place.
+    /// Samples of different parameters are uncorrelated, and so are a sample and its index.
     #[test]
     fn parameters_are_not_correlated() {
         let n = 10_000;
         for sampling in [Sampling::LatinHypercube, Sampling::Random] {
-            let [a, b] = ["a", "b"].map(|parameter| sampling.parts(n, 1, parameter));
+            let [a, b] = ["a", "b"].map(|parameter| sampling.probabilities(n, 1, parameter));
             let mean = |x: &mut dyn Iterator<Item = f64>| x.sum::<f64>() / f64::from(n);
             let correlation = 12.0 * mean(&mut a.iter().zip(&b).map(|(a, b)| (a - 0.5) * (b - 0.5)));
             let trend = 12.0
@@ -84,12 +85,12 @@ mod tests {
         }
     }
 
-    /// More random samples are added to those there were; another seed gives others.
+    /// A larger number of random samples extends the smaller one. Another seed gives other samples.
     #[test]
     fn random_samples_are_extended() {
-        let [few, many] = [10, 20].map(|count| Sampling::Random.parts(count, 1, "a"));
+        let [few, many] = [10, 20].map(|count| Sampling::Random.probabilities(count, 1, "a"));
         assert_eq!(few, many[..10]);
-        assert!(few.iter().zip(Sampling::Random.parts(10, 2, "a")).all(|(a, b)| *a != b));
+        assert!(few.iter().zip(Sampling::Random.probabilities(10, 2, "a")).all(|(a, b)| *a != b));
     }
 
     /// SipHash-2-4 of `a`, `place`, 0 with the key 1, 0 by an independent program that gives the test vector of

@@ -1,56 +1,53 @@
-//! The results of a study as a table in a Parquet file.
+//! Results of a study as a Parquet table.
 
-use std::collections::HashMap;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
 use ancf_results::whole;
-use anyhow::{Context, Result};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::record::Field;
 use parquet::schema::types::Type;
 use toml::Value;
 
-use super::design::Axis;
-use super::objective::Objectives;
-use super::row::{Ending, Row};
+use crate::cases::{CaseRow, ParameterAxis};
+use crate::error::{StudyError, TableError};
+use crate::statement::{Objectives, TABLE_COLUMNS};
 
-/// Columns of every table; parameters and objectives come after the first.
-pub const COLUMNS: [&str; 7] = ["case", "outcome", "message", "steps", "iterations", "seconds", "key"];
-
-/// A column by the type of its values; `None` where there is nothing.
-enum Column {
+/// Column by the type of its values. `None` is a null.
+enum TableColumn {
     Integers(Vec<Option<i64>>),
     Numbers(Vec<Option<f64>>),
     Truths(Vec<Option<bool>>),
     Texts(Vec<Option<String>>),
 }
 
-/// The rows of cases with what they belong to.
-pub struct Table<'a> {
-    /// The parameters.
-    pub axes: &'a [Axis],
-    /// The objectives.
+/// Parameters, objectives and text of a study, for its table.
+#[derive(Clone, Copy, Debug)]
+pub struct StudyTable<'a> {
+    /// Parameters.
+    pub axes: &'a [ParameterAxis],
+    /// Objectives.
     pub objectives: &'a Objectives,
-    /// The text of the study.
+    /// Text of the study file.
     pub text: &'a str,
 }
 
-impl Table<'_> {
-    /// Writes cases, with their keys and rows, to a file: at once all of it or nothing.
-    pub fn write(&self, path: &Path, cases: &[(usize, &str, &Row)]) -> Result<()> {
+impl StudyTable<'_> {
+    /// Writes cases, with their keys and rows, to a file. The file is replaced as a whole.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, path: &Path, cases: &[(usize, &str, &CaseRow)]) -> Result<(), StudyError> {
         whole(path, |file| self.fill(file, cases).map_err(io::Error::other))
-            .with_context(|| format!("cannot write {}", path.display()))
+            .map_err(|source| StudyError::File { action: "write", path: path.to_owned(), source })
     }
 
-    fn fill(&self, file: &File, cases: &[(usize, &str, &Row)]) -> Result<()> {
+    fn fill(&self, file: &File, cases: &[(usize, &str, &CaseRow)]) -> Result<(), TableError> {
         let columns = self.columns(cases);
         let fields = columns.iter().map(|(name, column)| column.field(name));
         let fields = fields.collect::<Result<Vec<_>, _>>()?;
@@ -72,36 +69,36 @@ impl Table<'_> {
         Ok(())
     }
 
-    fn columns(&self, cases: &[(usize, &str, &Row)]) -> Vec<(String, Column)> {
+    fn columns(&self, cases: &[(usize, &str, &CaseRow)]) -> Vec<(String, TableColumn)> {
         let rows = || cases.iter().map(|(_, _, row)| *row);
         let count = |count: Option<u64>| count.and_then(|count| i64::try_from(count).ok());
         let case = cases.iter().map(|(case, _, _)| i64::try_from(*case).ok());
-        let mut columns = vec![("case".to_owned(), Column::Integers(case.collect()))];
+        let mut columns = vec![("case".to_owned(), TableColumn::Integers(case.collect()))];
         for axis in self.axes {
             columns.push((
                 axis.path.clone(),
-                Column::of(axis, cases.iter().map(|(case, _, _)| axis.value(*case))),
+                TableColumn::of_parameter(axis, cases.iter().map(|(case, _, _)| axis.value(*case))),
             ));
         }
         for (k, name) in self.objectives.keys().enumerate() {
-            columns.push((name.clone(), Column::Numbers(rows().map(|row| row.objectives[k]).collect())));
+            columns.push((name.clone(), TableColumn::Numbers(rows().map(|row| row.objectives[k]).collect())));
         }
         let last = [
-            Column::Texts(rows().map(|row| Some(row.ending.word().to_owned())).collect()),
-            Column::Texts(rows().map(|row| row.message.clone()).collect()),
-            Column::Integers(rows().map(|row| count(row.steps)).collect()),
-            Column::Integers(rows().map(|row| count(row.iterations)).collect()),
-            Column::Numbers(rows().map(|row| Some(row.seconds)).collect()),
-            Column::Texts(cases.iter().map(|(_, key, _)| Some((*key).to_owned())).collect()),
+            TableColumn::Texts(rows().map(|row| Some(row.outcome.word().to_owned())).collect()),
+            TableColumn::Texts(rows().map(|row| row.message.clone()).collect()),
+            TableColumn::Integers(rows().map(|row| count(row.steps)).collect()),
+            TableColumn::Integers(rows().map(|row| count(row.iterations)).collect()),
+            TableColumn::Numbers(rows().map(|row| Some(row.seconds)).collect()),
+            TableColumn::Texts(cases.iter().map(|(_, key, _)| Some((*key).to_owned())).collect()),
         ];
-        columns.extend(COLUMNS[1..].iter().map(|name| (*name).to_owned()).zip(last));
+        columns.extend(TABLE_COLUMNS[1..].iter().map(|name| (*name).to_owned()).zip(last));
         columns
     }
 }
 
-impl Column {
-    /// The values of a parameter: if all it ever has are of one type, in a column of that type, else as text.
-    fn of<'v>(axis: &Axis, values: impl Iterator<Item = &'v Value>) -> Self {
+impl TableColumn {
+    /// Creates the column of a parameter. If its values have different types, the column contains text.
+    fn of_parameter<'v>(axis: &ParameterAxis, values: impl Iterator<Item = &'v Value>) -> Self {
         let all = |test: fn(&Value) -> bool| axis.values().iter().all(test);
         if all(Value::is_integer) {
             Self::Integers(values.map(Value::as_integer).collect())
@@ -149,93 +146,4 @@ fn write<D: DataType>(
     let levels: Vec<i16> = values.iter().map(|value| i16::from(value.is_some())).collect();
     column.typed::<D>().write_batch(&present, Some(&levels), None)?;
     column.close()
-}
-
-/// Rows by their keys of all tables in a folder, but of cases that were stopped; those that finished go before others.
-pub fn rows_in(folder: &Path, objectives: &Objectives) -> Result<HashMap<String, Row>> {
-    let mut rows = HashMap::new();
-    let entries = match fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(rows),
-        entries => entries.with_context(|| format!("cannot read {}", folder.display()))?,
-    };
-    for entry in entries {
-        let path = entry?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with("cases") && name.ends_with(".parquet") {
-            let other = "remove it or take another folder for the results";
-            read(&path, objectives, &mut rows)
-                .with_context(|| format!("{} cannot be read; {other}", path.display()))?;
-        }
-    }
-    Ok(rows)
-}
-
-fn read(path: &Path, objectives: &Objectives, rows: &mut HashMap<String, Row>) -> Result<()> {
-    for row in SerializedFileReader::new(File::open(path)?)?.get_row_iter(None)? {
-        let fields = row?.into_columns();
-        let fields: HashMap<&str, &Field> = fields.iter().map(|(name, field)| (&**name, field)).collect();
-        let Some((key, row)) = from_fields(&fields, objectives) else { continue };
-        let is_better = row.ending == Ending::Finished || !rows.contains_key(&key);
-        if row.ending != Ending::Stopped && is_better {
-            rows.insert(key, row);
-        }
-    }
-    Ok(())
-}
-
-/// The key and the row of a case; `None` if it is the row of another study.
-fn from_fields(fields: &HashMap<&str, &Field>, objectives: &Objectives) -> Option<(String, Row)> {
-    let number = |name: &str| match fields.get(name) {
-        Some(Field::Double(x)) => Some(*x),
-        _ => None,
-    };
-    let count = |name: &str| match fields.get(name) {
-        Some(Field::Long(n)) => u64::try_from(*n).ok(),
-        _ => None,
-    };
-    let text = |name: &str| match fields.get(name) {
-        Some(Field::Str(text)) => Some(text.clone()),
-        _ => None,
-    };
-    let values = objectives.keys().map(|name| fields.contains_key(name.as_str()).then(|| number(name)));
-    let row = Row {
-        ending: Ending::of(&text("outcome")?)?,
-        message: text("message"),
-        objectives: values.collect::<Option<_>>()?,
-        steps: count("steps"),
-        iterations: count("iterations"),
-        seconds: number("seconds")?,
-    };
-    Some((text("key")?, row))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn row(ending: Ending) -> Row {
-        Row { ending, message: None, objectives: Vec::new(), steps: None, iterations: None, seconds: 1.0 }
-    }
-
-    /// Of the rows of a case in several files, in whatever order these are read.
-    #[test]
-    fn a_stopped_row_hides_none_and_a_finished_one_all() {
-        let objectives = Objectives::new();
-        let table = Table { axes: &[], objectives: &objectives, text: "" };
-        for (one, other, kept) in [
-            (Ending::Stopped, Ending::Failed, Some(Ending::Failed)),
-            (Ending::Stopped, Ending::Invalid, Some(Ending::Invalid)),
-            (Ending::Failed, Ending::Finished, Some(Ending::Finished)),
-            (Ending::Stopped, Ending::Stopped, None),
-        ] {
-            for endings in [[one, other], [other, one]] {
-                let folder = tempfile::TempDir::new().unwrap();
-                for (ending, name) in endings.into_iter().zip(["cases.parquet", "cases-1-of-2.parquet"]) {
-                    table.write(&folder.path().join(name), &[(0, "key", &row(ending))]).unwrap();
-                }
-                let rows = rows_in(folder.path(), &objectives).unwrap();
-                assert_eq!(rows.get("key").map(|row| row.ending), kept, "{endings:?}");
-            }
-        }
-    }
 }

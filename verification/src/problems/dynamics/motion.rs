@@ -1,4 +1,4 @@
-//! Motions by the library's own types, for what model files do not state: velocities at the start, momenta.
+//! Time integration by the types of the library, for initial velocities and momenta that model files do not state.
 
 use ancf::Model;
 use ancf::analysis::{Dynamics, Newton, Scheme, SolveError, Stop};
@@ -6,22 +6,22 @@ use ancf::model::Assembly;
 use ancf::system::{EquationsOfMotion, SparseMatrix, State, System, Weights};
 use nalgebra::Vector3;
 
-use crate::Error;
+use crate::VerificationError;
 
-/// A body's vectors, and the mass matrix, which is constant.
+/// Constant mass matrix of an assembly.
 pub(super) struct Inertia<'a> {
     assembly: &'a Assembly,
     mass: SparseMatrix,
 }
 
-/// What is kept in free flight.
+/// Momenta, which are constant in free flight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Momenta {
-    /// Momentum.
+    /// Linear momentum.
     pub linear: Vector3<f64>,
-    /// Moment of momentum about the origin.
+    /// Angular momentum about the origin.
     pub angular: Vector3<f64>,
-    /// Mass times the place of the centre.
+    /// Mass times the position of the centre of mass.
     pub first: Vector3<f64>,
 }
 
@@ -32,13 +32,13 @@ impl<'a> Inertia<'a> {
         Self { assembly, mass }
     }
 
-    /// M x, forces on the coordinates.
+    /// Returns M x.
     fn times(&self, mut x: Vec<f64>) -> Vec<f64> {
         x.resize(self.mass.pattern().size(), 0.0);
         self.mass.times(&x)
     }
 
-    /// Momenta of a state: those of its nodal vectors e, as they move with M v.
+    /// Returns the momenta of a state, from its nodal vectors and M v.
     pub(super) fn momenta(&self, s: &State) -> Momenta {
         let mut places = vec![0.0; s.q.len()];
         let vectors: Vec<_> = self.assembly.bodies().flat_map(|(_, mesh)| mesh.vectors(s)).collect();
@@ -60,17 +60,17 @@ impl<'a> Inertia<'a> {
     }
 }
 
-/// A model that will be moved by hand.
-pub(super) fn assemble(model: &str) -> Result<Assembly, Error> {
+/// Assembles a model.
+pub(super) fn assemble(model: &str) -> Result<Assembly, VerificationError> {
     Ok(Model::parse(model)?.assemble()?)
 }
 
-/// The dynamics from a state, made consistent, by steps that are solved to 1e-10 in energy's root.
+/// Creates the time integration from a state, with consistent initial conditions and an energy tolerance of 1e-10.
 pub(super) fn dynamics(
     assembly: &Assembly,
     spectral_radius: f64,
     start: State,
-) -> Result<Dynamics<'_, System>, Error> {
+) -> Result<Dynamics<'_, System>, VerificationError> {
     let newton =
         Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).map_err(|e| failed(assembly, &e))?;
     let scheme = Scheme::generalized_alpha(spectral_radius);
@@ -79,15 +79,16 @@ pub(super) fn dynamics(
     Ok(dynamics)
 }
 
-/// Moves on to a time by equal steps and shows every state. A jump of the loads may be there: they end with those before it, and
-/// the motion begins anew.
+/// Integrates to a time with equal steps and passes every state to `show`.
+///
+/// If the loads jump at `to`, the last step uses the loads before the jump, and the integration restarts.
 pub(super) fn advance(
     assembly: &Assembly,
     dynamics: &mut Dynamics<'_, System>,
     to: f64,
     steps: u32,
     show: &mut dyn FnMut(&State),
-) -> Result<(), Error> {
+) -> Result<(), VerificationError> {
     let from = dynamics.state().t;
     for step in 1..=steps {
         let is_last = step == steps;
@@ -102,8 +103,8 @@ pub(super) fn advance(
     Ok(())
 }
 
-fn failed(assembly: &Assembly, error: &SolveError) -> Error {
-    Error::Failed {
+fn failed(assembly: &Assembly, error: &SolveError) -> VerificationError {
+    VerificationError::Failed {
         reason: error.to_string(),
         at: error.worst.map_or_else(|| "the whole system".to_owned(), |worst| assembly.name_of(worst)),
     }

@@ -1,20 +1,22 @@
 use std::f64::consts::PI;
 
 use super::instants::row_at;
-use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
+use crate::problems::models::{ROD, Rod, end_probe};
+use crate::{Findings, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve};
 
-/// A flexible arm that is spun up about its root.
+/// Spin-up of a flexible arm about its root.
 pub const PROBLEM: Problem = Problem {
     name: "spin_up",
     title: "Spin-up of a flexible arm",
     source: "Simo & Vu-Quoc (1986), after Kane, Ryan & Banerjee (1987); deflections by a spectral rod of Reissner's theory, \
-             order 8, integrated to 1e-10, and by a second program, equal to 3e-4. Steady stretch tan(kL)/k − L, k² = ω² ρA/EA",
+             order 8, integrated to 1e-10, and by a second program, equal to 3e-4. Steady stretch tan(kL)/k − L, k² = \
+             ω² ρA/EA",
     sketch: r"
       ___ ω(t)
      /   \ |
      O=====|=====================   L = 10
      root                     tip   at rest, 45 rad after 15 s, then 6 rad/s",
-    goal: "Tip in a frame that turns with the root: across within 1e-3 (of a length of 10) at all times, with 16 elements, \
+    goal: "Tip in a frame that rotates with the root: across within 1e-3 (of a length of 10) at all times, with 16 elements, \
            linked and quadratic; steady stretch at 6 rad/s within 1e-6",
     run,
 };
@@ -38,10 +40,10 @@ fn model(formulation: &str) -> String {
     format!(
         r#"
         output.interval = 0.1
-        materials.stuff = {{ density = 1.2, young = 2.8e7 }}
+        materials.material = {{ density = 1.2, young = 2.8e7 }}
 
         # E A = 2.8e7, G A = 1e7, E I = 1.4e4, ρ A = 1.2, ρ I = 6e-4.
-        [sections.arm]
+        [sections.section]
         kind = "general"
         area = 1
         iy = 5e-4
@@ -49,16 +51,7 @@ fn model(formulation: &str) -> String {
         ky = {shear}
         kz = {shear}
 
-        [[bodies]]
-        kind = "beam"
-        name = "arm"
-        formulation = "{formulation}"
-        from = [0, 0, 0]
-        to = [10, 0, 0]
-        elements = 16
-        section = "arm"
-        material = "stuff"
-
+        {rod}
         [[joints]]
         kind = "drive"
         name = "root"
@@ -66,21 +59,20 @@ fn model(formulation: &str) -> String {
         axis = [0, 0, 1]
         time = {{ kind = "expression", text = "if(t < 15, 0.4*(t^2/2 + (7.5/pi)^2*(cos(2*pi*t/15) - 1)), 6*t - 45)" }}
 
-        [[probes]]
-        name = "tip"
-        on = {{ body = "arm", at = "end" }}
-
+        {tip}
         [analysis]
         kind = "dynamics"
         duration = 17
         step = 0.005
         scheme = {{ spectral_radius = 0.8 }}
         "#,
-        shear = 2.0 / 2.8
+        shear = 2.0 / 2.8,
+        rod = Rod { name: "arm", element: formulation, to: [10.0, 0.0, 0.0], elements: 16, ..ROD },
+        tip = end_probe("tip", "arm")
     )
 }
 
-/// Angle of the root.
+/// Returns the angle of the root.
 fn angle(t: f64) -> f64 {
     if t < 15.0 {
         0.4 * (0.5 * t * t + (7.5 / PI).powi(2) * ((2.0 * PI * t / 15.0).cos() - 1.0))
@@ -89,44 +81,41 @@ fn angle(t: f64) -> f64 {
     }
 }
 
-/// t and the displacement of the tip, seen from the root, in all rows.
-fn displacements(solved: &Solved) -> Result<Vec<[f64; 3]>, Error> {
+/// Returns t and the displacement of the tip in the frame of the root, for all rows.
+fn displacements(solved: &SolvedModel) -> Result<Vec<[f64; 3]>, VerificationError> {
     let (t, x, y) = (solved.column("t")?, solved.column("tip.x")?, solved.column("tip.y")?);
-    let seen = t.iter().zip(x.iter().zip(y)).map(|(&t, (x, y))| {
+    let rows = t.iter().zip(x.iter().zip(y)).map(|(&t, (x, y))| {
         let (sin, cos) = angle(t).sin_cos();
         [t, cos * x + sin * y - 10.0, cos * y - sin * x]
     });
-    Ok(seen.collect())
+    Ok(rows.collect())
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
-    let mut plot = Plot {
-        title: "Displacement of the tip, seen from the root".into(),
-        axes: ["t, s".into(), "along and across, m".into()],
-        ..Plot::default()
-    };
+    let axes = ["t, s", "along and across, m"];
+    let mut plot = Plot::new("Displacement of the tip in the frame of the root", axes, Vec::new());
     for formulation in ["linked", "quadratic"] {
         let solved = solve(&model(formulation))?;
-        let seen = displacements(&solved)?;
+        let rows = displacements(&solved)?;
         for [t, along, across] in TIP {
-            let [_, ours_along, ours_across] = seen[row_at(&solved, t)?];
+            let [_, ours_along, ours_across] = rows[row_at(&solved, t)?];
             findings.compare(format!("{formulation}, across, t = {t} s"), ours_across, across, 1.0, 1e-3);
             findings.compare(format!("{formulation}, along, t = {t} s"), ours_along, along, 1.0, 1e-3);
         }
-        let steady: Vec<f64> = seen.iter().filter(|row| row[0] > 15.0).map(|row| row[1]).collect();
+        let steady: Vec<f64> = rows.iter().filter(|row| row[0] > 15.0).map(|row| row[1]).collect();
         let mean = steady.iter().sum::<f64>() / steady.len() as f64;
         findings.compare(format!("{formulation}, steady stretch, m"), mean, STEADY, 1.0, 1e-6);
         for (column, name) in [(1, "along"), (2, "across")] {
-            let points = seen.iter().map(|row| [row[0], row[column]]).collect();
-            plot.curves.push(Curve::line(format!("{formulation}, {name}"), points));
+            let points = rows.iter().map(|row| [row[0], row[column]]).collect();
+            plot.curves.push(PlotCurve::line(format!("{formulation}, {name}"), points));
         }
     }
     for (column, name) in [(1, "along"), (2, "across")] {
         let points = TIP.map(|row| [row[0], row[column]]).to_vec();
-        plot.curves.push(Curve::points(format!("spectral rod, {name}"), points));
+        plot.curves.push(PlotCurve::points(format!("spectral rod, {name}"), points));
     }
-    findings.plots.push(plot);
+    findings.plot(plot);
     Ok(findings)
 }
 
@@ -134,6 +123,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

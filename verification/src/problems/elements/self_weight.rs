@@ -1,22 +1,22 @@
-use super::cantilever::{Cantilever, KIM, KIM_BY_NUMBERS};
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::{Cantilever, KIM, KIM_BY_NUMBERS};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// Many elements under their own weight, all at once.
+/// Many elements under their own weight, in one load step.
 pub const PROBLEM: Problem = Problem {
     name: "self_weight",
-    title: "Own weight on a thousand elements at once",
+    title: "Own weight on a thousand elements in one load step",
     source: "Rod of Kim et al. (2017): heavy elastica and Reissner's rod with shear factor one, by shooting",
     sketch: r"
   |/|========================     L = 1 m, d = 20 mm, E A = 4e4 E I/L²
   |/| | | | | | | | | | | | |     1000 elements, each a twentieth of d long
       v v v v v v v v v v v v",
-    goal: "One load step, 1 to 5 Newton iterations, for elements of every kind and 10, 100 and 1000 of them; tip of 1000 \
-           elements within 1e-6 of its depth. Codes with approximate tangents or absolute tolerances need hundreds of \
+    goal: "One load step, 1 to 5 Newton iterations, for all elements and meshes of 10, 100 and 1000; deflection of 1000 \
+           elements within 1e-6. Codes with approximate tangents or absolute tolerances need hundreds of \
            iterations here, or fail",
     run,
 };
 
-/// Elements, and the depth of the tip in mm.
+/// Elements, and the deflection of the tip in mm.
 const KINDS: [(&str, f64); 5] = [
     ("continuum", 2.041_186_330),
     ("enhanced", 2.041_186_330),
@@ -25,7 +25,7 @@ const KINDS: [(&str, f64); 5] = [
     ("cable", 2.040_778_175),
 ];
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut curves = Vec::new();
     for (element, reference) in KINDS {
@@ -33,7 +33,7 @@ fn run() -> Result<Findings, Error> {
         for elements in [10, 100, 1000] {
             let section = if element == "cable" { KIM.section } else { KIM_BY_NUMBERS };
             let solved = solve(&Cantilever { element, elements, section, ..KIM }.model())?;
-            // As floating-point numbers both are exact.
+            // Exact as a floating-point number.
             let iterations = solved.summary.iterations as f64;
             findings.compare(
                 format!("iterations, 1 to 5, {element}, {elements} elements"),
@@ -54,15 +54,12 @@ fn run() -> Result<Findings, Error> {
                 );
             }
         }
-        curves.push(Curve::line(element, points));
+        curves.push(PlotCurve::line(element, points));
     }
-    findings.plots.push(Plot {
-        title: "Newton iterations against the number of elements".into(),
-        axes: ["elements".into(), "iterations".into()],
-        logarithmic: [true, false],
-        curves,
-        ..Plot::default()
-    });
+    findings.plot(
+        Plot::new("Newton iterations against the number of elements", ["elements", "iterations"], curves)
+            .with_logarithmic_axes([true, false]),
+    );
     Ok(findings)
 }
 
@@ -70,6 +67,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

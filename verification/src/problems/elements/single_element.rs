@@ -5,22 +5,22 @@ use ancf::model::{Material, Section};
 use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
 
-use super::cantilever::{Cantilever, KIM};
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::{Cantilever, KIM, KIM_AREA, ROD, end_probe, joint};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// What one element is.
+/// Mass, gravity, stiffness, stretch and release of one element.
 pub const PROBLEM: Problem = Problem {
     name: "single_element",
-    title: "Mass, gravity, stiffness, stretch and fall of one element",
+    title: "Mass, gravity, stiffness, stretch and release of one element",
     source: "Unit test of the beam 3243 of Project Chrono; closed forms of the shape functions",
     sketch: r"
      y|  /z
       | /              order: r, r_x, r_y, r_z of both nodes
       o================o -- x     1 × 0.1 × 0.1 m, ρ = 7850 kg/m³, E = 210 GPa, ν = 0.3",
-    goal: "Mass, gravity and stiffness to 1e-9, the latter's shear terms times Chrono's factor k, which this element does \
-           not have; stretch under a force at the end by s³ − s = 2P/EA, for beams of every kind, and by s − 1 = P/EA for the cable; \
-           accelerations of an \
-           element that starts to fall about a pin, and the pin's reaction m g/16",
+    goal: "Mass, gravity and stiffness to 1e-9, the shear terms of the stiffness times the factor k of Chrono, which \
+               this element does \
+           not have; stretch under a force at the end by s³ − s = 2P/EA, for all beams, and by s − 1 = P/EA for the cable; \
+           acceleration of a pinned element at its release, and reaction m g/16 of the pin",
     run,
 };
 
@@ -41,7 +41,7 @@ fn element() -> Beam24 {
 
 const REST: Local<'_> = Local { q: &[0.0; 24], v: &[0.0; 24], a: &[0.0; 24], lambda: &[], t: 0.0, load: 1.0 };
 
-/// The upper triangle of the compact mass matrix, what is not zero.
+/// Non-zero entries of the upper triangle of the compact mass matrix.
 const MASS: [(usize, usize, f64); 16] = [
     (0, 0, 29.1571428571429),
     (0, 1, 4.11190476190476),
@@ -78,7 +78,7 @@ fn mass(findings: &mut Findings) {
     findings.compare("largest other entry of M, kg", rest, 0.0, MASS[0].2, 1e-15);
 }
 
-/// The residual at rest is minus the force of gravity.
+/// Compares gravity. The residual at rest is minus the force of gravity.
 fn gravity(findings: &mut Findings) {
     let mut r = [0.0; 24];
     element().residual(&REST, &mut r);
@@ -123,7 +123,7 @@ const STRETCHES: [(f64, f64); 4] = [
     (0.5, 1.324717957244746),
 ];
 
-fn stretch(findings: &mut Findings) -> Result<(), Error> {
+fn stretch(findings: &mut Findings) -> Result<(), VerificationError> {
     let mut curves = Vec::new();
     for element in ["continuum", "enhanced", "linked", "quadratic", "cable"] {
         let mut ours = Vec::new();
@@ -138,61 +138,41 @@ fn stretch(findings: &mut Findings) -> Result<(), Error> {
                 ..KIM
             };
             let solved = solve(&cantilever.model())?;
-            // A cable's force is E A (s − 1).
+            // The force of a cable is E A (s − 1).
             let s = if element == "cable" { 1.0 + force } else { s };
             let what = format!("stretch, {element}, P/EA = {force}");
             findings.compare(what, solved.last("tip.x")?, s, 1.0, 1e-10);
             ours = solved.points("tip.x", "load")?.into_iter().map(|[s, load]| [s, load * force]).collect();
         }
-        curves.push(Curve::line(element, ours));
+        curves.push(PlotCurve::line(element, ours));
     }
-    curves.push(Curve::points("s³ − s = 2P/EA", STRETCHES.map(|(force, s)| [s, force]).to_vec()));
-    findings.plots.push(Plot {
-        title: "Force on one element against its stretch".into(),
-        axes: ["s".into(), "P/EA".into()],
-        curves,
-        ..Plot::default()
-    });
+    curves.push(PlotCurve::points("s³ − s = 2P/EA", STRETCHES.map(|(force, s)| [s, force]).to_vec()));
+    findings.plot(Plot::new("Force on one element against its stretch", ["s", "P/EA"], curves));
     Ok(())
 }
 
-/// Area of the circle of 20 mm, m².
-const KIM_AREA: f64 = 3.141592653589793e-4;
-
-/// Straight, horizontal, pinned at its start, at the instant of its release: no rigid body, its tip falls with 5g/4.
-fn fall(findings: &mut Findings) -> Result<(), Error> {
-    let solved = solve(
+/// Compares a horizontal rod, pinned at its start, at its release. Unlike a rigid rod, its tip has the acceleration 5g/4.
+fn release(findings: &mut Findings) -> Result<(), VerificationError> {
+    let solved = solve(&format!(
         r#"
         gravity = [0, -9.81, 0]
-        materials.steel = { density = 8030, young = 193e9 }
-        sections.circle = { kind = "circle", diameter = 0.02 }
-
-        [[bodies]]
-        kind = "beam"
-        name = "rod"
-        from = [0, 0, 0]
-        to = [1, 0, 0]
-        elements = 1
-        section = "circle"
-        material = "steel"
-
-        [[joints]]
-        kind = "spherical"
-        name = "pin"
-        a = { body = "rod", at = "start" }
-
-        [[probes]]
-        name = "tip"
-        on = { body = "rod", at = "end" }
-
+        materials.material = {{ density = 8030, young = 193e9 }}
+        sections.section = {{ kind = "circle", diameter = 0.02 }}
+        {ROD}{pin}{tip}
         [analysis]
         kind = "dynamics"
         duration = 1e-6
         step = 1e-6
         "#,
-    )?;
-    let first = |name: &str| -> Result<f64, Error> {
-        solved.column(name)?.first().copied().ok_or_else(|| Error::Missing(format!("row in {name}")))
+        pin = joint("spherical", "pin", "{ body = \"rod\", at = \"start\" }"),
+        tip = end_probe("tip", "rod")
+    ))?;
+    let first = |name: &str| -> Result<f64, VerificationError> {
+        solved
+            .column(name)?
+            .first()
+            .copied()
+            .ok_or_else(|| VerificationError::Missing(format!("row in {name}")))
     };
     let weight = 8030.0 * KIM_AREA * 9.81;
     findings.compare("tip's acceleration at release by g", first("tip.ay")? / -9.81, 1.25, 1.0, TOLERANCE);
@@ -206,13 +186,13 @@ fn fall(findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     mass(&mut findings);
     gravity(&mut findings);
     stiffness(&mut findings);
     stretch(&mut findings)?;
-    fall(&mut findings)?;
+    release(&mut findings)?;
     Ok(findings)
 }
 
@@ -220,6 +200,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

@@ -1,16 +1,19 @@
-use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
+use crate::problems::models::{ROD, Rod, cantilever};
+use crate::{Findings, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve};
 
-/// A strip on edge that turns over under the load at its tip.
+/// Lateral-torsional buckling of a strip under a load at its tip.
 pub const PROBLEM: Problem = Problem {
     name: "lateral_buckling",
     title: "Lateral-torsional buckling of a cantilever strip",
-    source: "Prandtl (1899), Michell (1899): P L² = 4.012599343578901 √(E I G J); with the bending before, the geometrically \
-             exact rod, bent in its plane by shooting and perturbed out of it",
+    source: "Prandtl (1899), Michell (1899): P L² = 4.012599343578901 √(E I G J); with the bending before buckling, the \
+             geometrically exact rod, bent in its plane by shooting and perturbed out of it",
     sketch: r"
   |/|===========================   L = 1 m, 50 × 5 mm on edge, E = 71.7 GPa, ν = .31
   |/|                          | P",
-    goal: "Within 1e-3 of the classical load by linear buckling, and of the geometrically exact rod by the change of stability \
-           along the path, with 64 quadratic elements; for St. Venant's torsion constant and for I₂ + I₃, five times the load",
+    goal: "Within 1e-3 of the classical load by linear buckling, and of the geometrically exact rod by the change of \
+               stability \
+           along the path, with 64 quadratic elements; for St. Venant's torsion constant and for I₂ + I₃, five times \
+           the load",
     run,
 };
 
@@ -20,51 +23,28 @@ const WIDTH: f64 = 0.005;
 fn strip(section: &str, analysis: &str) -> String {
     format!(
         r#"
-        materials.aluminium = {{ density = 2700, young = 71.7e9, poisson = 0.31 }}
-        sections.strip = {section}
-
-        [[bodies]]
-        kind = "beam"
-        name = "strip"
-        from = [0, 0, 0]
-        to = [1, 0, 0]
-        elements = 64
-        formulation = "quadratic"
-        section = "strip"
-        material = "aluminium"
-
-        [[joints]]
-        kind = "clamp"
-        name = "root"
-        a = {{ body = "strip", at = "start" }}
-
-        [[loads]]
-        kind = "force"
-        on = {{ body = "strip", at = "end" }}
-        force = [0, -1, 0]
-
-        [[probes]]
-        name = "tip"
-        on = {{ body = "strip", at = "end" }}
-
+        materials.material = {{ density = 2700, young = 71.7e9, poisson = 0.31 }}
+        sections.section = {section}
+        {}
         [analysis]
         {analysis}
-        "#
+        "#,
+        cantilever(&Rod { element: "quadratic", elements: 64, ..ROD }, [0.0, -1.0, 0.0])
     )
 }
 
-/// The load between the last stable point and the first unstable one.
-fn loss_of_stability(solved: &Solved) -> Result<f64, Error> {
+/// Returns the load between the last stable and the first unstable point.
+fn loss_of_stability(solved: &SolvedModel) -> Result<f64, VerificationError> {
     let rows = solved.points("load", "unstable")?;
     let first = rows.iter().position(|&[_, unstable]| unstable > 0.5);
     let pair = first.and_then(|first| rows.get(first.checked_sub(1)?..=first));
     let Some(&[[before, _], [beyond, _]]) = pair else {
-        return Err(Error::Missing("loss of stability".into()));
+        return Err(VerificationError::Missing("loss of stability".into()));
     };
     Ok(0.5 * (before + beyond))
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let area = HEIGHT * WIDTH;
     let [iy, iz] = [area * WIDTH * WIDTH / 12.0, area * HEIGHT * HEIGHT / 12.0];
@@ -82,16 +62,11 @@ fn run() -> Result<Findings, Error> {
         let solved = solve(&strip(&section, &path))?;
         let ours = loss_of_stability(&solved)?;
         findings.compare(format!("load of the exact rod in N, {name}"), ours, exact, exact, 1e-3);
-        curves.push(Curve::line(name, solved.points("load", "unstable")?));
+        curves.push(PlotCurve::line(name, solved.points("load", "unstable")?));
         let points = vec![[exact, 0.0], [exact, 1.0]];
-        curves.push(Curve::points(format!("exact rod, {name}"), points));
+        curves.push(PlotCurve::points(format!("exact rod, {name}"), points));
     }
-    findings.plots.push(Plot {
-        title: "Unstable directions of the strip that stays in its plane".into(),
-        axes: ["P in N".into(), "number".into()],
-        curves,
-        ..Plot::default()
-    });
+    findings.plot(Plot::new("Unstable directions of the plane path", ["P in N", "number"], curves));
     Ok(findings)
 }
 
@@ -99,6 +74,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

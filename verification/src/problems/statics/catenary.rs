@@ -1,17 +1,18 @@
-use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
+use crate::problems::models::{ROD, Rod, joint};
+use crate::{Findings, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve};
 
-/// A cable hung between two points.
+/// Cable suspended between two points.
 pub const PROBLEM: Problem = Problem {
     name: "catenary",
-    title: "Cable hung between two points of one height",
+    title: "Cable suspended between two points of equal height",
     source: "Catenary in closed form, inextensible and elastic, by Newton's method in extended precision",
     sketch: r"
   o                 o       span 10, length 12, weight w per length
    \               /
-     \           /          drawn in from its straight state by statics
+     \           /          moved from the straight state by statics
         `--___--'",
-    goal: "Sag, horizontal force, tension and slope at the ends within 1e-4 with 48 cable elements that hardly resist \
-           bending; inextensible, EA/w = 1000 and 100",
+    goal: "Sag, horizontal force, tension and slope at the ends within 1e-4 with 48 cable elements of small bending \
+           stiffness; inextensible, EA/w = 1000 and 100",
     run,
 };
 
@@ -26,11 +27,11 @@ const REFERENCES: [(f64, [f64; 3]); 3] = [
     (1e2, [3.955_270_427_525_548, 3.411_116_992_789_205, 7.186_387_420_314_753]),
 ];
 
-/// Of the inextensible one, degrees.
+/// Slope at the ends of the inextensible cable, degrees.
 const END_SLOPE: f64 = 51.954_360_700_51;
 
-/// With w = 1 and E I = 1e-4: bending reaches √(E I/H) ≈ 0.005 from the ends.
-fn hung(axial: f64) -> Result<Solved, Error> {
+/// Solves a cable with w = 1 and E I = 1e-4. Bending is confined to √(E I/H) ≈ 0.005 from the ends.
+fn solve_cable(axial: f64) -> Result<SolvedModel, VerificationError> {
     let diameter = 4.0 * (1e-4 / axial).sqrt();
     let area = 0.25 * std::f64::consts::PI * diameter * diameter;
     let probes: String = (0..=ELEMENTS)
@@ -39,55 +40,39 @@ fn hung(axial: f64) -> Result<Solved, Error> {
             format!("[[probes]]\nname = \"p{node}\"\non = {{ body = \"cable\", at = {at:?} }}\n")
         })
         .collect();
+    let rod = Rod { name: "cable", element: "cable", to: [LENGTH, 0.0, 0.0], elements: ELEMENTS, ..ROD };
+    let support =
+        |name, at: &str| joint("spherical", name, &format!("{{ body = \"cable\", at = \"{at}\" }}"));
     solve(&format!(
         r#"
         gravity = [0, -1, 0]
-        materials.cable = {{ density = {:e}, young = {:e} }}
-        sections.cable = {{ kind = "circle", diameter = {diameter:e} }}
-
-        [[bodies]]
-        kind = "cable"
-        name = "cable"
-        from = [0, 0, 0]
-        to = [{LENGTH:?}, 0, 0]
-        elements = {ELEMENTS}
-        section = "cable"
-        material = "cable"
-
-        [[joints]]
-        kind = "spherical"
-        name = "left"
-        a = {{ body = "cable", at = "start" }}
-
-        [[joints]]
-        kind = "spherical"
-        name = "right"
-        a = {{ body = "cable", at = "end" }}
-        b = {{ point = [{SPAN:?}, 0, 0] }}
-
+        materials.material = {{ density = {:e}, young = {:e} }}
+        sections.section = {{ kind = "circle", diameter = {diameter:e} }}
+        {rod}{left}{right}b = {{ point = [{SPAN:?}, 0, 0] }}
         {probes}
-
         [analysis]
         kind = "statics"
         first = 0.01
         "#,
         1.0 / area,
-        axial / area
+        axial / area,
+        left = support("left", "start"),
+        right = support("right", "end"),
     ))
 }
 
-/// A catenary with the parameter a = H/w, inextensible.
-fn catenary(a: f64) -> Curve {
+/// Returns the inextensible catenary with the parameter a = H/w.
+fn catenary(a: f64) -> PlotCurve {
     let y = |x: f64| a * (((x - 0.5 * SPAN) / a).cosh() - (0.5 * SPAN / a).cosh());
     let points = (0..=20).map(|k| 0.5 * f64::from(k)).map(|x| [x, y(x)]).collect();
-    Curve::points("catenary", points)
+    PlotCurve::points("catenary", points)
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut curves = Vec::new();
     for (axial, [horizontal, sag, tension]) in REFERENCES {
-        let solved = hung(axial)?;
+        let solved = solve_cable(axial)?;
         let name = if axial > 1e6 { "inextensible".into() } else { format!("EA/w = {axial}") };
         let (fx, fy) = (solved.last("right.fx")?, solved.last("right.fy")?);
         let middle = solved.last(&format!("p{}.y", ELEMENTS / 2))?;
@@ -106,16 +91,10 @@ fn run() -> Result<Findings, Error> {
         }
         let points = (0..=ELEMENTS)
             .map(|node| Ok([solved.last(&format!("p{node}.x"))?, solved.last(&format!("p{node}.y"))?]))
-            .collect::<Result<_, Error>>()?;
-        curves.push(Curve::line(name, points));
+            .collect::<Result<_, VerificationError>>()?;
+        curves.push(PlotCurve::line(name, points));
     }
-    findings.plots.push(Plot {
-        title: "Shapes".into(),
-        axes: ["x".into(), "y".into()],
-        equal: true,
-        curves,
-        ..Plot::default()
-    });
+    findings.plot(Plot::new("Shapes", ["x", "y"], curves).with_equal_scales());
     Ok(findings)
 }
 
@@ -123,6 +102,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

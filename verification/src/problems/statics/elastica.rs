@@ -1,6 +1,7 @@
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::{ROD, Rod, cantilever};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// The elastica: a cantilever under a dead load at its tip.
+/// Elastica: a cantilever under a dead load at its tip.
 pub const PROBLEM: Problem = Problem {
     name: "elastica",
     title: "Cantilever under a dead load at its tip",
@@ -10,7 +11,7 @@ pub const PROBLEM: Problem = Problem {
   |/|                    \____     P L²/EI = 1, 2, 5, 10, along −y
                               \
                                | P",
-    goal: "Tip within 1e-5 of the inextensible elastica with 32 cable elements of L/d = 1000, one model a load",
+    goal: "Tip within 1e-5 of the inextensible elastica with 32 cable elements of L/d = 1000, one model per load",
     run,
 };
 
@@ -22,46 +23,24 @@ const TIPS: [(f64, f64, f64); 4] = [
     (10.0, 0.445004402246249, 0.810609024880296),
 ];
 
-/// A wire of length one with E I = 1 and d = 1/1000, so that it hardly stretches.
+/// Returns a wire of length one with E I = 1 and d = 1/1000, which is nearly inextensible.
 fn model(load: f64) -> String {
     let area: f64 = std::f64::consts::PI * 0.25e-6;
     let young = 1.0 / (area * area / (4.0 * std::f64::consts::PI));
     format!(
         r#"
-        materials.wire = {{ density = 1, young = {young} }}
-        sections.wire = {{ kind = "circle", diameter = 1e-3 }}
-
-        [[bodies]]
-        kind = "cable"
-        name = "wire"
-        from = [0, 0, 0]
-        to = [1, 0, 0]
-        elements = 32
-        section = "wire"
-        material = "wire"
-
-        [[joints]]
-        kind = "clamp"
-        name = "root"
-        a = {{ body = "wire", at = "start" }}
-
-        [[loads]]
-        kind = "force"
-        on = {{ body = "wire", at = "end" }}
-        force = [0, -{load}, 0]
-
-        [[probes]]
-        name = "tip"
-        on = {{ body = "wire", at = "end" }}
-
+        materials.material = {{ density = 1, young = {young} }}
+        sections.section = {{ kind = "circle", diameter = 1e-3 }}
+        {}
         [analysis]
         kind = "statics"
         first = 0.1
-        "#
+        "#,
+        cantilever(&Rod { element: "cable", elements: 32, ..ROD }, [0.0, -load, 0.0])
     )
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut ours = Vec::new();
     for (load, x, y) in TIPS {
@@ -70,16 +49,17 @@ fn run() -> Result<Findings, Error> {
         findings.compare(format!("−y/L, PL²/EI = {load}"), -solved.last("tip.y")?, y, 1.0, 1e-5);
         ours = solved.points("tip.x", "tip.y")?;
     }
-    findings.plots.push(Plot {
-        title: "Way of the tip as the load grows to P L²/EI = 10".into(),
-        axes: ["x/L".into(), "y/L".into()],
-        equal: true,
-        curves: vec![
-            Curve::line("ours", ours),
-            Curve::points("elastica", TIPS.map(|(_, x, y)| [x, -y]).to_vec()),
-        ],
-        ..Plot::default()
-    });
+    findings.plot(
+        Plot::new(
+            "Path of the tip up to P L²/EI = 10",
+            ["x/L", "y/L"],
+            vec![
+                PlotCurve::line("ours", ours),
+                PlotCurve::points("elastica", TIPS.map(|(_, x, y)| [x, -y]).to_vec()),
+            ],
+        )
+        .with_equal_scales(),
+    );
     Ok(findings)
 }
 
@@ -87,6 +67,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

@@ -1,11 +1,11 @@
-use super::cantilever::Cantilever;
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::Cantilever;
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// The cable element under a large load at the tip.
+/// Cable element under a large load at the tip.
 pub const PROBLEM: Problem = Problem {
     name: "gerstmayr_irschik",
     title: "Cable element under a large dead load at the tip",
-    source: "Gerstmayr & Irschik (2008); limit by shooting of the rod with stretch and without shear, to 12 digits",
+    source: "Gerstmayr & Irschik (2008); limit by shooting of the rod with axial strain and without shear, to 12 digits",
     sketch: r"
   |/|==============
   |/|              \        L = 2 m, 0.1 × 0.1 m, E = 207 GPa
@@ -21,7 +21,7 @@ const LENGTH: f64 = 2.0;
 const LIMIT: [f64; 2] = [-0.508_537_304_326, -1.207_239_854_550];
 const MESHES: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
 
-fn tip(elements: u32) -> Result<[f64; 2], Error> {
+fn tip(elements: u32) -> Result<[f64; 2], VerificationError> {
     let cantilever = Cantilever {
         element: "cable",
         elements,
@@ -38,10 +38,10 @@ fn tip(elements: u32) -> Result<[f64; 2], Error> {
     Ok([solved.last("tip.x")? - LENGTH, solved.last("tip.y")?])
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let tips = MESHES.into_iter().map(tip).collect::<Result<Vec<_>, _>>()?;
-    let [.., coarse, fine] = tips.as_slice() else { return Err(Error::Missing("meshes".into())) };
+    let [.., coarse, fine] = tips.as_slice() else { return Err(VerificationError::Missing("meshes".into())) };
     for (axis, name) in ["x", "y"].into_iter().enumerate() {
         let limit = LIMIT[axis];
         let extrapolated = fine[axis] + (fine[axis] - coarse[axis]) / 15.0;
@@ -50,19 +50,20 @@ fn run() -> Result<Findings, Error> {
     }
     let error = |tip: &[f64; 2]| (tip[0] - LIMIT[0]).hypot(tip[1] - LIMIT[1]) / LENGTH;
     let fourth = |n: u32| [f64::from(n), error(&tips[0]) / f64::from(n).powi(4)];
-    findings.plots.push(Plot {
-        title: "Error of the tip against the number of elements".into(),
-        axes: ["elements".into(), "error / L".into()],
-        logarithmic: [true, true],
-        curves: vec![
-            Curve::line(
-                "ours",
-                MESHES.iter().zip(&tips).map(|(&n, tip)| [f64::from(n), error(tip)]).collect(),
-            ),
-            Curve::points("fourth order", MESHES.map(fourth).to_vec()),
-        ],
-        ..Plot::default()
-    });
+    findings.plot(
+        Plot::new(
+            "Error of the tip against the number of elements",
+            ["elements", "error / L"],
+            vec![
+                PlotCurve::line(
+                    "ours",
+                    MESHES.iter().zip(&tips).map(|(&n, tip)| [f64::from(n), error(tip)]).collect(),
+                ),
+                PlotCurve::points("fourth order", MESHES.map(fourth).to_vec()),
+            ],
+        )
+        .with_logarithmic_axes([true, true]),
+    );
     Ok(findings)
 }
 
@@ -70,6 +71,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

@@ -1,19 +1,21 @@
-use super::cantilever::{Cantilever, KIM};
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::{Cantilever, KIM};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// The heavy elastica: a cantilever under its own weight.
+/// Heavy elastica: a cantilever under its own weight.
 pub const PROBLEM: Problem = Problem {
     name: "heavy_elastica",
-    title: "Cantilever under its own weight, from stiff to limp",
-    source: "Heavy elastica, qL³/EI = 0.1 to 50, by shooting (inextensible); Reissner's rod with shear factor one, by shooting",
+    title: "Cantilever under its own weight, from stiff to soft",
+    source: "Heavy elastica, qL³/EI = 0.1 to 50, by shooting (inextensible); Reissner's rod with shear factor one, by \
+                 shooting",
     sketch: r"
   |/|==========___
   |/|   | | | |   \__      weight q, qL³/EI = 0.1, 1, 5, 10, 20, 50
         v v v v   |  \
                   v  v",
-    goal: "Tip of 128 cable elements within 1e-6 L of the inextensible elastica, its stretch being below 2e-7. Beams have \
-           Green's strain over the section, softer than Reissner's rod by a part of the order of (κd)²: the rod of Kim et al. (2017) with \
-           E/1000 within 1e-3 L for d/L = 1/50, and as d/L falls at equal weight and E I within 1e-5 L and 1e-6 L",
+    goal: "Tip of 128 cable elements within 1e-6 L of the inextensible elastica; the axial strain is below 2e-7. Beams have \
+           Green's strain over the section, softer than Reissner's rod by the order of (κd)²: the rod of Kim et al. \
+           (2017) with \
+           E/1000 within 1e-3 L for d/L = 1/50, and with smaller d/L at equal weight and E I within 1e-5 L and 1e-6 L",
     run,
 };
 
@@ -29,14 +31,14 @@ const TIPS: [(f64, f64, f64); 6] = [
     (50.0, 0.245_014_756_320_6, 0.9079171234773),
 ];
 
-/// x and drop of the rod of Kim et al. with E/1000: inextensible, and after Reissner with ν = 0.
-const LIMP: [[f64; 2]; 2] = [[0.503_940_370_930, 0.800_310_986_762], [0.503_917_404_445, 0.800_577_428_674]];
+/// x and drop of the rod of Kim et al. with E/1000: inextensible, and Reissner's rod with ν = 0.
+const SOFT: [[f64; 2]; 2] = [[0.503_940_370_930, 0.800_310_986_762], [0.503_917_404_445, 0.800_577_428_674]];
 
-/// Parts of its diameter, and how near to Reissner's rod elements with Green's strain come: as the square of it.
+/// Factors of the diameter, and tolerances. The difference of Green's strain to Reissner's rod falls with their square.
 const SLENDER: [(f64, f64); 3] = [(1.0, 1e-3), (0.1, 1e-5), (0.01, 1e-6)];
 
-/// Tip and drop of a wire with E I = 1, length one and d = 2e-4, so that it hardly stretches; its way as the weight grows.
-fn wire(weight: f64) -> Result<Vec<[f64; 2]>, Error> {
+/// Returns the path of the tip of a nearly inextensible wire: E I = 1, length one, d = 2e-4.
+fn wire(weight: f64) -> Result<Vec<[f64; 2]>, VerificationError> {
     let area = std::f64::consts::PI * 1e-8;
     let young = 4.0 * std::f64::consts::PI / (area * area);
     let cantilever = Cantilever {
@@ -51,8 +53,8 @@ fn wire(weight: f64) -> Result<Vec<[f64; 2]>, Error> {
     solve(&cantilever.model())?.points("tip.x", "tip.y")
 }
 
-/// Tip of the rod with a part of its diameter, of the same weight and E I.
-fn limp(formulation: &str, part: f64) -> Result<[f64; 2], Error> {
+/// Returns the tip of the rod with a smaller diameter and equal weight and E I.
+fn soft(formulation: &str, part: f64) -> Result<[f64; 2], VerificationError> {
     let (area, second) = (3.141592653589793e-4 * part.powi(2), 7.853981633974483e-9 * part.powi(4));
     let (density, young) = (8030.0 / part.powi(2), 193e6 / part.powi(4));
     let cantilever = Cantilever {
@@ -67,12 +69,12 @@ fn limp(formulation: &str, part: f64) -> Result<[f64; 2], Error> {
     Ok([solved.last("tip.x")?, solved.last("tip.y")?])
 }
 
-/// Stretch and shear, and what they move the tip by, go with the square of the diameter.
-fn beams(findings: &mut Findings) -> Result<(), Error> {
+/// Compares beams. The contributions of axial strain and shear to the tip are proportional to the square of the diameter.
+fn beams(findings: &mut Findings) -> Result<(), VerificationError> {
     for formulation in ["linked", "quadratic"] {
         for (part, tolerance) in SLENDER {
-            let [x, y] = limp(formulation, part)?;
-            let [[x0, drop0], [x1, drop1]] = LIMP;
+            let [x, y] = soft(formulation, part)?;
+            let [[x0, drop0], [x1, drop1]] = SOFT;
             let square = part * part;
             let what = |axis: &str| format!("{axis}/L, {formulation}, d/L = {:e}", 0.02 * part);
             findings.compare(what("x"), x, x0 + (x1 - x0) * square, 1.0, tolerance);
@@ -82,26 +84,27 @@ fn beams(findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
-    let mut way = Vec::new();
+    let mut path = Vec::new();
     for (weight, x, drop) in TIPS {
-        way = wire(weight)?;
-        let tip = way.last().ok_or_else(|| Error::Missing("rows".into()))?;
+        path = wire(weight)?;
+        let tip = path.last().ok_or_else(|| VerificationError::Missing("rows".into()))?;
         findings.compare(format!("x/L, qL³/EI = {weight}"), tip[0], x, 1.0, 1e-6);
         findings.compare(format!("drop/L, qL³/EI = {weight}"), -tip[1], drop, 1.0, 1e-6);
     }
     beams(&mut findings)?;
-    findings.plots.push(Plot {
-        title: "Way of the tip as the weight grows to qL³/EI = 50".into(),
-        axes: ["x/L".into(), "y/L".into()],
-        equal: true,
-        curves: vec![
-            Curve::line("ours", way),
-            Curve::points("heavy elastica", TIPS.map(|(_, x, drop)| [x, -drop]).to_vec()),
-        ],
-        ..Plot::default()
-    });
+    findings.plot(
+        Plot::new(
+            "Path of the tip up to qL³/EI = 50",
+            ["x/L", "y/L"],
+            vec![
+                PlotCurve::line("ours", path),
+                PlotCurve::points("heavy elastica", TIPS.map(|(_, x, drop)| [x, -drop]).to_vec()),
+            ],
+        )
+        .with_equal_scales(),
+    );
     Ok(findings)
 }
 
@@ -109,6 +112,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

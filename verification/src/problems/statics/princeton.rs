@@ -1,16 +1,18 @@
-use crate::{Curve, Error, Findings, Plot, Problem, solve};
+use crate::problems::models::{ROD, Rod, cantilever};
+use crate::{Findings, Plot, PlotCurve, Problem, VerificationError, solve};
 
-/// A strip bent about both of its axes and twisted.
+/// Strip bent about both axes and twisted.
 pub const PROBLEM: Problem = Problem {
     name: "princeton",
     title: "Strip of the Princeton experiment: bent about both axes and twisted",
-    source: "Dowell & Traybar (1975); the tips by shooting of Reissner's rod with k = 1, ν = 0 and the polar moment of area in \
+    source: "Dowell & Traybar (1975); the tips by shooting of Reissner's rod with k = 1, ν = 0 and the polar moment \
+                 of area in \
              torsion",
     sketch: r"
   |/|=====================  L = 0.508 m, 12.377 × 3.2024 mm, E = 71.7 GPa
   |/|                    \\  P at an angle from the stiff direction",
     goal: "Tip within 1e-4 of the largest deflection, with 32 elements. The torsion constant is I₂ + I₃, as of a continuum \
-           without warping, not that of the strip, five times less: the rod is the reference here, not the experiment",
+           without warping, five times that of the strip: the reference is the rod, not the experiment",
     run,
 };
 
@@ -29,45 +31,21 @@ fn strip(formulation: &str, load: f64, degrees: f64) -> String {
     let area = HEIGHT * WIDTH;
     let [iy, iz] = [area * WIDTH * WIDTH / 12.0, area * HEIGHT * HEIGHT / 12.0];
     let (sin, cos) = degrees.to_radians().sin_cos();
+    let rod = Rod { element: formulation, to: [LENGTH, 0.0, 0.0], elements: 32, ..ROD };
     format!(
         r#"
-        materials.aluminium = {{ density = 2700, young = 71.7e9 }}
-        sections.strip = {{ kind = "general", area = {area}, iy = {iy}, iz = {iz} }}
-
-        [[bodies]]
-        kind = "beam"
-        name = "strip"
-        from = [0, 0, 0]
-        to = [{LENGTH}, 0, 0]
-        elements = 32
-        formulation = "{formulation}"
-        section = "strip"
-        material = "aluminium"
-
-        [[joints]]
-        kind = "clamp"
-        name = "root"
-        a = {{ body = "strip", at = "start" }}
-
-        [[loads]]
-        kind = "force"
-        on = {{ body = "strip", at = "end" }}
-        force = [0, {}, {}]
-
-        [[probes]]
-        name = "tip"
-        on = {{ body = "strip", at = "end" }}
-
+        materials.material = {{ density = 2700, young = 71.7e9 }}
+        sections.section = {{ kind = "general", area = {area}, iy = {iy}, iz = {iz} }}
+        {}
         [analysis]
         kind = "statics"
         first = 0.1
         "#,
-        -load * cos,
-        load * sin
+        cantilever(&rod, [0.0, -load * cos, load * sin])
     )
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut curves = Vec::new();
     for formulation in ["linked", "quadratic"] {
@@ -79,19 +57,18 @@ fn run() -> Result<Findings, Error> {
                 let what = format!("u{axis} in m, {load} N at {degrees}°, {formulation}");
                 findings.compare(what, ours, reference, tip[2], 1e-4);
             }
-            let way = solved.points("tip.z", "tip.y")?;
+            let path = solved.points("tip.z", "tip.y")?;
             let name = format!("{formulation}, {load} N at {degrees}°");
-            curves.push(Curve::line(name, way));
+            curves.push(PlotCurve::line(name, path));
         }
     }
     let points = TIPS.map(|(_, _, [_, y, z])| [z, y]).to_vec();
-    curves.push(Curve::points("Reissner's rod", points));
-    findings.plots.push(Plot {
-        title: "Way of the tip as the load grows, seen along the axis".into(),
-        axes: ["soft direction in m".into(), "stiff direction in m".into()],
+    curves.push(PlotCurve::points("Reissner's rod", points));
+    findings.plot(Plot::new(
+        "Path of the tip with increasing load, seen along the axis",
+        ["soft direction in m", "stiff direction in m"],
         curves,
-        ..Plot::default()
-    });
+    ));
     Ok(findings)
 }
 
@@ -99,6 +76,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

@@ -1,8 +1,9 @@
 use std::f64::consts::PI;
 
-use crate::{Curve, Error, Findings, Plot, Problem, Solved, solve};
+use crate::problems::models::{ROD, Rod, clamped_section};
+use crate::{Findings, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve};
 
-/// Rolled up by a moment at the end.
+/// Cantilever rolled up by a moment at its end.
 pub const PROBLEM: Problem = Problem {
     name: "roll_up",
     title: "Cantilever rolled up by a moment at its end",
@@ -13,43 +14,31 @@ pub const PROBLEM: Problem = Problem {
   |/|==========/     \   M     φ = ML/EI = π/4, π/2, π, 2π
                       )        inextensible: a circle of radius EI/M
                \____ /",
-    goal: "Linked and quadratic beams of L/d = 2500, 64 elements: tip within 1e-5 L of the circle. Green's strain over a \
-           thick section bends further. Seen from a section one length away from the clamp, 64 elements of the continuum are \
-           within 8e-3 of its own limit, their error at most 0.27 times that of 32; 48 quadratic elements within 1e-5. \
-           A cable takes no moments",
+    goal: "Linked and quadratic beams of L/d = 2500, 64 elements: tip within 1e-5 L of the circle. With Green's strain a \
+           thick section bends further. Relative to a section one length away from the clamp, 64 continuum elements are \
+           within 8e-3 of their limit, with an error of at most 0.27 times that of 32; 48 quadratic elements within 1e-5. \
+           A cable supports no moments",
     run,
 };
 
-/// A model of length `length` under M = φ EI per unit length; at all tenths of the length there is a probe.
+/// Returns a rod under a moment, with probes at all tenths of its length.
 fn model(formulation: &str, elements: u32, length: f64, section: &str, [young, moment]: [f64; 2]) -> String {
     let probes: String = (1..=10)
         .flat_map(|tenth| [(tenth, "p", 0.0), (tenth, "u", 1e-3)])
         .map(|(tenth, name, offset)| {
             let at = length * f64::from(tenth) / 10.0;
-            format!("[[probes]]\nname = \"{name}{tenth}\"\non = {{ body = \"rod\", at = {at:?} }}\noffset = [{offset:?}, 0]\n")
+            format!(
+                "[[probes]]\nname = \"{name}{tenth}\"\non = {{ body = \"rod\", at = {at:?} }}\noffset = \
+                [{offset:?}, 0]\n"
+            )
         })
         .collect();
+    let rod = Rod { element: formulation, to: [length, 0.0, 0.0], elements, ..ROD };
     format!(
         r#"
-        materials.rod = {{ density = 8000, young = {young:e} }}
-        sections.rod = {section}
-
-        [[bodies]]
-        kind = "beam"
-        formulation = "{formulation}"
-        name = "rod"
-        from = [0, 0, 0]
-        to = [{length:?}, 0, 0]
-        elements = {elements}
-        section = "rod"
-        material = "rod"
-
-        [[joints]]
-        kind = "clamp"
-        name = "root"
-        a = {{ body = "rod", at = "start" }}
-        fix = "section"
-
+        materials.material = {{ density = 8000, young = {young:e} }}
+        sections.section = {section}
+        {rod}{root}
         [[loads]]
         kind = "moment"
         on = {{ body = "rod", at = "end" }}
@@ -62,25 +51,26 @@ fn model(formulation: &str, elements: u32, length: f64, section: &str, [young, m
         kind = "statics"
         first = 0.1
         stop = {{ rule = "energy", tolerance = 1e-12 }}
-        "#
+        "#,
+        root = clamped_section("rod")
     )
 }
 
-/// The rod that hardly stretches, E I = 1.
-fn slender(formulation: &str, phi: f64) -> Result<Solved, Error> {
+/// Solves a nearly inextensible rod with E I = 1.
+fn slender(formulation: &str, phi: f64) -> Result<SolvedModel, VerificationError> {
     let diameter: f64 = 4e-4;
     let young = 64.0 / (PI * diameter.powi(4));
     let section = format!("{{ kind = \"circle\", diameter = {diameter:e} }}");
     solve(&model(formulation, 64, 1.0, &section, [young, phi]))
 }
 
-/// A section, its second moment of area and its area.
+/// Section, its second moment of area and its area.
 type Shape = (&'static str, f64, f64);
 
 const SQUARE: Shape = ("{ kind = \"rectangle\", height = 0.05, width = 0.05 }", 5.208333333333334e-7, 0.0025);
 const CIRCLE: Shape = ("{ kind = \"circle\", diameter = 0.02 }", 7.853981633974483e-9, 3.141592653589793e-4);
 
-/// Section with its second moment of area, φ, and of the continuum what its angle is beyond φ, x and y.
+/// Name, section, φ, and for the continuum: angle minus φ, x and y.
 type Limit = (&'static str, Shape, f64, [f64; 3]);
 
 const LIMITS: [Limit; 3] = [
@@ -89,16 +79,17 @@ const LIMITS: [Limit; 3] = [
     ("circle L/d = 50", CIRCLE, 2.0 * PI, [6.31772618396 - 2.0 * PI, 0.0054580371, 9.4272e-5]),
 ];
 
-/// Angle beyond φ and place of the end seen from the section one length before it, of a rod twice as long: the clamp keeps
-/// its section from getting thinner, which is not pure bending.
+/// Returns the angle minus φ and the position of the end, relative to the section one length before it.
+///
+/// The rod is twice as long, because the clamp prevents the contraction of its section: the bending is not pure there.
 fn far_from_the_clamp(
     formulation: &str,
     elements: u32,
     (_, section, phi, _): Limit,
-) -> Result<[f64; 3], Error> {
+) -> Result<[f64; 3], VerificationError> {
     let young = 193e9;
     let solved = solve(&model(formulation, 2 * elements, 2.0, section.0, [young, phi * young * section.1]))?;
-    let at = |name: &str| -> Result<[f64; 2], Error> {
+    let at = |name: &str| -> Result<[f64; 2], VerificationError> {
         Ok([solved.last(&format!("{name}.x"))?, solved.last(&format!("{name}.y"))?])
     };
     let [p, u, end, end_u] = [at("p5")?, at("u5")?, at("p10")?, at("u10")?];
@@ -110,7 +101,7 @@ fn far_from_the_clamp(
     Ok([turned, dx * cos + dy * sin, dy * cos - dx * sin])
 }
 
-fn continuum(findings: &mut Findings) -> Result<(), Error> {
+fn continuum(findings: &mut Findings) -> Result<(), VerificationError> {
     for limit in LIMITS {
         let (name, _, phi, reference) = limit;
         let coarse = far_from_the_clamp("continuum", 32, limit)?;
@@ -136,7 +127,7 @@ fn continuum(findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-fn run() -> Result<Findings, Error> {
+fn run() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut curves = Vec::new();
     for formulation in ["linked", "quadratic"] {
@@ -151,8 +142,8 @@ fn run() -> Result<Findings, Error> {
                     .map(|tenth| {
                         Ok([solved.last(&format!("p{tenth}.x"))?, solved.last(&format!("p{tenth}.y"))?])
                     })
-                    .collect::<Result<_, Error>>()?;
-                curves.push(Curve::line(format!("ours, φ = {}π", quarters / 4.0), points));
+                    .collect::<Result<_, VerificationError>>()?;
+                curves.push(PlotCurve::line(format!("ours, φ = {}π", quarters / 4.0), points));
             }
         }
     }
@@ -161,14 +152,8 @@ fn run() -> Result<Findings, Error> {
         let (angle, phi) = (2.0 * PI * f64::from(tenth) / 10.0, 2.0 * PI);
         [angle.sin() / phi, (1.0 - angle.cos()) / phi]
     };
-    curves.push(Curve::points("circle", (1..=10).map(circle).collect()));
-    findings.plots.push(Plot {
-        title: "Shapes under growing moments".into(),
-        axes: ["x/L".into(), "y/L".into()],
-        equal: true,
-        curves,
-        ..Plot::default()
-    });
+    curves.push(PlotCurve::points("circle", (1..=10).map(circle).collect()));
+    findings.plot(Plot::new("Shapes under increasing moments", ["x/L", "y/L"], curves).with_equal_scales());
     Ok(findings)
 }
 
@@ -176,6 +161,6 @@ fn run() -> Result<Findings, Error> {
 mod tests {
     #[test]
     fn holds() {
-        super::super::assert_holds(&super::PROBLEM);
+        crate::assert_holds(&super::PROBLEM);
     }
 }

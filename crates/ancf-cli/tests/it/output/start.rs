@@ -3,67 +3,72 @@
 use std::fs;
 use std::process::Command;
 
-use crate::bench::Bench;
+use crate::folder::TestFolder;
 
 const KINDS: [&str; 9] =
     ["cantilever", "cable", "pendulum", "mechanism", "contact", "statics", "path", "modes", "buckling"];
 
-/// The commands that are told next work as they stand: check, run, plot.
+/// The suggested commands work: check, run, plot.
 #[test]
-fn every_starting_model_runs_as_it_is_told() {
+fn every_template_runs_with_the_suggested_commands() {
     for kind in KINDS {
-        let bench = Bench::new();
-        let made = bench.ancf(&["new", "my.toml", "--kind", kind]);
+        let folder = TestFolder::new();
+        let made = folder.ancf(&["new", "my.toml", "--kind", kind]);
         assert_eq!((made.code, made.printed.as_str()), (Some(0), ""), "{kind}");
-        let next: Vec<&str> = made.said.lines().filter_map(|line| line.strip_prefix("  ancf ")).collect();
-        assert_eq!(next.len(), 3, "{}", made.said);
+        let next: Vec<&str> = made.messages.lines().filter_map(|line| line.strip_prefix("  ancf ")).collect();
+        assert_eq!(next.len(), 3, "{}", made.messages);
         for line in next {
             let arguments: Vec<&str> = line.split_whitespace().map(|word| word.trim_matches('\'')).collect();
-            let ended = bench.ancf(&arguments);
-            assert_eq!(ended.code, Some(0), "{kind}: {line}: {}", ended.said);
-            assert!(!ended.said.contains("warning"), "{kind}: {line}: {}", ended.said);
+            let output = folder.ancf(&arguments);
+            assert_eq!(output.code, Some(0), "{kind}: {line}: {}", output.messages);
+            assert!(!output.messages.contains("warning"), "{kind}: {line}: {}", output.messages);
         }
-        assert!(bench.read("my.toml").contains("docs/model-file.md"), "{kind}: where the keys are explained");
+        assert!(
+            folder.read("my.toml").contains("docs/model-file.md"),
+            "{kind}: link to the documentation of the keys"
+        );
     }
 }
 
-/// Physics of two of them: the deflection q L^4/(8 E I) at rest, Euler's critical load.
+/// Physics of two templates: the deflection q L^4/(8 E I) at rest, Euler's critical load.
 #[test]
-fn starting_models_are_right() {
-    let bench = Bench::with_run("cantilever");
-    let text = bench.read("out/probes.csv");
+fn templates_have_correct_physics() {
+    let folder = TestFolder::with_run("cantilever");
+    let text = folder.read("out/probes.csv");
     let at = text.lines().next().unwrap().split(',').position(|name| name == "tip.y").unwrap();
     let last: f64 = text.lines().last().unwrap().split(',').nth(at).unwrap().parse().unwrap();
     let (area, inertia) = (std::f64::consts::PI * 1e-4, std::f64::consts::PI * 1e-8 / 4.0);
     let deflection = 7850.0 * 9.81 * area / (8.0 * 2.1e11 * inertia);
-    // It still swings a little at the end.
+    // A small oscillation remains at the end.
     assert!((last / -deflection - 1.0).abs() < 0.05, "{last} instead of {}", -deflection);
-    let bench = Bench::new();
-    bench.printed(&["new", "column.toml", "-k", "buckling"]);
-    let factors = bench.ancf(&["run", "column.toml", "-o", "out", "--json"]).json();
+    let folder = TestFolder::new();
+    folder.printed(&["new", "column.toml", "-k", "buckling"]);
+    let factors = folder.ancf(&["run", "column.toml", "-o", "out", "--json"]).json();
     let euler = std::f64::consts::PI.powi(2) * 2.1e11 * inertia / 16.0;
     assert!((factors["factor"][0].as_f64().unwrap() / euler - 1.0).abs() < 1e-3, "{factors}");
 }
 
 #[test]
-fn files_that_are_there_stay_unless_forced() {
-    let bench = Bench::new();
-    bench.write("model.toml", "mine");
-    let refused = bench.ancf(&["new", "model.toml"]);
+fn existing_files_are_overwritten_only_with_force() {
+    let folder = TestFolder::new();
+    folder.write("model.toml", "mine");
+    let refused = folder.ancf(&["new", "model.toml"]);
     assert_eq!(refused.code, Some(2));
-    assert_eq!(refused.said, "error: model.toml is there already; --force writes over it\n");
-    assert_eq!(bench.read("model.toml"), "mine");
-    bench.printed(&["new", "model.toml", "--force"]);
-    assert_eq!(bench.read("model.toml"), bench.printed(&["new", "-"]));
-    let nowhere = bench.ancf(&["new", "no/such/folder.toml"]);
-    assert!(nowhere.code == Some(1) && nowhere.said.starts_with("error: cannot write no/such/folder.toml: "));
+    assert_eq!(refused.messages, "error: model.toml exists already; --force overwrites it\n");
+    assert_eq!(folder.read("model.toml"), "mine");
+    folder.printed(&["new", "model.toml", "--force"]);
+    assert_eq!(folder.read("model.toml"), folder.printed(&["new", "-"]));
+    let nowhere = folder.ancf(&["new", "no/such/folder.toml"]);
+    assert!(
+        nowhere.code == Some(1) && nowhere.messages.starts_with("error: cannot write no/such/folder.toml: ")
+    );
 }
 
-/// Every command has examples in its help, and the first tour works as it stands.
+/// Every command has examples in its help, and the first tour works.
 #[test]
 fn help_has_examples_that_work() {
-    let bench = Bench::new();
-    let help = bench.printed(&["--help"]);
+    let folder = TestFolder::new();
+    let help = folder.printed(&["--help"]);
     let commands: Vec<&str> = help
         .lines()
         .skip_while(|line| *line != "Commands:")
@@ -75,53 +80,53 @@ fn help_has_examples_that_work() {
         .collect();
     assert!(commands.len() >= 12, "{commands:?}");
     for command in commands {
-        let own = bench.printed(&[command, "--help"]);
+        let own = folder.printed(&[command, "--help"]);
         let examples = own.split_once("Examples:\n  ancf ").map(|(_, examples)| examples).unwrap_or_default();
         assert!(format!("  ancf {examples}").contains(&format!("  ancf {command}")), "{command}: {own}");
         assert!(own.lines().all(|line| line.chars().count() <= 100), "{command}: {own}");
     }
     let tour = help.lines().skip_while(|line| *line != "A first tour:").skip(1).take(4);
     for line in tour {
-        // Words, up to the gap before what they do.
+        // Words up to the description.
         let line = line.trim_start().split("   ").next().unwrap();
-        bench.printed(&line.split_whitespace().skip(1).collect::<Vec<_>>());
+        folder.printed(&line.split_whitespace().skip(1).collect::<Vec<_>>());
     }
 }
 
 #[test]
 fn shells_complete() {
-    let bench = Bench::new();
+    let folder = TestFolder::new();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let script = bench.printed(&["completions", shell]);
+        let script = folder.printed(&["completions", shell]);
         let knows = |word: &str| script.contains(word);
         assert!(
             ["ancf", "resume", "--checkpoint"].into_iter().all(|word| knows(word.trim_start_matches("--")))
         );
-        // Two of them complete no values.
+        // Two shells complete no values.
         let values = ["cantilever", "buckling"].into_iter().all(knows);
         assert!(values || ["powershell", "elvish"].contains(&shell), "{shell}");
     }
-    bench.write("ancf.bash", &bench.printed(&["completions", "bash"]));
+    folder.write("ancf.bash", &folder.printed(&["completions", "bash"]));
     let script =
         "source ./ancf.bash; COMP_WORDS=(ancf res); COMP_CWORD=1; _ancf ancf res ancf; echo ${COMPREPLY[@]}";
-    let Ok(done) = Command::new("bash").args(["-c", script]).current_dir(bench.path("")).output() else {
+    let Ok(done) = Command::new("bash").args(["-c", script]).current_dir(folder.path("")).output() else {
         return;
     };
     assert_eq!(String::from_utf8_lossy(&done.stdout).trim(), "resume");
 }
 
 #[test]
-fn there_is_a_page_of_each_command() {
-    let bench = Bench::new();
-    let page = bench.printed(&["man"]);
+fn every_command_has_a_manual_page() {
+    let folder = TestFolder::new();
+    let page = folder.printed(&["man"]);
     assert!(
         page.contains(".TH ancf 1") && page.contains("ancf\\-run(1)") && page.contains("A first tour"),
         "{page}"
     );
-    bench.printed(&["man", "pages/man1"]);
-    assert_eq!(bench.read("pages/man1/ancf.1"), page);
-    let pages = fs::read_dir(bench.path("pages/man1")).unwrap().count();
+    folder.printed(&["man", "pages/man1"]);
+    assert_eq!(folder.read("pages/man1/ancf.1"), page);
+    let pages = fs::read_dir(folder.path("pages/man1")).unwrap().count();
     assert!(pages >= 13, "{pages}");
-    let run = bench.read("pages/man1/ancf-run.1");
+    let run = folder.read("pages/man1/ancf-run.1");
     assert!(run.contains("checkpoint") && run.contains("models/elastica.toml"), "{run}");
 }

@@ -1,4 +1,4 @@
-//! A folder with a model, a study of it and its results.
+//! Folder with a model, its study and the results.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,7 +22,7 @@ pub const MODEL: &str = r#"
     analysis = { kind = "dynamics", duration = 0.05, step = 1e-3, start = "zero" }
 "#;
 
-/// One row of a table.
+/// Row of a table.
 pub type Row = BTreeMap<String, Field>;
 
 pub fn float(row: &Row, name: &str) -> f64 {
@@ -50,22 +50,22 @@ pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A folder with a model, a study of it and its results.
-pub struct Bench(TempDir);
+/// Folder with a model, its study and the results.
+pub struct StudyFolder(TempDir);
 
-impl Bench {
+impl StudyFolder {
     pub fn new(study: &str) -> Self {
-        let bench = Self(TempDir::new().unwrap());
-        fs::write(bench.file("model.toml"), MODEL).unwrap();
-        bench.state(study);
-        bench
+        let folder = Self(TempDir::new().unwrap());
+        fs::write(folder.file("model.toml"), MODEL).unwrap();
+        folder.state(study);
+        folder
     }
 
     pub fn file(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
-    /// Writes the study of the model.
+    /// Writes the study file.
     pub fn state(&self, study: &str) {
         fs::write(self.file("study.toml"), format!("model = \"model.toml\"\n{study}")).unwrap();
     }
@@ -76,7 +76,7 @@ impl Bench {
         command
     }
 
-    /// Runs the study, which ends with this exit code; what it said.
+    /// Runs the study with an expected exit code, and returns standard error.
     pub fn run(&self, more: &[&str], code: i32) -> String {
         let output = self.command(more).output().unwrap();
         assert_eq!(output.status.code(), Some(code), "{}", stderr(&output));

@@ -1,3 +1,5 @@
+//! Temporary folder of a test, and the program in it.
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -5,17 +7,20 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// A folder to work in.
-pub struct Bench(TempDir);
+/// Temporary folder of a test.
+pub struct TestFolder(TempDir);
 
-/// What came of a command.
-pub struct Ended {
+/// Exit code and output of a command.
+pub struct CommandOutput {
+    /// Exit code.
     pub code: Option<i32>,
+    /// Standard output.
     pub printed: String,
-    pub said: String,
+    /// Standard error.
+    pub messages: String,
 }
 
-impl Bench {
+impl TestFolder {
     pub fn new() -> Self {
         Self(TempDir::new().unwrap())
     }
@@ -32,7 +37,7 @@ impl Bench {
         fs::write(self.path(name), text).unwrap();
     }
 
-    /// The program in this folder, with no wishes as to colours and characters.
+    /// Returns the program in this folder, without variables for colours and characters.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_ancf"));
         command.args(arguments).current_dir(self.0.path());
@@ -42,39 +47,39 @@ impl Bench {
         command
     }
 
-    pub fn ancf(&self, arguments: &[&str]) -> Ended {
-        Ended::of(&self.command(arguments).output().unwrap())
+    pub fn ancf(&self, arguments: &[&str]) -> CommandOutput {
+        CommandOutput::new(&self.command(arguments).output().unwrap())
     }
 
-    /// What a command prints that works.
+    /// Runs a command that must succeed, and returns its standard output.
     pub fn printed(&self, arguments: &[&str]) -> String {
-        let ended = self.ancf(arguments);
-        assert_eq!(ended.code, Some(0), "{arguments:?}: {}", ended.said);
-        ended.printed
+        let output = self.ancf(arguments);
+        assert_eq!(output.code, Some(0), "{arguments:?}: {}", output.messages);
+        output.printed
     }
 
-    /// A run of the model of this kind, in the folder `out`.
+    /// Creates a folder with a template model and its run in `out`.
     pub fn with_run(kind: &str) -> Self {
-        let bench = Self::new();
-        bench.printed(&["new", "model.toml", "--kind", kind]);
-        bench.printed(&["run", "model.toml", "-o", "out"]);
-        bench
+        let folder = Self::new();
+        folder.printed(&["new", "model.toml", "--kind", kind]);
+        folder.printed(&["run", "model.toml", "-o", "out"]);
+        folder
     }
 }
 
-impl Ended {
-    pub fn of(output: &Output) -> Self {
+impl CommandOutput {
+    pub fn new(output: &Output) -> Self {
         let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        Self { code: output.status.code(), printed: text(&output.stdout), said: text(&output.stderr) }
+        Self { code: output.status.code(), printed: text(&output.stdout), messages: text(&output.stderr) }
     }
 
-    /// What was printed, which is one JSON value and nothing else.
+    /// Returns standard output, which must be one JSON value.
     pub fn json(&self) -> Value {
         serde_json::from_str(&self.printed).unwrap_or_else(|error| panic!("{error}: {}", self.printed))
     }
 }
 
-/// The repository.
+/// Returns the root of the repository.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }

@@ -1,12 +1,12 @@
-//! What is refused before any case is run.
+//! Studies that are rejected before any case is run.
 
 use std::fs;
 
-use crate::bench::{Bench, MODEL};
+use super::folder::{MODEL, StudyFolder};
 
-/// All that is wrong is said at once with its place; nothing is written.
+/// All errors are reported at once with their position. Nothing is written.
 #[test]
-fn wrong_input_is_refused() {
+fn invalid_studies_are_rejected() {
     for (study, messages) in [
         (
             "sampels = 10\ncombine = \"grit\"\n[parameters]\nelements = []\nx = 5\ny = { kind = \"normal\", mean = 3 }\n\
@@ -40,50 +40,50 @@ fn wrong_input_is_refused() {
         ),
         ("parameters = {", &[":2:15: found unclosed inline table, wanted `}`"][..]),
     ] {
-        let bench = Bench::new(study);
-        let said = bench.run(&[], 2);
+        let folder = StudyFolder::new(study);
+        let output = folder.run(&[], 2);
         for message in messages {
-            assert!(said.contains(message), "{message}\nis not in\n{said}");
+            assert!(output.contains(message), "{message}\nis not in\n{output}");
         }
-        assert!(!bench.file("out").exists());
+        assert!(!folder.file("out").exists());
     }
 }
 
-/// What is wrong with the model is said of the model's file.
+/// Errors of the model refer to the model file.
 #[test]
-fn a_wrong_model_is_refused() {
-    let bench = Bench::new("parameters.elements = [1]");
-    fs::write(bench.file("model.toml"), MODEL.replace("young", "yung")).unwrap();
-    let said = bench.run(&[], 2);
-    assert!(said.contains("model.toml:3:") && said.contains("did you mean `young`?"), "{said}");
-    fs::remove_file(bench.file("model.toml")).unwrap();
-    let said = bench.run(&[], 2);
-    assert!(said.contains("study.toml:1:9: model: found \"model.toml\": no such file"), "{said}");
-    fs::remove_file(bench.file("study.toml")).unwrap();
-    assert!(bench.run(&[], 2).contains("study.toml: found no such file, wanted a study file"));
+fn an_invalid_model_is_rejected() {
+    let folder = StudyFolder::new("parameters.elements = [1]");
+    fs::write(folder.file("model.toml"), MODEL.replace("young", "yung")).unwrap();
+    let output = folder.run(&[], 2);
+    assert!(output.contains("model.toml:3:") && output.contains("did you mean `young`?"), "{output}");
+    fs::remove_file(folder.file("model.toml")).unwrap();
+    let output = folder.run(&[], 2);
+    assert!(output.contains("study.toml:1:9: model: found \"model.toml\": no such file"), "{output}");
+    fs::remove_file(folder.file("study.toml")).unwrap();
+    assert!(folder.run(&[], 2).contains("study.toml: found no such file, wanted a study file"));
 }
 
-/// A file in the way that is no table is left alone.
+/// A file that is not a table is not overwritten.
 #[test]
-fn a_file_in_the_way_is_left_alone() {
-    let bench = Bench::new("parameters.elements = [1]");
-    fs::create_dir(bench.file("out")).unwrap();
-    fs::write(bench.file("out/cases.parquet"), "precious").unwrap();
-    let said = bench.run(&[], 1);
-    assert!(said.contains("cases.parquet cannot be read; remove it or take another folder"), "{said}");
-    assert_eq!(fs::read_to_string(bench.file("out/cases.parquet")).unwrap(), "precious");
+fn a_file_that_is_no_table_is_not_overwritten() {
+    let folder = StudyFolder::new("parameters.elements = [1]");
+    fs::create_dir(folder.file("out")).unwrap();
+    fs::write(folder.file("out/cases.parquet"), "precious").unwrap();
+    let output = folder.run(&[], 1);
+    assert!(output.contains("cases.parquet cannot be read; remove it or take another folder"), "{output}");
+    assert_eq!(fs::read_to_string(folder.file("out/cases.parquet")).unwrap(), "precious");
 }
 
-/// A parameter that would undo what another sets, in whatever order the two come, or turn its path elsewhere.
+/// A parameter that overwrites another one, in any order, or redirects its path.
 #[test]
-fn parameters_in_each_others_way_are_refused() {
-    let bench = Bench::new(
+fn conflicting_parameters_are_rejected() {
+    let folder = StudyFolder::new(
         "[parameters]\n\"bodies.beam.material.young\" = [193e9, 100e9]\n\
          \"materials.steel\" = [{ density = 8030, young = 193e9 }]\n\
          gravity = [[0, -1, 0]]\n\"gravity[1]\" = [-2]\n\
          \"bodies.beam.section\" = [\"rod\"]\n\"section.diameter\" = [0.02, 0.03]\n",
     );
-    let said = bench.run(&[], 2);
+    let output = folder.run(&[], 2);
     for message in [
         "parameters.\"materials.steel\": found `materials.steel`, of which `bodies.beam.material.young` sets a part, \
          wanted every place to be set once (give the whole with its parts, or the parts alone)",
@@ -91,40 +91,41 @@ fn parameters_in_each_others_way_are_refused() {
         "parameters.\"section.diameter\": found a path through what `bodies.beam.section` sets, wanted a path that leads \
          to the same place in every case (such as `sections.rod.diameter`)",
     ] {
-        assert!(said.contains(message), "{message}\nis not in\n{said}");
+        assert!(output.contains(message), "{message}\nis not in\n{output}");
     }
-    assert_eq!(said.matches(": found ").count(), 3, "{said}");
+    assert_eq!(output.matches(": found ").count(), 3, "{output}");
 
-    // What the first path would have meant, and nothing in its way.
-    bench.state(
+    // Parameters without conflicts.
+    folder.state(
         "parameters = { \"materials.steel.young\" = [193e9], \"bodies.beam.material\" = [\"steel\"] }",
     );
-    bench.run(&[], 0);
+    folder.run(&[], 0);
 }
 
-/// Paths and columns are those of the model in the first case, not of the model as it is in its file.
+/// Paths and columns refer to the model of the first case, not to the model in its file.
 #[test]
 fn paths_and_columns_are_those_of_the_first_case() {
     let probe = "{ name = \"end\", on = { body = \"beam\", at = \"end\" } }";
-    let bench = Bench::new(&format!(
+    let folder = StudyFolder::new(&format!(
         "[parameters]\nprobes = [[{probe}]]\n\"bodies.beam.kind\" = [\"cable\"]\n[objectives]\nend = {{ column = \"end.y\" }}"
     ));
     let spherical = MODEL.replace("kind = \"clamp\"", "kind = \"spherical\"");
-    fs::write(bench.file("model.toml"), spherical).unwrap();
-    bench.run(&[], 0);
-    assert_eq!(bench.column("end").len(), 1);
+    fs::write(folder.file("model.toml"), spherical).unwrap();
+    folder.run(&[], 0);
+    assert_eq!(folder.column("end").len(), 1);
 
-    bench.state(&format!("[parameters]\nprobes = [[{probe}]]\n[objectives]\ntip = {{ column = \"tip.y\" }}"));
-    let said = bench.run(&[], 2);
+    folder
+        .state(&format!("[parameters]\nprobes = [[{probe}]]\n[objectives]\ntip = {{ column = \"tip.y\" }}"));
+    let output = folder.run(&[], 2);
     assert!(
-        said.contains("objectives.tip.column: found \"tip.y\", which is no column of the results"),
-        "{said}"
+        output.contains("objectives.tip.column: found \"tip.y\", which is no column of the results"),
+        "{output}"
     );
 
-    bench.state(
+    folder.state(
         "[parameters]\nanalysis = [{ kind = \"modes\", count = 2 }, { kind = \"modes\", count = 3 }]\n\
                  [objectives]\nfirst = { column = \"frequency\" }",
     );
-    fs::write(bench.file("model.toml"), MODEL).unwrap();
-    bench.run(&[], 0);
+    fs::write(folder.file("model.toml"), MODEL).unwrap();
+    folder.run(&[], 0);
 }

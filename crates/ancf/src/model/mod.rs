@@ -51,6 +51,7 @@ pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
 /// All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...). A model is read from TOML or built in Rust.
 /// [`Model::scaled`] converts it to other units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[unit(partial)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     title = "ancf model",
@@ -81,6 +82,7 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// Couplings of joints, such as gears, racks and belts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[unit(depends)]
     pub couplings: Vec<Coupling>,
     /// Loads besides gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]

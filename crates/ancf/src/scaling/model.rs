@@ -8,8 +8,7 @@ impl Model {
     #[must_use]
     pub fn scaled(&self, scales: &Scales) -> Self {
         let couplings = self.scaled_couplings(scales);
-        let converted = <Self as Scaled>::scaled(self.clone(), scales);
-        Self { units: None, couplings, scales: ScaleChoice::None, ..converted }
+        Self { units: None, couplings, scales: ScaleChoice::None, ..self.clone().scaled_keys(scales) }
     }
 }
 

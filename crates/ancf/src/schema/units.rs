@@ -18,14 +18,25 @@ pub(super) fn add_units(schema: &mut Json, at: &str, tree: &UnitTree) {
         }
         UnitTree::Forms(forms) => {
             let list = resolved(schema, at);
-            let of = ["oneOf", "anyOf"]
-                .into_iter()
-                .find(|of| !schema.pointer(&list).is_none_or(|x| x[of].is_null()));
-            for (i, (_, tree)) in forms.iter().enumerate().filter(|(_, (_, tree))| has_unit(tree)) {
-                add_units(schema, &format!("{list}/{}/{i}", of.unwrap_or_default()), tree);
+            for (i, (word, tree)) in forms.iter().enumerate().filter(|(_, (_, tree))| has_unit(tree)) {
+                add_units(schema, &form(schema, &list, i, word), tree);
             }
         }
     }
+}
+
+/// Pointer to a form of a value: the form with this tag, or the one at this place of the type.
+fn form(schema: &Json, list: &str, place: usize, word: &str) -> String {
+    for key in ["oneOf", "anyOf"] {
+        let Some(forms) = schema.pointer(list).and_then(|list| list[key].as_array()) else { continue };
+        let is_tagged = |form: &Json| {
+            let keys = form["properties"].as_object();
+            keys.is_some_and(|keys| keys.values().any(|value| value["const"] == word))
+        };
+        let place = forms.iter().position(is_tagged).unwrap_or(place);
+        return format!("{list}/{key}/{place}");
+    }
+    list.to_owned()
 }
 
 fn set(schema: &mut Json, at: &str, unit: Json) {

@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-use ancf::model::Section;
+use ancf::model::{OutlineCurve, Section};
 
 /// Points about a round outline.
 const SIDES: usize = 24;
@@ -22,41 +22,14 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline of a section in its own units of length.
-    ///
-    /// A section that is known by its numbers only is drawn as the ellipse with its radii of gyration: semi-axes
-    /// 2 √(I_z/A) along y and 2 √(I_y/A) along z.
+    /// Outline of a section in its own unit of length.
     pub fn of(section: &Section) -> Self {
-        match *section {
-            Section::Circle { diameter } => Self::ellipse([0.5 * diameter; 2]),
-            Section::Tube { outer, inner } => {
-                Self { inner: Some(ellipse([0.5 * inner; 2])), ..Self::ellipse([0.5 * outer; 2]) }
-            }
-            Section::Ellipse { height, width } => Self::ellipse([0.5 * height, 0.5 * width]),
-            Section::General { area, iy, iz, .. } => {
-                Self::ellipse([iz, iy].map(|second| 2.0 * (second / area).sqrt()))
-            }
-            Section::Rectangle { height, width } => Self::rectangle([0.5 * height, 0.5 * width]),
-        }
-    }
-
-    fn ellipse(half: [f64; 2]) -> Self {
-        Self { outer: ellipse(half), inner: None, half, round: true }
-    }
-
-    fn rectangle(half: [f64; 2]) -> Self {
-        let [a, b] = half;
-        let outer = vec![
-            [a, -b, 1.0, 0.0],
-            [a, b, 1.0, 0.0],
-            [a, b, 0.0, 1.0],
-            [-a, b, 0.0, 1.0],
-            [-a, b, -1.0, 0.0],
-            [-a, -b, -1.0, 0.0],
-            [-a, -b, 0.0, -1.0],
-            [a, -b, 0.0, -1.0],
-        ];
-        Self { outer, inner: None, half, round: false }
+        let outline = section.shape().outline();
+        let (half, round) = match &outline.outer {
+            OutlineCurve::Ellipse(semi_axes) => (*semi_axes, true),
+            OutlineCurve::Polygon(corners) => (extents(corners), false),
+        };
+        Self { outer: points(&outline.outer), inner: outline.bore.as_ref().map(points), half, round }
     }
 
     /// The largest |c_y y + c_z z| over the outline, with its extents times a factor each.
@@ -64,6 +37,30 @@ impl Outline {
         let (y, z) = (cy * self.half[0] * sy, cz * self.half[1] * sz);
         if self.round { y.hypot(z) } else { y.abs() + z.abs() }
     }
+}
+
+/// Half of the extents along y and z of a polygon about the origin.
+fn extents(corners: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|axis| corners.iter().fold(0.0, |largest: f64, corner| largest.max(corner[axis].abs())))
+}
+
+/// Points and outward normals of a closed curve.
+fn points(curve: &OutlineCurve) -> Vec<[f64; 4]> {
+    match curve {
+        OutlineCurve::Ellipse(semi_axes) => ellipse(*semi_axes),
+        OutlineCurve::Polygon(corners) => polygon(corners),
+    }
+}
+
+/// Both ends of each side, with the normal of the side.
+fn polygon(corners: &[[f64; 2]]) -> Vec<[f64; 4]> {
+    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    let side = |(start, end): (&[f64; 2], &[f64; 2])| {
+        let (ny, nz) = (end[1] - start[1], start[0] - end[0]);
+        let length = ny.hypot(nz);
+        [start, end].map(|[y, z]| [*y, *z, ny / length, nz / length])
+    };
+    ends.flat_map(side).collect()
 }
 
 fn ellipse([a, b]: [f64; 2]) -> Vec<[f64; 4]> {

@@ -1,21 +1,23 @@
-//! The parts of a step by criterion, in time of the processor per element: to compare before and after a change.
+//! CPU time per element of the parts of a step, measured with criterion to compare versions.
 //!
 //! `cargo bench -p ancf-bench -- --save-baseline before`, then `-- --baseline before`.
 
 use std::hint::black_box;
 use std::time::Duration;
 
-use ancf_bench::model::Kind;
-use ancf_bench::subject::{OfElements, OfEquations, OfSteps, OfSystem, Part, Subject};
-use ancf_bench::table::{FEW, STEPS};
-use ancf_bench::{clock, measure, process};
+use ancf_bench::Result;
+use ancf_bench::measure::{clock, sample};
+use ancf_bench::subjects::{
+    CantileverKind, ElementEvaluation, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps,
+};
+use ancf_bench::table::{SMALL, STEPS, process};
 use criterion::measurement::{Measurement, ValueFormatter, WallTime};
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// Seconds of the processor.
-struct Processor;
+/// CPU time in seconds.
+struct CpuTime;
 
-impl Measurement for Processor {
+impl Measurement for CpuTime {
     type Intermediate = f64;
     type Value = f64;
 
@@ -23,8 +25,8 @@ impl Measurement for Processor {
         clock::own() + clock::of_children()
     }
 
-    fn end(&self, begun: f64) -> f64 {
-        clock::own() + clock::of_children() - begun
+    fn end(&self, start: f64) -> f64 {
+        clock::own() + clock::of_children() - start
     }
 
     fn add(&self, a: &f64, b: &f64) -> f64 {
@@ -44,48 +46,52 @@ impl Measurement for Processor {
     }
 }
 
-/// A subject, made when its turn comes.
-type Make = fn() -> measure::Result<Box<dyn Subject>>;
+/// Constructor of a subject.
+type Make = fn() -> Result<Box<dyn Subject>>;
 
-fn boxed<S: Subject + 'static>(subject: measure::Result<S>) -> measure::Result<Box<dyn Subject>> {
+fn boxed<S: Subject + 'static>(subject: Result<S>) -> Result<Box<dyn Subject>> {
     Ok(Box::new(subject?))
 }
 
-/// The program with a model of 20 elements and 2000 steps.
-struct Whole(Kind);
+/// Run of the program with 20 elements and 2000 steps.
+struct ProgramRun(CantileverKind);
 
-impl Subject for Whole {
+impl Subject for ProgramRun {
     fn count(&self) -> f64 {
         1.0
     }
 
-    fn run(&mut self) -> measure::Result<()> {
-        black_box(process::whole(self.0, 20, 2000, 1)?);
+    fn run(&mut self) -> Result<()> {
+        black_box(process::program_cost(self.0, 20, 2000, 1)?);
         Ok(())
     }
 }
 
 const ROWS: [(&str, Make); 10] = [
-    ("elastic force", || boxed(OfElements::new(Kind::Beam, FEW, Part::Force))),
-    ("force and tangent", || boxed(OfElements::new(Kind::Beam, FEW, Part::Both))),
-    ("residual of the system", || boxed(OfSystem::new(Kind::Beam, FEW, Part::Force))),
-    ("tangent of the system, scattered", || boxed(OfSystem::new(Kind::Beam, FEW, Part::Stiffness))),
-    ("factorise and solve, n = 1e3", || boxed(OfEquations::new(Kind::Beam, 1000, 10))),
-    ("step, n = 100", || boxed(OfSteps::new(Kind::Beam, FEW, STEPS))),
-    ("step of a cable, n = 100", || boxed(OfSteps::new(Kind::Cable, FEW, STEPS))),
-    ("step, n = 1e4", || boxed(OfSteps::new(Kind::Beam, 10_000, 2))),
-    ("process, beam of 20, 2000 steps", || boxed(Ok(Whole(Kind::Beam)))),
-    ("process, cable of 20, 2000 steps", || boxed(Ok(Whole(Kind::Cable)))),
+    ("elastic force", || boxed(ElementEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Residual))),
+    ("force and tangent", || boxed(ElementEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Both))),
+    ("residual of the system", || {
+        boxed(SystemEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Residual))
+    }),
+    ("tangent of the system, scattered", || {
+        boxed(SystemEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Tangent))
+    }),
+    ("factorise and solve, n = 1e3", || boxed(LinearSolution::new(CantileverKind::Beam, 1000, 10))),
+    ("step, n = 100", || boxed(TimeSteps::new(CantileverKind::Beam, SMALL, STEPS))),
+    ("step of a cable, n = 100", || boxed(TimeSteps::new(CantileverKind::Cable, SMALL, STEPS))),
+    ("step, n = 1e4", || boxed(TimeSteps::new(CantileverKind::Beam, 10_000, 2))),
+    ("process, beam of 20, 2000 steps", || boxed(Ok(ProgramRun(CantileverKind::Beam)))),
+    ("process, cable of 20, 2000 steps", || boxed(Ok(ProgramRun(CantileverKind::Cable)))),
 ];
 
-fn rows(criterion: &mut Criterion<Processor>) {
+fn rows(criterion: &mut Criterion<CpuTime>) {
     for (name, make) in ROWS {
         let mut group = criterion.benchmark_group("per element");
         let mut made = None;
         group.bench_function(name, |bencher| {
-            let subject = made.get_or_insert_with(|| make().expect("a cantilever can be made"));
+            let subject = made.get_or_insert_with(|| make().expect("a cantilever can be assembled"));
             bencher.iter_custom(|times| {
-                let each = (0..times).map(|_| measure::sample(subject.as_mut()).expect("a cantilever moves"));
+                let each = (0..times).map(|_| sample(subject.as_mut()).expect("a cantilever can be stepped"));
                 each.sum::<f64>()
             });
         });
@@ -93,13 +99,13 @@ fn rows(criterion: &mut Criterion<Processor>) {
     }
 }
 
-fn processor() -> Criterion<Processor> {
+fn configuration() -> Criterion<CpuTime> {
     Criterion::default()
-        .with_measurement(Processor)
+        .with_measurement(CpuTime)
         .sample_size(20)
         .warm_up_time(Duration::from_millis(300))
         .measurement_time(Duration::from_secs(1))
 }
 
-criterion_group!(name = benches; config = processor(); targets = rows);
+criterion_group!(name = benches; config = configuration(); targets = rows);
 criterion_main!(benches);

@@ -1,24 +1,19 @@
-//! What measures the speed of `ancf`: a table of rows beside their goals, and counts of instructions for comparison.
+//! Measurement of the speed of `ancf`: a table of costs with targets, and instruction counts for comparison.
 //!
 //! ```text
-//! model -> plant -> subject -> table          time of the processor per element, beside goals, peers and the machine's best
-//!                      |  \--> benches/rows   the same by criterion, to compare before and after
-//!                      \--> instructions      counts of fixed work, which no other load of the machine disturbs
+//!   table     instructions     cost per element with targets, peers and machine peak; instruction counts of fixed work
+//!        \     /
+//!        measure               CPU time, repeated samples, machine peak
+//!           |
+//!        subjects              cantilever models and the work to be measured
 //! ```
 //!
-//! All goes through the public interface of the library, so that it holds whatever is inside.
+//! Only the public interface of the library is used, so that measurements do not depend on its implementation.
+//! `benches/rows.rs` measures the same subjects with criterion.
 
-pub mod clock;
-pub mod counts;
 pub mod instructions;
-pub mod kernels;
-pub mod least;
-pub mod machine;
 pub mod measure;
-pub mod model;
-pub mod motion;
-pub mod process;
-pub mod report;
-pub mod row;
-pub mod subject;
+pub mod subjects;
 pub mod table;
+
+pub use subjects::Result;

@@ -1,62 +1,59 @@
-//! `ancf-bench`: measures; see `cargo xtask bench` and `cargo xtask instructions`.
+//! `ancf-bench`: program of `cargo xtask bench` and `cargo xtask instructions`.
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use ancf_bench::instructions::{Record, file};
-use ancf_bench::machine::Machine;
-use ancf_bench::measure::Result;
-use ancf_bench::report::Report;
-use ancf_bench::row::Asked;
-use ancf_bench::table::Bench;
-use ancf_bench::{counts, process};
+use ancf_bench::Result;
+use ancf_bench::instructions::{InstructionRecord, record_file, run_work};
+use ancf_bench::measure::Machine;
+use ancf_bench::table::{RowMeasurements, RowSpec, TableReport, process};
 use clap::{Parser, Subcommand};
 
 /// Measures the speed of ancf.
 #[derive(Parser)]
 struct Arguments {
     #[command(subcommand)]
-    chore: Chore,
+    task: Task,
 }
 
 #[derive(Subcommand)]
-enum Chore {
-    /// Print the table of times beside their goals.
+enum Task {
+    /// Print the table of costs with their targets.
     Table {
-        /// Leave out the rows of 1e5 elements and more.
+        /// Skip rows of 1e5 elements and more.
         #[arg(long)]
         quick: bool,
-        /// Measure those rows only whose names have this in them.
+        /// Measure only rows whose names contain this text.
         #[arg(long, value_name = "TEXT", default_value = "")]
         rows: String,
-        /// Write the table to a file, too.
+        /// Write the table to a JSON file as well.
         #[arg(long, value_name = "FILE")]
         json: Option<PathBuf>,
     },
-    /// Count the instructions of fixed work and compare with those on record.
+    /// Count the instructions of fixed work and compare them with the recorded counts.
     Instructions {
-        /// Put them on record instead.
+        /// Record the counts instead.
         #[arg(long)]
         update: bool,
     },
-    /// Step a beam and print what it took: what the table starts as processes of their own.
+    /// Print the cost of steps of a beam; the table runs this in separate processes.
     #[command(hide = true)]
     Steps { elements: u32, steps: u32 },
-    /// Do work so many times: what valgrind runs.
+    /// Run work a number of times under valgrind.
     #[command(hide = true)]
     Work { name: String, times: u32 },
 }
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().chore {
-        Chore::Table { quick, rows, json } => table(quick, &rows, json),
-        Chore::Instructions { update } => instructions(update),
-        Chore::Steps { elements, steps } => process::step_here(elements, steps)
-            .and_then(|stepped| serde_json::to_string(&stepped).map_err(|error| error.to_string()))
+    let done = match Arguments::parse().task {
+        Task::Table { quick, rows, json } => table(quick, &rows, json),
+        Task::Instructions { update } => instructions(update),
+        Task::Steps { elements, steps } => process::step_cost_here(elements, steps)
+            .and_then(|cost| serde_json::to_string(&cost).map_err(|error| error.to_string()))
             .and_then(|text| print(&text)),
-        Chore::Work { name, times } => counts::work(&name, times),
+        Task::Work { name, times } => run_work(&name, times),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -69,9 +66,10 @@ fn main() -> ExitCode {
 
 fn table(quick: bool, named: &str, json: Option<PathBuf>) -> Result<()> {
     let machine = Machine::this();
-    let wanted = |asked: &Asked| asked.name.contains(named) && !(quick && asked.large);
-    let rows = Bench::new(machine.clone()).rows(wanted, |name| say(&format!("measuring: {name}")));
-    let report = Report { machine, rows };
+    let selected = |spec: &RowSpec| spec.name.contains(named) && !(quick && spec.large);
+    let rows =
+        RowMeasurements::new(machine.clone()).rows(selected, |name| say(&format!("measuring: {name}")));
+    let report = TableReport { machine, rows };
     print(&report.text())?;
     let Some(path) = json else { return Ok(()) };
     let text = serde_json::to_string_pretty(&report).map_err(|error| error.to_string())? + "\n";
@@ -79,15 +77,15 @@ fn table(quick: bool, named: &str, json: Option<PathBuf>) -> Result<()> {
 }
 
 fn instructions(update: bool) -> Result<()> {
-    let now = Record::new(|name, count| say(&format!("{count:>14}  {name}")))?;
+    let now = InstructionRecord::new(|name, count| say(&format!("{count:>14}  {name}")))?;
     if update {
         now.write()?;
-        say(&format!("on record in {}", file().display()));
+        say(&format!("recorded in {}", record_file().display()));
         return Ok(());
     }
-    let (words, holds) = Record::read()?.compare(&now);
-    words.iter().for_each(|word| say(word));
-    if holds { Ok(()) } else { Err("there is more work than on record".to_owned()) }
+    let (messages, holds) = InstructionRecord::read()?.compare(&now);
+    messages.iter().for_each(|message| say(message));
+    if holds { Ok(()) } else { Err("instruction counts have grown beyond the tolerance".to_owned()) }
 }
 
 fn print(text: &str) -> Result<()> {
@@ -95,6 +93,6 @@ fn print(text: &str) -> Result<()> {
 }
 
 fn say(text: &str) {
-    // Nothing is left to be done if standard error is closed.
+    // If standard error is closed, the message is lost.
     let _ = writeln!(io::stderr(), "{text}");
 }

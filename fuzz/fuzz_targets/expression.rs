@@ -1,4 +1,4 @@
-//! Any bytes as a formula in t: read, and evaluated at some times.
+//! Bytes as a formula in t: read, and evaluated at some times.
 #![no_main]
 
 #[path = "../../crates/ancf/tests/it/common/anything.rs"]

@@ -1,4 +1,4 @@
-//! Any bytes as a model file: read, checked, and, if small, assembled and run for some steps.
+//! Bytes as a model file: read, checked and, if it is small, assembled and run for some steps.
 #![no_main]
 
 #[path = "../../crates/ancf/tests/it/common/anything.rs"]

@@ -1,13 +1,13 @@
-//! Any bytes as a file of the folder of a run: read, and resumed from.
+//! Bytes as a file in the folder of a run: read, and the run is resumed.
 #![no_main]
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-#[path = "../../crates/ancf-results/tests/common/anything.rs"]
+#[path = "../../crates/ancf-results/tests/it/common/anything.rs"]
 mod anything;
 
-/// The folder of a run and one for each input, in memory where there is one: each input writes to the disk several times.
+/// Folder of a run and folder of the input. They are in memory if possible, because each input writes several files.
 static FOLDERS: LazyLock<(PathBuf, PathBuf)> = LazyLock::new(|| {
     let memory = Path::new("/dev/shm");
     let own = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };

@@ -1,9 +1,21 @@
 //! Problems with known answers: closed forms, independent solutions, published numbers.
 //!
-//! Each problem is a file of [`problems`], named by its source: model, reference, tolerance and plot in one place, with a
-//! test that it holds. `ancf verify` runs them all on a user's own machine and writes a report.
+//! Each problem is a file below [`problems`], named by its source: model, reference, tolerance, plot, and a test that it holds.
+//! `ancf verify` solves them on the machine of the user and writes a report.
 
 mod problem;
 pub mod problems;
 
-pub use problem::{Comparison, Curve, Error, Findings, Mark, Plot, Problem, Solved, solve};
+pub use problem::{
+    Comparison, Findings, Mark, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve,
+};
+
+/// Asserts that a problem holds, for its test.
+#[cfg(test)]
+fn assert_holds(problem: &Problem) {
+    let findings = (problem.run)().unwrap_or_else(|error| panic!("{}: {error}", problem.name));
+    assert!(!findings.plots.is_empty() && !findings.comparisons.is_empty(), "{}", problem.name);
+    for comparison in &findings.comparisons {
+        assert!(comparison.holds(), "{}: {comparison:?} is {:e} off", problem.name, comparison.error());
+    }
+}

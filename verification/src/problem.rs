@@ -1,60 +1,61 @@
+//! Problem, comparison, plot, and the solution of a model.
+
 use ancf::record::Series;
 use ancf::{Model, ModelErrors, Outcome, Summary, simulate};
 use thiserror::Error;
 
-/// A problem with a known answer.
+/// Problem with a known answer.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem {
-    /// Its name in lists, as that of its file.
+    /// Name in lists and name of the file.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// Title.
     pub title: &'static str,
-    /// Author, year, table or equation, and how the reference was computed.
+    /// Author, year, table or equation, and computation of the reference.
     pub source: &'static str,
-    /// A drawing in characters.
+    /// Text drawing.
     pub sketch: &'static str,
-    /// What is shown by it, and within which tolerance.
+    /// Purpose and tolerance.
     pub goal: &'static str,
-    /// Solves it.
-    pub run: fn() -> Result<Findings, Error>,
+    /// Solves the problem.
+    pub run: fn() -> Result<Findings, VerificationError>,
 }
 
-/// Why a problem could not be solved.
+/// Failure of a problem.
 #[derive(Debug, Error)]
-pub enum Error {
-    /// The model is not valid: a mistake in the problem.
+pub enum VerificationError {
+    /// The model is invalid: an error in the problem.
     #[error(transparent)]
     Model(#[from] ModelErrors),
-    /// It could not be run or recorded.
+    /// The model could not be run or recorded.
     #[error(transparent)]
     Run(#[from] ancf::Error),
-    /// The numerics gave up.
+    /// The analysis failed.
     #[error("{reason} (at {at})")]
     Failed {
-        /// Why.
+        /// Reason.
         reason: String,
-        /// Where.
+        /// Location.
         at: String,
     },
-    /// A column or a row that should be there is not.
+    /// A required column or row is missing.
     #[error("the results have no {0}")]
     Missing(String),
 }
 
-/// What came out.
+/// Comparisons and plots of a problem.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
-    /// Our numbers beside the references.
+    /// Comparisons with references.
     pub comparisons: Vec<Comparison>,
     /// Plots, at least one.
     pub plots: Vec<Plot>,
 }
 
 impl Findings {
-    /// Adds a comparison whose error may be at most `tolerance` times `scale`.
+    /// Adds a comparison. The largest permitted error is `tolerance` times `scale`.
     ///
-    /// The scale is the size against which an error counts: that of the reference, or of the structure where the reference is
-    /// small or zero.
+    /// The scale is the size of the reference, or of the structure if the reference is small or zero.
     pub fn compare(
         &mut self,
         what: impl Into<String>,
@@ -67,131 +68,157 @@ impl Findings {
         self.comparisons.push(Comparison { what, ours, reference, scale: scale.abs(), tolerance });
     }
 
-    /// The first comparison that does not hold.
+    /// Adds a plot.
+    pub fn plot(&mut self, plot: Plot) {
+        self.plots.push(plot);
+    }
+
+    /// Returns the first comparison that does not hold.
     pub fn broken(&self) -> Option<&Comparison> {
         self.comparisons.iter().find(|comparison| !comparison.holds())
     }
 }
 
-/// One number of ours beside its reference.
+/// Computed number and its reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// What it is, with its unit if it has one.
+    /// Name with the unit.
     pub what: String,
-    /// Ours.
+    /// Computed number.
     pub ours: f64,
-    /// The reference.
+    /// Reference.
     pub reference: f64,
-    /// The size against which the error counts.
+    /// Scale of the error.
     pub scale: f64,
-    /// The largest error permitted, relative to the scale.
+    /// Largest permitted error, relative to the scale.
     pub tolerance: f64,
 }
 
 impl Comparison {
-    /// |ours − reference| / scale.
+    /// Returns |ours − reference| / scale.
     pub fn error(&self) -> f64 {
         (self.ours - self.reference).abs() / self.scale
     }
 
-    /// Whether the error is within the tolerance; not a number is not.
+    /// True if the error is within the tolerance. NaN is not.
     pub fn holds(&self) -> bool {
         self.error() <= self.tolerance
     }
 }
 
-/// A plot.
+/// Plot of curves.
 #[derive(Clone, Debug, Default)]
 pub struct Plot {
-    /// What it shows, for the caption.
+    /// Caption.
     pub title: String,
-    /// Names of the axes, with units.
+    /// Labels of the axes, with units.
     pub axes: [String; 2],
-    /// Whether a length is the same on both axes.
+    /// True for equal scales of both axes.
     pub equal: bool,
-    /// Whether each axis is logarithmic.
+    /// True for each logarithmic axis.
     pub logarithmic: [bool; 2],
-    /// What is drawn.
-    pub curves: Vec<Curve>,
+    /// Curves.
+    pub curves: Vec<PlotCurve>,
 }
 
-/// A curve of a plot.
+impl Plot {
+    /// Creates a plot with linear axes.
+    pub fn new(title: impl Into<String>, axes: [&str; 2], curves: Vec<PlotCurve>) -> Self {
+        Self { title: title.into(), axes: axes.map(str::to_owned), curves, ..Self::default() }
+    }
+
+    /// Sets equal scales of both axes.
+    #[must_use]
+    pub fn with_equal_scales(self) -> Self {
+        Self { equal: true, ..self }
+    }
+
+    /// Sets the logarithmic axes.
+    #[must_use]
+    pub fn with_logarithmic_axes(self, logarithmic: [bool; 2]) -> Self {
+        Self { logarithmic, ..self }
+    }
+}
+
+/// Curve of a plot.
 #[derive(Clone, Debug)]
-pub struct Curve {
-    /// Its name in the legend.
+pub struct PlotCurve {
+    /// Name in the legend.
     pub name: String,
-    /// How it is drawn.
+    /// Line or markers.
     pub mark: Mark,
-    /// Its points.
+    /// Points.
     pub points: Vec<[f64; 2]>,
 }
 
-impl Curve {
-    /// A line: ours.
+impl PlotCurve {
+    /// Creates a line: a computed curve.
     pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.into(), mark: Mark::Line, points }
     }
 
-    /// Points: a reference.
+    /// Creates markers: a reference.
     pub fn points(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.into(), mark: Mark::Points, points }
     }
 }
 
-/// How a curve is drawn.
+/// Representation of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// A line: ours.
+    /// Line: a computed curve.
     Line,
-    /// Points: a reference.
+    /// Markers: a reference.
     Points,
 }
 
-/// The results of a model.
+/// Results of a model.
 #[derive(Debug)]
-pub struct Solved {
-    /// The run in a few numbers.
+pub struct SolvedModel {
+    /// Summary of the run.
     pub summary: Summary,
-    /// Its rows.
+    /// Rows.
     pub series: Series,
 }
 
-impl Solved {
-    /// A column.
+impl SolvedModel {
+    /// Returns a column.
     ///
     /// # Errors
-    /// If there is none of this name.
-    pub fn column(&self, name: &str) -> Result<&[f64], Error> {
-        self.series.column(name).ok_or_else(|| Error::Missing(format!("column {name}")))
+    /// If there is no column of this name.
+    pub fn column(&self, name: &str) -> Result<&[f64], VerificationError> {
+        self.series.column(name).ok_or_else(|| VerificationError::Missing(format!("column {name}")))
     }
 
-    /// The last value of a column.
+    /// Returns the last value of a column.
     ///
     /// # Errors
-    /// If there is none of this name or it is empty.
-    pub fn last(&self, name: &str) -> Result<f64, Error> {
-        self.column(name)?.last().copied().ok_or_else(|| Error::Missing(format!("row in {name}")))
+    /// If there is no column of this name, or if it is empty.
+    pub fn last(&self, name: &str) -> Result<f64, VerificationError> {
+        self.column(name)?.last().copied().ok_or_else(|| VerificationError::Missing(format!("row in {name}")))
     }
 
-    /// Two columns as points.
+    /// Returns two columns as points.
     ///
     /// # Errors
-    /// If one of them is not there.
-    pub fn points(&self, x: &str, y: &str) -> Result<Vec<[f64; 2]>, Error> {
+    /// If there is no column of one of the names.
+    pub fn points(&self, x: &str, y: &str) -> Result<Vec<[f64; 2]>, VerificationError> {
         Ok(self.column(x)?.iter().zip(self.column(y)?).map(|(&x, &y)| [x, y]).collect())
     }
 }
 
-/// Runs a model stated as in a model file to its end.
+/// Runs a model, given as the text of a model file.
 ///
 /// # Errors
-/// If the model is not valid or the run ends early.
-pub fn solve(model: &str) -> Result<Solved, Error> {
+/// If the model is invalid or the run does not finish.
+pub fn solve(model: &str) -> Result<SolvedModel, VerificationError> {
     let model = Model::parse(model)?;
     let mut series = Series::new();
     let summary = simulate(&model, &mut series)?;
     match &summary.outcome {
-        Outcome::Failed { reason, at, .. } => Err(Error::Failed { reason: reason.clone(), at: at.clone() }),
-        Outcome::Finished | Outcome::Stopped => Ok(Solved { summary, series }),
+        Outcome::Failed { reason, at, .. } => {
+            Err(VerificationError::Failed { reason: reason.clone(), at: at.clone() })
+        }
+        Outcome::Finished | Outcome::Stopped => Ok(SolvedModel { summary, series }),
     }
 }

@@ -1,25 +1,19 @@
-//! `ancf`: checks and runs model files, verifies itself, and reproduces the paper.
+//! `ancf`: checks and runs model files, plots and reports results, solves verification problems, reproduces the paper.
+//!
+//! ```text
+//! main -> command -> model  simulation  results  plot  reproduce  shell
+//!                        \      |          |      |      |       /
+//!                                      terminal
+//! ```
 
-mod check;
-mod colour;
 mod command;
-mod conclusion;
-mod fault;
-mod figure;
-mod guide;
-mod new;
-mod paper;
-mod paraview;
-mod past;
+mod model;
 mod plot;
-mod progress;
-mod report;
-mod run;
-mod signal;
-mod speech;
-mod study;
-mod verify;
-mod view;
+mod reproduce;
+mod results;
+mod shell;
+mod simulation;
+mod terminal;
 
 use std::env;
 use std::process::ExitCode;
@@ -27,10 +21,8 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser};
 
-use colour::Colour;
-use command::{Command, Ended};
-use fault::Faults;
-use speech::Manners;
+use command::Command;
+use terminal::{Colour, Ended, JsonErrors, OutputMode};
 
 /// Flexible multibody dynamics on the absolute nodal coordinate formulation.
 #[derive(Debug, Parser)]
@@ -38,64 +30,63 @@ use speech::Manners;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// Say nothing on standard error but what went wrong.
+    /// Print only warnings and errors on standard error.
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Colours: on terminals, everywhere or nowhere.
-    #[arg(long, global = true, value_name = "WHERE", default_value = "auto")]
+    /// Colours: on terminals, always or never.
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     color: Colour,
 }
 
 const TOUR: &str = "\
 A first tour:
-  ancf new beam.toml              a model to start from, with comments
-  ancf check beam.toml            what is wrong with it, or what it consists of
-  ancf run beam.toml -o out       into tables, in the folder `out`
-  ancf plot out tip.y             a column of it, in the terminal
-  ancf report out                 all of it, in space and in charts, for the browser
-  ancf COMMAND --help             more of each, with examples
+  ancf new beam.toml              write a commented model to start from
+  ancf check beam.toml            report errors in the model, or its content
+  ancf run beam.toml -o out       write results into the folder `out`
+  ancf plot out tip.y             plot a column in the terminal
+  ancf report out                 write a 3D animation and charts for the browser
+  ancf COMMAND --help             options and examples of a command
 
 Exit codes: 0 done, 1 the analysis or a verification failed or results could not be written,
 2 bad input, 130 stopped by Ctrl-C, 143 stopped by SIGTERM.";
 
 fn main() -> ExitCode {
-    let colours = Colour::asked(env::args_os()).establish();
+    let colours = Colour::requested(env::args_os()).apply();
     let parsed = Arguments::command().color(colours).try_get_matches();
     let parsed = parsed.and_then(|matches| Arguments::from_arg_matches(&matches));
     let ended = match parsed {
         Ok(Arguments { command, quiet, .. }) => {
-            speech::choose(Manners { quiet, json: command.wants_json() });
-            command.run()
+            terminal::set_output_mode(OutputMode { quiet, json: command.is_json() });
+            command.run(&Arguments::command())
         }
-        Err(error) => Ok(misunderstood(&error)),
+        Err(error) => Ok(reject_arguments(&error)),
     };
     match ended {
         Ok(Ended::Done) => ExitCode::SUCCESS,
         Ok(Ended::Failed) => ExitCode::from(1),
         Ok(Ended::BadInput) => ExitCode::from(2),
-        // By the number of the signal, as shells have it.
-        Ok(Ended::Stopped) => ExitCode::from(if signal::is_terminated() { 143 } else { 130 }),
+        // 128 plus the number of the signal, as in shells.
+        Ok(Ended::Stopped) => ExitCode::from(if terminal::is_terminated() { 143 } else { 130 }),
         Err(error) => {
-            speech::complain(&format!("error: {error:#}"));
-            speech::answer(&Faults::other(format!("{error:#}")));
+            terminal::print_error(&format!("error: {error:#}"));
+            terminal::print_json(&JsonErrors::from_message(format!("{error:#}")));
             ExitCode::from(1)
         }
     }
 }
 
-/// Help, the version, or arguments that make no command.
-fn misunderstood(error: &clap::Error) -> Ended {
+/// Prints help, the version, or the error of invalid arguments.
+fn reject_arguments(error: &clap::Error) -> Ended {
     let _ = error.print();
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ended::Done,
         _ => {
-            speech::choose(Manners {
-                quiet: false,
-                json: env::args_os().any(|argument| argument == "--json"),
-            });
+            let json = env::args_os().any(|argument| argument == "--json");
+            terminal::set_output_mode(OutputMode { quiet: false, json });
             let text = error.render().to_string();
             let first = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect::<Vec<_>>();
-            speech::answer(&Faults::other(first.join(" ").trim_start_matches("error: ")));
+            let message = first.join(" ");
+            terminal::print_json(&JsonErrors::from_message(message.trim_start_matches("error: ")));
             Ended::BadInput
         }
     }

@@ -11,8 +11,10 @@ use crate::unit::Unit;
 pub(crate) enum FieldUnit {
     /// No attribute: the field has its own conversion.
     Nested,
-    /// Nothing to convert here.
+    /// Nothing to convert.
     Unchanged,
+    /// Unit that depends on other keys.
+    Depends,
     /// One unit for the field.
     One(Unit),
     /// One unit for each component.
@@ -38,9 +40,11 @@ impl Parse for FieldUnit {
             return Ok(Self::Components(groups.into_iter().flat_map(|group| group.0).collect()));
         }
         let word: Option<Ident> = input.fork().parse().ok();
-        if word.is_some_and(|word| word == "none" || word == "depends") {
-            input.parse::<Ident>()?;
-            return Ok(Self::Unchanged);
+        for (name, unit) in [("none", Self::Unchanged), ("depends", Self::Depends)] {
+            if word.as_ref().is_some_and(|word| word == name) {
+                input.parse::<Ident>()?;
+                return Ok(unit);
+            }
         }
         let unit: Unit = input.parse()?;
         Ok(if unit.text == "number" { Self::Unchanged } else { Self::One(unit) })
@@ -71,7 +75,7 @@ mod tests {
 
     fn texts(unit: FieldUnit) -> Vec<String> {
         match unit {
-            FieldUnit::Nested | FieldUnit::Unchanged => Vec::new(),
+            FieldUnit::Nested | FieldUnit::Unchanged | FieldUnit::Depends => Vec::new(),
             FieldUnit::One(unit) => vec![unit.text],
             FieldUnit::Components(units) => units.into_iter().map(|unit| unit.text).collect(),
         }
@@ -79,9 +83,10 @@ mod tests {
 
     #[test]
     fn forms_of_the_attribute() {
-        for word in ["number", "none", "depends"] {
+        for word in ["number", "none"] {
             assert_eq!(syn::parse_str::<FieldUnit>(word).unwrap(), FieldUnit::Unchanged);
         }
+        assert_eq!(syn::parse_str::<FieldUnit>("depends").unwrap(), FieldUnit::Depends);
         assert_eq!(texts(parse_quote!(force / length)), ["force/length"]);
         let six: FieldUnit = parse_quote!([force / length; 2], [number], [force * length; 3]);
         let moment = "force*length";

@@ -4,7 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
-use syn::{Data, DeriveInput, Fields, Ident, Variant};
+use syn::{Attribute, Data, DeriveInput, Fields, Ident, Variant};
 
 use crate::attribute::FieldUnit;
 
@@ -14,35 +14,70 @@ pub(crate) fn scaled(input: &DeriveInput) -> syn::Result<TokenStream> {
         return Err(syn::Error::new_spanned(&input.generics, "generic types are not supported"));
     }
     let name = &input.ident;
+    let partial = is_partial(&input.attrs)?;
     let (conversion, units) = match &input.data {
         Data::Struct(data) => {
-            let Form { pattern, value, units } = Form::new(&quote!(Self), &data.fields)?;
+            let Form { pattern, value, units } = Form::new(&quote!(Self), &data.fields, partial)?;
             (quote!({ let #pattern = self; #value }), units)
         }
-        Data::Enum(data) => of_enum(data.variants.iter())?,
+        Data::Enum(data) => of_enum(data.variants.iter(), partial)?,
         Data::Union(_) => return Err(syn::Error::new_spanned(name, "unions have no units")),
     };
-    Ok(quote! {
-        #[automatically_derived]
-        impl crate::units::Scaled for #name {
-            fn scaled(self, scales: &crate::units::Scales) -> Self {
-                let _ = scales;
-                #conversion
-            }
+    let scales = quote!(scales: &crate::units::Scales);
+    Ok(if partial {
+        quote! {
+            #[automatically_derived]
+            impl #name {
+                /// Converts the keys whose units do not depend on other keys.
+                pub(crate) fn scaled_keys(self, #scales) -> Self {
+                    #conversion
+                }
 
-            fn unit_tree() -> crate::units::UnitTree {
-                #units
+                /// Units of all keys.
+                pub(crate) fn unit_tree() -> crate::units::UnitTree {
+                    #units
+                }
+            }
+        }
+    } else {
+        quote! {
+            #[automatically_derived]
+            impl crate::units::Scaled for #name {
+                fn scaled(self, #scales) -> Self {
+                    let _ = scales;
+                    #conversion
+                }
+
+                fn unit_tree() -> crate::units::UnitTree {
+                    #units
+                }
             }
         }
     })
 }
 
+/// True for a type with the attribute `#[unit(partial)]`.
+fn is_partial(attributes: &[Attribute]) -> syn::Result<bool> {
+    let mut partial = false;
+    for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("unit")) {
+        let word: Ident = attribute.parse_args()?;
+        if word != "partial" {
+            return Err(syn::Error::new_spanned(word, "a type has no unit, expected `partial`"));
+        }
+        partial = true;
+    }
+    Ok(partial)
+}
+
 /// Conversion and units of an enumeration.
-fn of_enum<'a>(variants: impl Iterator<Item = &'a Variant>) -> syn::Result<(TokenStream, TokenStream)> {
+fn of_enum<'a>(
+    variants: impl Iterator<Item = &'a Variant>,
+    partial: bool,
+) -> syn::Result<(TokenStream, TokenStream)> {
     let (mut arms, mut forms) = (Vec::new(), Vec::new());
     for variant in variants {
         let (ident, word) = (&variant.ident, snake_case(&variant.ident));
-        let Form { pattern, value, units } = Form::new(&quote!(Self::#ident), &variant.fields)?;
+        let Form { pattern, value, units } = Form::new(&quote!(Self::#ident), &variant.fields, partial)?;
         arms.push(quote!(#pattern => #value));
         forms.push(quote!((#word, #units)));
     }
@@ -60,11 +95,18 @@ struct Form {
 }
 
 impl Form {
-    fn new(path: &TokenStream, fields: &Fields) -> syn::Result<Self> {
+    fn new(path: &TokenStream, fields: &Fields, partial: bool) -> syn::Result<Self> {
         let (mut bindings, mut values, mut units) = (Vec::new(), Vec::new(), Vec::new());
         for (at, field) in fields.iter().enumerate() {
             let binding = format_ident!("field_{at}");
-            let (value, unit) = converted(&binding, &field.ty, &FieldUnit::of(field)?);
+            let unit = FieldUnit::of(field)?;
+            if unit == FieldUnit::Depends && !partial {
+                return Err(syn::Error::new_spanned(
+                    field,
+                    "`depends` requires `#[unit(partial)]` of the type",
+                ));
+            }
+            let (value, unit) = converted(&binding, &field.ty, &unit);
             bindings.push(binding);
             values.push(value);
             units.push(unit);
@@ -105,7 +147,9 @@ fn converted(name: &Ident, ty: &syn::Type, unit: &FieldUnit) -> (TokenStream, To
             quote_spanned!(span=> <#ty as crate::units::Scaled>::scaled(#name, scales)),
             quote_spanned!(span=> <#ty as crate::units::Scaled>::unit_tree()),
         ),
-        FieldUnit::Unchanged => (name.to_token_stream(), quote!(crate::units::UnitTree::None)),
+        FieldUnit::Unchanged | FieldUnit::Depends => {
+            (name.to_token_stream(), quote!(crate::units::UnitTree::None))
+        }
         FieldUnit::One(unit) => {
             let (text, dimension) = (&unit.text, unit.dimension());
             let value = if unit.is_number() {
@@ -155,7 +199,20 @@ mod tests {
 
     #[test]
     fn unsupported_types_are_errors() {
-        let inputs: [DeriveInput; 4] = [
+        let inputs: [DeriveInput; 6] = [
+            parse_quote!(
+                struct Coupled {
+                    #[unit(depends)]
+                    factor: f64,
+                }
+            ),
+            parse_quote!(
+                #[unit(length)]
+                struct Point {
+                    #[unit(length)]
+                    x: f64,
+                }
+            ),
             parse_quote!(
                 struct Pair(#[unit(length)] f64, #[unit(time)] f64);
             ),
@@ -177,6 +234,17 @@ mod tests {
         for input in inputs {
             assert!(scaled(&input).is_err(), "{}", input.to_token_stream());
         }
+    }
+
+    #[test]
+    fn partial_types_do_not_implement_the_trait() {
+        let model: DeriveInput = parse_quote! {
+            #[unit(partial)]
+            struct Model { #[unit(length)] size: f64, #[unit(depends)] couplings: Vec<Coupling> }
+        };
+        let code = scaled(&model).unwrap().to_string();
+        assert!(code.contains("impl Model { # [doc = r\" Converts"), "{code}");
+        assert!(code.contains("couplings : field_1"), "{code}");
     }
 
     #[test]

@@ -20,6 +20,9 @@ use syn::{DeriveInput, parse_macro_input};
 /// | `#[unit(depends)]` | unit that depends on other keys, converted by a hand-written function |
 ///
 /// Base quantities are `length`, `time`, `force`, `mass` (force time²/length), and `radian` and `cycle`, which are numbers.
+/// A type with `depends` fields states `#[unit(partial)]`. It does not implement the trait: the macro then makes functions
+/// `scaled_keys` and `unit_tree` of the crate, to be used by the hand-written conversion of the whole.
+///
 /// Fields without the attribute are converted by their own implementation of `Scaled`. Numbers have none, so that a number
 /// without a unit does not compile:
 ///

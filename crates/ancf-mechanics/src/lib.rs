@@ -1,7 +1,7 @@
-//! Elements, constraints and forces of flexible multibody systems on the absolute nodal coordinate formulation (ANCF).
+//! Elements, constraints and forces of flexible multibody systems in the absolute nodal coordinate formulation (ANCF).
 //!
-//! Each of them is a [`Term`](ancf_solver::equations::Term) of the equations of motion in `ancf-solver`. Models, units and
-//! results are in `ancf`.
+//! Each of them is a [`Term`](ancf_solver::equations::Term) of the equations of motion. The crate `ancf` contains models,
+//! units and results.
 
 mod batch;
 pub mod bodies;

@@ -2,7 +2,7 @@ use std::io;
 use std::path::PathBuf;
 
 use ancf::record::Series;
-use ancf_results::{KILLED, OpenError, Results, Status};
+use ancf_results::{KILLED, OpenError, Results, RunStatus};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -107,9 +107,9 @@ fn across(series: &Series) -> io::Result<(Vec<String>, Vec<f64>)> {
 }
 
 /// What the run said at its end, or that it has not ended, or not said so.
-fn summary(results: &Results, status: Status) -> Result<Value, OpenError> {
-    let (kind, reason) = match (status, results.conclusion()?) {
-        (Status::Running, _) => ("running", "the run goes on"),
+fn summary(results: &Results, status: RunStatus) -> Result<Value, OpenError> {
+    let (kind, reason) = match (status, results.summary_file()?) {
+        (RunStatus::Running, _) => ("running", "the run goes on"),
         (_, Some(conclusion)) => return Value::try_from(conclusion).map_err(|e| io::Error::other(e).into()),
         (_, None) => ("broken", KILLED),
     };

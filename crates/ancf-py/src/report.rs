@@ -1,6 +1,6 @@
 use ancf::Summary;
 use ancf::record::{Series, Sink};
-use ancf_report::{BUDGET, Ending, Frame, Recording, numbers, page, scene, warnings};
+use ancf_report::{BUDGET, Ending, Recording, Snapshot, page, scene, summary_rows, summary_warnings};
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -36,7 +36,7 @@ pub(crate) fn report(
     let told = Told::of(table(summary)?, &model)?;
     let title = title.or_else(|| model.title.clone());
     let html = py.detach(|| {
-        let frame = |(state, value)| Frame { value, state };
+        let frame = |(state, value)| Snapshot { value, state };
         let recording = Recording {
             simulation: &states.simulation,
             model: &model,
@@ -80,8 +80,8 @@ impl Told {
                 let summary: Summary = data.try_into().map_err(|error: toml::de::Error| {
                     PyValueError::new_err(format!("the summary of the result: {error}"))
                 })?;
-                named.extend(numbers(&summary));
-                let messages = warnings(&summary);
+                named.extend(summary_rows(&summary));
+                let messages = summary_warnings(&summary);
                 let ending = Ending::new(&summary.outcome, &model.analysis);
                 Ok(Self { summary: named, ending, messages })
             }

@@ -42,10 +42,10 @@ TESTED_BY = {
 
 NOT_RUN = {
     "cargo xtask": "runs this test, or takes minutes",
-    "cargo run --release -- paper": "takes minutes: crates/ancf-cli/tests/paper.rs",
-    "ancf check FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
-    "ancf run FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
-    "ancf scaled FILE": "a synopsis: crates/ancf-cli/tests/cli.rs",
+    "cargo run --release -- paper": "takes minutes: crates/ancf-cli/tests/it/paper.rs",
+    "ancf check FILE": "a synopsis: crates/ancf-cli/tests/it/runs.rs",
+    "ancf run FILE": "a synopsis: crates/ancf-cli/tests/it/runs.rs",
+    "ancf scaled FILE": "a synopsis: crates/ancf-cli/tests/it/runs.rs",
     "cargo install": "installs: the program is there",
     "pip install": "installs: the package is there",
 }

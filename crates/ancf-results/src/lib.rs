@@ -1,39 +1,36 @@
-//! The folder of a run: written while the run goes on, readable while it does, after it, and after a crash.
+//! Folder of a run: written during the run, readable during the run, afterwards and after a crash.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
-//! | `model.toml` | the text of the model that was run |
-//! | `results.parquet` | the columns of the run, one row an instant, with their units |
-//! | `states.parquet` | coordinates, velocities, accelerations and multipliers of some of its instants |
-//! | `probes.csv` | the columns once more, as text |
-//! | `summary.json` | how the run ended and what it did; there is none before |
-//! | `checkpoint` | from where the run can be continued |
+//! | `model.toml` | text of the model file |
+//! | `results.parquet` | columns of the run, one row per instant, with their units |
+//! | `states.parquet` | coordinates, velocities, accelerations and multipliers at some instants |
+//! | `probes.csv` | columns as text |
+//! | `summary.json` | outcome and counts of the run, written at its end |
+//! | `checkpoint` | state from which the run can be resumed |
 //!
-//! While the run goes on, rows stand in `results.parquet.parts/` and `states.parquet.parts/`: Parquet files of so many rows
-//! each, of which the last one is replaced by a longer one about once a second. At the end they become one file, a row group
-//! each. Whatever moment a run is killed at, all files are whole.
+//! During the run, rows are stored in `results.parquet.parts/` and `states.parquet.parts/`. Each part is a Parquet file with a
+//! fixed number of rows. About once a second, the last part is replaced by a longer one. At the end, the parts become the row
+//! groups of one file. All files are complete at any time, even if the run is killed.
 //!
-//! Parquet files say where they come from, as key-value metadata: `program`, `model` (its text), `sha256` (of that text),
-//! `units` (JSON, by column; of a model that does not name its units, dimensions in words).
+//! Parquet files contain their origin as key-value metadata: `program`, `model` (its text), `sha256` (of that text) and `units`
+//! (JSON, by column; dimensions in words if the model does not name its units).
 //!
-//! [`Recorder`] observes a run and writes; [`Results`] reads. The same floor as a sink: it knows models, rows and states, and
-//! no mechanics.
+//! [`Recorder`] observes a run and writes its folder. [`Results`] reads the folder.
+//!
+//! ```text
+//!   record   read       selection of rows and states, checkpoints; results
+//!        \   /
+//!        table          Parquet files in parts
+//!          |
+//!        folder         paths, lock, summary, whole files
+//! ```
 
-mod checkpoint;
-mod conclusion;
 mod folder;
-mod frames;
-mod layout;
-mod merge;
-mod provenance;
 mod read;
-mod recorder;
-mod results;
+mod record;
 mod table;
-mod thinned;
 
-pub use checkpoint::{CheckpointError, Every};
-pub use conclusion::Conclusion;
-pub use folder::{Folder, whole};
-pub use recorder::Recorder;
-pub use results::{Frame, KILLED, OpenError, Results, Status};
+pub use folder::{Folder, SummaryFile, write_atomically};
+pub use read::{KILLED, OpenError, Results, RunStatus, StoredState};
+pub use record::{CheckpointError, CheckpointInterval, Recorder};

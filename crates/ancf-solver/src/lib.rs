@@ -4,8 +4,8 @@
 //!
 //! M a + f(q, v, t) + Φ_qᵀ λ = 0,  Φ(q, t) = 0,
 //!
-//! given as a sum of [`Term`](equations::Term)s. The crate assembles the sparse tangent, factorises it, and solves statics,
-//! dynamics and eigenvalue problems. It contains no mechanics: elements, joints and loads are in `ancf-mechanics`.
+//! given as a sum of [`Term`](equations::Term)s. The crate assembles and factorises the sparse tangent. It solves static,
+//! dynamic and eigenvalue problems. Elements, joints and loads are in `ancf-mechanics`.
 
 pub mod dynamics;
 pub mod eigen;

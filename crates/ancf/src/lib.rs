@@ -85,7 +85,10 @@ pub use ancf_solver as solver;
 pub use errors::{ModelError, ModelErrors};
 pub use model::Model;
 pub use results::{Column, Field, Fields, Rows, Station};
-pub use simulate::{Checkpoint, Error, Mismatch, Observer, Outcome, Simulation, Summary, simulate};
+pub use simulate::{
+    Checkpoint, Error, Extension, Mismatch, Observer, Outcome, Simulation, SimulationBuilder, Summary,
+    simulate,
+};
 pub use units::Scales;
 
 // TEMPORARY FACADE

@@ -1,32 +1,21 @@
-//! The problems, one file each.
+//! Problems by subject, one file each.
 
-mod bathe_bolourchi;
-mod cantilever;
-mod catenary;
-mod compound_pendulum;
-mod elastica;
-mod euler_column;
-mod flying_spaghetti;
-mod frequencies;
-mod gerstmayr_irschik;
-mod heavy_elastica;
-mod instants;
-mod integrators;
-mod invariance;
-mod lateral_buckling;
-mod lees_frame;
-mod locking;
-mod motion;
-mod princeton;
-mod right_angle_frame;
-mod roll_up;
-mod self_weight;
-mod single_element;
-mod slider_crank;
-mod spin_up;
-mod spinning_rod;
+mod dynamics;
+mod elements;
+mod models;
+mod stability;
+mod statics;
 
 use crate::Problem;
+use dynamics::{
+    compound_pendulum, flying_spaghetti, frequencies, integrators, right_angle_frame, slider_crank, spin_up,
+    spinning_rod,
+};
+use elements::{locking, self_weight, single_element};
+use stability::{euler_column, lateral_buckling, lees_frame};
+use statics::{
+    bathe_bolourchi, catenary, elastica, gerstmayr_irschik, heavy_elastica, invariance, princeton, roll_up,
+};
 
 /// All problems, in the order of the report.
 pub const ALL: &[Problem] = &[
@@ -53,13 +42,3 @@ pub const ALL: &[Problem] = &[
     spinning_rod::PROBLEM,
     integrators::PROBLEM,
 ];
-
-/// Asserts that a problem holds, for its test.
-#[cfg(test)]
-fn assert_holds(problem: &Problem) {
-    let findings = (problem.run)().unwrap_or_else(|error| panic!("{}: {error}", problem.name));
-    assert!(!findings.plots.is_empty() && !findings.comparisons.is_empty(), "{}", problem.name);
-    for comparison in &findings.comparisons {
-        assert!(comparison.holds(), "{}: {comparison:?} is {:e} off", problem.name, comparison.error());
-    }
-}

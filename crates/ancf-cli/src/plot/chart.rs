@@ -1,22 +1,30 @@
+//! Charts of characters in the terminal.
+//!
+//! Crates are not used: ratatui places the tick labels beside their positions, textplots has labels at the ends only, and both
+//! distinguish curves by colours alone.
+
 use anstyle::{AnsiColor, Style};
 
-use super::canvas::{Canvas, Cell, SIGNS};
-use super::panel::{Curve, Panel};
-use super::tick::Ticks;
+use super::canvas::{DotCanvas, DotCell, MARKERS};
+use super::panel::{PanelCurve, PlotPanel};
+use super::tick::AxisTicks;
 
-/// What a terminal shows.
+/// Properties of the terminal.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct ChartStyle {
+    /// Width in characters.
     pub width: usize,
+    /// True if the terminal has Unicode characters.
     pub is_unicode: bool,
-    pub is_colourful: bool,
+    /// True if the terminal has colours.
+    pub is_coloured: bool,
 }
 
-/// Lines of a chart that stands alone, and of one among others.
+/// Height of a single chart, and of one of several charts, in lines.
 const HEIGHTS: [usize; 2] = [16, 10];
 
-/// Columns between numbers at the horizontal axis.
-const APART: usize = 14;
+/// Columns per tick of the horizontal axis.
+const TICK_COLUMNS: usize = 14;
 
 const COLOURS: [AnsiColor; 6] = [
     AnsiColor::Cyan,
@@ -27,44 +35,45 @@ const COLOURS: [AnsiColor; 6] = [
     AnsiColor::Red,
 ];
 
-/// The panels as charts of characters, one below the other.
-pub fn text(panels: &[Panel], look: Look) -> String {
+/// Returns the panels as charts of characters, one below the other.
+pub fn text(panels: &[PlotPanel], style: ChartStyle) -> String {
     let height = HEIGHTS[usize::from(panels.len() > 1)];
-    let charts: Vec<String> = panels.iter().map(|panel| Chart::new(panel, look, height).text()).collect();
+    let charts: Vec<String> = panels.iter().map(|panel| Chart::new(panel, style, height).text()).collect();
     charts.join("\n")
 }
 
 struct Chart<'a> {
-    panel: &'a Panel,
-    look: Look,
-    x: Ticks,
-    y: Ticks,
-    /// Columns of the numbers on the left.
+    panel: &'a PlotPanel,
+    style: ChartStyle,
+    x: AxisTicks,
+    y: AxisTicks,
+    /// Width of the tick labels on the left.
     margin: usize,
     height: usize,
-    canvas: Canvas,
+    canvas: DotCanvas,
 }
 
 impl<'a> Chart<'a> {
-    fn new(panel: &'a Panel, look: Look, height: usize) -> Self {
+    fn new(panel: &'a PlotPanel, style: ChartStyle, height: usize) -> Self {
         let [x, y] = panel.ranges();
-        let y = Ticks::around(y, height / 4);
+        let y = AxisTicks::around(y, height / 4);
         let margin = y.labels().iter().map(|(_, text)| text.len()).max().unwrap_or(0) + 1;
-        let width = look.width.saturating_sub(margin + 1).max(10);
-        let x = Ticks::around(x, width / APART);
-        let mut chart = Self { panel, look, x, y, margin, height, canvas: Canvas::new(width, height, false) };
-        chart.canvas = Canvas::new(width, height, chart.is_braille());
+        let width = style.width.saturating_sub(margin + 1).max(10);
+        let x = AxisTicks::around(x, width / TICK_COLUMNS);
+        let mut chart =
+            Self { panel, style, x, y, margin, height, canvas: DotCanvas::new(width, height, false) };
+        chart.canvas = DotCanvas::new(width, height, chart.is_braille());
         panel.curves.iter().enumerate().for_each(|(number, curve)| chart.draw(number, curve));
         chart
     }
 
-    /// Whether curves are drawn in braille: where they can be told apart.
+    /// True if curves are drawn in Braille: if they can be distinguished.
     fn is_braille(&self) -> bool {
-        let are_told_apart = self.look.is_colourful || self.panel.curves.len() == 1;
-        self.look.is_unicode && are_told_apart && !self.panel.is_discrete
+        let are_distinguishable = self.style.is_coloured || self.panel.curves.len() == 1;
+        self.style.is_unicode && are_distinguishable && !self.panel.is_discrete
     }
 
-    fn draw(&mut self, number: usize, curve: &Curve) {
+    fn draw(&mut self, number: usize, curve: &PanelCurve) {
         let part = |x: f64, [lo, hi]: [f64; 2]| (x / 2.0 - lo / 2.0) / (hi / 2.0 - lo / 2.0);
         let (across, up) = (self.x.range(), self.y.range());
         for piece in curve.pieces() {
@@ -87,7 +96,7 @@ impl<'a> Chart<'a> {
         text + &self.foot()
     }
 
-    /// The line of a number at the vertical axis.
+    /// Returns the row of a position on the vertical axis.
     fn row(&self, place: f64) -> usize {
         let [lo, hi] = self.y.range();
         ((1.0 - (place - lo) / (hi - lo)) * (self.height - 1) as f64).round() as usize
@@ -95,33 +104,35 @@ impl<'a> Chart<'a> {
 
     fn cells(&self, row: usize) -> String {
         let mut text = String::new();
-        let is_empty = |cell: &Cell| self.canvas.sign(*cell) == ' ';
+        let is_empty = |cell: &DotCell| self.canvas.character(*cell) == ' ';
         for cells in self.canvas.row(row).chunk_by(|a, b| a.curve == b.curve && is_empty(a) == is_empty(b)) {
-            let signs: String = cells.iter().map(|&cell| self.canvas.sign(cell)).collect();
-            text += &if is_empty(&cells[0]) { signs } else { self.painted(&signs, cells[0].curve) };
+            let characters: String = cells.iter().map(|&cell| self.canvas.character(cell)).collect();
+            text +=
+                &if is_empty(&cells[0]) { characters } else { self.coloured(&characters, cells[0].curve) };
         }
         text.trim_end().to_owned()
     }
 
-    /// A text in the colour of a curve.
-    fn painted(&self, text: &str, curve: usize) -> String {
+    /// Returns a text in the colour of a curve.
+    fn coloured(&self, text: &str, curve: usize) -> String {
         let colour = COLOURS[curve % COLOURS.len()].on_default();
-        let style = if self.look.is_colourful { colour } else { Style::new() };
+        let style = if self.style.is_coloured { colour } else { Style::new() };
         format!("{style}{text}{style:#}")
     }
 
-    /// Names of the curves and their unit.
+    /// Returns the names of the curves and their unit.
     fn legend(&self) -> String {
-        let name = |(number, curve): (usize, &Curve)| {
-            let sign = SIGNS[number % SIGNS.len()];
-            let text = if self.is_braille() { curve.name.clone() } else { format!("{sign} {}", curve.name) };
-            self.painted(&text, number)
+        let name = |(number, curve): (usize, &PanelCurve)| {
+            let marker = MARKERS[number % MARKERS.len()];
+            let text =
+                if self.is_braille() { curve.name.clone() } else { format!("{marker} {}", curve.name) };
+            self.coloured(&text, number)
         };
         let names: Vec<String> = self.panel.curves.iter().enumerate().map(name).collect();
         self.panel.with_unit(&names.join("  "))
     }
 
-    /// The horizontal axis, its numbers, and what it shows.
+    /// Returns the horizontal axis, its tick labels and its label.
     fn foot(&self) -> String {
         let width = self.canvas.row(0).len();
         let mut axis: Vec<char> = vec![self.line('─'); width];
@@ -144,10 +155,10 @@ impl<'a> Chart<'a> {
         format!("{:margin$}{corner}{axis}\n{}\n{:>whole$}\n", "", numbers.trim_end(), self.panel.x)
     }
 
-    /// A character of lines, or what stands for it where there are no others.
+    /// Returns a line character, or its ASCII replacement.
     fn line(&self, character: char) -> char {
         match character {
-            _ if self.look.is_unicode => character,
+            _ if self.style.is_unicode => character,
             '│' => '|',
             '─' => '-',
             _ => '+',
@@ -159,18 +170,18 @@ impl<'a> Chart<'a> {
 mod tests {
     use super::*;
 
-    const PLAIN: Look = Look { width: 60, is_unicode: false, is_colourful: false };
+    const PLAIN: ChartStyle = ChartStyle { width: 60, is_unicode: false, is_coloured: false };
 
-    fn panel(curves: Vec<Curve>) -> Panel {
-        Panel { x: "t (s)".into(), is_discrete: false, unit: "m".into(), curves }
+    fn panel(curves: Vec<PanelCurve>) -> PlotPanel {
+        PlotPanel { x: "t (s)".into(), is_discrete: false, unit: "m".into(), curves }
     }
 
-    fn curve(name: &str, f: impl Fn(f64) -> f64) -> Curve {
+    fn curve(name: &str, f: impl Fn(f64) -> f64) -> PanelCurve {
         let x: Vec<f64> = (0..=200).map(|k| 0.01 * f64::from(k)).collect();
-        Curve { name: name.into(), y: x.iter().map(|&t| f(t)).collect(), x }
+        PanelCurve { name: name.into(), y: x.iter().map(|&t| f(t)).collect(), x }
     }
 
-    /// The column of the sign in a line, after the axis.
+    /// Returns the columns of a marker in a line, after the axis.
     fn columns(line: &str, sign: char) -> Vec<usize> {
         line.char_indices()
             .skip_while(|(_, c)| !"|+".contains(*c))
@@ -201,7 +212,7 @@ mod tests {
     fn curves_are_told_apart_without_colours() {
         let text = text(
             &[panel(vec![curve("a", |t| t), curve("b", |t| 2.0 - t)])],
-            Look { is_unicode: true, ..PLAIN },
+            ChartStyle { is_unicode: true, ..PLAIN },
         );
         assert!(
             text.starts_with("* a  + b (m)\n") && text.contains('┤') && !text.contains('\u{1b}'),
@@ -216,11 +227,11 @@ mod tests {
     #[test]
     fn one_curve_is_braille_and_colours_tell_several() {
         let is_braille = |c: char| ('\u{2801}'..='\u{28ff}').contains(&c);
-        let unicode = Look { is_unicode: true, ..PLAIN };
+        let unicode = ChartStyle { is_unicode: true, ..PLAIN };
         let one = text(&[panel(vec![curve("a", |t| t)])], unicode);
         assert!(one.contains(is_braille) && one.starts_with("a (m)\n") && !one.contains('*'), "{one}");
         let two = vec![curve("a", |t| t), curve("b", |t| 2.0 - t)];
-        let two = text(&[panel(two)], Look { is_colourful: true, ..unicode });
+        let two = text(&[panel(two)], ChartStyle { is_coloured: true, ..unicode });
         assert!(
             two.contains(is_braille) && two.contains("\u{1b}[36ma") && two.contains("\u{1b}[33mb"),
             "{two}"
@@ -229,9 +240,9 @@ mod tests {
 
     #[test]
     fn there_is_nothing_between_modes() {
-        let modes = Curve { name: "frequency".into(), x: vec![1.0, 2.0, 3.0], y: vec![1.0, 2.0, 10.0] };
-        let modes = Panel { is_discrete: true, ..panel(vec![modes]) };
-        let text = text(&[modes], Look { is_unicode: true, ..PLAIN });
+        let modes = PanelCurve { name: "frequency".into(), x: vec![1.0, 2.0, 3.0], y: vec![1.0, 2.0, 10.0] };
+        let modes = PlotPanel { is_discrete: true, ..panel(vec![modes]) };
+        let text = text(&[modes], ChartStyle { is_unicode: true, ..PLAIN });
         assert_eq!(text.matches('*').count(), 1 + 3, "the name and the points: {text}");
     }
 

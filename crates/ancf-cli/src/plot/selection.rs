@@ -1,28 +1,32 @@
+//! Selection of columns by names and patterns.
+
 use ancf::Column;
 use ancf::model::nearest;
 use ancf::record::Series;
 use ancf_results::Results;
 
-use super::panel::{Curve, Panel};
+use super::panel::{PanelCurve, PlotPanel};
 
-/// Columns that are plotted.
+/// Selected columns.
 #[derive(Debug)]
-pub struct Selection {
-    /// What instants are told by.
+pub struct ColumnSelection {
+    /// Name of the first column: time, load factor or mode.
     first: String,
-    against: Quantity,
-    columns: Vec<Quantity>,
+    against: PlotQuantity,
+    columns: Vec<PlotQuantity>,
 }
 
-/// A column and its unit, empty of what has none.
+/// Column with its unit, which may be empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Quantity {
+pub struct PlotQuantity {
+    /// Name of the column.
     pub name: String,
+    /// Unit.
     pub unit: String,
 }
 
-impl Quantity {
-    /// All of a run.
+impl PlotQuantity {
+    /// Returns all columns of a run.
     pub fn all(results: &Results) -> Vec<Self> {
         let units = results.model().unit_names();
         let unit =
@@ -31,37 +35,37 @@ impl Quantity {
         columns.into_iter().map(|column| Self { unit: unit(&column), name: column.name }).collect()
     }
 
-    /// Name and unit.
+    /// Returns name and unit.
     pub fn label(&self) -> String {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} ({})", self.name, self.unit) }
     }
 }
 
-impl Selection {
-    /// The columns of these names, against another one or the first.
+impl ColumnSelection {
+    /// Selects columns by names, against another column or the first.
     ///
     /// # Errors
-    /// If there is none of a name, in words.
-    pub fn of(results: &Results, names: &[String], against: Option<&str>) -> Result<Self, String> {
-        Self::among(Quantity::all(results), names, against)
+    /// If there is no column of a name; the error is a message.
+    pub fn new(results: &Results, names: &[String], against: Option<&str>) -> Result<Self, String> {
+        Self::among(PlotQuantity::all(results), names, against)
     }
 
-    fn among(all: Vec<Quantity>, names: &[String], against: Option<&str>) -> Result<Self, String> {
+    fn among(all: Vec<PlotQuantity>, names: &[String], against: Option<&str>) -> Result<Self, String> {
         let first = all.first().ok_or("there are no columns")?.clone();
         let against = match against {
             Some(name) => all.iter().find(|one| one.name == name).ok_or_else(|| unknown(name, &all))?.clone(),
             None => first.clone(),
         };
         if names.is_empty() {
-            return Err("which column is to be plotted? `ancf plot DIR` lists them".to_owned());
+            return Err("no columns given; `ancf plot DIR` lists them".to_owned());
         }
-        let mut columns: Vec<Quantity> = Vec::new();
+        let mut columns: Vec<PlotQuantity> = Vec::new();
         for name in names {
-            let meant = meant(name, &all);
-            if meant.is_empty() {
+            let found = matching(name, &all);
+            if found.is_empty() {
                 return Err(unknown(name, &all));
             }
-            for column in meant {
+            for column in found {
                 if !columns.contains(column) {
                     columns.push(column.clone());
                 }
@@ -70,20 +74,20 @@ impl Selection {
         Ok(Self { first: first.name, against, columns })
     }
 
-    /// A panel for each unit, with the rows whose first number is in a range.
-    pub fn panels(&self, series: &Series, [from, to]: [f64; 2]) -> Vec<Panel> {
+    /// Returns one panel per unit, with the rows whose first value is in a range.
+    pub fn panels(&self, series: &Series, [from, to]: [f64; 2]) -> Vec<PlotPanel> {
         let values = |name: &str| series.column(name).unwrap_or_default();
         let kept: Vec<bool> = values(&self.first).iter().map(|t| (from..=to).contains(t)).collect();
         let keep = |name: &str| -> Vec<f64> {
             values(name).iter().zip(&kept).filter(|(_, kept)| **kept).map(|(x, _)| *x).collect()
         };
-        let mut panels: Vec<Panel> = Vec::new();
+        let mut panels: Vec<PlotPanel> = Vec::new();
         for column in &self.columns {
             let curve =
-                Curve { name: column.name.clone(), x: keep(&self.against.name), y: keep(&column.name) };
+                PanelCurve { name: column.name.clone(), x: keep(&self.against.name), y: keep(&column.name) };
             match panels.iter_mut().find(|panel| panel.unit == column.unit) {
                 Some(panel) => panel.curves.push(curve),
-                None => panels.push(Panel {
+                None => panels.push(PlotPanel {
                     x: self.against.label(),
                     is_discrete: self.first == "mode",
                     unit: column.unit.clone(),
@@ -95,29 +99,29 @@ impl Selection {
     }
 }
 
-/// The columns that a word means: the one of its name, those of a point, all of an owner, or those of a pattern.
-fn meant<'a>(word: &str, all: &'a [Quantity]) -> Vec<&'a Quantity> {
-    let fitting = |fits: &dyn Fn(&str) -> bool| all.iter().filter(|one| fits(&one.name)).collect::<Vec<_>>();
-    let exact = fitting(&|name| name == word);
+/// Returns the columns of a name: the column, the position of a point, all columns of a probe or joint, or of a pattern.
+fn matching<'a>(word: &str, all: &'a [PlotQuantity]) -> Vec<&'a PlotQuantity> {
+    let select = |fits: &dyn Fn(&str) -> bool| all.iter().filter(|one| fits(&one.name)).collect::<Vec<_>>();
+    let exact = select(&|name| name == word);
     if !exact.is_empty() {
         return exact;
     }
     let axes = ["x", "y", "z"].map(|axis| format!("{word}.{axis}"));
-    let point = fitting(&|name| axes.iter().any(|axis| axis == name));
+    let point = select(&|name| axes.iter().any(|axis| axis == name));
     if !point.is_empty() {
         return point;
     }
-    let own = fitting(&|name| name.strip_prefix(word).is_some_and(|rest| rest.starts_with('.')));
+    let own = select(&|name| name.strip_prefix(word).is_some_and(|rest| rest.starts_with('.')));
     if !own.is_empty() {
         return own;
     }
     let pattern: Vec<char> = word.chars().collect();
-    fitting(&|name| matches(&pattern, &name.chars().collect::<Vec<_>>()))
+    select(&|name| matches(&pattern, &name.chars().collect::<Vec<_>>()))
 }
 
-/// Whether a name fits a pattern, in which `*` stands for any characters and `?` for one.
+/// True if a name matches a pattern. `*` matches any characters, `?` one character.
 fn matches(pattern: &[char], name: &[char]) -> bool {
-    // Places where the pattern may be after each character of the name.
+    // Positions in the pattern after each character of the name.
     let mut places = closure(pattern, vec![0]);
     for character in name {
         let step = |&place: &usize| match pattern.get(place) {
@@ -131,7 +135,7 @@ fn matches(pattern: &[char], name: &[char]) -> bool {
     places.contains(&pattern.len())
 }
 
-/// These places and those behind stars that stand for nothing.
+/// Adds the positions after stars that match no character.
 fn closure(pattern: &[char], mut places: Vec<usize>) -> Vec<usize> {
     let mut next = 0;
     while let Some(&place) = places.get(next) {
@@ -144,7 +148,7 @@ fn closure(pattern: &[char], mut places: Vec<usize>) -> Vec<usize> {
     places
 }
 
-fn unknown(name: &str, all: &[Quantity]) -> String {
+fn unknown(name: &str, all: &[PlotQuantity]) -> String {
     let owners = all.iter().filter_map(|one| one.name.split_once('.')).map(|(owner, _)| owner);
     let near = nearest(name, all.iter().map(|one| one.name.as_str()).chain(owners));
     let hint = near.map_or_else(
@@ -158,8 +162,8 @@ fn unknown(name: &str, all: &[Quantity]) -> String {
 mod tests {
     use super::*;
 
-    fn all() -> Vec<Quantity> {
-        let of = |(name, unit): (&str, &str)| Quantity { name: name.into(), unit: unit.into() };
+    fn all() -> Vec<PlotQuantity> {
+        let of = |(name, unit): (&str, &str)| PlotQuantity { name: name.into(), unit: unit.into() };
         let columns = [
             ("t", "s"),
             ("tip.x", "m"),
@@ -175,7 +179,7 @@ mod tests {
 
     fn names(words: &[&str]) -> Result<Vec<String>, String> {
         let words: Vec<String> = words.iter().map(|&word| word.to_owned()).collect();
-        Selection::among(all(), &words, None)
+        ColumnSelection::among(all(), &words, None)
             .map(|chosen| chosen.columns.into_iter().map(|column| column.name).collect())
     }
 
@@ -193,7 +197,7 @@ mod tests {
         assert_eq!(names(&["tpi.y"]).unwrap_err(), "there is no column `tpi.y`; did you mean `tip.y`?");
         assert_eq!(names(&["rot"]).unwrap_err(), "there is no column `rot`; did you mean `root`?");
         assert!(names(&["*.q"]).unwrap_err().starts_with("there is no column `*.q`; "));
-        assert!(Selection::among(all(), &["t".into()], Some("tip")).is_err(), "one column only");
+        assert!(ColumnSelection::among(all(), &["t".into()], Some("tip")).is_err(), "one column only");
     }
 
     #[test]
@@ -211,7 +215,8 @@ mod tests {
             let _ = series.record(&[f64::from(t), 1.0, 2.0, 3.0, 4.0, 5.0, f64::from(t * t), 7.0]).unwrap();
         }
         let words = ["tip.y", "root", "tip.x"].map(str::to_owned);
-        let panels = Selection::among(all(), &words, Some("root.fy")).unwrap().panels(&series, [1.0, 3.0]);
+        let panels =
+            ColumnSelection::among(all(), &words, Some("root.fy")).unwrap().panels(&series, [1.0, 3.0]);
         let names: Vec<Vec<_>> =
             panels.iter().map(|panel| panel.curves.iter().map(|curve| &*curve.name).collect()).collect();
         assert_eq!(names, [vec!["tip.y", "tip.x"], vec!["root.fx", "root.fy"]]);

@@ -1,17 +1,19 @@
-/// Numbers along an axis, the first and the last at its ends.
+//! Ticks of an axis.
+
+/// Ticks of an axis. The first and the last are at its ends.
 #[derive(Debug)]
-pub struct Ticks {
-    /// The multiple of ten that all are multiplied with.
+pub struct AxisTicks {
+    /// Positions.
     places: Vec<f64>,
     digits: usize,
     is_scientific: bool,
 }
 
-impl Ticks {
-    /// About so many steps of 1, 2 or 5 times a power of ten that enclose a range.
+impl AxisTicks {
+    /// Creates about `steps` steps of 1, 2 or 5 times a power of ten that enclose a range.
     pub fn around([lo, hi]: [f64; 2], steps: usize) -> Self {
         let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 1.0) };
-        // Of a constant, or one but for rounding, something around it.
+        // A constant, up to rounding, gets a range around it.
         let least = (1e-9 * lo.abs().max(hi.abs())).max(f64::MIN_POSITIVE * 1e30);
         let (lo, hi) = if hi - lo > least { (lo, hi) } else { wider(lo, hi) };
         let step = nice((hi - lo) / steps.max(1) as f64);
@@ -25,12 +27,12 @@ impl Ticks {
         Self { places, digits, is_scientific }
     }
 
-    /// Both ends.
+    /// Returns both ends.
     pub fn range(&self) -> [f64; 2] {
         [self.places[0], self.places[self.places.len() - 1]]
     }
 
-    /// Places and texts.
+    /// Returns positions and texts.
     pub fn labels(&self) -> Vec<(f64, String)> {
         let text = |&place: &f64| {
             let digits = self.digits;
@@ -45,12 +47,13 @@ impl Ticks {
     }
 }
 
+/// Widens a range without extent.
 fn wider(lo: f64, hi: f64) -> (f64, f64) {
     let more = if lo == 0.0 && hi == 0.0 { 1.0 } else { 0.1 * lo.abs().max(hi.abs()) };
     (lo - more, hi + more)
 }
 
-/// 1, 2 or 5 times a power of ten, not less than a number.
+/// Returns 1, 2 or 5 times a power of ten that is not less than `step`.
 fn nice(step: f64) -> f64 {
     let decade = 10f64.powf(step.log10().floor());
     let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * decade >= 0.999_999 * step);
@@ -64,7 +67,7 @@ mod tests {
     #[test]
     fn ticks_are_round_and_enclose() {
         let texts = |lo, hi, steps| {
-            let ticks = Ticks::around([lo, hi], steps);
+            let ticks = AxisTicks::around([lo, hi], steps);
             assert!(ticks.range()[0] <= lo + 1e-5 * (hi - lo) && hi - 1e-5 * (hi - lo) <= ticks.range()[1]);
             ticks.labels().into_iter().map(|(_, text)| text).collect::<Vec<_>>()
         };
@@ -73,7 +76,7 @@ mod tests {
         assert_eq!(texts(0.0, 1.9e-4, 2), ["0", "1e-4", "2e-4"]);
         assert_eq!(texts(5.0, 5.0, 2).len(), 3, "a constant is in the middle");
         for constant in [0.0, -3e-320, 1e308, 7.3] {
-            let [lo, hi] = Ticks::around([constant, constant], 4).range();
+            let [lo, hi] = AxisTicks::around([constant, constant], 4).range();
             assert!(lo < hi && lo <= constant && constant <= hi, "{constant}: {lo} {hi}");
         }
     }

@@ -1,7 +1,7 @@
 use ancf_solver::equations::Batch;
 
-/// Elements that can be evaluated side by side.
-pub(crate) trait Batched: Sized {
-    /// Batches of elements, each with the number of its first one.
+/// Elements that can be evaluated in batches.
+pub(crate) trait BatchElements: Sized {
+    /// Creates batches of elements, each with the index of its first element.
     fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)>;
 }

@@ -3,32 +3,32 @@ use std::sync::Arc;
 use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
 use pulp::Simd;
 
-use super::batched::Batched;
-use super::beam_law::{BeamLaw, Station};
-use super::kernel::{Kernel, KernelBatch};
-use super::lane::{Lane, Number, Pass, Vector, dot, plus, scaled};
-use super::relative::Relative;
-use super::strain::Section;
-use super::triangle::{Blocks, lower};
+use super::batched::BatchElements;
+use super::beam_law::{BatchStation, BeamLaw};
+use super::kernel::{BatchKernel, KernelBatch};
+use super::lane::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
+use super::relative::RelativeLanes;
+use super::strain::SectionLanes;
+use super::triangle::{VectorBlocks, lower};
 use crate::elements::{Beam24, Beam27, Element};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 
-/// Beam elements side by side: of N vectors, A + 1 of them of the axis and B of each kind of the sections.
+/// Batch of beam elements with N vectors: A + 1 of the axis and B of each kind of section vector.
 #[derive(Debug)]
 struct BeamBatch<const N: usize, const A: usize, const B: usize, C> {
     count: usize,
     law: Arc<BeamLaw<N, A, B, C>>,
-    /// Reference directors in the global frame at each station, or the same for all.
+    /// Reference directors in the global frame at each station, or shared by all stations.
     reference: Vec<[[Lanes; 3]; 7]>,
 }
 
-impl Batched for Beam24 {
+impl BatchElements for Beam24 {
     fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
         batches::<8, 3, 2, BeamShape>(elements)
     }
 }
 
-impl Batched for Beam27 {
+impl BatchElements for Beam27 {
     fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
         batches::<9, 2, 3, QuadraticShape>(elements)
     }
@@ -62,7 +62,7 @@ fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
     batches
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
+impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N, A, B, C> {
     fn new<S: Interpolation<N>>(elements: &[Element<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
         let at = |s: usize| {
             let directors: Vec<_> = elements
@@ -82,22 +82,22 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, 
         Self { count: elements.len(), law, reference }
     }
 
-    /// Sets the directors at a station.
+    /// Computes the directors at a station.
     #[inline(always)]
     fn deform<S: Simd>(
         &self,
         pass: Pass<S>,
         station: usize,
-        q: &Relative<S, A, B>,
-        section: &mut Section<S>,
+        q: &RelativeLanes<S, A, B>,
+        section: &mut SectionLanes<S>,
     ) {
-        let Station { mix, plan, .. } = &self.law.stations[station];
+        let BatchStation { mix, plan, .. } = &self.law.stations[station];
         let reference = &self.reference[station.min(self.reference.len() - 1)];
         section.deform(pass, reference, &mix.directors(pass, q, plan.reach), plan.reach);
     }
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamBatch<N, A, B, C> {
+impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel for BeamBatch<N, A, B, C> {
     fn count(&self) -> usize {
         self.count
     }
@@ -109,13 +109,13 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
     #[inline(always)]
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]) {
         let law = &*self.law;
-        let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
-        let (mut force, mut section) = (Relative::zero(pass), Section::new(pass));
+        let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
+        let (mut force, mut section) = (RelativeLanes::zero(pass), SectionLanes::new(pass));
         for (s, station) in law.stations.iter().enumerate() {
             self.deform(pass, s, &q, &mut section);
             station.resultants(pass, v.as_ref(), law.retardation, station.weight, &mut section);
-            station.plan.pulls(pass, &section.n, &section.now, &mut section.made);
-            station.mix.spread(pass, &section.made, &mut force, station.plan.reach);
+            station.plan.force_terms(pass, &section.n, &section.now, &mut section.scratch);
+            station.mix.spread(pass, &section.scratch, &mut force, station.plan.reach);
         }
         let mut rows = law.inertia(pass, at);
         force.add_to(&law.layout, &mut rows);
@@ -130,16 +130,16 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
     #[inline(always)]
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         let law = &*self.law;
-        let mut blocks = Blocks::<S, A, B>::zero(pass);
-        // Viscosity adds τ D to the stiffness by v; what else it has is left out, as `Station::stiffness` says.
+        let mut blocks = VectorBlocks::<S, A, B>::zero(pass);
+        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `Station::stiffness`.
         let squares = w.q + w.v * law.retardation;
         if w.q != 0.0 || squares != 0.0 {
-            let (q, v) = (Relative::of(pass, &law.layout, at.q), self.moving(pass, at));
-            let mut section = Section::new(pass);
-            // The place of the triangle serves for H until it is written.
+            let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
+            let mut section = SectionLanes::new(pass);
+            // The storage of the triangle contains H until the triangle is written.
             let (h, _) = k.as_chunks_mut();
             for (s, station) in law.stations.iter().enumerate() {
-                let Station { weight, mix, plan, elasticity } = station;
+                let BatchStation { weight, mix, plan, elasticity } = station;
                 self.deform(pass, s, &q, &mut section);
                 station.resultants(pass, v.as_ref(), law.retardation, weight * w.q, &mut section);
                 plan.stiffness(pass, elasticity, &mut section, weight * squares, h);
@@ -162,8 +162,8 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
     #[inline(always)]
     fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3] {
         let law = &*self.law;
-        let q = Relative::of(pass, &law.layout, at.q);
-        let (mut strain, mut section, half) = (pass.zero(), Section::new(pass), pass.splat(0.5));
+        let q = RelativeLanes::of(pass, &law.layout, at.q);
+        let (mut strain, mut section, half) = (pass.zero(), SectionLanes::new(pass), pass.splat(0.5));
         for (s, station) in law.stations.iter().enumerate() {
             self.deform(pass, s, &q, &mut section);
             station.resultants(pass, None, 0.0, station.weight, &mut section);
@@ -184,43 +184,43 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> Kernel for BeamB
         [kinetic, strain * half, potential]
     }
 
-    /// det J > 0 on the axis.
+    /// Requires det J > 0 on the axis.
     #[inline(always)]
-    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
-        let q = Relative::of(pass, &self.law.layout, at.q);
-        let mut section = Section::new(pass);
+    fn check_admissible<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, admissible: &mut [bool; LANES]) {
+        let q = RelativeLanes::of(pass, &self.law.layout, at.q);
+        let mut section = SectionLanes::new(pass);
         for s in 0..self.law.stations.len() {
             self.deform(pass, s, &q, &mut section);
             let [a, _, _, d, e, ..] = section.now;
             let cross = [d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]];
-            // Lanes of other passes stay right.
+            // Lanes of other passes remain admissible.
             let mut det = Lanes([1.0; LANES]);
             pass.store(&mut det, dot(a, cross));
-            right.iter_mut().zip(det.0).for_each(|(right, det)| *right &= det > 0.0);
+            admissible.iter_mut().zip(det.0).for_each(|(admissible, det)| *admissible &= det > 0.0);
         }
     }
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> BeamBatch<N, A, B, C> {
-    /// The velocities of the vectors, if there is anything that they strain.
+impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N, A, B, C> {
+    /// Returns the velocities of the vectors if the elements have viscosity.
     #[inline(always)]
-    fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<Relative<S, A, B>> {
-        if self.law.retardation == 0.0 { None } else { Some(Relative::of(pass, &self.law.layout, at.v)) }
+    fn moving<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> Option<RelativeLanes<S, A, B>> {
+        if self.law.retardation == 0.0 { None } else { Some(RelativeLanes::of(pass, &self.law.layout, at.v)) }
     }
 }
 
-impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
-    /// Sets the stress resultants of strains and, if velocities are given, of their rates, times a factor.
+impl<const A: usize, const B: usize, C: LaneNumber> BatchStation<A, B, C> {
+    /// Computes the stress resultants of strains, and of their rates if velocities are given, times a factor.
     #[inline(always)]
     fn resultants<S: Simd>(
         &self,
         pass: Pass<S>,
-        v: Option<&Relative<S, A, B>>,
+        v: Option<&RelativeLanes<S, A, B>>,
         retardation: f64,
         factor: f64,
-        section: &mut Section<S>,
+        section: &mut SectionLanes<S>,
     ) {
-        let Section { now, middle, increment, made: rates, strains, n } = section;
+        let SectionLanes { now, middle, increment, scratch: rates, strains, n } = section;
         self.plan.strains(pass, [middle, increment], false, strains);
         if let Some(v) = v {
             *rates = self.mix.directors(pass, v, self.plan.reach);
@@ -231,17 +231,17 @@ impl<const A: usize, const B: usize, C: Number> Station<A, B, C> {
     }
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
-    /// g times a factor.
+impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A, B, C> {
+    /// Returns g times a factor.
     #[inline(always)]
-    fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> Vector<S> {
+    fn gravity<S: Simd>(&self, pass: Pass<S>, factor: f64) -> VectorLanes<S> {
         let [x, y, z] = self.gravity;
         [pass.splat(x * factor), pass.splat(y * factor), pass.splat(z * factor)]
     }
 
-    /// M (a + α v) less gravity.
+    /// Computes M (a + α v) minus gravity.
     #[inline(always)]
-    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; N] {
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [VectorLanes<S>; N] {
         let (mut moved, mut rows) = ([pass.zeros(); N], [pass.zeros(); N]);
         let gravity = self.gravity(pass, -at.load);
         for a in 0..N {

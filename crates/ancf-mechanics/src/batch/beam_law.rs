@@ -1,53 +1,53 @@
 use std::sync::Arc;
 
-use super::lane::Number;
+use super::lane::LaneNumber;
 use super::plan::Plan;
-use super::relative::{Layout, Mix};
+use super::relative::{MixWeights, VectorLayout};
 use crate::elements::{Law, Profile};
 use crate::kinematics::Interpolation;
-use crate::sections::Form;
+use crate::sections::SectionMatrix;
 
-/// What the profiles of the elements of a batch say: numbers that they share, or one for each element.
+/// Common data of the profiles of a batch: shared numbers, or one number per element.
 #[derive(Clone, Debug)]
 pub(crate) struct BeamLaw<const N: usize, const A: usize, const B: usize, C> {
-    pub layout: Layout<A, B>,
-    pub stations: Vec<Station<A, B, C>>,
-    /// M_ab, a ≥ b, where it is not zero.
+    pub layout: VectorLayout<A, B>,
+    pub stations: Vec<BatchStation<A, B, C>>,
+    /// Nonzero M_ab, a ≥ b.
     pub mass: Vec<(usize, usize, C)>,
-    /// ∫ ρ S_a dV.
+    /// First moments ∫ ρ S_a dV.
     pub first: [C; N],
     pub gravity: [f64; 3],
     pub drag: f64,
     pub retardation: f64,
 }
 
-/// A quadrature point.
+/// Quadrature point.
 #[derive(Clone, Debug)]
-pub(crate) struct Station<const A: usize, const B: usize, C> {
+pub(crate) struct BatchStation<const A: usize, const B: usize, C> {
     pub weight: f64,
-    pub mix: Mix<A, B>,
+    pub mix: MixWeights<A, B>,
     pub plan: Arc<Plan>,
-    /// D_kl, as the plan counts them.
+    /// Coefficients D_kl in the order of the plan.
     pub elasticity: Vec<C>,
 }
 
-impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B, C> {
-    /// Of profiles that differ in numbers only; none if one of their laws is not quadratic.
+impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A, B, C> {
+    /// Creates the law of profiles that differ in numbers only. Returns `None` if a law is not quadratic.
     pub fn new<S: Interpolation<N>>(profiles: &[&Profile<N>]) -> Option<Self> {
-        let (layout, first) = (Layout::new(&S::KINDS), profiles[0]);
-        let mut stations: Vec<Station<A, B, C>> = Vec::new();
+        let (layout, first) = (VectorLayout::new(&S::KINDS), profiles[0]);
+        let mut stations: Vec<BatchStation<A, B, C>> = Vec::new();
         for s in 0..first.stations.len() {
             let forms = profiles.iter().map(|profile| match &profile.stations[s].law {
                 Law::Quadratic(law) => Some(law.form()),
                 Law::Hyperelastic(_) => None,
             });
-            let forms: Vec<Form> = forms.collect::<Option<_>>()?;
+            let forms: Vec<SectionMatrix> = forms.collect::<Option<_>>()?;
             let plan = Plan::new(&forms);
             let known = stations.iter().map(|station| &station.plan).find(|known| ***known == plan);
             let plan = known.map_or_else(|| Arc::new(plan.clone()), Arc::clone);
             let entries = numbers(forms.iter().map(|form| plan.coefficients(form).collect()).collect());
             let mix = mix(profiles, s, &layout);
-            stations.push(Station { weight: first.stations[s].weight, mix, plan, elasticity: entries });
+            stations.push(BatchStation { weight: first.stations[s].weight, mix, plan, elasticity: entries });
         }
         let lower = (0..N).flat_map(|a| (0..=a).map(move |b| (a, b)));
         let of = |a: usize, b: usize| profiles.iter().map(move |profile| profile.mass[a][b]);
@@ -66,18 +66,18 @@ impl<const N: usize, const A: usize, const B: usize, C: Number> BeamLaw<N, A, B,
     }
 }
 
-/// Numbers from those of each element.
-fn numbers<C: Number>(elements: Vec<Vec<f64>>) -> Vec<C> {
+/// Packs the numbers of each element.
+fn numbers<C: LaneNumber>(elements: Vec<Vec<f64>>) -> Vec<C> {
     let of = |k: usize| C::of(&elements.iter().map(|numbers| numbers[k]).collect::<Vec<_>>());
     (0..elements[0].len()).map(of).collect()
 }
 
-/// Weights of an element's vectors at a station, read from whichever profile has them.
+/// Collects the weights of the vectors of an element at a station from all profiles.
 fn mix<const N: usize, const A: usize, const B: usize>(
     profiles: &[&Profile<N>],
     station: usize,
-    layout: &Layout<A, B>,
-) -> Mix<A, B> {
+    layout: &VectorLayout<A, B>,
+) -> MixWeights<A, B> {
     let weight = |vector: usize, director: usize| {
         let of = |profile: &&Profile<N>| {
             let parts = profile.stations[station].parts[vector].as_slice();
@@ -87,5 +87,5 @@ fn mix<const N: usize, const A: usize, const B: usize>(
     };
     let mut section = layout.y.map(|y| [weight(y, 3), weight(y, 1)]);
     section[0] = [section.iter().map(|[d, _]| d).sum(), 0.0];
-    Mix { axis: layout.axis.map(|(i, _)| [0, 5, 6].map(|director| weight(i, director))), section }
+    MixWeights { axis: layout.axis.map(|(i, _)| [0, 5, 6].map(|director| weight(i, director))), section }
 }

@@ -1,28 +1,28 @@
 use pulp::Simd;
 
-use super::lane::{Lane, Pass, Vector, dot, less, plus, scaled};
-use super::stiffness::Matrix;
+use super::lane::{Lane, Pass, VectorLanes, dot, minus, plus, scaled};
+use super::stiffness::MatrixLanes;
 
-/// Bending of a material line at one point, as [`line::Bend`](crate::kinematics::Bend) defines it.
-pub(crate) struct Bend<S: Simd> {
-    a: Vector<S>,
-    b: Vector<S>,
-    /// a·b, 1/a·a and 1/|a|.
+/// Bending of a material line at one point, as defined by [`line::Bend`](crate::kinematics::Bend).
+pub(crate) struct BendLanes<S: Simd> {
+    a: VectorLanes<S>,
+    b: VectorLanes<S>,
+    /// Products a·b, 1/a·a and 1/|a|.
     ab: Lane<S>,
     over_aa: Lane<S>,
     shortness: Lane<S>,
 }
 
-/// A symmetric matrix over the vectors a and b: block ba has the rows of b.
-pub(crate) struct Blocks<S: Simd> {
-    pub aa: Matrix<S>,
-    pub ba: Matrix<S>,
-    pub bb: Matrix<S>,
+/// Symmetric matrix over the vectors a and b. Block ba has the rows of b.
+pub(crate) struct BendBlockLanes<S: Simd> {
+    pub aa: MatrixLanes<S>,
+    pub ba: MatrixLanes<S>,
+    pub bb: MatrixLanes<S>,
 }
 
-/// sum += factor × x yᵀ.
+/// Computes sum += factor × x yᵀ.
 #[inline(always)]
-fn add_product<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>, factor: Lane<S>) {
+fn add_product<S: Simd>(sum: &mut MatrixLanes<S>, x: VectorLanes<S>, y: VectorLanes<S>, factor: Lane<S>) {
     let x = scaled(x, factor);
     for r in 0..3 {
         for c in 0..3 {
@@ -32,29 +32,29 @@ fn add_product<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>, factor:
 }
 
 #[inline(always)]
-fn add_identity<S: Simd>(sum: &mut Matrix<S>, factor: Lane<S>) {
+fn add_identity<S: Simd>(sum: &mut MatrixLanes<S>, factor: Lane<S>) {
     for r in [0, 4, 8] {
         sum[r] = sum[r] + factor;
     }
 }
 
-impl<S: Simd> Bend<S> {
+impl<S: Simd> BendLanes<S> {
     #[inline(always)]
-    pub fn new(pass: Pass<S>, a: Vector<S>, b: Vector<S>) -> Self {
+    pub fn new(pass: Pass<S>, a: VectorLanes<S>, b: VectorLanes<S>) -> Self {
         let aa = dot(a, a);
         let over_aa = pass.splat(1.0).over(aa);
         Self { a, b, ab: dot(a, b), over_aa, shortness: over_aa.sqrt() }
     }
 
-    /// β.
+    /// Returns β.
     #[inline(always)]
-    pub fn strain(&self) -> Vector<S> {
+    pub fn strain(&self) -> VectorLanes<S> {
         scaled(plus(self.b, self.a, -(self.ab * self.over_aa)), self.shortness)
     }
 
-    /// β° for the rates of a and b.
+    /// Returns β° for the rates of a and b.
     #[inline(always)]
-    pub fn rate(&self, pass: Pass<S>, da: Vector<S>, db: Vector<S>) -> Vector<S> {
+    pub fn rate(&self, pass: Pass<S>, da: VectorLanes<S>, db: VectorLanes<S>) -> VectorLanes<S> {
         let (along_a, along_b) = (dot(self.a, da) * self.over_aa, dot(self.a, db) * self.over_aa);
         let part = self.ab * self.over_aa;
         let of_a = along_b - pass.splat(2.0) * part * along_a;
@@ -62,24 +62,24 @@ impl<S: Simd> Bend<S> {
         scaled(plus(sum, self.a, -of_a), self.shortness)
     }
 
-    /// Lᵀm for m across t.
+    /// Returns Lᵀm for m normal to t.
     #[inline(always)]
-    pub fn force(&self, m: Vector<S>) -> [Vector<S>; 2] {
+    pub fn force(&self, m: VectorLanes<S>) -> [VectorLanes<S>; 2] {
         let sum = plus(scaled(m, self.ab), self.a, dot(self.b, m));
         [scaled(sum, -(self.over_aa * self.shortness)), scaled(m, self.shortness)]
     }
 
-    /// `factor` times the second derivative of ½K².
+    /// Returns `factor` times the second derivative of ½K².
     #[inline(always)]
-    pub fn hessian(&self, pass: Pass<S>, factor: f64) -> Blocks<S> {
+    pub fn hessian(&self, pass: Pass<S>, factor: f64) -> BendBlockLanes<S> {
         let (a, b, ab, over) = (self.a, self.b, self.ab, self.over_aa);
         let (two, four, zero) = (pass.splat(2.0), pass.splat(4.0), [pass.zero(); 9]);
-        let Blocks { mut aa, mut ba, mut bb } = Blocks { aa: zero, ba: zero, bb: zero };
+        let BendBlockLanes { mut aa, mut ba, mut bb } = BendBlockLanes { aa: zero, ba: zero, bb: zero };
         let of_bb = pass.splat(factor) * over;
         add_identity(&mut bb, of_bb);
         add_product(&mut bb, a, a, -(of_bb * over));
         let of_ba = of_bb * over;
-        add_product(&mut ba, less(scaled(a, four * ab * over), scaled(b, two)), a, of_ba);
+        add_product(&mut ba, minus(scaled(a, four * ab * over), scaled(b, two)), a, of_ba);
         add_product(&mut ba, a, b, -of_ba);
         add_identity(&mut ba, -(ab * of_ba));
         let (b_b, squared) = (dot(b, b), ab * ab * over);
@@ -89,12 +89,12 @@ impl<S: Simd> Bend<S> {
         let along = scaled(a, four * b_b - pass.splat(12.0) * squared);
         add_product(&mut aa, plus(along, b, four * ab), a, of_aa);
         add_product(&mut aa, a, b, four * ab * of_aa);
-        Blocks { aa, ba, bb }
+        BendBlockLanes { aa, ba, bb }
     }
 
-    /// Adds the second derivative of m·β at constant m across the tangent.
+    /// Adds the second derivative of m·β at constant m normal to the tangent.
     #[inline(always)]
-    pub fn add_stress_stiffness(&self, pass: Pass<S>, m: Vector<S>, h: &mut Blocks<S>) {
+    pub fn add_stress_stiffness(&self, pass: Pass<S>, m: VectorLanes<S>, h: &mut BendBlockLanes<S>) {
         let (a, b, work) = (self.a, self.b, dot(m, self.b));
         let cube = self.over_aa * self.shortness;
         add_product(&mut h.ba, m, a, -cube);
@@ -109,10 +109,10 @@ impl<S: Simd> Bend<S> {
 
     /// Adds `factor` LᵀL.
     #[inline(always)]
-    pub fn add_damping(&self, pass: Pass<S>, factor: f64, h: &mut Blocks<S>) {
+    pub fn add_damping(&self, pass: Pass<S>, factor: f64, h: &mut BendBlockLanes<S>) {
         let (part, factor) = (self.ab * self.over_aa, pass.splat(factor) * self.over_aa);
         // L = (x aᵀ − C/A I, I − a aᵀ/A)/|a| with x = (2 C/A a − b)/A; a·x = C/A.
-        let x = less(scaled(self.a, pass.splat(2.0) * part), self.b);
+        let x = minus(scaled(self.a, pass.splat(2.0) * part), self.b);
         let x = scaled(x, self.over_aa);
         add_product(&mut h.aa, scaled(self.a, dot(x, x)), self.a, factor);
         add_product(&mut h.aa, x, self.a, -(part * factor));

@@ -3,25 +3,25 @@ use std::sync::Arc;
 use ancf_solver::equations::{Batch, LANES, Lanes, LocalLanes, Weights};
 use pulp::Simd;
 
-use super::batched::Batched;
-use super::bend::Bend;
-use super::kernel::{Kernel, KernelBatch};
-use super::lane::{Lane, Number, Pass, Vector, added, dot, less, plus, scaled};
-use super::relative::Layout;
+use super::batched::BatchElements;
+use super::bend::BendLanes;
+use super::kernel::{BatchKernel, KernelBatch};
+use super::lane::{Lane, LaneNumber, Pass, VectorLanes, added, dot, minus, plus, scaled};
+use super::relative::VectorLayout;
 use super::stiffness::{add, times, transposed};
-use super::triangle::{Blocks, lower};
+use super::triangle::{VectorBlocks, lower};
 use crate::elements::{CRUSHED, Cable12, CableDamping, CableProfile, CableStation};
 
-/// Cable elements of one profile side by side.
+/// Batch of cable elements with a common profile.
 #[derive(Debug)]
 struct CableBatch {
     count: usize,
     profile: Arc<CableProfile>,
-    /// The reference direction of each.
+    /// Reference direction of each element.
     direction: [Lanes; 3],
 }
 
-impl Batched for Cable12 {
+impl BatchElements for Cable12 {
     fn batches(elements: &[Self]) -> Vec<(usize, Box<dyn Batch>)> {
         let of = |(chunk, elements): (usize, &[Self])| {
             let profile = &elements[0].profile;
@@ -38,63 +38,67 @@ impl Batched for Cable12 {
 }
 
 /// Vectors ℓ r_x₁, r₂ − r₁ and ℓ r_x₂ of a pass.
-type Line<S> = [Vector<S>; 3];
+type Line<S> = [VectorLanes<S>; 3];
 
-/// The vectors of a [`Line`] among those of the element.
-const LINE: Layout<3, 0> = Layout { axis: [(1, false), (2, true), (3, false)], y: [], z: [] };
+/// Vectors of a [`Line`] among the vectors of the element.
+const LINE: VectorLayout<3, 0> = VectorLayout { axis: [(1, false), (2, true), (3, false)], y: [], z: [] };
 
 #[inline(always)]
 fn line<S: Simd>(pass: Pass<S>, x: &[Lanes]) -> Line<S> {
     let of = |i: usize| pass.vector(&x[3 * i..3 * i + 3]);
-    [of(1), less(of(2), of(0)), of(3)]
+    [of(1), minus(of(2), of(0)), of(3)]
 }
 
-/// Σ w x.
+/// Computes Σ w x.
 #[inline(always)]
-fn mixed<S: Simd>(pass: Pass<S>, x: &Line<S>, weights: &[f64; 4]) -> Vector<S> {
+fn mixed<S: Simd>(pass: Pass<S>, x: &Line<S>, weights: &[f64; 4]) -> VectorLanes<S> {
     let sum = plus(scaled(x[1], pass.splat(weights[2])), x[0], pass.splat(weights[1]));
     plus(sum, x[2], pass.splat(weights[3]))
 }
 
-/// Adds a force on Σ w x to those on x.
+/// Distributes a force on Σ w x to the vectors x.
 #[inline(always)]
-fn spread<S: Simd>(pass: Pass<S>, f: Vector<S>, weights: &[f64; 4], force: &mut Line<S>) {
+fn spread<S: Simd>(pass: Pass<S>, f: VectorLanes<S>, weights: &[f64; 4], force: &mut Line<S>) {
     for i in 0..3 {
         force[i] = plus(force[i], f, pass.splat(weights[i + 1]));
     }
 }
 
-/// Stretch as in [`Stretch`](crate::kinematics::Stretch).
-struct Stretch<S: Simd> {
+/// Stretch as defined by [`AxialStretch`](crate::kinematics::AxialStretch).
+struct StretchLanes<S: Simd> {
     strain: Lane<S>,
-    /// 1/|a|.
+    /// Inverse 1/|a|.
     shortness: Lane<S>,
-    tangent: Vector<S>,
+    tangent: VectorLanes<S>,
 }
 
 impl CableBatch {
     #[inline(always)]
-    fn stretch<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> Stretch<S> {
+    fn stretch<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> StretchLanes<S> {
         let (a0, u, one) = (pass.vector(&self.direction), mixed(pass, q, &station.first), pass.splat(1.0));
         let a = added(a0, u);
         let length = dot(a, a).sqrt();
         let shortness = one.over(length);
-        Stretch { strain: dot(added(a0, a), u).over(length + one), shortness, tangent: scaled(a, shortness) }
+        StretchLanes {
+            strain: dot(added(a0, a), u).over(length + one),
+            shortness,
+            tangent: scaled(a, shortness),
+        }
     }
 
     #[inline(always)]
-    fn bend<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> Bend<S> {
+    fn bend<S: Simd>(&self, pass: Pass<S>, station: &CableStation, q: &Line<S>) -> BendLanes<S> {
         let a = added(pass.vector(&self.direction), mixed(pass, q, &station.first));
-        Bend::new(pass, a, mixed(pass, q, &station.second))
+        BendLanes::new(pass, a, mixed(pass, q, &station.second))
     }
 
-    /// ε + τ ε̇.
+    /// Returns ε + τ ε̇.
     #[inline(always)]
     fn retarded_strain<S: Simd>(
         &self,
         pass: Pass<S>,
         station: &CableStation,
-        stretch: &Stretch<S>,
+        stretch: &StretchLanes<S>,
         v: &Line<S>,
     ) -> Lane<S> {
         let tau = self.profile.damping().retardation;
@@ -104,15 +108,21 @@ impl CableBatch {
         dot(stretch.tangent, mixed(pass, v, &station.first)).mul_add(pass.splat(tau), stretch.strain)
     }
 
-    /// β°.
+    /// Returns β°.
     #[inline(always)]
-    fn rate<S: Simd>(&self, pass: Pass<S>, station: &CableStation, bend: &Bend<S>, v: &Line<S>) -> Vector<S> {
+    fn rate<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        station: &CableStation,
+        bend: &BendLanes<S>,
+        v: &Line<S>,
+    ) -> VectorLanes<S> {
         bend.rate(pass, mixed(pass, v, &station.first), mixed(pass, v, &station.second))
     }
 
-    /// M (a + α v) less gravity.
+    /// Computes M (a + α v) minus gravity.
     #[inline(always)]
-    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Vector<S>; 4] {
+    fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [VectorLanes<S>; 4] {
         let (profile, drag) = (&*self.profile, self.profile.damping().mass);
         let (mut moved, mut rows) = ([pass.zeros(); 4], [pass.zeros(); 4]);
         for i in 0..4 {
@@ -133,7 +143,7 @@ impl CableBatch {
     }
 }
 
-impl Kernel for CableBatch {
+impl BatchKernel for CableBatch {
     fn count(&self) -> usize {
         self.count
     }
@@ -164,7 +174,7 @@ impl Kernel for CableBatch {
             spread(pass, of_b, &station.second, &mut force);
         }
         let mut rows = self.inertia(pass, at);
-        rows[0] = less(rows[0], force[1]);
+        rows[0] = minus(rows[0], force[1]);
         for i in 0..3 {
             rows[i + 1] = added(rows[i + 1], force[i]);
         }
@@ -179,7 +189,7 @@ impl Kernel for CableBatch {
     #[inline(always)]
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         let (profile, q, v) = (&*self.profile, line(pass, at.q), line(pass, at.v));
-        let mut blocks = Blocks::<S, 3, 0>::zero(pass);
+        let mut blocks = VectorBlocks::<S, 3, 0>::zero(pass);
         if w.q != 0.0 || w.v * profile.damping().retardation != 0.0 {
             for station in profile.axial() {
                 self.add_axial(pass, station, [&q, &v], w, &mut blocks);
@@ -227,13 +237,16 @@ impl Kernel for CableBatch {
     }
 
     #[inline(always)]
-    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]) {
+    fn check_admissible<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, admissible: &mut [bool; LANES]) {
         let q = line(pass, at.q);
         for station in self.profile.axial().iter().chain(self.profile.bending()) {
             let a = added(pass.vector(&self.direction), mixed(pass, &q, &station.first));
             let mut length = Lanes([1.0; LANES]);
             pass.store(&mut length, dot(a, a).sqrt());
-            right.iter_mut().zip(length.0).for_each(|(right, length)| *right &= length > CRUSHED);
+            admissible
+                .iter_mut()
+                .zip(length.0)
+                .for_each(|(admissible, length)| *admissible &= length > CRUSHED);
         }
     }
 }
@@ -247,7 +260,7 @@ impl CableBatch {
         station: &CableStation,
         [q, v]: [&Line<S>; 2],
         w: Weights,
-        blocks: &mut Blocks<S, 3, 0>,
+        blocks: &mut VectorBlocks<S, 3, 0>,
     ) {
         let (rigidity, tau) =
             (self.profile.section().axial * station.weight, self.profile.damping().retardation);
@@ -275,7 +288,7 @@ impl CableBatch {
         station: &CableStation,
         [q, v]: [&Line<S>; 2],
         w: Weights,
-        blocks: &mut Blocks<S, 3, 0>,
+        blocks: &mut VectorBlocks<S, 3, 0>,
     ) {
         let rigidity = self.profile.section().bending * station.weight;
         let (tau, bend) = (self.profile.damping().retardation, self.bend(pass, station, q));

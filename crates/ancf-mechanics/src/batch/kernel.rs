@@ -1,53 +1,53 @@
 use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
 use pulp::Simd;
 
-use super::lane::{Job, Lane, Pass, run, total};
+use super::lane::{Lane, Pass, PassJob, run, total};
 
-/// What elements side by side compute in one pass: any such are a [`Batch`]. Of `at`, `r` and `k`, see there.
-pub(crate) trait Kernel: Send + Sync {
+/// Computations of one pass over a batch of elements, from which a [`Batch`] is built. See there for `at`, `r` and `k`.
+pub(crate) trait BatchKernel: Send + Sync {
     fn count(&self) -> usize;
 
-    /// Whether anything depends on velocities.
+    /// Returns true if any force depends on velocities.
     fn is_damped(&self) -> bool;
 
     fn add_residual<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
-    /// Kinetic, of strain, potential.
+    /// Returns kinetic, strain and potential energies.
     fn energies<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [Lane<S>; 3];
 
-    /// Tells of lanes that cannot be in this state; those of other passes stay right.
-    fn admit<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, right: &mut [bool; LANES]);
+    /// Marks lanes with inadmissible states. Lanes of other passes remain unchanged.
+    fn check_admissible<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, admissible: &mut [bool; LANES]);
 }
 
-/// A kernel as a [`Batch`].
+/// Kernel as a [`Batch`].
 pub(crate) struct KernelBatch<K>(pub(crate) K);
 
-impl<K: Kernel> Batch for KernelBatch<K> {
+impl<K: BatchKernel> Batch for KernelBatch<K> {
     fn count(&self) -> usize {
         self.0.count()
     }
 
     fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
-        run(self.0.count(), Residual { kernel: &self.0, at, r });
+        run(self.0.count(), ResidualJob { kernel: &self.0, at, r });
     }
 
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
-        run(self.0.count(), Tangent { kernel: &self.0, at, w, k });
+        run(self.0.count(), TangentJob { kernel: &self.0, at, w, k });
     }
 
     fn energy(&self, at: &LocalLanes<'_>) -> Energy {
         let (count, mut parts) = (self.0.count(), [Lanes::default(); 3]);
-        run(count, Energies { kernel: &self.0, at, parts: &mut parts });
+        run(count, EnergyJob { kernel: &self.0, at, parts: &mut parts });
         let [kinetic, strain, potential] = parts.map(|part| total(&part, count));
         Energy { kinetic, strain, potential }
     }
 
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize> {
-        let (count, mut right) = (self.0.count(), [true; LANES]);
-        run(count, Admissible { kernel: &self.0, at, right: &mut right });
-        right[..count].iter().position(|right| !right)
+        let (count, mut admissible) = (self.0.count(), [true; LANES]);
+        run(count, AdmissibleJob { kernel: &self.0, at, admissible: &mut admissible });
+        admissible[..count].iter().position(|admissible| !admissible)
     }
 
     fn power(&self, at: &LocalLanes<'_>) -> Power {
@@ -56,7 +56,7 @@ impl<K: Kernel> Batch for KernelBatch<K> {
     }
 }
 
-/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+/// Computes the power of velocity-dependent forces, v·[f(q, v) − f(q, 0)].
 fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
     let zeros = [Lanes::default(); 32];
     let (mut moving, mut still) = (zeros, zeros);
@@ -68,40 +68,40 @@ fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
     (0..batch.count()).map(of).sum()
 }
 
-struct Residual<'a, K> {
+struct ResidualJob<'a, K> {
     kernel: &'a K,
     at: &'a LocalLanes<'a>,
     r: &'a mut [Lanes],
 }
 
-impl<K: Kernel> Job for Residual<'_, K> {
+impl<K: BatchKernel> PassJob for ResidualJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         self.kernel.add_residual(pass, self.at, self.r);
     }
 }
 
-struct Tangent<'a, K> {
+struct TangentJob<'a, K> {
     kernel: &'a K,
     at: &'a LocalLanes<'a>,
     w: Weights,
     k: &'a mut [Lanes],
 }
 
-impl<K: Kernel> Job for Tangent<'_, K> {
+impl<K: BatchKernel> PassJob for TangentJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         self.kernel.set_tangent(pass, self.at, self.w, self.k);
     }
 }
 
-struct Energies<'a, K> {
+struct EnergyJob<'a, K> {
     kernel: &'a K,
     at: &'a LocalLanes<'a>,
     parts: &'a mut [Lanes; 3],
 }
 
-impl<K: Kernel> Job for Energies<'_, K> {
+impl<K: BatchKernel> PassJob for EnergyJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
         let energies = self.kernel.energies(pass, self.at);
@@ -109,15 +109,15 @@ impl<K: Kernel> Job for Energies<'_, K> {
     }
 }
 
-struct Admissible<'a, K> {
+struct AdmissibleJob<'a, K> {
     kernel: &'a K,
     at: &'a LocalLanes<'a>,
-    right: &'a mut [bool; LANES],
+    admissible: &'a mut [bool; LANES],
 }
 
-impl<K: Kernel> Job for Admissible<'_, K> {
+impl<K: BatchKernel> PassJob for AdmissibleJob<'_, K> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, pass: Pass<S>) {
-        self.kernel.admit(pass, self.at, self.right);
+        self.kernel.check_admissible(pass, self.at, self.admissible);
     }
 }

@@ -3,7 +3,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use ancf_solver::equations::{LANES, Lanes};
 use pulp::{Arch, Simd, WithSimd};
 
-/// As many terms of a batch as the machine takes at once: one pass over it.
+/// Pass over a batch: as many terms as fit into a vector register.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pass<S> {
     simd: S,
@@ -11,13 +11,13 @@ pub(crate) struct Pass<S> {
 }
 
 impl<S: Simd> Pass<S> {
-    /// The passes that so many terms need.
+    /// Returns the passes for the given number of terms.
     #[inline(always)]
     pub fn all(simd: S, count: usize) -> impl Iterator<Item = Self> {
         (0..count.div_ceil(S::F64_LANES)).map(move |number| Self { simd, number })
     }
 
-    /// Which numbers of [`Lanes`] it takes; told so that it is known to be within them.
+    /// Returns the index of the pass in [`Lanes`], bounded such that the compiler can omit bounds checks.
     #[inline(always)]
     fn place(self) -> usize {
         self.number % (LANES / S::F64_LANES)
@@ -33,7 +33,7 @@ impl<S: Simd> Pass<S> {
         S::as_mut_simd_f64s(&mut to.0).0[self.place()] = lane.x;
     }
 
-    /// The same number in each lane.
+    /// Returns a lane with equal numbers.
     #[inline(always)]
     pub fn splat(self, x: f64) -> Lane<S> {
         Lane { simd: self.simd, x: self.simd.splat_f64s(x) }
@@ -45,17 +45,17 @@ impl<S: Simd> Pass<S> {
     }
 
     #[inline(always)]
-    pub fn zeros(self) -> Vector<S> {
+    pub fn zeros(self) -> VectorLanes<S> {
         [self.zero(); 3]
     }
 
     #[inline(always)]
-    pub fn vector(self, from: &[Lanes]) -> Vector<S> {
+    pub fn vector(self, from: &[Lanes]) -> VectorLanes<S> {
         [self.load(&from[0]), self.load(&from[1]), self.load(&from[2])]
     }
 }
 
-/// One number of each term of a pass.
+/// One number for each term of a pass.
 #[derive(Debug)]
 pub(crate) struct Lane<S: Simd> {
     simd: S,
@@ -77,7 +77,7 @@ impl<S: Simd> Lane<S> {
         Self { simd: self.simd, x }
     }
 
-    /// self × factor + sum, rounded once where the machine can.
+    /// Computes self × factor + sum, with a single rounding where the hardware supports it.
     #[inline(always)]
     pub fn mul_add(self, factor: Self, sum: Self) -> Self {
         self.of(self.simd.mul_add_e_f64s(self.x, factor.x, sum.x))
@@ -130,50 +130,50 @@ impl<S: Simd> Neg for Lane<S> {
     }
 }
 
-/// A vector in space of each term of a pass.
-pub(crate) type Vector<S> = [Lane<S>; 3];
+/// Vector in space for each term of a pass.
+pub(crate) type VectorLanes<S> = [Lane<S>; 3];
 
-/// sum + x × factor.
+/// Computes sum + x × factor.
 #[inline(always)]
-pub(crate) fn plus<S: Simd>(sum: Vector<S>, x: Vector<S>, factor: Lane<S>) -> Vector<S> {
+pub(crate) fn plus<S: Simd>(sum: VectorLanes<S>, x: VectorLanes<S>, factor: Lane<S>) -> VectorLanes<S> {
     [x[0].mul_add(factor, sum[0]), x[1].mul_add(factor, sum[1]), x[2].mul_add(factor, sum[2])]
 }
 
 #[inline(always)]
-pub(crate) fn scaled<S: Simd>(x: Vector<S>, factor: Lane<S>) -> Vector<S> {
+pub(crate) fn scaled<S: Simd>(x: VectorLanes<S>, factor: Lane<S>) -> VectorLanes<S> {
     [x[0] * factor, x[1] * factor, x[2] * factor]
 }
 
 #[inline(always)]
-pub(crate) fn added<S: Simd>(x: Vector<S>, y: Vector<S>) -> Vector<S> {
+pub(crate) fn added<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLanes<S> {
     [x[0] + y[0], x[1] + y[1], x[2] + y[2]]
 }
 
 #[inline(always)]
-pub(crate) fn less<S: Simd>(x: Vector<S>, y: Vector<S>) -> Vector<S> {
+pub(crate) fn minus<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> VectorLanes<S> {
     [x[0] - y[0], x[1] - y[1], x[2] - y[2]]
 }
 
 #[inline(always)]
-pub(crate) fn dot<S: Simd>(x: Vector<S>, y: Vector<S>) -> Lane<S> {
+pub(crate) fn dot<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0] * y[0]))
 }
 
-/// sum + x·y.
+/// Computes sum + x·y.
 #[inline(always)]
-pub(crate) fn dot_add<S: Simd>(x: Vector<S>, y: Vector<S>, sum: Lane<S>) -> Lane<S> {
+pub(crate) fn dot_add<S: Simd>(x: VectorLanes<S>, y: VectorLanes<S>, sum: Lane<S>) -> Lane<S> {
     x[2].mul_add(y[2], x[1].mul_add(y[1], x[0].mul_add(y[0], sum)))
 }
 
-/// A number that terms have in common, or one for each.
-pub(crate) trait Number: Copy + Send + Sync + 'static {
+/// Number that terms share, or one number per term.
+pub(crate) trait LaneNumber: Copy + Send + Sync + 'static {
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S>;
 
-    /// From the number of each term; the last one again where there are no more.
+    /// Packs the numbers of the terms. The last number fills the remaining lanes.
     fn of(terms: &[f64]) -> Self;
 }
 
-impl Number for f64 {
+impl LaneNumber for f64 {
     #[inline(always)]
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S> {
         pass.splat(*self)
@@ -184,7 +184,7 @@ impl Number for f64 {
     }
 }
 
-impl Number for Lanes {
+impl LaneNumber for Lanes {
     #[inline(always)]
     fn lane<S: Simd>(&self, pass: Pass<S>) -> Lane<S> {
         pass.load(self)
@@ -195,13 +195,13 @@ impl Number for Lanes {
     }
 }
 
-/// The sum of the numbers of so many terms.
+/// Returns the sum over the given number of terms.
 pub(crate) fn total(lanes: &Lanes, count: usize) -> f64 {
     lanes.0[..count].iter().sum()
 }
 
-/// What is done in each pass over a batch.
-pub(crate) trait Job {
+/// Computation in each pass over a batch.
+pub(crate) trait PassJob {
     fn run<S: Simd>(&mut self, pass: Pass<S>);
 }
 
@@ -210,7 +210,7 @@ struct Passes<'a, J> {
     count: usize,
 }
 
-impl<J: Job> WithSimd for Passes<'_, J> {
+impl<J: PassJob> WithSimd for Passes<'_, J> {
     type Output = ();
 
     #[inline(always)]
@@ -221,7 +221,7 @@ impl<J: Job> WithSimd for Passes<'_, J> {
     }
 }
 
-/// Does a job for so many terms by the best instructions that this machine has.
-pub(crate) fn run<J: Job>(count: usize, mut job: J) {
+/// Runs a job for the given number of terms with the best available instruction set.
+pub(crate) fn run<J: PassJob>(count: usize, mut job: J) {
     Arch::new().dispatch(Passes { job: &mut job, count });
 }

@@ -1,4 +1,4 @@
-//! Elements evaluated side by side in the lanes of vector registers ([`Batch`](ancf_solver::equations::Batch)).
+//! Evaluation of elements in the lanes of vector registers ([`Batch`](ancf_solver::equations::Batch)).
 
 mod batched;
 mod beam;
@@ -13,4 +13,4 @@ mod stiffness;
 mod strain;
 mod triangle;
 
-pub(crate) use batched::Batched;
+pub(crate) use batched::BatchElements;

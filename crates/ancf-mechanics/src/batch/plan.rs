@@ -1,48 +1,48 @@
-use crate::sections::{DIRECTORS, Form, PAIRS, STRAINS};
+use crate::sections::{DIRECTORS, PAIRS, STRAINS, SectionMatrix};
 
-/// What is not zero in a section law, as the loops that evaluate it.
+/// Sparsity of a section law, as index lists for its evaluation.
 ///
-/// Strains count among those that have stiffness, D_kl among those that are not zero.
+/// Strains are numbered among those with stiffness, and D_kl among the nonzero entries.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plan {
-    /// One more than the last director.
+    /// Number of directors.
     pub reach: usize,
-    /// The directors of the strains ½(g·g − g⁰·g⁰), which come first.
+    /// Directors of the strains ½(g·g − g⁰·g⁰), which come first.
     pub equal: Vec<u8>,
-    /// The pairs of directors of the other strains.
+    /// Pairs of directors of the other strains.
     pub mixed: Vec<[u8; 2]>,
-    /// For each strain the part of `coupled` that makes its resultant: l and the number of D_kl.
+    /// Range of `coupled` for the resultant of each strain: l and the index of D_kl.
     pub resultants: Vec<(u16, u16)>,
     pub coupled: Vec<(u8, u16)>,
-    /// For each director the part of `pulls` that makes its force: Σ n_k g_x.
+    /// Range of `pulls` for the force of each director: Σ n_k g_x.
     pub forces: Vec<(u16, u16)>,
-    pub pulls: Vec<(u8, u8)>,
-    /// Blocks H_αβ of the stiffness on the diagonal, then those below it, by rows.
-    pub diagonal: Vec<Block>,
-    pub below: Vec<Block>,
-    pub groups: Vec<Group>,
+    pub force_terms: Vec<(u8, u8)>,
+    /// Blocks H_αβ of the stiffness: those on the diagonal, and those below it by rows.
+    pub diagonal: Vec<StiffnessBlock>,
+    pub below: Vec<StiffnessBlock>,
+    pub groups: Vec<ProductGroup>,
     pub products: Vec<(u8, u16)>,
     /// Section strains k ≥ l of each D_kl.
     entries: Vec<(usize, usize)>,
 }
 
-/// A block H_αβ = n_αβ I + Σ_y (Σ_x D g_x) g_yᵀ: the strain of α and β, if it is one, and the groups.
+/// Block H_αβ = n_αβ I + Σ_y (Σ_x D g_x) g_yᵀ: the strain of α and β, if any, and the groups.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Block {
+pub(crate) struct StiffnessBlock {
     pub stress: Option<u8>,
     pub groups: (u16, u16),
 }
 
-/// A director y, and the products (x, number of D) that are summed up before they meet it.
+/// Director y with the products (x, index of D) that are summed before multiplication by g_y.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Group {
+pub(crate) struct ProductGroup {
     pub y: u8,
     pub products: (u16, u16),
 }
 
 impl Plan {
-    /// Of the entries that are not zero in one of the forms.
-    pub fn new(forms: &[Form]) -> Self {
+    /// Creates the plan of the entries that are nonzero in any of the forms.
+    pub fn new(forms: &[SectionMatrix]) -> Self {
         let counts = |k: usize, l: usize| forms.iter().any(|d| d[k][l] != 0.0);
         let used: Vec<usize> = (0..STRAINS).filter(|&k| counts(k, k)).collect();
         let pairs: Vec<(usize, usize)> = used.iter().map(|&k| PAIRS[k]).collect();
@@ -54,7 +54,7 @@ impl Plan {
             resultants: Vec::new(),
             coupled: Vec::new(),
             forces: Vec::new(),
-            pulls: Vec::new(),
+            force_terms: Vec::new(),
             diagonal: Vec::new(),
             below: Vec::new(),
             groups: Vec::new(),
@@ -77,12 +77,12 @@ impl Plan {
         plan
     }
 
-    /// The numbers D_kl of a form.
-    pub fn coefficients<'a>(&'a self, d: &'a Form) -> impl Iterator<Item = f64> + 'a {
+    /// Returns the coefficients D_kl of a form.
+    pub fn coefficients<'a>(&'a self, d: &'a SectionMatrix) -> impl Iterator<Item = f64> + 'a {
         self.entries.iter().map(|&(k, l)| d[k][l])
     }
 
-    /// The number of an entry in any order.
+    /// Returns the index of an entry in either order.
     fn entry(&self, k: usize, l: usize) -> Option<u16> {
         let entry = (k.max(l), k.min(l));
         self.entries.iter().position(|&e| e == entry).map(|at| at as u16)
@@ -98,15 +98,15 @@ impl Plan {
             self.resultants.push((start, self.coupled.len() as u16));
         }
         for i in 0..self.reach {
-            let start = self.pulls.len() as u16;
+            let start = self.force_terms.len() as u16;
             let of =
                 pairs.iter().enumerate().filter_map(|(k, &pair)| Some((k as u8, partner(pair, i)? as u8)));
-            self.pulls.extend(of);
-            self.forces.push((start, self.pulls.len() as u16));
+            self.force_terms.extend(of);
+            self.forces.push((start, self.force_terms.len() as u16));
         }
     }
 
-    fn block(&mut self, i: usize, j: usize, used: &[usize], pairs: &[(usize, usize)]) -> Block {
+    fn block(&mut self, i: usize, j: usize, used: &[usize], pairs: &[(usize, usize)]) -> StiffnessBlock {
         let stress = pairs.iter().position(|&pair| pair == (j, i)).map(|k| k as u8);
         let start = self.groups.len() as u16;
         for (l, &of_j) in pairs.iter().enumerate() {
@@ -118,19 +118,19 @@ impl Plan {
             }
             let products = (first, self.products.len() as u16);
             if products.0 < products.1 {
-                self.groups.push(Group { y: y as u8, products });
+                self.groups.push(ProductGroup { y: y as u8, products });
             }
         }
-        Block { stress, groups: (start, self.groups.len() as u16) }
+        StiffnessBlock { stress, groups: (start, self.groups.len() as u16) }
     }
 }
 
-/// The other director of a pair.
+/// Returns the other director of a pair.
 fn partner((i, j): (usize, usize), of: usize) -> Option<usize> {
     if i == of { Some(j) } else { (j == of).then_some(i) }
 }
 
-/// The part of a list between two places.
+/// Returns a range of a list.
 #[inline(always)]
 pub(crate) fn part<T>(list: &[T], (start, end): (u16, u16)) -> &[T] {
     &list[usize::from(start)..usize::from(end)]

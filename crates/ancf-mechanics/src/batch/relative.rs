@@ -1,24 +1,24 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Lane, Pass, Vector, added, less, plus, scaled};
+use super::lane::{Lane, Pass, VectorLanes, added, minus, plus, scaled};
 use crate::kinematics::Kind;
 use crate::sections::STRAINS;
 
-/// Which of an element's vectors belong to its axis, and which to its sections.
+/// Assignment of the vectors of an element to its axis and its sections.
 ///
-/// What its strains depend on are the differences of its vectors from the first of their kind, and these first ones of kind
-/// Y and Z: A vectors of the axis, B of each kind of the sections. The first position is left out.
+/// Strains depend on the differences to the first vector of the same kind, and on the first vectors of kind Y and Z.
+/// There are A vectors of the axis, without the first position, and B vectors of each section kind.
 #[derive(Clone, Debug)]
-pub(crate) struct Layout<const A: usize, const B: usize> {
-    /// The vectors of the axis but the first, each with whether it is a position.
+pub(crate) struct VectorLayout<const A: usize, const B: usize> {
+    /// Vectors of the axis without the first one, each with true for a position.
     pub axis: [(usize, bool); A],
     pub y: [usize; B],
     pub z: [usize; B],
 }
 
-impl<const A: usize, const B: usize> Layout<A, B> {
-    /// Of vectors of the given kinds, of which the first is a position.
+impl<const A: usize, const B: usize> VectorLayout<A, B> {
+    /// Creates the layout of vectors of the given kinds, starting with a position.
     pub fn new(kinds: &[Kind]) -> Self {
         let of = |wanted: &[Kind]| -> Vec<usize> {
             (0..kinds.len()).filter(|&i| wanted.contains(&kinds[i])).collect()
@@ -32,57 +32,61 @@ impl<const A: usize, const B: usize> Layout<A, B> {
     }
 }
 
-/// Vectors, less the first of their kind, and the first ones of kind Y and Z; or what belongs to each of them.
+/// Vectors relative to the first one of their kind, and the first ones of kind Y and Z, or corresponding quantities.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Relative<S: Simd, const A: usize, const B: usize> {
-    pub axis: [Vector<S>; A],
-    pub y: [Vector<S>; B],
-    pub z: [Vector<S>; B],
+pub(crate) struct RelativeLanes<S: Simd, const A: usize, const B: usize> {
+    pub axis: [VectorLanes<S>; A],
+    pub y: [VectorLanes<S>; B],
+    pub z: [VectorLanes<S>; B],
 }
 
 #[inline(always)]
-fn vector<S: Simd>(pass: Pass<S>, x: &[Lanes], number: usize) -> Vector<S> {
+fn vector<S: Simd>(pass: Pass<S>, x: &[Lanes], number: usize) -> VectorLanes<S> {
     pass.vector(&x[3 * number..3 * number + 3])
 }
 
 #[inline(always)]
-fn differences<S: Simd, const B: usize>(pass: Pass<S>, x: &[Lanes], numbers: &[usize; B]) -> [Vector<S>; B] {
+fn differences<S: Simd, const B: usize>(
+    pass: Pass<S>,
+    x: &[Lanes],
+    numbers: &[usize; B],
+) -> [VectorLanes<S>; B] {
     let first = vector(pass, x, numbers[0]);
     let mut differences = [first; B];
     for i in 1..B {
-        differences[i] = less(vector(pass, x, numbers[i]), first);
+        differences[i] = minus(vector(pass, x, numbers[i]), first);
     }
     differences
 }
 
-impl<S: Simd, const A: usize, const B: usize> Relative<S, A, B> {
+impl<S: Simd, const A: usize, const B: usize> RelativeLanes<S, A, B> {
     #[inline(always)]
     pub fn zero(pass: Pass<S>) -> Self {
         Self { axis: [pass.zeros(); A], y: [pass.zeros(); B], z: [pass.zeros(); B] }
     }
 
     #[inline(always)]
-    pub fn of(pass: Pass<S>, layout: &Layout<A, B>, x: &[Lanes]) -> Self {
+    pub fn of(pass: Pass<S>, layout: &VectorLayout<A, B>, x: &[Lanes]) -> Self {
         let (first, mut axis) = (vector(pass, x, 0), [pass.zeros(); A]);
         for i in 0..A {
             let (number, position) = layout.axis[i];
             axis[i] = vector(pass, x, number);
             if position {
-                axis[i] = less(axis[i], first);
+                axis[i] = minus(axis[i], first);
             }
         }
         Self { axis, y: differences(pass, x, &layout.y), z: differences(pass, x, &layout.z) }
     }
 
-    /// Adds forces that do work on these to those on the vectors.
+    /// Adds forces on the relative vectors to the forces on the vectors of the element.
     #[inline(always)]
-    pub fn add_to<const N: usize>(&self, layout: &Layout<A, B>, force: &mut [Vector<S>; N]) {
+    pub fn add_to<const N: usize>(&self, layout: &VectorLayout<A, B>, force: &mut [VectorLanes<S>; N]) {
         for i in 0..A {
             let (number, position) = layout.axis[i];
             force[number] = added(force[number], self.axis[i]);
             if position {
-                force[0] = less(force[0], self.axis[i]);
+                force[0] = minus(force[0], self.axis[i]);
             }
         }
         for (numbers, share) in [(&layout.y, &self.y), (&layout.z, &self.z)] {
@@ -90,28 +94,33 @@ impl<S: Simd, const A: usize, const B: usize> Relative<S, A, B> {
             force[first] = added(force[first], share[0]);
             for i in 1..B {
                 force[numbers[i]] = added(force[numbers[i]], share[i]);
-                force[first] = less(force[first], share[i]);
+                force[first] = minus(force[first], share[i]);
             }
         }
     }
 }
 
-/// Weights of the vectors ([`Relative`]) in the directors at a station.
+/// Weights of the vectors ([`RelativeLanes`]) in the directors at a station.
 #[derive(Clone, Debug)]
-pub(crate) struct Mix<const A: usize, const B: usize> {
-    /// In a, h and k.
+pub(crate) struct MixWeights<const A: usize, const B: usize> {
+    /// Weights in a, h and k.
     pub axis: [[f64; 3]; A],
-    /// In d and b, or in e and c; the first one has no part in b and c.
+    /// Weights in d and b, or in e and c. The first vector has no weight in b and c.
     pub section: [[f64; 2]; B],
 }
 
 /// Directors of a pass, padded to a power of two.
-pub(crate) type Directors<S> = [Vector<S>; 8];
+pub(crate) type DirectorLanes<S> = [VectorLanes<S>; 8];
 
-impl<const A: usize, const B: usize> Mix<A, B> {
-    /// The directors that vectors make; h and k if they are wanted.
+impl<const A: usize, const B: usize> MixWeights<A, B> {
+    /// Computes the directors from the vectors, with h and k if required.
     #[inline(always)]
-    pub fn directors<S: Simd>(&self, pass: Pass<S>, x: &Relative<S, A, B>, reach: usize) -> Directors<S> {
+    pub fn directors<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        x: &RelativeLanes<S, A, B>,
+        reach: usize,
+    ) -> DirectorLanes<S> {
         let mut u = [pass.zeros(); 8];
         for i in 0..A {
             u[0] = plus(u[0], x.axis[i], pass.splat(self.axis[i][0]));
@@ -127,9 +136,9 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         u
     }
 
-    /// d and b of the vectors of kind Y, or e and c of those of kind Z.
+    /// Computes d and b from the vectors of kind Y, or e and c from those of kind Z.
     #[inline(always)]
-    fn of_section<S: Simd>(&self, pass: Pass<S>, x: &[Vector<S>; B]) -> [Vector<S>; 2] {
+    fn of_section<S: Simd>(&self, pass: Pass<S>, x: &[VectorLanes<S>; B]) -> [VectorLanes<S>; 2] {
         let (mut value, mut slope) = (scaled(x[0], pass.splat(self.section[0][0])), pass.zeros());
         for i in 1..B {
             value = plus(value, x[i], pass.splat(self.section[i][0]));
@@ -139,7 +148,12 @@ impl<const A: usize, const B: usize> Mix<A, B> {
     }
 
     #[inline(always)]
-    fn to_section<S: Simd>(&self, pass: Pass<S>, [value, slope]: [Vector<S>; 2], force: &mut [Vector<S>; B]) {
+    fn to_section<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        [value, slope]: [VectorLanes<S>; 2],
+        force: &mut [VectorLanes<S>; B],
+    ) {
         force[0] = plus(force[0], value, pass.splat(self.section[0][0]));
         for i in 1..B {
             let sum = plus(force[i], value, pass.splat(self.section[i][0]));
@@ -147,13 +161,13 @@ impl<const A: usize, const B: usize> Mix<A, B> {
         }
     }
 
-    /// Adds forces of the directors to those of the vectors.
+    /// Distributes forces of the directors to the vectors.
     #[inline(always)]
     pub fn spread<S: Simd>(
         &self,
         pass: Pass<S>,
-        p: &Directors<S>,
-        force: &mut Relative<S, A, B>,
+        p: &DirectorLanes<S>,
+        force: &mut RelativeLanes<S, A, B>,
         reach: usize,
     ) {
         for i in 0..A {
@@ -170,5 +184,5 @@ impl<const A: usize, const B: usize> Mix<A, B> {
     }
 }
 
-/// A number of each strain of a pass that a law has.
-pub(crate) type Strains<S> = [Lane<S>; STRAINS];
+/// Number for each strain of a law, for each term of a pass.
+pub(crate) type StrainLanes<S> = [Lane<S>; STRAINS];

@@ -1,35 +1,35 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Lane, Number, Pass, Vector, plus, scaled};
-use super::plan::{Block, Plan, part};
-use super::relative::{Directors, Strains};
-use super::strain::{Section, director};
+use super::lane::{Lane, LaneNumber, Pass, VectorLanes, plus, scaled};
+use super::plan::{Plan, StiffnessBlock, part};
+use super::relative::{DirectorLanes, StrainLanes};
+use super::strain::{SectionLanes, director};
 
-/// A three by three block of each term of a pass, by rows.
-pub(crate) type Matrix<S> = [Lane<S>; 9];
+/// 3 × 3 block for each term of a pass, by rows.
+pub(crate) type MatrixLanes<S> = [Lane<S>; 9];
 
-/// The lower blocks of the directors' stiffness of all terms, by rows.
-pub(crate) type Stiffness = [[Lanes; 9]];
+/// Lower blocks of the stiffness of the directors of all terms, by rows.
+pub(crate) type StiffnessLanes = [[Lanes; 9]];
 
-/// The place of block (i, j), i ≥ j.
+/// Returns the index of block (i, j), i ≥ j.
 #[inline(always)]
 pub(crate) const fn at(i: usize, j: usize) -> usize {
     i * (i + 1) / 2 + j
 }
 
 impl Plan {
-    /// Sets the blocks H_αβ = n_αβ I + Σ D ∂ε/∂g_α (∂ε/∂g_β)ᵀ, with the directors of the left factor `scaled`.
+    /// Computes the blocks H_αβ = n_αβ I + Σ D ∂ε/∂g_α (∂ε/∂g_β)ᵀ, with `scaled` directors in the left factor.
     #[inline(always)]
-    pub fn stiffness<S: Simd, C: Number>(
+    pub fn stiffness<S: Simd, C: LaneNumber>(
         &self,
         pass: Pass<S>,
         d: &[C],
-        section: &mut Section<S>,
+        section: &mut SectionLanes<S>,
         factor: f64,
-        h: &mut Stiffness,
+        h: &mut StiffnessLanes,
     ) {
-        let (Section { n, now: g, made: left, .. }, factor) = (section, pass.splat(factor));
+        let (SectionLanes { n, now: g, scratch: left, .. }, factor) = (section, pass.splat(factor));
         for i in 0..7 {
             left[i] = scaled(g[i], factor);
         }
@@ -59,15 +59,15 @@ impl Plan {
         }
     }
 
-    /// Σ D g_x.
+    /// Computes Σ D g_x.
     #[inline(always)]
-    fn product<S: Simd, C: Number>(
+    fn product<S: Simd, C: LaneNumber>(
         &self,
         pass: Pass<S>,
         d: &[C],
-        g: &Directors<S>,
+        g: &DirectorLanes<S>,
         products: (u16, u16),
-    ) -> Vector<S> {
+    ) -> VectorLanes<S> {
         let mut sum = pass.zeros();
         for &(x, entry) in part(&self.products, products) {
             sum = plus(sum, director(g, x), d[usize::from(entry)].lane(pass));
@@ -77,7 +77,7 @@ impl Plan {
 }
 
 #[inline(always)]
-fn diagonal<S: Simd>(pass: Pass<S>, block: &Block, n: &Strains<S>) -> Matrix<S> {
+fn diagonal<S: Simd>(pass: Pass<S>, block: &StiffnessBlock, n: &StrainLanes<S>) -> MatrixLanes<S> {
     let mut sum = [pass.zero(); 9];
     if let Some(k) = block.stress {
         let n = n[usize::from(k)];
@@ -87,7 +87,7 @@ fn diagonal<S: Simd>(pass: Pass<S>, block: &Block, n: &Strains<S>) -> Matrix<S> 
 }
 
 #[inline(always)]
-fn add_outer<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>) {
+fn add_outer<S: Simd>(sum: &mut MatrixLanes<S>, x: VectorLanes<S>, y: VectorLanes<S>) {
     for r in 0..3 {
         for c in 0..3 {
             sum[3 * r + c] = x[r].mul_add(y[c], sum[3 * r + c]);
@@ -96,14 +96,14 @@ fn add_outer<S: Simd>(sum: &mut Matrix<S>, x: Vector<S>, y: Vector<S>) {
 }
 
 #[inline(always)]
-fn store<S: Simd>(pass: Pass<S>, to: &mut [Lanes; 9], block: &Matrix<S>) {
+fn store<S: Simd>(pass: Pass<S>, to: &mut [Lanes; 9], block: &MatrixLanes<S>) {
     for e in 0..9 {
         pass.store(&mut to[e], block[e]);
     }
 }
 
 #[inline(always)]
-pub(crate) fn load<S: Simd>(pass: Pass<S>, from: &[Lanes; 9]) -> Matrix<S> {
+pub(crate) fn load<S: Simd>(pass: Pass<S>, from: &[Lanes; 9]) -> MatrixLanes<S> {
     let mut block = [pass.zero(); 9];
     for e in 0..9 {
         block[e] = pass.load(&from[e]);
@@ -111,24 +111,24 @@ pub(crate) fn load<S: Simd>(pass: Pass<S>, from: &[Lanes; 9]) -> Matrix<S> {
     block
 }
 
-/// sum += factor × block.
+/// Computes sum += factor × block.
 #[inline(always)]
-pub(crate) fn add<S: Simd>(sum: &mut Matrix<S>, block: &Matrix<S>, factor: Lane<S>) {
+pub(crate) fn add<S: Simd>(sum: &mut MatrixLanes<S>, block: &MatrixLanes<S>, factor: Lane<S>) {
     for e in 0..9 {
         sum[e] = block[e].mul_add(factor, sum[e]);
     }
 }
 
-/// sum −= block.
+/// Computes sum −= block.
 #[inline(always)]
-pub(crate) fn subtract<S: Simd>(sum: &mut Matrix<S>, block: &Matrix<S>) {
+pub(crate) fn subtract<S: Simd>(sum: &mut MatrixLanes<S>, block: &MatrixLanes<S>) {
     for e in 0..9 {
         sum[e] = sum[e] - block[e];
     }
 }
 
 #[inline(always)]
-pub(crate) fn times<S: Simd>(block: &Matrix<S>, factor: Lane<S>) -> Matrix<S> {
+pub(crate) fn times<S: Simd>(block: &MatrixLanes<S>, factor: Lane<S>) -> MatrixLanes<S> {
     let mut product = *block;
     for e in 0..9 {
         product[e] = block[e] * factor;
@@ -137,6 +137,6 @@ pub(crate) fn times<S: Simd>(block: &Matrix<S>, factor: Lane<S>) -> Matrix<S> {
 }
 
 #[inline(always)]
-pub(crate) fn transposed<S: Simd>(b: &Matrix<S>) -> Matrix<S> {
+pub(crate) fn transposed<S: Simd>(b: &MatrixLanes<S>) -> MatrixLanes<S> {
     [b[0], b[3], b[6], b[1], b[4], b[7], b[2], b[5], b[8]]
 }

@@ -1,28 +1,29 @@
 use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
-use super::lane::{Number, Pass, Vector, added, dot, dot_add, plus};
+use super::lane::{LaneNumber, Pass, VectorLanes, added, dot, dot_add, plus};
 use super::plan::{Plan, part};
-use super::relative::{Directors, Strains};
+use super::relative::{DirectorLanes, StrainLanes};
 use crate::sections::STRAINS;
 
-/// A director by its number, which is less than eight.
+/// Returns a director by its index below eight.
 #[inline(always)]
-pub(crate) fn director<S: Simd>(g: &Directors<S>, number: u8) -> Vector<S> {
+pub(crate) fn director<S: Simd>(g: &DirectorLanes<S>, number: u8) -> VectorLanes<S> {
     g[usize::from(number & 7)]
 }
 
 impl Plan {
-    /// Sets g_α·v_β + v_α·g_β and g_α·v_α, or adds them to what is there.
+    /// Computes g_α·v_β + v_α·g_β and g_α·v_α, or adds them to the present values.
     ///
-    /// Of the directors g⁰ + ½u and the increment u these are the strains; of the directors and their rates, the rates of strain.
+    /// For the directors g⁰ + ½u and the increment u these are the strains. For the directors and their rates they are
+    /// the strain rates.
     #[inline(always)]
     pub fn strains<S: Simd>(
         &self,
         pass: Pass<S>,
-        [g, v]: [&Directors<S>; 2],
+        [g, v]: [&DirectorLanes<S>; 2],
         adding: bool,
-        strains: &mut Strains<S>,
+        strains: &mut StrainLanes<S>,
     ) {
         for (strain, &i) in strains.iter_mut().zip(&self.equal) {
             let start = if adding { *strain } else { pass.zero() };
@@ -30,21 +31,21 @@ impl Plan {
         }
         for (strain, &[i, j]) in strains[self.equal.len()..].iter_mut().zip(&self.mixed) {
             let start = if adding { *strain } else { pass.zero() };
-            // Two sums that do not wait for each other.
+            // Two independent sums avoid a latency chain.
             let sum = dot_add(director(g, i), director(v, j), start);
             *strain = sum + dot(director(v, i), director(g, j));
         }
     }
 
-    /// D ε times a factor.
+    /// Computes D ε times a factor.
     #[inline(always)]
-    pub fn resultants<S: Simd, C: Number>(
+    pub fn resultants<S: Simd, C: LaneNumber>(
         &self,
         pass: Pass<S>,
         d: &[C],
-        strains: &Strains<S>,
+        strains: &StrainLanes<S>,
         factor: f64,
-        n: &mut Strains<S>,
+        n: &mut StrainLanes<S>,
     ) {
         let factor = pass.splat(factor);
         for (n, &range) in n.iter_mut().zip(&self.resultants) {
@@ -56,12 +57,18 @@ impl Plan {
         }
     }
 
-    /// Σ_k n_k ∂ε_k/∂g_α.
+    /// Computes Σ_k n_k ∂ε_k/∂g_α.
     #[inline(always)]
-    pub fn pulls<S: Simd>(&self, pass: Pass<S>, n: &Strains<S>, g: &Directors<S>, p: &mut Directors<S>) {
+    pub fn force_terms<S: Simd>(
+        &self,
+        pass: Pass<S>,
+        n: &StrainLanes<S>,
+        g: &DirectorLanes<S>,
+        p: &mut DirectorLanes<S>,
+    ) {
         for (i, &range) in self.forces.iter().enumerate() {
             let mut sum = pass.zeros();
-            for &(k, x) in part(&self.pulls, range) {
+            for &(k, x) in part(&self.force_terms, range) {
                 sum = plus(sum, director(g, x), n[usize::from(k)]);
             }
             p[i & 7] = sum;
@@ -69,37 +76,37 @@ impl Plan {
     }
 }
 
-/// A deformed section: its directors, and what follows from them. Made once, and filled at each station.
+/// Working storage of a deformed section, allocated once and filled at each station.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Section<S: Simd> {
-    /// g = g⁰ + u.
-    pub now: Directors<S>,
-    /// g⁰ + ½u.
-    pub middle: Directors<S>,
-    /// u.
-    pub increment: Directors<S>,
-    /// What is made of the directors in between: their rates, their forces, or multiples of them.
-    pub made: Directors<S>,
-    pub strains: Strains<S>,
+pub(crate) struct SectionLanes<S: Simd> {
+    /// Directors g = g⁰ + u.
+    pub now: DirectorLanes<S>,
+    /// Midpoint directors g⁰ + ½u.
+    pub middle: DirectorLanes<S>,
+    /// Increment u.
+    pub increment: DirectorLanes<S>,
+    /// Intermediate results: rates, forces or multiples of the directors.
+    pub scratch: DirectorLanes<S>,
+    pub strains: StrainLanes<S>,
     /// Stress resultants.
-    pub n: Strains<S>,
+    pub n: StrainLanes<S>,
 }
 
-impl<S: Simd> Section<S> {
+impl<S: Simd> SectionLanes<S> {
     #[inline(always)]
     pub fn new(pass: Pass<S>) -> Self {
         let (none, zero) = ([pass.zeros(); 8], [pass.zero(); STRAINS]);
-        Self { now: none, middle: none, increment: none, made: none, strains: zero, n: zero }
+        Self { now: none, middle: none, increment: none, scratch: none, strains: zero, n: zero }
     }
 
-    /// From reference directors, as many as are wanted, and increments.
+    /// Computes the directors from reference directors, as many as required, and increments.
     #[inline(always)]
     pub fn deform(
         &mut self,
         pass: Pass<S>,
         reference: &[[Lanes; 3]; 7],
-        increment: &Directors<S>,
+        increment: &DirectorLanes<S>,
         reach: usize,
     ) {
         let half = pass.splat(0.5);

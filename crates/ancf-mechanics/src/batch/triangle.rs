@@ -2,34 +2,35 @@ use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
 use super::lane::{Lane, Pass};
-use super::relative::{Layout, Mix};
-use super::stiffness::{Matrix, Stiffness, add, at, load, subtract, times, transposed};
+use super::relative::{MixWeights, VectorLayout};
+use super::stiffness::{MatrixLanes, StiffnessLanes, add, at, load, subtract, times, transposed};
 
-/// Stiffness over an element's vectors as they count in [`Relative`](super::relative::Relative), by kinds: of the axis and of
-/// Y and Z the lower blocks.
+/// Stiffness over the vectors of an element in the order of [`RelativeLanes`](super::relative::RelativeLanes), by kinds.
+///
+/// Only the lower blocks are used within the axis, within Y and within Z.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Blocks<S: Simd, const A: usize, const B: usize> {
-    pub axis: [[Matrix<S>; A]; A],
-    /// Rows of Y, of Z and columns of the axis.
-    y_axis: [[Matrix<S>; A]; B],
-    z_axis: [[Matrix<S>; A]; B],
-    y: [[Matrix<S>; B]; B],
-    z: [[Matrix<S>; B]; B],
+pub(crate) struct VectorBlocks<S: Simd, const A: usize, const B: usize> {
+    pub axis: [[MatrixLanes<S>; A]; A],
+    /// Rows of Y and of Z, and columns of the axis.
+    y_axis: [[MatrixLanes<S>; A]; B],
+    z_axis: [[MatrixLanes<S>; A]; B],
+    y: [[MatrixLanes<S>; B]; B],
+    z: [[MatrixLanes<S>; B]; B],
     /// Rows of Z and columns of Y.
-    z_y: [[Matrix<S>; B]; B],
+    z_y: [[MatrixLanes<S>; B]; B],
 }
 
-/// Stiffness of the directors (d, b) or (e, c) against each other: dd, db, the transpose of bd, and bb.
-struct Pair<'a>([&'a [Lanes; 9]; 4]);
+/// Stiffness within the directors (d, b) or (e, c): dd, db, the transpose of bd, and bb.
+struct SectionPairBlocks<'a>([&'a [Lanes; 9]; 4]);
 
-/// The places of a block's entries in its transpose.
+/// Indices of the entries of a block in its transpose.
 const TRANSPOSED: [usize; 9] = [0, 3, 6, 1, 4, 7, 2, 5, 8];
 
-impl Pair<'_> {
-    /// Adds it to two vectors with these weights; the first vectors have no part in b and c.
+impl SectionPairBlocks<'_> {
+    /// Adds the stiffness to two vectors with these weights. The first vectors have no weight in b and c.
     #[inline(always)]
-    fn add_to<S: Simd>(&self, pass: Pass<S>, sum: &mut Matrix<S>, of: [[f64; 2]; 2], first: [bool; 2]) {
+    fn add_to<S: Simd>(&self, pass: Pass<S>, sum: &mut MatrixLanes<S>, of: [[f64; 2]; 2], first: [bool; 2]) {
         let (Self([dd, db, bd, bb]), [[dn, bn], [dm, bm]]) = (self, of);
         let [dd_, db_, bd_, bb_] = [dn * dm, dn * bm, bn * dm, bn * bm].map(|w| pass.splat(w));
         for e in 0..9 {
@@ -48,7 +49,7 @@ impl Pair<'_> {
     }
 }
 
-impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
+impl<S: Simd, const A: usize, const B: usize> VectorBlocks<S, A, B> {
     #[inline(always)]
     pub fn zero(pass: Pass<S>) -> Self {
         let zero = [pass.zero(); 9];
@@ -64,7 +65,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
 
     /// Adds the stiffness of the directors at a station.
     #[inline(always)]
-    pub fn add(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness, reach: usize) {
+    pub fn add(&mut self, pass: Pass<S>, mix: &MixWeights<A, B>, h: &StiffnessLanes, reach: usize) {
         self.add_sections(pass, mix, h);
         if reach > 5 {
             self.add_varying_axis(pass, mix, h);
@@ -89,13 +90,13 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// The sections against each other.
+    /// Adds the stiffness within the sections.
     #[inline(always)]
-    fn add_sections(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
+    fn add_sections(&mut self, pass: Pass<S>, mix: &MixWeights<A, B>, h: &StiffnessLanes) {
         let w = &mix.section;
-        let y = Pair([&h[at(3, 3)], &h[at(3, 1)], &h[at(3, 1)], &h[at(1, 1)]]);
-        let z = Pair([&h[at(4, 4)], &h[at(4, 2)], &h[at(4, 2)], &h[at(2, 2)]]);
-        let z_y = Pair([&h[at(4, 3)], &h[at(4, 1)], &h[at(3, 2)], &h[at(2, 1)]]);
+        let y = SectionPairBlocks([&h[at(3, 3)], &h[at(3, 1)], &h[at(3, 1)], &h[at(1, 1)]]);
+        let z = SectionPairBlocks([&h[at(4, 4)], &h[at(4, 2)], &h[at(4, 2)], &h[at(2, 2)]]);
+        let z_y = SectionPairBlocks([&h[at(4, 3)], &h[at(4, 1)], &h[at(3, 2)], &h[at(2, 1)]]);
         for n in 0..B {
             for m in 0..B {
                 let first = [n == 0, m == 0];
@@ -108,15 +109,15 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// The axis against itself and the sections, where h and k count besides a.
+    /// Adds the stiffness of the axis and its coupling with the sections, including h and k.
     #[inline(always)]
-    fn add_varying_axis(&mut self, pass: Pass<S>, mix: &Mix<A, B>, h: &Stiffness) {
+    fn add_varying_axis(&mut self, pass: Pass<S>, mix: &MixWeights<A, B>, h: &StiffnessLanes) {
         let full = |i: usize, j: usize| {
             if i >= j { load(pass, &h[at(i, j)]) } else { transposed(&load(pass, &h[at(j, i)])) }
         };
         for i in 0..A {
             let w = [pass.splat(mix.axis[i][0]), pass.splat(mix.axis[i][1]), pass.splat(mix.axis[i][2])];
-            // The rows of the directors against vector i.
+            // Rows of the directors and column of vector i.
             for (rows, d, b) in [(&mut self.y_axis, 3, 1), (&mut self.z_axis, 4, 2)] {
                 let [of_d, of_b] = [column(d, w, full), column(b, w, full)];
                 for n in 0..B {
@@ -135,9 +136,9 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// Turns the first vectors of kind Y and Z from what others are measured from to vectors like these.
+    /// Transforms the first vectors of kind Y and Z from base vectors to nodal vectors.
     #[inline(always)]
-    fn settle(&mut self) {
+    fn complete_first_vectors(&mut self) {
         for n in 1..B {
             for i in 0..A {
                 let (y, z) = (self.y_axis[n][i], self.z_axis[n][i]);
@@ -148,7 +149,7 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         for own in [&mut self.y, &mut self.z] {
             for n in 1..B {
                 for m in 1..B {
-                    // Columns against the first, then the first against itself: K₀₀ − Σ(K₀ₙ + Kₙ₀) + ΣΣ Kₙₘ.
+                    // Columns of the first vector, then its diagonal block: K₀₀ − Σ(K₀ₙ + Kₙ₀) + ΣΣ Kₙₘ.
                     let block = if n >= m { own[n][m] } else { transposed(&own[m][n]) };
                     for e in 0..9 {
                         own[0][0][e] = own[0][0][e] + block[e];
@@ -179,12 +180,13 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
         }
     }
 
-    /// Sets a lower triangle by columns over the coordinates of N vectors.
+    /// Writes the lower triangle by columns over the coordinates of N vectors.
     #[inline(always)]
-    pub fn write<const N: usize>(&mut self, pass: Pass<S>, layout: &Layout<A, B>, k: &mut [Lanes]) {
-        self.settle();
+    pub fn write<const N: usize>(&mut self, pass: Pass<S>, layout: &VectorLayout<A, B>, k: &mut [Lanes]) {
+        self.complete_first_vectors();
         let (axis, y, z) = (layout.axis.map(|(number, _)| number), layout.y, layout.z);
-        let mut put = |a: usize, b: usize, block: &Matrix<S>| put::<S, N>(pass, k, a, b, block);
+        let mut write_block =
+            |a: usize, b: usize, block: &MatrixLanes<S>| write_block::<S, N>(pass, k, a, b, block);
         let mut corner = [pass.zero(); 9];
         for i in 0..A {
             for j in 0..i {
@@ -192,41 +194,41 @@ impl<S: Simd, const A: usize, const B: usize> Blocks<S, A, B> {
             }
         }
         for i in 0..A {
-            let first = against_first(pass, layout, &self.axis[i]);
+            let first = first_position_block(pass, layout, &self.axis[i]);
             if layout.axis[i].1 {
                 subtract(&mut corner, &first);
             }
-            put(axis[i], 0, &first);
+            write_block(axis[i], 0, &first);
             for j in 0..=i {
-                put(axis[i], axis[j], &self.axis[i][j]);
+                write_block(axis[i], axis[j], &self.axis[i][j]);
             }
         }
-        put(0, 0, &corner);
+        write_block(0, 0, &corner);
         for n in 0..B {
-            put(y[n], 0, &against_first(pass, layout, &self.y_axis[n]));
-            put(z[n], 0, &against_first(pass, layout, &self.z_axis[n]));
+            write_block(y[n], 0, &first_position_block(pass, layout, &self.y_axis[n]));
+            write_block(z[n], 0, &first_position_block(pass, layout, &self.z_axis[n]));
             for i in 0..A {
-                put(y[n], axis[i], &self.y_axis[n][i]);
-                put(z[n], axis[i], &self.z_axis[n][i]);
+                write_block(y[n], axis[i], &self.y_axis[n][i]);
+                write_block(z[n], axis[i], &self.z_axis[n][i]);
             }
             for m in 0..=n {
-                put(y[n], y[m], &self.y[n][m]);
-                put(z[n], z[m], &self.z[n][m]);
+                write_block(y[n], y[m], &self.y[n][m]);
+                write_block(z[n], z[m], &self.z[n][m]);
             }
             for m in 0..B {
-                put(z[n], y[m], &self.z_y[n][m]);
+                write_block(z[n], y[m], &self.z_y[n][m]);
             }
         }
     }
 }
 
-/// Against the first position: what all other positions have, with the other sign.
+/// Returns the block of the first position: the negative sum over the other positions.
 #[inline(always)]
-fn against_first<S: Simd, const A: usize, const B: usize>(
+fn first_position_block<S: Simd, const A: usize, const B: usize>(
     pass: Pass<S>,
-    layout: &Layout<A, B>,
-    of: &[Matrix<S>; A],
-) -> Matrix<S> {
+    layout: &VectorLayout<A, B>,
+    of: &[MatrixLanes<S>; A],
+) -> MatrixLanes<S> {
     let mut sum = [pass.zero(); 9];
     for i in 0..A {
         if layout.axis[i].1 {
@@ -236,9 +238,15 @@ fn against_first<S: Simd, const A: usize, const B: usize>(
     sum
 }
 
-/// Sets a block of N vectors; above the diagonal, its transpose below.
+/// Writes a block of N vectors. A block above the diagonal is transposed.
 #[inline(always)]
-fn put<S: Simd, const N: usize>(pass: Pass<S>, k: &mut [Lanes], a: usize, b: usize, block: &Matrix<S>) {
+fn write_block<S: Simd, const N: usize>(
+    pass: Pass<S>,
+    k: &mut [Lanes],
+    a: usize,
+    b: usize,
+    block: &MatrixLanes<S>,
+) {
     let (row, column, turned) = if a >= b { (a, b, false) } else { (b, a, true) };
     for c in 0..3 {
         let from = if a == b { c } else { 0 };
@@ -250,16 +258,20 @@ fn put<S: Simd, const N: usize>(pass: Pass<S>, k: &mut [Lanes], a: usize, b: usi
     }
 }
 
-/// The director α against a vector of the axis with weights in a, h and k.
+/// Computes the block of director α and a vector of the axis with weights in a, h and k.
 #[inline(always)]
-fn column<S: Simd>(alpha: usize, w: [Lane<S>; 3], full: impl Fn(usize, usize) -> Matrix<S>) -> Matrix<S> {
+fn column<S: Simd>(
+    alpha: usize,
+    w: [Lane<S>; 3],
+    full: impl Fn(usize, usize) -> MatrixLanes<S>,
+) -> MatrixLanes<S> {
     let mut sum = times(&full(alpha, 0), w[0]);
     add(&mut sum, &full(alpha, 5), w[1]);
     add(&mut sum, &full(alpha, 6), w[2]);
     sum
 }
 
-/// The place of entry (i, j), i ≥ j, in a lower triangle by columns.
+/// Returns the index of entry (i, j), i ≥ j, in a lower triangle by columns.
 #[inline(always)]
 pub(crate) const fn lower(size: usize, i: usize, j: usize) -> usize {
     (j * size + i).wrapping_sub(j * (j + 1) / 2)

@@ -1,26 +1,26 @@
-//! What is spread along a body: parts of its elements, and markers whose weights are integrals.
+//! Distributed quantities of a body: parts of its elements, and markers with integrated weights.
 
 use std::ops::Range;
 
-use super::mesh::{BeamMesh, Elements};
+use super::mesh::{BeamMesh, ElementList};
 use crate::kinematics::{Marker, gauss, gauss3};
 
-/// One element within a span.
+/// Part of one element within an interval of arc length.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// Number of the element.
+    /// Index of the element.
     pub element: usize,
-    /// Arc lengths at which the piece starts and ends.
+    /// Arc lengths of the start and the end.
     pub span: Range<f64>,
 }
 
 impl Piece {
-    /// Arc lengths of the three points of Gauss, with lengths for weights: integrals are exact to degree five.
+    /// Returns three Gauss points as arc lengths, with weights of unit length. Integrals are exact to degree five.
     pub fn points(&self) -> [(f64, f64); 3] {
         gauss3().map(|point| self.placed(point))
     }
 
-    /// Five points, exact to degree nine.
+    /// Returns five Gauss points. Integrals are exact to degree nine.
     pub fn many_points(&self) -> [(f64, f64); 5] {
         gauss().map(|point| self.placed(point))
     }
@@ -32,7 +32,7 @@ impl Piece {
 }
 
 impl BeamMesh {
-    /// The parts of the elements that a span of arc length covers, but for slivers of rounding.
+    /// Returns the parts of the elements within an interval of arc length. Parts of rounding size are dropped.
     pub fn pieces(&self, span: Range<f64>) -> impl Iterator<Item = Piece> + '_ {
         (0..self.count()).filter_map(move |element| {
             let start = (element as f64 * self.length).max(span.start);
@@ -41,20 +41,22 @@ impl BeamMesh {
         })
     }
 
-    /// ∫ p(s) r(s) ds over a piece as a marker, p at most quadratic: a force f p(s) per length does the work of f on it.
+    /// Returns ∫ p(s) r(s) ds over a part as a marker, for p at most quadratic.
+    ///
+    /// A force f p(s) per length has the virtual work of f on this marker.
     pub fn spread(&self, piece: &Piece, p: impl Fn(f64) -> f64) -> Marker {
         let points = piece.points().map(|(s, w)| (w * p(s), self.point(s)));
         Marker::combined(points.iter().map(|(factor, point)| (*factor, point)))
     }
 
-    /// ∫ ρ r dV of each element as a marker: an acceleration field a does the work of a on it.
+    /// Returns ∫ ρ r dV of each element as a marker. An acceleration field a has the virtual work of a on it.
     pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + '_ {
         (0..self.count()).map(|element| {
             let offset = element * self.stride();
             let first: &[f64] = match &self.elements {
-                Elements::Two(elements) => elements[element].profile().first_moments(),
-                Elements::Three(elements) => elements[element].profile().first_moments(),
-                Elements::Cable(elements) => elements[element].profile().first_moments(),
+                ElementList::Two(elements) => elements[element].profile().first_moments(),
+                ElementList::Three(elements) => elements[element].profile().first_moments(),
+                ElementList::Cable(elements) => elements[element].profile().first_moments(),
             };
             let kinds = self.node_kinds();
             let value = |i: usize| {

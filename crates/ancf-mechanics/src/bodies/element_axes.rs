@@ -4,7 +4,7 @@ use super::mesh::BeamMesh;
 use crate::kinematics::{ElementAxis, Kind};
 
 impl BeamMesh {
-    /// The axis of each element.
+    /// Returns the axis of each element.
     pub fn element_axes(&self) -> impl Iterator<Item = ElementAxis> + '_ {
         (0..self.count()).map(|element| {
             let offset = element * self.stride();

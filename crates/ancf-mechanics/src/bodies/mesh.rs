@@ -4,62 +4,63 @@ use std::sync::Arc;
 use ancf_solver::equations::{Batch, State, Term};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::batch::Batched;
+use crate::batch::BatchElements;
 use crate::elements::{
     Beam24, Beam27, Cable12, CableDamping, CableProfile, CableRule, CableSection, Formulation, Medium,
     Profile, StrainEnergy,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape, clean,
+    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape,
+    round_to_zero,
 };
 use crate::sections::{CrossSection, Lame};
 
-/// The elements of a body, all of one kind.
+/// Elements of a body, all of one type.
 #[derive(Clone, Debug)]
-pub(crate) enum Elements {
+pub(crate) enum ElementList {
     Two(Vec<Beam24>),
     Three(Vec<Beam27>),
     Cable(Vec<Cable12>),
 }
 
-/// How stress follows strain at a point.
+/// Stress-strain law at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Elasticity {
-    /// In three dimensions.
+pub(crate) enum StressLaw {
+    /// Three-dimensional St. Venant-Kirchhoff law.
     Continuum,
     NeoHookean,
-    /// As in [`SectionLaw::enhanced`](crate::sections::SectionLaw::enhanced), by linked strains or not.
+    /// Rod law of [`SectionLaw::enhanced`](crate::sections::SectionLaw::enhanced), with or without linked strains.
     Rod {
         linked: bool,
     },
-    /// Along the axis only.
+    /// Uniaxial law of a line.
     Line,
 }
 
-/// The nodes and elements of a beam.
+/// Mesh of the nodes and elements of a beam or cable.
 ///
-/// The coordinates of its vectors follow each other from `first` on: (r, ℓ r_x, ℓ r_y, ℓ r_z) for each node of a two-node
-/// beam element, (r, ℓ r_y, ℓ r_z) for each of a three-node one, (r, ℓ r_x) for each of a cable.
+/// The coordinates of the nodal vectors are consecutive from `first`. The vectors of a node are (r, ℓ r_x, ℓ r_y, ℓ
+/// r_z) for two-node beam elements, (r, ℓ r_y, ℓ r_z) for three-node beam elements, and (r, ℓ r_x) for cables.
 #[derive(Clone, Debug)]
 pub struct BeamMesh {
     pub(crate) first: usize,
     /// Length l of each element.
     pub(crate) length: f64,
     pub(crate) slope: f64,
-    pub(crate) elements: Elements,
-    /// The point from which reference positions count.
+    pub(crate) elements: ElementList,
+    /// Origin of the reference positions.
     pub(crate) origin: Vector3<f64>,
     /// Reference values of the vectors.
     pub(crate) reference: Vec<Vector3<f64>>,
     pub(crate) lame: Lame,
-    pub(crate) elasticity: Elasticity,
+    pub(crate) elasticity: StressLaw,
 }
 
-/// What all elements of a mesh have in common.
+/// Common data of all elements of a mesh.
 pub struct Blueprint<'a> {
     /// First coordinate.
     pub first: usize,
-    /// The point from which the positions of the nodes count.
+    /// Origin of the positions of the nodes.
     pub origin: Vector3<f64>,
     /// Length of one element.
     pub length: f64,
@@ -67,9 +68,9 @@ pub struct Blueprint<'a> {
     pub slope: f64,
     /// Material, damping and gravity.
     pub medium: &'a Medium,
-    /// The section at an arc length.
+    /// Section at an arc length.
     pub section: &'a dyn Fn(f64) -> CrossSection,
-    /// Whether the section is the same everywhere.
+    /// True if the section is constant along the beam.
     pub prismatic: bool,
 }
 
@@ -83,7 +84,7 @@ impl fmt::Debug for Blueprint<'_> {
 }
 
 impl BeamMesh {
-    /// Two-node elements between consecutive nodes.
+    /// Creates two-node elements between consecutive nodes.
     pub fn two_node(blueprint: &Blueprint<'_>, nodes: &[Node], formulation: Formulation) -> Self {
         let Blueprint { first, origin, length, slope, .. } = *blueprint;
         let shape = BeamShape { length, slope };
@@ -100,16 +101,16 @@ impl BeamMesh {
         });
         let lame = blueprint.medium.lame;
         let elasticity = match formulation {
-            Formulation::Continuum if blueprint.medium.neo_hookean => Elasticity::NeoHookean,
-            Formulation::Continuum => Elasticity::Continuum,
-            Formulation::Enhanced => Elasticity::Rod { linked: false },
-            Formulation::Linked => Elasticity::Rod { linked: true },
+            Formulation::Continuum if blueprint.medium.neo_hookean => StressLaw::NeoHookean,
+            Formulation::Continuum => StressLaw::Continuum,
+            Formulation::Enhanced => StressLaw::Rod { linked: false },
+            Formulation::Linked => StressLaw::Rod { linked: true },
         };
-        let elements = Elements::Two(elements.collect());
+        let elements = ElementList::Two(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
-    /// Three-node elements on nodes 0 1 2, 2 3 4, and so on.
+    /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
     pub fn three_node(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
         let Blueprint { first, origin, length, slope, .. } = *blueprint;
         let shape = QuadraticShape { length, slope };
@@ -123,12 +124,12 @@ impl BeamMesh {
             let first = first + 18 * k;
             Beam27::new(first..first + 27, frame, profile)
         });
-        let (lame, elasticity) = (blueprint.medium.lame, Elasticity::Rod { linked: false });
-        let elements = Elements::Three(elements.collect());
+        let (lame, elasticity) = (blueprint.medium.lame, StressLaw::Rod { linked: false });
+        let elements = ElementList::Three(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
-    /// Cable elements between consecutive nodes of a straight line, by [`CableRule::Lobatto`].
+    /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
     pub fn cable(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
         let Blueprint { first, origin, length, slope, medium, section, .. } = *blueprint;
         let Medium { lame, density, retardation, drag, gravity, .. } = *medium;
@@ -148,56 +149,56 @@ impl BeamMesh {
             let first = first + 6 * k;
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
-        let elements = Elements::Cable(elements.collect());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity: Elasticity::Line }
+        let elements = ElementList::Cable(elements.collect());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity: StressLaw::Line }
     }
 
-    /// Whether it has cross-sections, with directions r_y and r_z: all but a cable.
+    /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
     pub const fn has_sections(&self) -> bool {
-        !matches!(self.elements, Elements::Cable(_))
+        !matches!(self.elements, ElementList::Cable(_))
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         3 * self.reference.len()
     }
 
-    /// Number of elements.
+    /// Returns the number of elements.
     pub fn count(&self) -> usize {
         match &self.elements {
-            Elements::Two(elements) => elements.len(),
-            Elements::Three(elements) => elements.len(),
-            Elements::Cable(elements) => elements.len(),
+            ElementList::Two(elements) => elements.len(),
+            ElementList::Three(elements) => elements.len(),
+            ElementList::Cable(elements) => elements.len(),
         }
     }
 
-    /// Length of the axis.
+    /// Returns the length of the axis.
     pub fn length(&self) -> f64 {
         self.length * self.count() as f64
     }
 
-    /// The elements as terms.
+    /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         fn boxed<T: Term + Clone + 'static>(elements: &[T]) -> Vec<Box<dyn Term>> {
             elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
         }
         match &self.elements {
-            Elements::Two(elements) => boxed(elements),
-            Elements::Three(elements) => boxed(elements),
-            Elements::Cable(elements) => boxed(elements),
+            ElementList::Two(elements) => boxed(elements),
+            ElementList::Three(elements) => boxed(elements),
+            ElementList::Cable(elements) => boxed(elements),
         }
     }
 
-    /// Batches of its terms, each with the number of its first one.
+    /// Returns batches of the terms, each with the index of its first term.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
         match &self.elements {
-            Elements::Two(elements) => Batched::batches(elements),
-            Elements::Three(elements) => Batched::batches(elements),
-            Elements::Cable(elements) => Batched::batches(elements),
+            ElementList::Two(elements) => BatchElements::batches(elements),
+            ElementList::Three(elements) => BatchElements::batches(elements),
+            ElementList::Cable(elements) => BatchElements::batches(elements),
         }
     }
 
-    /// Strain energy of all elements by part.
+    /// Returns the strain energy of all elements by part.
     pub fn strain_energy(&self, state: &State) -> StrainEnergy {
         let mut sum = StrainEnergy::default();
         let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
@@ -205,9 +206,9 @@ impl BeamMesh {
             let first = self.first + element * stride;
             let q = &state.q[first..first + size];
             sum += match &self.elements {
-                Elements::Two(elements) => elements[element].parts(q),
-                Elements::Three(elements) => elements[element].parts(q),
-                Elements::Cable(elements) => {
+                ElementList::Two(elements) => elements[element].parts(q),
+                ElementList::Three(elements) => elements[element].parts(q),
+                ElementList::Cable(elements) => {
                     let [axial, bending] = elements[element].parts(q);
                     StrainEnergy { axial, bending, ..StrainEnergy::default() }
                 }
@@ -218,22 +219,22 @@ impl BeamMesh {
 
     pub(crate) fn term(&self, element: usize) -> &dyn Term {
         match &self.elements {
-            Elements::Two(elements) => &elements[element],
-            Elements::Three(elements) => &elements[element],
-            Elements::Cable(elements) => &elements[element],
+            ElementList::Two(elements) => &elements[element],
+            ElementList::Three(elements) => &elements[element],
+            ElementList::Cable(elements) => &elements[element],
         }
     }
 
-    /// Kinds of the vectors of a node.
+    /// Returns the kinds of the vectors of a node.
     pub(crate) fn node_kinds(&self) -> &'static [Kind] {
         match self.elements {
-            Elements::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
-            Elements::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
-            Elements::Cable(_) => &[Kind::Position, Kind::Slope],
+            ElementList::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
+            ElementList::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
+            ElementList::Cable(_) => &[Kind::Position, Kind::Slope],
         }
     }
 
-    /// All vectors that its coordinates are, in a state, in the order of the coordinates.
+    /// Returns all nodal vectors in a state, in the order of the coordinates.
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let kinds = self.node_kinds();
         self.reference.iter().enumerate().map(move |(i, &reference)| {
@@ -243,18 +244,18 @@ impl BeamMesh {
         })
     }
 
-    /// The node and the vector that a coordinate belongs to, if it is one of this mesh.
+    /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
     pub fn place_of(&self, coordinate: usize) -> Option<(usize, Kind)> {
         let (vector, kinds) = (coordinate.checked_sub(self.first)? / 3, self.node_kinds());
         (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
     }
 
-    /// The directors r_x, r_y and r_z at an arc length in the reference state.
+    /// Returns the directions r_x, r_y and r_z at an arc length in the reference state.
     pub fn reference_axes(&self, s: f64) -> [Vector3<f64>; 3] {
         self.axes(s).map(|axis| axis.reference())
     }
 
-    /// Weights of an element's vectors at ξ: in r, r_y or r_z, and in the directors that each enters.
+    /// Returns the weights of the vectors of an element at ξ: in r, r_y or r_z, and in the directors.
     pub(crate) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
         fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
             let (values, directors) = (shape.values(xi), shape.directors(xi));
@@ -262,21 +263,21 @@ impl BeamMesh {
         }
         let (length, slope) = (self.length, self.slope);
         match self.elements {
-            Elements::Two(_) => of(&BeamShape { length, slope }, xi),
-            Elements::Three(_) => of(&QuadraticShape { length, slope }, xi),
-            Elements::Cable(_) => {
+            ElementList::Two(_) => of(&BeamShape { length, slope }, xi),
+            ElementList::Three(_) => of(&QuadraticShape { length, slope }, xi),
+            ElementList::Cable(_) => {
                 let line = of(&BeamShape { length, slope }, xi).into_iter();
                 line.filter(|(kind, ..)| matches!(kind, Kind::Position | Kind::Slope)).collect()
             }
         }
     }
 
-    /// The point of the axis at an arc length.
+    /// Returns the point of the axis at an arc length.
     pub fn point(&self, s: f64) -> Marker {
         self.material_point(s, 0.0, 0.0)
     }
 
-    /// The point of the body at an arc length and (y, z) in its section.
+    /// Returns the point of the body at an arc length and (y, z) in its section.
     pub fn material_point(&self, s: f64, y: f64, z: f64) -> Marker {
         self.marker(s, |kind, value, _| match kind {
             Kind::Position | Kind::Slope => value,
@@ -285,7 +286,7 @@ impl BeamMesh {
         })
     }
 
-    /// What joints, loads and probes hold on to at an arc length.
+    /// Returns the attachment of joints, loads and probes at an arc length.
     pub fn attachment(&self, s: f64) -> Attachment {
         let [x, y, z] = self.axes(s);
         let directions =
@@ -293,12 +294,13 @@ impl BeamMesh {
         Attachment { point: self.point(s), directions }
     }
 
-    /// The direction of the body at an arc length that is `direction` in the reference state ([`Attachment::direction`]).
+    /// Returns the body-fixed direction at an arc length with the reference value `direction`
+    /// ([`Attachment::direction`]).
     pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
         self.attachment(s).direction(direction)
     }
 
-    /// The directors r_x, r_y and r_z at an arc length.
+    /// Returns the directors r_x, r_y and r_z at an arc length.
     pub fn axes(&self, s: f64) -> [Marker; 3] {
         [0, 1, 2].map(|axis| {
             self.marker(s, |kind, value, directors| match (kind, axis) {
@@ -315,9 +317,9 @@ impl BeamMesh {
         let of = self.weights(xi);
         let weights: Vec<f64> =
             of.iter().map(|&(kind, value, directors)| weight(kind, value, directors)).collect();
-        // The weights of positions sum to one in a point and to zero in a direction.
+        // The weights of positions sum to one for a point and to zero for a direction.
         let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == Kind::Position);
-        let origin = self.origin * clean(positions.map(|(weight, _)| weight).sum());
+        let origin = self.origin * round_to_zero(positions.map(|(weight, _)| weight).sum());
         let vectors = &self.reference[offset..offset + weights.len()];
         let reference =
             weights.iter().zip(vectors).map(|(weight, vector)| vector * *weight).sum::<Vector3<f64>>()
@@ -326,16 +328,16 @@ impl BeamMesh {
         Marker::new(parts, reference)
     }
 
-    /// Vectors from the start of one element to that of the next.
+    /// Returns the number of vectors between the starts of consecutive elements.
     pub(crate) fn stride(&self) -> usize {
         match self.elements {
-            Elements::Two(_) => 4,
-            Elements::Three(_) => 6,
-            Elements::Cable(_) => 2,
+            ElementList::Two(_) => 4,
+            ElementList::Three(_) => 6,
+            ElementList::Cable(_) => 2,
         }
     }
 
-    /// Element and ξ of an arc length; a node belongs to one of its elements at exactly ξ = 0 or 1.
+    /// Returns the element and ξ of an arc length. At a node, ξ is exactly 0 or 1.
     pub(crate) fn locate(&self, s: f64) -> (usize, f64) {
         let at = s / self.length;
         let node = at.round();
@@ -345,7 +347,7 @@ impl BeamMesh {
     }
 }
 
-/// Frame and profile of each element; congruent neighbours share their profile.
+/// Creates frame and profile of each element. Consecutive congruent elements share a profile.
 fn elements<const N: usize>(
     blueprint: &Blueprint<'_>,
     nodes: &[Node],
@@ -363,7 +365,7 @@ fn elements<const N: usize>(
             let shift = if i % stride == 0 { origin } else { Vector3::zeros() };
             to_local * (reference[k * span * stride + i] - shift)
         });
-        // Far from its start, differences of positions are no more precise than this.
+        // Far from the origin, differences of positions have this rounding error.
         let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
         let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
             let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {

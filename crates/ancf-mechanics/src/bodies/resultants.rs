@@ -1,19 +1,19 @@
 use ancf_solver::equations::{LOCAL, Local, State};
 use nalgebra::{Matrix3, Vector3};
 
-use super::mesh::{BeamMesh, Elasticity};
+use super::mesh::{BeamMesh, StressLaw};
 use crate::constraints::Wrench;
 use crate::kinematics::Kind;
-use crate::sections::{DIRECTORS, Directors, all_strains, linking, local_strains};
+use crate::sections::{DIRECTORS, Directors, all_strains, linked_strain_terms, local_strains};
 
 impl BeamMesh {
-    /// What is transmitted through the section at an arc length: force, and moment about the section's centre, that the
-    /// part beyond (greater arc length) exerts on the part before, in the global frame. Resolved in
-    /// [`section_frame`](Self::section_frame), a positive first component is tension.
+    /// Returns the force and the moment about the section centre at an arc length, in the global frame.
     ///
-    /// At nodes these are the forces that hold an element in equilibrium with its own inertia, body force and
-    /// damping: exact where an element has no other loads, whatever the mesh. Between the nodes of an element they are
-    /// interpolated linearly.
+    /// They are exerted by the part at greater arc length on the other part. Resolved in
+    /// [`section_frame`](Self::section_frame), a positive first component of the force is tension.
+    ///
+    /// At the nodes, the resultants balance inertia, body force and damping of one element. They are exact for any mesh
+    /// if the element has no other loads. Within an element they are interpolated linearly.
     pub fn resultants(&self, state: &State, s: f64) -> Wrench {
         let (element, xi) = self.locate(s);
         let [start, end] = self.ends(state, element);
@@ -23,14 +23,15 @@ impl BeamMesh {
         }
     }
 
-    /// N, Qy, Qz and T, My, Mz: [`resultants`](Self::resultants) seen in the [`section_frame`](Self::section_frame).
+    /// Returns N, Qy, Qz and T, My, Mz: the [`resultants`](Self::resultants) in the
+    /// [`section_frame`](Self::section_frame).
     pub fn section_forces(&self, state: &State, s: f64) -> Wrench {
         let (wrench, frame) = (self.resultants(state, s), self.section_frame(state, s));
         let seen = |x: Vector3<f64>| Vector3::from(frame.map(|axis| axis.dot(&x)));
         Wrench { force: seen(wrench.force), moment: seen(wrench.moment) }
     }
 
-    /// Forces and moments that hold the two ends of an element.
+    /// Returns the forces and moments that balance an element at its two ends.
     fn ends(&self, state: &State, element: usize) -> [Wrench; 2] {
         let term = self.term(element);
         let coordinates = term.coordinates();
@@ -64,8 +65,10 @@ impl BeamMesh {
         })
     }
 
-    /// An orthonormal section frame at an arc length: its normal, and y and z as near to r_y and r_z as they can be. Of a
-    /// cable, the tangent and any two directions across.
+    /// Returns an orthonormal section frame at an arc length: the normal, and y and z as close as possible to r_y and
+    /// r_z.
+    ///
+    /// For a cable, it is the tangent and two arbitrary normal directions.
     pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
         let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
         if !self.has_sections() {
@@ -80,23 +83,24 @@ impl BeamMesh {
 }
 
 impl BeamMesh {
-    /// Green's strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc length, in the frame of the
-    /// reference section.
+    /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc
+    /// length.
     ///
-    /// As the formulation has them: a rod's normal stresses are E times its normal strains besides what Poisson's
-    /// ratio adds on the axis; shear stresses are G times shear strains, without the factors of shear and torsion, which
-    /// are averages over a section. Of a cable, stretch ε and E ε.
+    /// The components refer to the frame of the reference section. The stress follows the formulation. A rod has normal
+    /// stresses E times normal strains, plus the stress of lateral contraction on the axis. Shear stresses are G times
+    /// shear strains, without torsion and shear correction factors, which are averages over a section. A cable has
+    /// stretch ε and stress E ε.
     pub fn strain_and_stress(&self, state: &State, s: f64, [y, z]: [f64; 2]) -> [Matrix3<f64>; 2] {
         let (g0, u, xi) = self.directors(state, s);
-        if self.elasticity == Elasticity::Line {
+        if self.elasticity == StressLaw::Line {
             let (length, moved) = (g0[0].norm(), (g0[0] + u[0]).norm());
             let stretch = moved / length - 1.0;
             let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
             return [along, along * self.lame.young()];
         }
         let mut products = all_strains(&g0, &u);
-        if self.elasticity == (Elasticity::Rod { linked: true }) {
-            for (strain, added, factor) in linking(xi, self.length) {
+        if self.elasticity == (StressLaw::Rod { linked: true }) {
+            for (strain, added, factor) in linked_strain_terms(xi, self.length) {
                 products[strain] += factor * products[added];
             }
         }
@@ -110,18 +114,18 @@ impl BeamMesh {
         [strain, self.stress(&strain, &at(0.0, 0.0))]
     }
 
-    /// The stress of a strain, and of the strain on the axis, which a rod's law wants besides.
+    /// Returns the stress of a strain. The rod law also depends on the strain on the axis.
     fn stress(&self, strain: &Matrix3<f64>, on_axis: &Matrix3<f64>) -> Matrix3<f64> {
         let (lambda, shear, identity) = (self.lame.lambda, self.lame.shear, Matrix3::identity());
         let hooke = |e: &Matrix3<f64>| identity * (lambda * e.trace()) + e * (2.0 * shear);
         match self.elasticity {
-            Elasticity::Continuum => hooke(strain),
-            Elasticity::NeoHookean => {
+            StressLaw::Continuum => hooke(strain),
+            StressLaw::NeoHookean => {
                 let c = identity + strain * 2.0;
                 let inverse = c.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
                 (identity - inverse) * shear + inverse * (0.5 * lambda * c.determinant().ln())
             }
-            Elasticity::Rod { .. } | Elasticity::Line => {
+            StressLaw::Rod { .. } | StressLaw::Line => {
                 let young = self.lame.young();
                 let normal = |e: &Matrix3<f64>| Matrix3::from_diagonal(&e.diagonal());
                 let rod = normal(strain) * young + (strain - normal(strain)) * (2.0 * shear);
@@ -130,7 +134,7 @@ impl BeamMesh {
         }
     }
 
-    /// The directors at an arc length in the reference state, their increments, and ξ.
+    /// Returns the reference directors at an arc length, their increments, and ξ.
     fn directors(&self, state: &State, s: f64) -> (Directors, Directors, f64) {
         let (element, xi) = self.locate(s);
         let offset = element * self.stride();
@@ -155,7 +159,7 @@ impl BeamMesh {
     }
 }
 
-/// Two unit vectors normal to a unit vector and to each other; the global axes where they fit.
+/// Returns two orthonormal vectors normal to a unit vector. Global axes are used where possible.
 pub fn across(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
     let least = axis.iamin();
     let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });

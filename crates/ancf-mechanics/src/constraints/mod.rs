@@ -1,18 +1,18 @@
 //! Constraint equations of joints, with multipliers.
 
-mod angle;
-mod coincide_perpendicular;
-mod drive;
-mod measure;
-mod slide;
-mod target;
-mod tie;
+mod bilinear_measure;
+mod coincidence;
+mod hinge_angle;
+mod measure_constraint;
+mod measure_target;
+mod rotation_drive;
+mod slide_constraint;
 
-pub use angle::Angle;
-pub use coincide_perpendicular::{Coincide, Perpendicular, Wrench};
-pub use drive::Drive;
-pub(crate) use measure::add_outer;
-pub use measure::{Measure, Part};
-pub use slide::Slide;
-pub use target::Target;
-pub use tie::Tie;
+pub(crate) use bilinear_measure::add_outer;
+pub use bilinear_measure::{Measure, Part};
+pub use coincidence::{Coincide, Perpendicular, Wrench};
+pub use hinge_angle::Angle;
+pub use measure_constraint::Tie;
+pub use measure_target::Target;
+pub use rotation_drive::Drive;
+pub use slide_constraint::Slide;

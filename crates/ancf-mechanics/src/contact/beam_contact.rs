@@ -5,15 +5,16 @@ use num_dual::DualSVec64;
 use super::contact_law::ContactLaw;
 use crate::kinematics::{ElementAxis, Marker, Real, constant};
 
-/// A point of one beam's axis against the axis of an element of another, or of the same beam elsewhere.
+/// Contact between a point of a beam axis and the axis of an element of another beam or the same beam.
 ///
-/// With the closest point r(s) of the element and d = p − r(s), the gap is |d| less both radii. Forces N d/|d| + friction
-/// act on p and, reversed, on r(s). Since |d| is least at s, ∂|d|/∂s = 0: they are exact derivatives at constant s, and only
-/// the tangent has ds = (r′·δd + d·δr′)/(r′·r′ − d·r″). Velocities are those of the axes, w = ṗ − Ṡᵢrᵢ: friction
-/// takes beams for lines; it keeps momentum, and angular momentum but for the couple of friction and the distance of the axes.
+/// With the closest point r(s) of the element and d = p − r(s), the gap is |d| minus both radii. The forces N d/|d| +
+/// friction act on p and, reversed, on r(s). Since |d| is minimal at s, ∂|d|/∂s = 0. The forces are thus exact
+/// derivatives at constant s. Only the tangent contains ds = (r′·δd + d·δr′)/(r′·r′ − d·r″). The relative velocity is
+/// that of the axes, w = ṗ − Ṡᵢrᵢ. Friction treats beams as lines. It conserves momentum, and angular momentum except
+/// for the couple of the friction forces over the distance of the axes.
 ///
-/// A point belongs to the element on which its projection falls, at a node to both by halves, so that a chain of elements with
-/// a smooth axis acts once; beyond a free end, to the end, which is round.
+/// A point belongs to the element that contains its projection. At a node it belongs to both elements by halves, so a
+/// chain of elements with a smooth axis has a single contact. Beyond a free end it belongs to the end, which is round.
 #[derive(Clone, Debug)]
 pub struct BeamContact {
     point: Marker,
@@ -25,25 +26,26 @@ pub struct BeamContact {
     law: ContactLaw,
 }
 
-/// The closest point of an element.
+/// Closest point of an element.
 #[derive(Clone, Copy, Debug)]
-struct Foot {
+struct ClosestPoint {
     s: f64,
-    /// The part that this element has in the contact.
+    /// Share of this element in the contact.
     share: f64,
-    /// ds/d(r′·δd + d·δr′); 0 at an end.
-    yielding: f64,
+    /// Compliance ds/d(r′·δd + d·δr′). It is 0 at an end.
+    compliance: f64,
 }
 
-/// Where both elements at a node have a part, as a part of their length.
-const SEAM: f64 = 1e-6;
-/// Places of an element at which the search for the closest begins.
-const STARTS: usize = 5;
+/// Size of the transition between elements at a node, relative to their length.
+const NODE_TRANSITION: f64 = 1e-6;
+/// Number of start points in the search for the closest point of an element.
+const START_POINTS: usize = 5;
 const ITERATIONS: usize = 30;
 
 impl BeamContact {
-    /// A point that stands for a length of its beam; `radius` is the sum of both, `ends` tells which ends of the element are
-    /// free ends of its beam.
+    /// Creates the contact of a point that represents a length of its beam.
+    ///
+    /// `radius` is the sum of both radii. `ends` marks the ends of the element that are free ends of its beam.
     pub fn new(
         point: &Marker,
         axis: &ElementAxis,
@@ -59,20 +61,20 @@ impl BeamContact {
         Self { point, axis, coordinates, radius, length, ends, law }
     }
 
-    /// d, r′ and r″ at an arc length.
-    fn apart(&self, q: &[f64], s: f64) -> [Vector3<f64>; 3] {
+    /// Returns d, r′ and r″ at an arc length.
+    fn distance_vector(&self, q: &[f64], s: f64) -> [Vector3<f64>; 3] {
         let [r, slope, curvature] = self.axis.at(q, s);
         [self.point.reference() + self.point.sum(q) - r, slope, curvature]
     }
 
-    /// The closest point, wherever on the element it is.
+    /// Returns the arc length of the closest point of the element.
     fn closest(&self, q: &[f64]) -> f64 {
         let span = self.axis.span();
         let length = span.end - span.start;
-        let at = |k: usize| span.start + length * k as f64 / (STARTS - 1) as f64;
-        let distance = |s: f64| self.apart(q, s)[0].norm_squared();
+        let at = |k: usize| span.start + length * k as f64 / (START_POINTS - 1) as f64;
+        let distance = |s: f64| self.distance_vector(q, s)[0].norm_squared();
         let mut best = (distance(span.start), span.start);
-        for s in (1..STARTS).map(at) {
+        for s in (1..START_POINTS).map(at) {
             let here = distance(s);
             if here < best.0 {
                 best = (here, s);
@@ -80,7 +82,7 @@ impl BeamContact {
         }
         let mut s = best.1;
         for _ in 0..ITERATIONS {
-            let [d, slope, curvature] = self.apart(q, s);
+            let [d, slope, curvature] = self.distance_vector(q, s);
             let square = slope.norm_squared();
             let bent = square - d.dot(&curvature);
             let step = d.dot(&slope) / if bent > 0.1 * square { bent } else { square };
@@ -94,38 +96,38 @@ impl BeamContact {
         s
     }
 
-    fn foot(&self, q: &[f64]) -> Option<Foot> {
+    fn closest_point(&self, q: &[f64]) -> Option<ClosestPoint> {
         let (s, span) = (self.closest(q), self.axis.span());
-        let [d, slope, curvature] = self.apart(q, s);
+        let [d, slope, curvature] = self.distance_vector(q, s);
         let length = span.end - span.start;
         let bent = slope.norm_squared() - d.dot(&curvature);
-        // How far the projection is beyond the end s, as a part of the length; negative within.
+        // Distance of the projection beyond the end s, relative to the length. It is negative within the element.
         let over = d.dot(&slope) / (bent * length);
         let beyond_start = if s > span.start { (span.start - s) / length } else { -over };
         let beyond_end = if s < span.end { (s - span.end) / length } else { over };
         let part = |beyond: f64, free: bool| {
-            if free { 1.0 } else { (0.5 - 0.5 * beyond / SEAM).clamp(0.0, 1.0) }
+            if free { 1.0 } else { (0.5 - 0.5 * beyond / NODE_TRANSITION).clamp(0.0, 1.0) }
         };
         let share = part(beyond_start, self.ends[0]) * part(beyond_end, self.ends[1]);
         let inside = s > span.start && s < span.end;
-        (share > 0.0).then(|| Foot { s, share, yielding: if inside { bent.recip() } else { 0.0 } })
+        (share > 0.0).then(|| ClosestPoint { s, share, compliance: if inside { bent.recip() } else { 0.0 } })
     }
 
-    /// The foot, if there is contact, with d, r′ and r″ there.
-    fn touching(&self, q: &[f64]) -> Option<(Foot, [Vector3<f64>; 3])> {
-        let foot = self.foot(q)?;
-        let apart = self.apart(q, foot.s);
-        (apart[0].norm() < self.radius).then_some((foot, apart))
+    /// Returns the foot with d, r′ and r″ there, if there is contact.
+    fn contact_point(&self, q: &[f64]) -> Option<(ClosestPoint, [Vector3<f64>; 3])> {
+        let foot = self.closest_point(q)?;
+        let distance_vector = self.distance_vector(q, foot.s);
+        (distance_vector[0].norm() < self.radius).then_some((foot, distance_vector))
     }
 
-    /// Whether the bodies overlap in a state by more than a part of their radii.
+    /// Returns true if the bodies overlap in a state by more than a fraction of their radii.
     pub(crate) fn overlaps(&self, s: &State, part: f64) -> bool {
         let mut q = [0.0; LOCAL];
         self.coordinates.iter().zip(&mut q).for_each(|(&c, q)| *q = s.q[c]);
-        self.apart(&q, self.closest(&q))[0].norm() < (1.0 - part) * self.radius
+        self.distance_vector(&q, self.closest(&q))[0].norm() < (1.0 - part) * self.radius
     }
 
-    /// The force on p at d and ḋ.
+    /// Returns the force on p at d and ḋ.
     fn force<D: Real>(&self, share: f64, d: &Vector3<D>, rate: &Vector3<D>) -> Vector3<D> {
         let distance = d.dot(d).sqrt();
         let n = d.map(|x| x / distance);
@@ -133,13 +135,13 @@ impl BeamContact {
         n.map(|x| x * normal) + self.law.smooth_tangential(D::from(normal.re()), &n, rate)
     }
 
-    /// ḋ and its derivative by s.
+    /// Returns ḋ and its derivative by s.
     fn rates(&self, at: &Local<'_>, s: f64) -> [Vector3<f64>; 2] {
         let [r, slope, _] = self.axis.sum(at.v, s);
         [self.point.sum(at.v) - r, -slope]
     }
 
-    /// First coordinates of vectors and their weights in d and r′ at constant s; a vector may be there twice.
+    /// Returns first coordinates of vectors with their weights in d and r′ at constant s. A vector may occur twice.
     fn weights(&self, s: f64) -> impl Iterator<Item = (usize, [f64; 2])> + Clone {
         let [values, slopes, _] = self.axis.weights(s);
         let vectors = self.axis.vectors().iter().enumerate();
@@ -147,15 +149,15 @@ impl BeamContact {
         point.chain(vectors.map(move |(i, &first)| (first, [-values[i], slopes[i]])))
     }
 
-    /// ∂(forces on d and r′)/∂z along d(d, r′) = w_q z, d(ḋ, ṙ′) = w_v z.
-    fn slope(&self, at: &Local<'_>, w: Weights) -> Option<(Foot, SMatrix<f64, 6, 6>)> {
+    /// Computes ∂(forces on d and r′)/∂z along d(d, r′) = w_q z, d(ḋ, ṙ′) = w_v z.
+    fn slope(&self, at: &Local<'_>, w: Weights) -> Option<(ClosestPoint, SMatrix<f64, 6, 6>)> {
         type Dual = DualSVec64<6>;
-        let (foot, [d, along, _]) = self.touching(at.q)?;
+        let (foot, [d, along, _]) = self.contact_point(at.q)?;
         let [rate, turning] = self.rates(at, foot.s);
         let forces = |z: SVector<Dual, 6>| {
             let (first, second) = (z.fixed_rows::<3>(0), z.fixed_rows::<3>(3));
             let moved = constant::<Dual>(&along).dot(&first) + constant::<Dual>(&d).dot(&second);
-            let ds = moved * (w.q * foot.yielding);
+            let ds = moved * (w.q * foot.compliance);
             let place = constant::<Dual>(&d) + first.map(|x| x * w.q) - along.map(|x| ds * x);
             let speed = constant::<Dual>(&rate) + first.map(|x| x * w.v) + turning.map(|x| ds * x);
             let force = self.force(foot.share, &place, &speed);
@@ -172,7 +174,7 @@ impl Term for BeamContact {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let Some((foot, [d, ..])) = self.touching(at.q) else { return };
+        let Some((foot, [d, ..])) = self.contact_point(at.q) else { return };
         let [rate, _] = self.rates(at, foot.s);
         let force = self.force(foot.share, &d, &rate);
         let [values, ..] = self.axis.weights(foot.s);
@@ -182,24 +184,25 @@ impl Term for BeamContact {
         }
     }
 
-    /// Errors of d move the gap, the direction and the foot; at a node, the share.
+    /// Errors of d affect the gap, the direction and the foot, and at a node the share.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let Some((foot, [d, slope, _])) = self.touching(at.q) else { return };
+        let Some((foot, [d, slope, _])) = self.contact_point(at.q) else { return };
         let [sizes, slopes] = self.axis.sizes(at.q, foot.s);
         let gaps = self.point.size(at.q) + sizes + self.radius;
-        let sliding = (slope.norm() * gaps + d.norm() * slopes) * foot.yielding;
+        let sliding = (slope.norm() * gaps + d.norm() * slopes) * foot.compliance;
         let tilt = (gaps + slope.norm() * sliding) / d.norm();
         let [rate, turning] = self.rates(at, foot.s);
         let moving = self.weights(foot.s).map(|(first, [w, _])| w.abs() * vector(at.v, first).norm());
-        let rushed = moving.sum::<f64>() + turning.norm() * sliding;
+        let velocity_error = moving.sum::<f64>() + turning.norm() * sliding;
         let span = self.axis.span();
-        let seam = if foot.share < 1.0 {
-            (gaps / slope.norm() + sliding) / (SEAM * (span.end - span.start))
+        let transition = if foot.share < 1.0 {
+            (gaps / slope.norm() + sliding) / (NODE_TRANSITION * (span.end - span.start))
         } else {
             0.0
         };
         let gap = d.norm() - self.radius;
-        let bound = self.law.rounding(gap, rate.norm(), [gaps, tilt + seam, rushed]) * self.length;
+        let bound =
+            self.law.rounding(gap, rate.norm(), [gaps, tilt + transition, velocity_error]) * self.length;
         let force = self.force(foot.share, &d, &rate).norm();
         for (first, [w, change]) in self.weights(foot.s) {
             let error = bound * w.abs() + 4.0 * f64::EPSILON * force * change.abs() * sliding;
@@ -225,8 +228,8 @@ impl Term for BeamContact {
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let touching = self.touching(at.q);
-        let strain = touching.map_or(0.0, |(foot, [d, ..])| {
+        let contact_point = self.contact_point(at.q);
+        let strain = contact_point.map_or(0.0, |(foot, [d, ..])| {
             self.length * foot.share * self.law.energy(d.norm() - self.radius)
         });
         Energy { strain, ..Energy::default() }

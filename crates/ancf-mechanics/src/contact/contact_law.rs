@@ -2,40 +2,40 @@ use nalgebra::Vector3;
 
 use crate::kinematics::Real;
 
-/// The forces of a contact by its gap g and the relative velocity w of the bodies there; per length of beam.
+/// Contact law: forces per length of beam as a function of the gap g and the relative velocity w.
 ///
-/// The pressure follows from a potential U(d) of the depth d = −g, zero for d ≤ 0:
+/// The pressure follows from a potential U(d) of the penetration depth d = −g, zero for d ≤ 0:
 ///
 /// p = U′ = k d²/(2δ) for d ≤ δ,  k (d − δ/2) beyond.
 ///
-/// It is multiplied by h = √(1 + x²) − x, x = c ġ: 1 at rest, less when parting, more when meeting, above zero always, so that
-/// the force N = p h never pulls and damping only takes energy. For small c ġ it is p (1 − c ġ) (Hunt & Crossley 1975), for
-/// fast approach twice that.
+/// The normal force is N = p h with the damping factor h = √(1 + x²) − x, x = c ġ. The factor is 1 at rest, smaller
+/// during separation and larger during approach. It is positive, so N is never tensile and damping only dissipates
+/// energy. For small c ġ it is p (1 − c ġ) (Hunt & Crossley 1975), and for fast approach twice that.
 ///
-/// Friction is Coulomb's, made smooth: −μ N w_t/√(w_t² + v₀²) with the sliding velocity w_t across the normal. Slower than v₀ it
-/// is viscous: what should stick creeps, at v₀ T/√(μ²N² − T²) under a force T.
+/// Friction is a smoothed Coulomb law: −μ N w_t/√(w_t² + v₀²) with the tangential sliding velocity w_t. Below v₀ it is
+/// viscous, so sticking is approximated by creep with v₀ T/√(μ²N² − T²) under a force T.
 ///
-/// In tangents the N of friction is constant: ∂f_t/∂v is then symmetric. What is left out, −μ t ∂N/∂q, is not; it leads from
-/// errors in the normal direction to the tangential one only, where its symmetric part would lead back too. Newton's method
-/// converges linearly where bodies slide.
+/// Tangents treat N in the friction force as constant, so that ∂f_t/∂v is symmetric. The omitted part −μ t ∂N/∂q is not
+/// symmetric. It maps errors in the normal direction to the tangential direction only. Its symmetric part would also
+/// map them back. Newton's method converges linearly where bodies slide.
 ///
 /// Units: k force/length², δ length, c time/length, v₀ length/time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaw {
     /// Stiffness k, pressure per depth.
     pub stiffness: f64,
-    /// Depth δ over which the stiffness grows from zero.
+    /// Depth δ over which the stiffness increases from zero.
     pub transition: f64,
     /// Damping c.
     pub damping: f64,
-    /// Coefficient of friction μ.
+    /// Friction coefficient μ.
     pub friction: f64,
-    /// Sliding velocity v₀ at which friction has 1/√2 of its value.
+    /// Sliding velocity v₀ at which friction reaches 1/√2 of its limit.
     pub slip_speed: f64,
 }
 
 impl ContactLaw {
-    /// U at a gap.
+    /// Returns the potential U at a gap.
     pub fn energy(&self, gap: f64) -> f64 {
         let (k, delta, depth) = (self.stiffness, self.transition, -gap);
         match depth {
@@ -45,7 +45,7 @@ impl ContactLaw {
         }
     }
 
-    /// p at a gap.
+    /// Returns the pressure p at a gap.
     pub fn pressure(&self, gap: f64) -> f64 {
         self.smooth_pressure(gap)
     }
@@ -59,21 +59,21 @@ impl ContactLaw {
         }
     }
 
-    /// dp/d(depth), at most k.
+    /// Returns dp/d(depth), at most k.
     pub fn slope(&self, gap: f64) -> f64 {
         (-gap / self.transition).clamp(0.0, 1.0) * self.stiffness
     }
 
-    /// N at a gap that changes at a rate.
+    /// Returns the normal force N at a gap and its rate.
     pub fn normal(&self, gap: f64, rate: f64) -> f64 {
         self.smooth_normal(gap, rate)
     }
 
     pub(crate) fn smooth_normal<D: Real>(&self, gap: D, rate: D) -> D {
-        self.smooth_pressure(gap) * parting(rate * self.damping)
+        self.smooth_pressure(gap) * damping_factor(rate * self.damping)
     }
 
-    /// The friction of a normal force N at a relative velocity, on the body that has it.
+    /// Returns the friction force of a normal force N on the body with the given relative velocity.
     pub fn tangential(&self, normal: f64, direction: &Vector3<f64>, velocity: &Vector3<f64>) -> Vector3<f64> {
         self.smooth_tangential(normal, direction, velocity)
     }
@@ -93,8 +93,9 @@ impl ContactLaw {
         sliding.map(|x| x * factor)
     }
 
-    /// A bound of the rounding error of the force at a gap and a speed, where the gap, the direction and the velocities have
-    /// errors of ε times these.
+    /// Bounds the rounding error of the force at a gap and a speed.
+    ///
+    /// The gap, the direction and the velocities have errors of ε times the given numbers.
     pub(crate) fn rounding(&self, gap: f64, speed: f64, [gaps, tilt, rushed]: [f64; 3]) -> f64 {
         let pressure = self.pressure(gap);
         let eager = 1.0 + 2.0 * self.damping * speed;
@@ -105,8 +106,8 @@ impl ContactLaw {
     }
 }
 
-/// √(1 + x²) − x, without cancellation.
-fn parting<D: Real>(x: D) -> D {
+/// Computes √(1 + x²) − x without cancellation.
+fn damping_factor<D: Real>(x: D) -> D {
     let root = (x * x + 1.0).sqrt();
     if x.re() > 0.0 { (root + x).recip() } else { root - x }
 }

@@ -11,20 +11,20 @@ use super::obstacle::{Obstacle, ObstacleContact};
 use crate::bodies::BeamMesh;
 use crate::kinematics::{ElementAxis, Marker};
 
-/// A body as contacts see it: a round tube about its axis, with points at equal distances along it.
+/// Contact geometry of a body: a round tube about its axis, with equidistant points on it.
 #[derive(Clone, Debug)]
 pub struct Skin {
     axes: Vec<ElementAxis>,
     points: Vec<Marker>,
-    /// Points of each element.
+    /// Number of points per element.
     count: usize,
-    /// The length that each point stands for.
+    /// Length of beam that each point represents.
     length: f64,
     radius: f64,
 }
 
 impl Skin {
-    /// A body of a radius with so many points in each element.
+    /// Creates the tube of a body with a radius and a number of points per element.
     pub fn new(mesh: &BeamMesh, radius: f64, count: usize) -> Self {
         let all = mesh.count() * count;
         let length = mesh.length() / all as f64;
@@ -32,14 +32,14 @@ impl Skin {
         Self { axes: mesh.element_axes().collect(), points, count, length, radius }
     }
 
-    /// Points of an element.
+    /// Returns the points of an element.
     fn points_of(&self, element: usize) -> impl Iterator<Item = (usize, &Marker)> {
         let range = element * self.count..(element + 1) * self.count;
         range.clone().zip(&self.points[range])
     }
 }
 
-/// Bodies against one obstacle.
+/// Contact search between bodies and one obstacle.
 #[derive(Debug)]
 pub struct ObstacleContacts {
     contacts: Vec<Arc<ObstacleContact>>,
@@ -47,7 +47,7 @@ pub struct ObstacleContacts {
 }
 
 impl ObstacleContacts {
-    /// Every point of some bodies against an obstacle. Pairs are told of within a margin of one radius.
+    /// Creates the search for every point of some bodies. The search margin is one radius.
     pub fn new(obstacle: &Obstacle, skins: &[Skin], law: ContactLaw) -> Self {
         let (mut contacts, mut margins) = (Vec::new(), Vec::new());
         for skin in skins {
@@ -77,16 +77,16 @@ impl Encounters for ObstacleContacts {
     }
 }
 
-/// Bodies against each other, and against themselves.
+/// Contact search between bodies, including self-contact.
 ///
-/// Each point of one against the elements of the other and the reverse, with half the stiffness each, so that neither is
-/// preferred. What overlaps in the reference state by more than 1 % of the radii is taken to be joined and never in contact: a point
-/// and its own element, beams at a joint.
+/// Each point of one body is tested against the elements of the other and vice versa, with half the stiffness each, for
+/// symmetry. Pairs that overlap in the reference state by more than 1 % of the radii count as joined and have no
+/// contact. Examples are a point and its own element, or beams at a joint.
 #[derive(Debug)]
 pub struct BeamContacts {
     skins: Vec<Skin>,
     law: ContactLaw,
-    /// Body and number there of each element and each point, in the order of bodies.
+    /// Body and local index of each element and each point, in the order of the bodies.
     elements: Vec<(usize, usize)>,
     points: Vec<(usize, usize)>,
     /// First point of each body.
@@ -94,14 +94,14 @@ pub struct BeamContacts {
     joined: Vec<Pair>,
 }
 
-/// Overlap in the reference state, as a part of the sum of the radii, from which on two things are joined.
-const JOINED: f64 = 0.01;
+/// Overlap in the reference state, relative to the sum of the radii, above which two parts count as joined.
+const JOINED_OVERLAP: f64 = 0.01;
 
 type Corner = [f64; 3];
-type Boxed = GeomWithData<Rectangle<Corner>, usize>;
+type ElementBox = GeomWithData<Rectangle<Corner>, usize>;
 
 impl BeamContacts {
-    /// All pairs of the given bodies, each with itself too.
+    /// Creates the search for all pairs of the given bodies, including each body with itself.
     pub fn new(skins: Vec<Skin>, law: ContactLaw) -> Self {
         let numbered = |count: &dyn Fn(&Skin) -> usize| -> Vec<(usize, usize)> {
             let of = |(body, skin)| (0..count(skin)).map(move |i| (body, i));
@@ -120,12 +120,12 @@ impl BeamContacts {
         contacts.joined_in(&State::rest(end, 0))
     }
 
-    /// The same with what overlaps in another state than the reference state taken to be joined.
+    /// Treats pairs that overlap in another state as joined too.
     #[must_use]
     pub fn joined_in(mut self, s: &State) -> Self {
         self.joined.clear();
         let near = self.near(s).into_iter();
-        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED);
+        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED_OVERLAP);
         self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
         self
     }
@@ -146,23 +146,24 @@ impl BeamContacts {
 }
 
 impl Encounters for BeamContacts {
-    /// Elements whose boxes are near by an R*-tree (Beckmann et al. 1990), then the points of one near the box of the other.
+    /// An R*-tree (Beckmann et al. 1990) finds elements with near boxes, then the points of one near the box of the
+    /// other.
     fn near(&self, s: &State) -> Vec<(Pair, f64)> {
         let boxes: Vec<AABB<Corner>> = self
             .elements
             .iter()
             .map(|&(body, k)| {
-                let hull = self.skins[body].axes[k].hull(&s.q).map(Corner::from);
+                let hull = self.skins[body].axes[k].bezier_points(&s.q).map(Corner::from);
                 AABB::from_points(&hull)
             })
             .collect();
-        let boxed = |(i, b): (usize, &AABB<Corner>)| Boxed::new(Rectangle::from_aabb(*b), i);
+        let boxed = |(i, b): (usize, &AABB<Corner>)| ElementBox::new(Rectangle::from_aabb(*b), i);
         let tree = RTree::bulk_load(boxes.iter().enumerate().map(boxed).collect());
         let largest = self.skins.iter().map(|skin| skin.radius).fold(0.0, f64::max);
         let mut near = Vec::new();
         for (i, &(a, element)) in self.elements.iter().enumerate() {
             let skin = &self.skins[a];
-            // Radii, and a margin as large as their sum.
+            // Both radii, and a margin of the same size.
             let reach = 2.0 * (skin.radius + largest);
             let around =
                 AABB::from_corners(boxes[i].lower().map(|x| x - reach), boxes[i].upper().map(|x| x + reach));
@@ -171,7 +172,7 @@ impl Encounters for BeamContacts {
                 let value = point.value(s);
                 for &k in &others {
                     let radii = skin.radius + self.skins[self.elements[k].0].radius;
-                    let distance = (outside(&value, &boxes[k]) - radii) / radii;
+                    let distance = (box_distance(&value, &boxes[k]) - radii) / radii;
                     let pair = [(self.first[a] + number) as u32, k as u32];
                     if distance <= 1.0 && self.joined.binary_search(&pair).is_err() {
                         near.push((pair, distance));
@@ -194,8 +195,8 @@ impl Encounters for BeamContacts {
     }
 }
 
-/// How far a point is outside of a box.
-fn outside(point: &Vector3<f64>, b: &AABB<Corner>) -> f64 {
+/// Returns the distance of a point from a box.
+fn box_distance(point: &Vector3<f64>, b: &AABB<Corner>) -> f64 {
     let (lower, upper) = (b.lower(), b.upper());
     let beyond = Vector3::from_fn(|i, _| (lower[i] - point[i]).max(point[i] - upper[i]).max(0.0));
     beyond.norm()

@@ -1,4 +1,4 @@
-//! Contact between bodies and with obstacles: search, penalty law, friction.
+//! Contact between bodies and with obstacles: search, penalty law and friction.
 
 mod beam_contact;
 mod contact_law;

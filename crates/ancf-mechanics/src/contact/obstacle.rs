@@ -4,40 +4,40 @@ use nalgebra::{SMatrix, SVector, Vector3};
 use super::contact_law::ContactLaw;
 use crate::kinematics::{Attachment, Marker, Real, add_symmetric, constant};
 
-/// The form of an obstacle about its point c, with an axis a.
+/// Shape of an obstacle about its point c with an axis a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
-    /// The half space behind the plane through c with the normal a.
+    /// Half space behind the plane through c with the normal a.
     Plane,
-    /// A ball with the centre c, or all beyond it.
+    /// Ball with the centre c, or its exterior.
     Sphere {
-        /// Its radius.
+        /// Radius.
         radius: f64,
-        /// Whether bodies are inside.
+        /// True if bodies are inside.
         inside: bool,
     },
-    /// An endless cylinder about the line through c along a, or all beyond it.
+    /// Infinite cylinder about the line through c along a, or its exterior.
     Cylinder {
-        /// Its radius.
+        /// Radius.
         radius: f64,
-        /// Whether bodies are inside.
+        /// True if bodies are inside.
         inside: bool,
     },
 }
 
-/// An obstacle that the ground or a body carries.
+/// Obstacle fixed to the ground or to a body.
 #[derive(Clone, Debug)]
 pub struct Obstacle {
     form: Form,
     place: Attachment,
-    /// The axis in the directions of the carrier.
+    /// Axis, as components in the directions of the carrier.
     axis: Vector3<f64>,
 }
 
 impl Obstacle {
-    /// An obstacle at the point of an attachment that has three directions, with the axis that is `axis` in the reference state.
+    /// Creates an obstacle at the point of an attachment, with the axis `axis` in the reference state.
     ///
-    /// `None` if the attachment has not.
+    /// Returns `None` if the attachment does not have three directions.
     pub fn new(form: Form, place: Attachment, axis: Vector3<f64>) -> Option<Self> {
         let reference = place.axes()?.each_ref().map(Marker::reference);
         let axis = SMatrix::<f64, 3, 3>::from_columns(&reference).try_inverse()? * axis;
@@ -46,7 +46,7 @@ impl Obstacle {
 }
 
 impl Form {
-    /// The gap of a point without thickness at d from c, its gradient by d and that by a.
+    /// Computes the gap of a point at d from c, and the gradients of the gap by d and by a.
     fn gap<D: Real>(self, d: &Vector3<D>, a: &Vector3<D>) -> (D, Vector3<D>, Vector3<D>) {
         let unit = |x: &Vector3<D>| {
             let length = x.dot(x).sqrt();
@@ -75,32 +75,33 @@ impl Form {
     }
 }
 
-/// A point of a beam's axis against an [`Obstacle`], for the length of beam that the point stands for.
+/// Contact between a point of a beam axis and an [`Obstacle`], for the length of beam that the point represents.
 ///
-/// With d = p − c, the carrier's directions X = [x y z], a = X α and the gap g(d, a) less the beam's radius: N pushes along
-/// ∂g/∂d on d and αₖ ∂g/∂a on xₖ. Friction f acts at p on the beam, and on the carrier as if it reached as far: −f on c
-/// and −ρₖ f on xₖ, ρ = X⁻¹d, by the relative velocity w = ḋ − Ẋ ρ. Momentum and angular momentum of both are thus kept,
-/// and the friction of a rope on a pulley has the lever that its tension has. The tangent is the symmetric part of the
-/// derivative at constant N in the friction; without friction and damping it is exact.
+/// With d = p − c, the directions X = [x y z] of the carrier, a = X α and the gap g(d, a) minus the radius of the beam,
+/// N acts along ∂g/∂d on d and αₖ ∂g/∂a on xₖ. The friction f acts at p on the beam. On the carrier it acts as if the
+/// carrier extended to p: −f on c and −ρₖ f on xₖ, ρ = X⁻¹d, with the relative velocity w = ḋ − Ẋ ρ. Momentum and
+/// angular momentum of both bodies are therefore conserved. The friction of a rope on a pulley has the same lever as
+/// its tension. The tangent is the symmetric part of the derivative, with constant N in the friction. It is exact
+/// without friction and damping.
 #[derive(Clone, Debug)]
 pub struct ObstacleContact {
     form: Form,
     axis: Vector3<f64>,
-    /// d and the carrier's directions.
+    /// Vector d and the directions of the carrier.
     markers: [Marker; 4],
     coordinates: Vec<usize>,
-    /// The same d over all coordinates.
+    /// Vector d and the directions over all coordinates.
     global: [Marker; 4],
     radius: f64,
     length: f64,
     law: ContactLaw,
 }
 
-/// d, x, y, z, and velocities of them.
-type Twelve<D> = SVector<D, 12>;
+/// Vectors d, x, y, z, or their velocities.
+type MarkerValues<D> = SVector<D, 12>;
 
 impl ObstacleContact {
-    /// The contact of a point of a beam of a radius, which stands for a length of it.
+    /// Creates the contact of a point of a beam with a radius. The point represents a length of the beam.
     pub fn new(
         obstacle: &Obstacle,
         point: &Marker,
@@ -111,22 +112,22 @@ impl ObstacleContact {
         let [x, y, z] = obstacle.place.axes()?;
         let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.point)]);
         let global = [d, x.clone(), y.clone(), z.clone()];
-        let coordinates = Marker::joined(&global);
+        let coordinates = Marker::union_coordinates(&global);
         let markers = global.each_ref().map(|marker| marker.within(&coordinates));
         let Obstacle { form, axis, .. } = *obstacle;
         Some(Self { form, axis, markers, coordinates, global, radius, length, law })
     }
 
-    /// The gap at coordinates q of all bodies.
+    /// Returns the gap at the coordinates q of all bodies.
     pub(crate) fn gap_of_all(&self, q: &[f64]) -> f64 {
         let [d, axes @ ..] = self.global.each_ref().map(|marker| marker.reference() + marker.sum(q));
-        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
-    /// Values of the markers and their velocities.
-    fn values(&self, at: &Local<'_>) -> [Twelve<f64>; 2] {
+    /// Returns the values of the markers and their velocities.
+    fn values(&self, at: &Local<'_>) -> [MarkerValues<f64>; 2] {
         let stack = |of: &dyn Fn(&Marker) -> Vector3<f64>| {
-            let mut x = Twelve::zeros();
+            let mut x = MarkerValues::zeros();
             for (i, marker) in self.markers.iter().enumerate() {
                 x.fixed_rows_mut::<3>(3 * i).copy_from(&of(marker));
             }
@@ -135,22 +136,22 @@ impl ObstacleContact {
         [stack(&|marker| marker.reference() + marker.sum(at.q)), stack(&|marker| marker.sum(at.v))]
     }
 
-    fn gap(&self, x: &Twelve<f64>) -> f64 {
+    fn gap(&self, x: &MarkerValues<f64>) -> f64 {
         let [d, axes @ ..] = parts(x);
-        self.form.gap(&d, &along(&axes, &self.axis)).0 - self.radius
+        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
-    /// Generalised forces on d, x, y and z.
-    fn forces<D: Real>(&self, x: &Twelve<D>, v: &Twelve<D>) -> Twelve<D> {
+    /// Computes the generalised forces on d, x, y and z.
+    fn forces<D: Real>(&self, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
-        let (gap, n, b) = self.form.gap(&d, &along(&axes, &self.axis));
-        let closing = n.dot(&rate) + b.dot(&along(&spins, &self.axis));
+        let (gap, n, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
         let normal = self.law.smooth_normal(gap - self.radius, closing) * self.length;
         let reach = components(&axes, &d);
-        let carried: Vector3<D> =
+        let relative_velocity: Vector3<D> =
             spins.iter().zip(&reach).map(|(spin, r)| spin.map(|x| x * *r)).fold(rate, |w, part| w - part);
-        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &carried);
-        let mut forces = Twelve::from_element(D::from(0.0));
+        let friction = self.law.smooth_tangential(D::from(normal.re()), &n, &relative_velocity);
+        let mut forces = MarkerValues::from_element(D::from(0.0));
         forces.fixed_rows_mut::<3>(0).copy_from(&(n.map(|x| x * normal) + friction));
         for k in 0..3 {
             let share = b.map(|x| x * normal * self.axis[k]) - friction.map(|x| x * reach[k]);
@@ -159,12 +160,12 @@ impl ObstacleContact {
         forces
     }
 
-    /// ∂(forces)/∂z along dx = w_q z, dv = w_v z.
-    fn slope(&self, x: &Twelve<f64>, v: &Twelve<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
+    /// Computes ∂(forces)/∂z along dx = w_q z, dv = w_v z.
+    fn slope(&self, x: &MarkerValues<f64>, v: &MarkerValues<f64>, w: Weights) -> SMatrix<f64, 12, 12> {
         if self.markers[1..].iter().all(|axis| axis.parts().is_empty()) {
-            // An obstacle on the ground: only d moves.
+            // For an obstacle on the ground, only d depends on the state.
             let f = |z: SVector<num_dual::DualSVec64<3>, 3>| {
-                let moved = |x: &Twelve<f64>, w: f64| {
+                let moved = |x: &MarkerValues<f64>, w: f64| {
                     let mut moved = x.map(num_dual::DualSVec64::<3>::from);
                     (0..3).for_each(|i| moved[i] += z[i] * w);
                     moved
@@ -176,24 +177,24 @@ impl ObstacleContact {
             slope.fixed_view_mut::<3, 3>(0, 0).copy_from(&h);
             return slope;
         }
-        let moved = |x: &Twelve<f64>, z: &Twelve<num_dual::DualSVec64<12>>, w: f64| {
-            Twelve::from_fn(|i, _| z[i] * w + x[i])
+        let moved = |x: &MarkerValues<f64>, z: &MarkerValues<num_dual::DualSVec64<12>>, w: f64| {
+            MarkerValues::from_fn(|i, _| z[i] * w + x[i])
         };
-        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &Twelve::zeros()).1
+        num_dual::jacobian(|z| self.forces(&moved(x, &z, w.q), &moved(v, &z, w.v)), &MarkerValues::zeros()).1
     }
 }
 
-/// Four vectors of a column.
-fn parts<D: Real>(x: &Twelve<D>) -> [Vector3<D>; 4] {
+/// Splits a column into four vectors.
+fn parts<D: Real>(x: &MarkerValues<D>) -> [Vector3<D>; 4] {
     [0, 3, 6, 9].map(|i| x.fixed_rows::<3>(i).into_owned())
 }
 
-/// X α.
-fn along<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> Vector3<D> {
+/// Computes X α.
+fn combine<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> Vector3<D> {
     x.map(|x| x * components.x) + y.map(|x| x * components.y) + z.map(|x| x * components.z)
 }
 
-/// X⁻¹ d.
+/// Computes X⁻¹ d.
 fn components<D: Real>([x, y, z]: &[Vector3<D>; 3], d: &Vector3<D>) -> [D; 3] {
     let across = [y.cross(z), z.cross(x), x.cross(y)];
     let volume = across[0].dot(x);
@@ -216,7 +217,8 @@ impl Term for ObstacleContact {
         }
     }
 
-    /// Relative errors of d and of the directions turn the normal; those of the gap and of the velocities change the force.
+    /// Relative errors of d and the directions affect the normal. Errors of the gap and the velocities affect the
+    /// force.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let [x, v] = self.values(at);
         let gap = self.gap(&x);
@@ -225,7 +227,7 @@ impl Term for ObstacleContact {
         }
         let [d, axes @ ..] = parts(&x);
         let tilt: f64 = (1..4).map(|k| self.markers[k].size(at.q) / axes[k - 1].norm()).sum();
-        // The radius of the obstacle, and the distance that turns the normal.
+        // Radius of the obstacle, and lever of the errors of the normal.
         let (round, distance) = match self.form {
             Form::Plane => (0.0, f64::INFINITY),
             Form::Sphere { radius, inside } | Form::Cylinder { radius, inside } => {
@@ -236,13 +238,13 @@ impl Term for ObstacleContact {
         let place = self.markers[0].size(at.q) + d.norm() * tilt;
         let reach = components(&axes, &d);
         let [rate, spins @ ..] = parts(&v);
-        let rushed = self.markers[0].sum_of_sizes(at.v)
+        let velocity_error = self.markers[0].sum_of_sizes(at.v)
             + (0..3).map(|k| reach[k].abs() * self.markers[k + 1].sum_of_sizes(at.v)).sum::<f64>()
             + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
         let turned = tilt + place / distance;
-        let (_, _, b) = self.form.gap(&d, &along(&axes, &self.axis));
-        let speed = rate.norm() + b.norm() * along(&spins, &self.axis).norm();
-        let errors = [place + self.radius + round, turned, rushed];
+        let (_, _, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
+        let errors = [place + self.radius + round, turned, velocity_error];
         let bound = self.law.rounding(gap, speed, errors) * self.length;
         for (k, marker) in self.markers.iter().enumerate() {
             let arm = if k == 0 { 1.0 } else { reach[k - 1].abs() + self.axis[k - 1].abs() * b.norm() };

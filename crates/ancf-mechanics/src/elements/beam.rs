@@ -4,17 +4,17 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 use nalgebra::{Matrix3, Vector3};
 
-use super::station::{Relative, Station, StrainEnergy};
+use super::station::{RelativeVectors, Station, StrainEnergy};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 use crate::sections::NO_STIFFNESS;
 
-/// What congruent elements share: quadrature points with their elasticity, inertia and body force.
+/// Common data of congruent elements: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<const N: usize> {
     pub(crate) stations: Vec<Station<N>>,
-    /// M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
+    /// Compact mass matrix M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
     pub(crate) mass: [[f64; N]; N],
-    /// ∫ ρ S_a dV.
+    /// First moments ∫ ρ S_a dV.
     pub(crate) first: [f64; N],
     pub(crate) gravity: Vector3<f64>,
     /// Rate α of the mass-proportional damping α M v.
@@ -24,21 +24,21 @@ pub struct Profile<const N: usize> {
 }
 
 impl<const N: usize> Profile<N> {
-    /// The compact consistent mass matrix M_ab = ∫ ρ S_a S_b dV of one element.
+    /// Returns the compact consistent mass matrix M_ab = ∫ ρ S_a S_b dV of one element.
     pub fn mass(&self) -> &[[f64; N]; N] {
         &self.mass
     }
 
-    /// ∫ ρ S_a dV: the force of gravity on vector a is this times g.
+    /// Returns the first moments ∫ ρ S_a dV. The force of gravity on vector a is this times g.
     pub fn first_moments(&self) -> &[f64; N] {
         &self.first
     }
 }
 
-/// A beam element of N vectors r, ℓ r_x, ℓ r_y, ℓ r_z at its nodes, by the rule of an interpolation.
+/// ANCF beam element with N nodal vectors r, ℓ r_x, ℓ r_y, ℓ r_z according to an interpolation.
 ///
-/// Coordinates are the components of the vectors less their reference values. Its energy is that of its stations'
-/// laws; which strains are stiff in which way, the [`Profile`] says.
+/// Coordinates are the components of the vectors minus their reference values. The strain energy is the sum over the
+/// stations. The [`Profile`] defines the elastic law of each station.
 #[derive(Clone, Debug)]
 pub struct Element<const N: usize, S> {
     coordinates: Vec<usize>,
@@ -47,18 +47,18 @@ pub struct Element<const N: usize, S> {
     interpolation: PhantomData<S>,
 }
 
-/// The two-node, 24-coordinate, fully parameterised beam element.
+/// Two-node, 24-coordinate, fully parameterised beam element.
 ///
 /// Source: Yakoub & Shabana (2001); Garcia-Vallejo et al. (2007); Kim et al. (2017), section 2.
 pub type Beam24 = Element<8, BeamShape>;
 
-/// The three-node, 27-coordinate beam element without axial slopes.
+/// Three-node, 27-coordinate beam element without axial slopes.
 ///
 /// Source: Nachbagauer, Gruber & Gerstmayr (2013).
 pub type Beam27 = Element<9, QuadraticShape>;
 
 impl<const N: usize, S: Interpolation<N>> Element<N, S> {
-    /// An element on 3N coordinates, with the orthonormal `frame` (directions of x, y, z) in which its profile is stated.
+    /// Creates an element on 3N coordinates. The orthonormal `frame` contains the x, y and z directions of its profile.
     pub fn new(
         coordinates: impl IntoIterator<Item = usize>,
         frame: [Vector3<f64>; 3],
@@ -69,21 +69,21 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
         Self { coordinates, frame: Matrix3::from_columns(&frame), profile, interpolation: PhantomData }
     }
 
-    /// What it shares with congruent elements.
+    /// Returns the profile, which congruent elements share.
     pub fn profile(&self) -> &Profile<N> {
         &self.profile
     }
 
-    /// Sum over the element of M_ab x_b.
+    /// Computes the sum of M_ab x_b over b.
     fn mass_times(&self, x: &[Vector3<f64>; N]) -> [Vector3<f64>; N] {
         std::array::from_fn(|a| {
             (0..N).filter(|&b| self.profile.mass[a][b] != 0.0).map(|b| x[b] * self.profile.mass[a][b]).sum()
         })
     }
 
-    /// Strain energy by part, from the element's own coordinates.
+    /// Returns the strain energy by part, from the coordinates of the element.
     pub fn parts(&self, q: &[f64]) -> StrainEnergy {
-        let q = Relative::new::<S>(&vectors(q));
+        let q = RelativeVectors::new::<S>(&vectors(q));
         let mut sum = StrainEnergy::default();
         for station in &self.profile.stations {
             let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
@@ -92,14 +92,14 @@ impl<const N: usize, S: Interpolation<N>> Element<N, S> {
         sum
     }
 
-    /// The velocities of the vectors, if there is anything that they strain.
-    fn moving(&self, at: &Local<'_>) -> Option<Relative<N>> {
+    /// Returns the velocities of the vectors if the element has viscosity.
+    fn moving(&self, at: &Local<'_>) -> Option<RelativeVectors<N>> {
         let viscous = self.profile.stations.iter().any(|station| station.viscosity.is_some());
-        viscous.then(|| Relative::new::<S>(&vectors(at.v)))
+        viscous.then(|| RelativeVectors::new::<S>(&vectors(at.v)))
     }
 }
 
-/// The vectors of a slice of coordinates.
+/// Returns the vectors of a slice of coordinates.
 pub(crate) fn vectors<const N: usize>(x: &[f64]) -> [Vector3<f64>; N] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
@@ -119,12 +119,12 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         for (force, first) in force.iter_mut().zip(&profile.first) {
             *force -= profile.gravity * (at.load * first);
         }
-        let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+        let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
         for station in &profile.stations {
             let g0 = station.reference(&self.frame);
             let u = station.directors::<S>(&q);
             let p = station.forces::<S>(&g0, &u, v.as_ref());
-            station.spread(&p, &mut force);
+            station.distribute(&p, &mut force);
         }
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
             *row += force;
@@ -140,7 +140,8 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
             let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
             f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
         });
-        let (q, v, sizes) = (Relative::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
+        let (q, v, sizes) =
+            (RelativeVectors::new::<S>(&vectors_q), self.moving(at), vectors_q.map(|q| q.norm()));
         for station in &profile.stations {
             let g0 = station.reference(&self.frame);
             let u = station.directors::<S>(&q);
@@ -159,13 +160,13 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let mut blocks = [[Matrix3::zeros(); N]; N];
         if w.q != 0.0 || w.v != 0.0 {
-            let (q, v) = (Relative::new::<S>(&vectors(at.q)), self.moving(at));
+            let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
             let mut h = NO_STIFFNESS;
             for station in &self.profile.stations {
                 let g0 = station.reference(&self.frame);
                 let u = station.directors::<S>(&q);
                 station.stiffness::<S>(&g0, &u, v.as_ref(), [w.q, w.v], &mut h);
-                station.spread_stiffness(&h, &mut blocks);
+                station.distribute_stiffness(&h, &mut blocks);
             }
         }
         let inertia = w.a + self.profile.drag * w.v;
@@ -178,19 +179,19 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let (q, dq) = (Relative::new::<S>(&vectors(at.q)), Relative::new::<S>(&vectors(by.q)));
+        let (q, dq) = (RelativeVectors::new::<S>(&vectors(at.q)), RelativeVectors::new::<S>(&vectors(by.q)));
         let mut blocks = [[Matrix3::zeros(); N]; N];
         for station in &self.profile.stations {
             let (g0, u) = (station.reference(&self.frame), station.directors::<S>(&q));
             let h = station.stress_stiffness(&g0, &u, &station.directors::<S>(&dq));
-            station.spread_stiffness(&h, &mut blocks);
+            station.distribute_stiffness(&h, &mut blocks);
         }
         add_blocks(&blocks, k);
     }
 
-    /// det J > 0 on the axis. St. Venant-Kirchhoff energy has equilibria of elements that are turned inside out.
+    /// Requires det J > 0 on the axis. St. Venant-Kirchhoff energy also has equilibria with inverted elements.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        let q = Relative::new::<S>(&vectors(at.q));
+        let q = RelativeVectors::new::<S>(&vectors(at.q));
         self.profile
             .stations
             .iter()
@@ -201,7 +202,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let (q, v) = (vectors::<N>(at.q), vectors::<N>(at.v));
         let momentum = self.mass_times(&v);
         let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
-        let relative = Relative::new::<S>(&q);
+        let relative = RelativeVectors::new::<S>(&q);
         let of =
             |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
         let strain = self.profile.stations.iter().map(of).sum();

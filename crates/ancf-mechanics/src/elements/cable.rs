@@ -5,46 +5,47 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
-use crate::kinematics::{Bend, Blocks, Stretch};
+use crate::kinematics::{AxialStretch, Bend, BendBlocks};
 
-/// |r′| at and below which a line is taken to be crushed to a point.
+/// Value of |r′| up to which a line counts as collapsed to a point.
 pub(crate) const CRUSHED: f64 = 0.01;
 
-/// The two-node, 12-coordinate, gradient-deficient ANCF cable element; straight and stress-free in its reference
+/// Two-node, 12-coordinate, gradient-deficient ANCF cable element, straight and stress-free in its reference
 /// configuration.
 ///
-/// A line that stretches and bends, without shear or twist. Coordinates are the vectors (r, ℓ r_x) of node 1, then of
-/// node 2, less their reference values. Strain energy
+/// The cable stretches and bends, without shear or torsion. Coordinates are the vectors (r, ℓ r_x) of both nodes minus
+/// their reference values. The strain energy is
 ///
 /// U = ½∫(EA ε² + EI K²) dx,  ε = |r′| − 1,  K = |r′ × r″|/|r′|²
 ///
-/// with the material measure of curvature, the same about all axes normal to the line. Strains are formed from
-/// displacement gradients: nothing is lost for small ones or far from the origin. The mass is that of the line, ρA;
-/// the rotary inertia of the section is neglected.
+/// with the material measure of curvature and isotropic bending. Strains are computed from displacement gradients.
+/// Their accuracy therefore does not depend on their size or on the distance from the origin. The mass is that of the
+/// line, ρA. The rotary inertia of the section is neglected.
 ///
 /// # Damping
 ///
-/// Kelvin-Voigt with the retardation time τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|² and κ° its
-/// rate seen from a frame that follows the tangent without spin about it. The dissipation ½τ∫(EA ε̇² + EI |κ°|²) dx is half
-/// the lost power; it is smooth, never negative, and damps small vibrations about any shape as linear theory does.
+/// Kelvin-Voigt damping with the retardation time τ: N = EA (ε + τ ε̇) and M = EI (κ + τ κ°), with κ = r′ × r″/|r′|².
+/// The rate κ° refers to a frame that follows the tangent without spin about it. The dissipation function
+/// ½τ∫(EA ε̇² + EI |κ°|²) dx is half the dissipated power. It is smooth and never negative. It damps small vibrations
+/// about any shape as in the linear theory.
 ///
-/// It is zero in translations, in all rotations of a straight cable, and in rotations in the plane of a plane one. A rigid
-/// spin Ω about the tangent of a *bent* cable loses τ EI K² Ω² per length, as a rod does whose sections do not spin with it,
-/// being held at its ends; its moment about the tangent is not balanced. It cannot be had otherwise: a line without twist,
-/// bent by a small η, that spins about its tangent at the rate 1/η has the velocities of a bending of finite rate,
-/// however small η. A dissipation that vanishes in all rigid motions and is continuous at the straight line vanishes
-/// there for bending, too. The rate of the scalar K vanishes in rigid motions, but jumps where the line is straight, and leaves
-/// vibrations across the plane of bending undamped.
+/// The dissipation is zero in translations, in all rotations of a straight cable, and in plane rotations of a plane
+/// cable. A rigid spin Ω about the tangent of a *bent* cable dissipates τ EI K² Ω² per length. The loss equals that of
+/// a rod with fixed ends whose sections do not spin. The moment about the tangent is not balanced. This is unavoidable:
+/// a line without twist, bent by a small η and spinning about its tangent at the rate 1/η, has the velocities of
+/// bending at a finite rate, for any η. A dissipation that vanishes in all rigid motions and is continuous at the
+/// straight line thus vanishes there for bending too. The rate of the scalar K vanishes in rigid motions. But it jumps
+/// at a straight line and leaves out-of-plane vibrations undamped.
 ///
-/// The mass-proportional α M v damps rigid motions as well, like a medium at rest.
+/// The mass-proportional damping α M v also damps rigid motions, like a medium at rest.
 ///
 /// # Tangent
 ///
-/// Exact without damping, and by v. Of the derivative of the retarded forces by q, how it changes the rates of strain is left
-/// out: it is not symmetric, and its symmetric part serves Newton's method worse than none. The method then converges
-/// linearly, fast for steps in which the cable turns little.
+/// The tangent is exact without damping, and always exact with respect to v. The derivative of the strain rates with
+/// respect to q is omitted from the viscous forces. It is not symmetric, and its symmetric part slows Newton's method
+/// down. The convergence is then linear, and fast for steps with small rotations.
 ///
-/// Source: Gerstmayr & Shabana (2006), the element; Gerstmayr & Irschik (2008), its strains.
+/// Source: Gerstmayr & Shabana (2006) for the element; Gerstmayr & Irschik (2008) for its strains.
 #[derive(Clone, Debug)]
 pub struct Cable12 {
     coordinates: [usize; 12],
@@ -53,27 +54,30 @@ pub struct Cable12 {
 }
 
 impl Cable12 {
-    /// An element on the given coordinates along a unit vector.
+    /// Creates an element on the given coordinates along a unit vector.
     pub fn new(coordinates: [usize; 12], direction: Vector3<f64>, profile: Arc<CableProfile>) -> Self {
         Self { coordinates, direction, profile }
     }
 
-    /// What it shares with the other elements of the cable.
+    /// Returns the profile, which all elements of the cable share.
     pub fn profile(&self) -> &CableProfile {
         &self.profile
     }
 
-    /// Axial strain ε = |r′| − 1 and curvature vector κ = r′ × r″/|r′|² at ξ, from the element's own coordinates.
+    /// Returns the axial strain ε = |r′| − 1 and the curvature vector κ = r′ × r″/|r′|² at ξ.
+    ///
+    /// `q` are the coordinates of the element.
     pub fn strains(&self, q: &[f64], xi: f64) -> (f64, Vector3<f64>) {
         let (station, q) = (self.profile.station(xi), vectors(q));
         let bend = self.bend(&station, &q);
         (self.stretch(&station, &q).strain, bend.turned(&bend.strain()))
     }
 
-    /// Axial force N = EA (ε + τ ε̇), positive in tension along the tangent, and bending moment M = EI (κ + τ κ°),
-    /// global components, at ξ, from the element's own coordinates and velocities.
+    /// Returns the axial force N = EA (ε + τ ε̇) and the bending moment M = EI (κ + τ κ°) at ξ.
     ///
-    /// What the part x > ξ l exerts on the part x < ξ l. Axial forces are best at the axial points of the rule.
+    /// N acts along the tangent and is positive in tension. M has global components. Both are exerted by the part x > ξ
+    /// l on the part x < ξ l. `q` and `v` are the coordinates and velocities of the element. Axial forces are most
+    /// accurate at the axial points of the quadrature rule.
     pub fn resultants(&self, q: &[f64], v: &[f64], xi: f64) -> (f64, Vector3<f64>) {
         let (station, q, v) = (self.profile.station(xi), vectors(q), vectors(v));
         let (stretch, bend) = (self.stretch(&station, &q), self.bend(&station, &q));
@@ -82,7 +86,7 @@ impl Cable12 {
         (self.profile.axial_force(&stretch, &rates[0]), moment)
     }
 
-    /// Strain energy of stretch and of bending, from the element's own coordinates.
+    /// Returns the strain energies of stretching and bending, from the coordinates of the element.
     pub fn parts(&self, q: &[f64]) -> [f64; 2] {
         let (profile, q) = (&*self.profile, vectors(q));
         let section = profile.section();
@@ -91,15 +95,15 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Stretch {
-        Stretch::new(&self.direction, &station.first(q))
+    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+        AxialStretch::new(&self.direction, &station.first(q))
     }
 
     fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
         Bend::new(self.direction + station.first(q), station.second(q))
     }
 
-    /// Sum over the element of M_ab x_b.
+    /// Computes the sum of M_ab x_b over b.
     fn mass_times(&self, x: &[Vector3<f64>; 4]) -> [Vector3<f64>; 4] {
         self.profile.mass().map(|row| row.iter().zip(x).map(|(m, x)| x * *m).sum())
     }
@@ -198,7 +202,8 @@ impl Term for Cable12 {
         add_blocks(&blocks, k);
     }
 
-    /// |r′| > 0.01 at the points of integration: a line has no inside to turn out, but its strains fail at a point.
+    /// Requires |r′| > 0.01 at the quadrature points. A line cannot be inverted, but its strains are singular at r′ =
+    /// 0.
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         let (profile, q) = (&*self.profile, vectors(at.q));
         let mut stations = profile.axial().iter().chain(profile.bending());
@@ -222,7 +227,7 @@ impl Term for Cable12 {
     }
 }
 
-/// The lower pairs of the element's vectors.
+/// Calls `visit` for the lower pairs of the vectors of the element.
 fn each_pair(mut visit: impl FnMut(usize, usize)) {
     for i in 0..4 {
         for j in 0..=i {
@@ -231,8 +236,8 @@ fn each_pair(mut visit: impl FnMut(usize, usize)) {
     }
 }
 
-/// Adds what a station has by r′ and r″, times its weight.
-fn add_bending(station: &CableStation, h: &Blocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+/// Adds the stiffness of a station with respect to r′ and r″, times its weight.
+fn add_bending(station: &CableStation, h: &BendBlocks, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
     let h = h.scaled(station.weight);
     let (s, c, ab) = (&station.first, &station.second, h.ba.transpose());
     each_pair(|i, j| {
@@ -241,7 +246,8 @@ fn add_bending(station: &CableStation, h: &Blocks, blocks: &mut [[Matrix3<f64>; 
 }
 
 impl Cable12 {
-    /// The tangent of N t by a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, but for w_q EA τ t ȧᵀ ∂t/∂a.
+    /// Computes the tangent of N t with respect to a: w_q (EA t tᵀ + N ∂²ε/∂a²) + w_v EA τ t tᵀ, without w_q EA τ t ȧᵀ
+    /// ∂t/∂a.
     fn axial_stiffness(
         &self,
         station: &CableStation,
@@ -255,14 +261,14 @@ impl Cable12 {
         stretch.stiffness(rigidity * (w.q + w.v * tau), w.q * n)
     }
 
-    /// The tangent of EI Lᵀ(β + τβ°) by (a, b), but for w_q EI τ Lᵀ ∂β°/∂(a, b).
+    /// Computes the tangent of EI Lᵀ(β + τβ°) with respect to (a, b), without w_q EI τ Lᵀ ∂β°/∂(a, b).
     fn bending_stiffness(
         &self,
         station: &CableStation,
         q: &[Vector3<f64>; 4],
         v: &[Vector3<f64>; 4],
         w: Weights,
-    ) -> Blocks {
+    ) -> BendBlocks {
         let (rigidity, tau) = (self.profile.section().bending, self.profile.damping().retardation);
         let bend = self.bend(station, q);
         let stiffness = bend.hessian().scaled(w.q * rigidity);
@@ -276,7 +282,7 @@ impl Cable12 {
 }
 
 impl Cable12 {
-    /// A bound of the rounding error of N t.
+    /// Bounds the rounding error of N t.
     fn axial_rounding(&self, station: &CableStation, q: &[Vector3<f64>; 4], v: &[Vector3<f64>; 4]) -> f64 {
         let (rigidity, tau) = (self.profile.section().axial, self.profile.damping().retardation);
         let (u, rate) = (station.first(q).norm(), station.first(v));
@@ -289,7 +295,7 @@ impl Cable12 {
             + self.profile.axial_force(&stretch, &rate).abs() * (dt + f64::EPSILON)
     }
 
-    /// Bounds of the rounding errors of EI Lᵀ(β + τβ°).
+    /// Bounds the rounding errors of EI Lᵀ(β + τβ°).
     fn bending_rounding(
         &self,
         station: &CableStation,
@@ -300,7 +306,8 @@ impl Cable12 {
         let ([du, db], [da_rate, db_rate]) = (station.rounding(q), station.rounding(v));
         let (a, b) = ((self.direction + station.first(q)).norm(), station.second(q).norm());
         let [a_rate, b_rate] = station.both(v).map(|x| x.norm());
-        // Of a relatively; of the others absolutely. β is made of b, β° of ḃ and b ȧ/|a|, all over |a|.
+        // The error of a is relative, the others are absolute. β depends on b, and β° on ḃ and b ȧ/|a|, all divided by
+        // |a|.
         let da = du / a + f64::EPSILON;
         let (strain, dstrain) = (b / a, (db + 4.0 * b * da) / a);
         let rate = (b_rate + 4.0 * b * a_rate / a) / a;

@@ -1,4 +1,4 @@
-//! Finite elements: ANCF beams and cables, rigid bodies in natural coordinates.
+//! Finite elements: ANCF beams and cables, and rigid bodies in natural coordinates.
 
 mod beam;
 mod cable;

@@ -1,20 +1,20 @@
 use nalgebra::Vector3;
 
 use super::beam::Profile;
-use super::station::{Law, Parts, Relative, Station};
+use super::station::{DirectorWeights, Law, RelativeVectors, Station};
 use crate::kinematics::{BeamShape, Interpolation, Kind, QuadraticShape, gauss, gauss2, lobatto3};
 use crate::sections::{CrossSection, DIRECTORS, Directors, Lame, Moments, NeoHookean, SectionLaw, straight};
 
-/// What a beam is made of.
+/// Material, damping and gravity of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Medium {
     /// Lamé's constants.
     pub lame: Lame,
-    /// Whether the law is neo-Hookean, not St. Venant-Kirchhoff's; for the continuum formulation.
+    /// True for the neo-Hookean law, false for St. Venant-Kirchhoff. Applies to the continuum formulation.
     pub neo_hookean: bool,
     /// Density ρ.
     pub density: f64,
-    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strains E + τ dE/dt.
+    /// Retardation time τ of the Kelvin-Voigt model: stresses follow from the strains E + τ dE/dt.
     pub retardation: f64,
     /// Rate α of the mass-proportional damping α M v.
     pub drag: f64,
@@ -22,29 +22,31 @@ pub struct Medium {
     pub gravity: Vector3<f64>,
 }
 
-/// Which strains of the two-node element are how stiff, and where they are integrated.
+/// Elastic law of the two-node element: stiffness of the strains and their quadrature points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
-    /// Full three-dimensional elasticity at five points: exact for the polynomials, hence with all the locking.
+    /// Full three-dimensional elasticity at five points. The quadrature is exact, so the element has all kinds of
+    /// locking.
     Continuum,
     /// [`SectionLaw::enhanced`] at five points.
     Enhanced,
-    /// [`SectionLaw::rod`] under linked strains ([`SectionLaw::linked`]) at the nodes and the middle, by Simpson's rule, and
-    /// [`SectionLaw::transverse`] at the nodes, where r_x, r_y and r_z are coordinates and free to fit each other: neither
-    /// the axis' length nor the sections' size and shape lock when the element bends.
+    /// [`SectionLaw::rod`] under linked strains ([`SectionLaw::linked`]), with [`SectionLaw::transverse`] at the nodes.
+    ///
+    /// The rod law is integrated by Simpson's rule at the nodes and the middle. At the nodes r_x, r_y and r_z are
+    /// independent coordinates. Neither the axial strain nor the deformation of the section locks in bending.
     Linked,
 }
 
-/// A quadrature point and its elasticity there: at ξ, by reference directors and section.
-type Sample<'a> = (f64, f64, &'a Elasticity<'a>);
-type Elasticity<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
+/// Quadrature point with its elastic law, a function of ξ, reference directors and section.
+type LawPoint<'a> = (f64, f64, &'a SectionLawFn<'a>);
+type SectionLawFn<'a> = dyn Fn(f64, &Directors, &CrossSection) -> SectionLaw + 'a;
 
-fn at<'a>(rule: &[(f64, f64)], law: &'a Elasticity<'a>) -> Vec<Sample<'a>> {
+fn at<'a>(rule: &[(f64, f64)], law: &'a SectionLawFn<'a>) -> Vec<LawPoint<'a>> {
     rule.iter().map(|&(xi, w)| (xi, w, law)).collect()
 }
 
 impl Profile<8> {
-    /// Elements of a straight prismatic beam in the continuum formulation.
+    /// Creates the profile of a straight prismatic beam in the continuum formulation.
     pub fn new(shape: BeamShape, lame: Lame, density: f64, moments: Moments, gravity: Vector3<f64>) -> Self {
         let medium = Medium { lame, neo_hookean: false, density, retardation: 0.0, drag: 0.0, gravity };
         let section = CrossSection {
@@ -63,7 +65,7 @@ impl Profile<8> {
         Self::two_node(shape, &reference, &|_| section.clone(), &medium, Formulation::Continuum)
     }
 
-    /// Two-node elements with the given reference vectors, in any frame, and the section at ξ.
+    /// Creates the profile of two-node elements. The reference vectors are in any frame; `section` is the section at ξ.
     pub fn two_node(
         shape: BeamShape,
         reference: &[Vector3<f64>; 8],
@@ -82,7 +84,7 @@ impl Profile<8> {
             let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
             let shear = SectionLaw::shear(lame, section, g0);
             let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
-            // Simpson's weights are 1/6 at the nodes, those of the trapezoidal rule 1/2.
+            // Simpson's weights at the nodes are 1/6, and those of the trapezoidal rule 1/2.
             if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
         };
         let rule = match formulation {
@@ -95,14 +97,16 @@ impl Profile<8> {
 }
 
 impl Profile<9> {
-    /// Three-node elements with the given reference vectors, in any frame, and the section at ξ.
+    /// Creates the profile of three-node elements. The reference vectors are in any frame; `section` is the section at
+    /// ξ.
     ///
-    /// [`SectionLaw::rod`] at two Gauss points, which frees the element from shear and membrane locking, and
-    /// [`SectionLaw::transverse`] at the nodes, by Simpson's rule, with the axial strain of the Gauss points
+    /// [`SectionLaw::rod`] is integrated at two Gauss points, which avoids shear and membrane locking.
+    /// [`SectionLaw::transverse`] is integrated by Simpson's rule, with the axial strain of the Gauss points
     /// ([`SectionLaw::reduced`]).
     ///
-    /// Source: Nachbagauer, Gruber & Gerstmayr (2013) for the element and the two points; the change of the section at the nodes is
-    /// ours: at the Gauss points, motions without or with negative energy are left, at more points the element locks.
+    /// Source: Nachbagauer, Gruber & Gerstmayr (2013) for the element and the two points. The deformation of the
+    /// section at the nodes is specific to this implementation. At the Gauss points, modes with zero or negative energy
+    /// would remain, and at more points the element would lock.
     pub fn three_node(
         shape: QuadraticShape,
         reference: &[Vector3<f64>; 9],
@@ -132,18 +136,18 @@ impl<const N: usize> Profile<N> {
         reference: &[Vector3<f64>; N],
         section: &dyn Fn(f64) -> CrossSection,
         medium: &Medium,
-        rule: &[Sample<'_>],
+        rule: &[LawPoint<'_>],
     ) -> Self {
-        let relative = Relative::new::<S>(reference);
+        let relative = RelativeVectors::new::<S>(reference);
         let stations = rule.iter().map(|&(xi, w, law)| {
             let weights = shape.directors(xi);
-            let parts = |reach: usize| -> [Parts; N] {
-                std::array::from_fn(|i| Parts::new(S::KINDS[i].directors(), weights[i], reach))
+            let parts = |reach: usize| -> [DirectorWeights; N] {
+                std::array::from_fn(|i| DirectorWeights::new(S::KINDS[i].directors(), weights[i], reach))
             };
-            let mut g0 = settled(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
+            let mut g0 = snapped_straight(relative.directors::<S>(&parts(DIRECTORS)), shape.length());
             let section = section(xi);
             let quadratic = law(xi, &g0, &section);
-            // What nothing reads costs nothing.
+            // Unused directors are set to zero.
             let reach = quadratic.reach().max(5);
             g0[reach..].fill(Vector3::zeros());
             let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
@@ -178,8 +182,8 @@ impl<const N: usize> Profile<N> {
     }
 }
 
-/// Directors that are straight but for rounding, straight.
-fn settled(g0: Directors, length: f64) -> Directors {
+/// Replaces directors that are straight within rounding by exactly straight ones.
+fn snapped_straight(g0: Directors, length: f64) -> Directors {
     let scales = [1.0, length, length, 1.0, 1.0, 1.0, 1.0];
     let near = g0.iter().zip(straight()).zip(scales).all(|((g, s), scale)| (g - s).amax() * scale < 1e-12);
     if near { straight() } else { g0 }

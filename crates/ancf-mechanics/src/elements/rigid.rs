@@ -4,11 +4,11 @@ use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 use crate::constraints::Perpendicular;
 use crate::kinematics::{Attachment, Directions, Kind, Marker, NodalVector};
 
-/// A rigid body in natural coordinates: its centre of mass r and three directors d₁, d₂, d₃, at first the global axes.
+/// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///
-/// x = r + Σᵢ Xᵢ dᵢ for the point X from the centre: linear, as in the elements, so that joints are the same equations for rigid
-/// and flexible bodies and no orientation is singular. Six equations dᵢ·dⱼ = δᵢⱼ keep the body rigid; the mass matrix is
-/// constant. A point mass is r alone.
+/// The point X relative to the centre has the position x = r + Σᵢ Xᵢ dᵢ. This map is linear, as in the elements, so
+/// rigid and flexible bodies have the same joint equations. No orientation is singular. Six equations dᵢ·dⱼ = δᵢⱼ
+/// constrain the body to be rigid. The mass matrix is constant. A point mass consists of r alone.
 ///
 /// Source: de Jalón (2007), natural coordinates; Shabana (2014), the ANCF reference node.
 #[derive(Clone, Debug)]
@@ -17,24 +17,24 @@ pub struct RigidBody {
     multiplier: usize,
     centre: Vector3<f64>,
     mass: f64,
-    /// E = ½ tr(J) I − J; none of a point mass.
+    /// Euler tensor E = ½ tr(J) I − J, or `None` for a point mass.
     euler: Option<Matrix3<f64>>,
     gravity: Vector3<f64>,
 }
 
-/// The least part of the largest principal value of E: so little breaks no pivot and changes nothing that is known of a body.
-const FLAT: f64 = 1e-8;
+/// Smallest relative principal value of E. It keeps all pivots nonzero and is below the accuracy of the data.
+const MIN_INERTIA_RATIO: f64 = 1e-8;
 
 impl RigidBody {
-    /// A point mass on the three coordinates from `first` on.
+    /// Creates a point mass on the three coordinates from `first`.
     pub fn point(first: usize, centre: Vector3<f64>, mass: f64, gravity: Vector3<f64>) -> Self {
         Self { first, multiplier: 0, centre, mass, euler: None, gravity }
     }
 
-    /// A body with the moments of inertia J about its centre, along the global axes, on the twelve coordinates from `first` on
-    /// and the six multipliers from `multiplier` on.
+    /// Creates a body with the moments of inertia J about its centre, along the global axes.
     ///
-    /// Of a plane body E is singular; a part of 10⁻⁸ of its largest principal value is put in that place.
+    /// The body has the twelve coordinates from `first` and the six multipliers from `multiplier`. A plane body has a
+    /// singular E, whose zero principal value is replaced by 10⁻⁸ of the largest one.
     pub fn new(
         [first, multiplier]: [usize; 2],
         centre: Vector3<f64>,
@@ -42,34 +42,35 @@ impl RigidBody {
         inertia: Matrix3<f64>,
         gravity: Vector3<f64>,
     ) -> Self {
-        let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(euler(&inertia));
-        let least = FLAT * eigenvalues.amax();
+        let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(euler_tensor(&inertia));
+        let least = MIN_INERTIA_RATIO * eigenvalues.amax();
         let values = Matrix3::from_diagonal(&eigenvalues.map(|value| value.max(least)));
         let euler = Some(eigenvectors * values * eigenvectors.transpose());
         Self { first, multiplier, centre, mass, euler, gravity }
     }
 
-    /// Number of coordinates.
+    /// Returns the number of coordinates.
     pub const fn coordinates(&self) -> usize {
         if self.euler.is_some() { 12 } else { 3 }
     }
 
-    /// Number of multipliers that keep it rigid.
+    /// Returns the number of multipliers of the rigidity constraints.
     pub const fn multipliers(&self) -> usize {
         if self.euler.is_some() { 6 } else { 0 }
     }
 
-    /// Whether it has directors.
+    /// Returns true if the body has directors.
     pub const fn has_directors(&self) -> bool {
         self.euler.is_some()
     }
 
-    /// Centre of mass in the reference state.
+    /// Returns the centre of mass in the reference state.
     pub const fn centre(&self) -> Vector3<f64> {
         self.centre
     }
 
-    /// What joints, loads and probes hold on to at a point of the reference state; of a point mass, its centre.
+    /// Returns the attachment of joints, loads and probes at a point of the reference state. For a point mass it is the
+    /// centre.
     pub fn attachment(&self, point: Vector3<f64>) -> Attachment {
         let centre = Marker::new([(self.first, 1.0)], self.centre);
         if !self.has_directors() {
@@ -79,7 +80,7 @@ impl RigidBody {
         Attachment { point: centre, directions }.offset(point - self.centre)
     }
 
-    /// Its mass times the position of its centre.
+    /// Returns the mass times the position of the centre.
     pub(crate) fn mass_marker(&self) -> Marker {
         Marker::new([(self.first, self.mass)], self.centre * self.mass)
     }
@@ -89,9 +90,9 @@ impl RigidBody {
         std::array::from_fn(|i| Marker::new([(self.first + 3 * (i + 1), 1.0)], axes[i]))
     }
 
-    /// Inertia and weight, and what keeps it rigid, as terms.
+    /// Returns inertia, weight and rigidity constraints as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        let mut terms: Vec<Box<dyn Term>> = vec![Box::new(Inertia::new(self))];
+        let mut terms: Vec<Box<dyn Term>> = vec![Box::new(InertiaTerm::new(self))];
         if self.has_directors() {
             let d = self.directors();
             let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
@@ -103,7 +104,7 @@ impl RigidBody {
         terms
     }
 
-    /// All vectors that its coordinates are, in a state.
+    /// Returns all nodal vectors of the body in a state.
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let centre = Attachment { point: self.attachment(self.centre).point, directions: Directions::None };
         let points = std::iter::once((Kind::Position, centre.point));
@@ -116,34 +117,34 @@ impl RigidBody {
         })
     }
 
-    /// The vector that a coordinate belongs to, if it is one of this body.
+    /// Returns the kind of vector to which a coordinate belongs, if it is a coordinate of this body.
     pub fn place_of(&self, coordinate: usize) -> Option<Kind> {
         let place = coordinate.checked_sub(self.first).filter(|place| *place < self.coordinates())?;
         Some([Kind::Position, Kind::Slope, Kind::Y, Kind::Z][place / 3])
     }
 }
 
-/// E = ∫ρ X Xᵀ dV of moments of inertia J.
-fn euler(inertia: &Matrix3<f64>) -> Matrix3<f64> {
+/// Computes the Euler tensor E = ∫ρ X Xᵀ dV from the moments of inertia J.
+fn euler_tensor(inertia: &Matrix3<f64>) -> Matrix3<f64> {
     Matrix3::identity() * (0.5 * inertia.trace()) - inertia
 }
 
-/// Whether moments of inertia are those of some body: E has no negative principal value.
+/// Returns true if the moments of inertia are physical: E has no negative principal value.
 pub fn is_inertia(inertia: &Matrix3<f64>) -> bool {
-    let values = SymmetricEigen::new(euler(inertia)).eigenvalues;
-    values.max() > 0.0 && values.min() >= -FLAT * values.max()
+    let values = SymmetricEigen::new(euler_tensor(inertia)).eigenvalues;
+    values.max() > 0.0 && values.min() >= -MIN_INERTIA_RATIO * values.max()
 }
 
-/// Inertia and weight of a rigid body or a point mass: M a − m g, M constant.
+/// Inertia and weight of a rigid body or a point mass: M a − m g with constant M.
 #[derive(Clone, Debug)]
-struct Inertia {
+struct InertiaTerm {
     coordinates: Vec<usize>,
-    /// Over the vectors r, d₁, d₂, d₃, each times I₃.
+    /// Mass matrix over the vectors r, d₁, d₂, d₃, each times I₃.
     mass: Matrix4<f64>,
     weight: Vector3<f64>,
 }
 
-impl Inertia {
+impl InertiaTerm {
     fn new(body: &RigidBody) -> Self {
         let mut mass = Matrix4::zeros();
         mass[(0, 0)] = body.mass;
@@ -154,7 +155,7 @@ impl Inertia {
         Self { coordinates, mass, weight: body.gravity * body.mass }
     }
 
-    /// Visits (i, j, M_ij) over the coordinates.
+    /// Calls `visit` with (i, j, M_ij) over the coordinates.
     fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
         let vectors = self.coordinates.len() / 3;
         for a in 0..vectors {
@@ -165,7 +166,7 @@ impl Inertia {
     }
 }
 
-impl Term for Inertia {
+impl Term for InertiaTerm {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }

@@ -8,7 +8,7 @@ use crate::sections::{
     NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
 };
 
-/// The elastic law of a cross-section.
+/// Elastic law of a cross-section.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
     /// Quadratic in the section strains.
@@ -53,7 +53,7 @@ impl Law {
         }
     }
 
-    /// One more than the last director that it depends on.
+    /// Returns the number of directors that the law depends on.
     fn reach(&self) -> usize {
         match self {
             Self::Quadratic(law) => law.reach(),
@@ -69,35 +69,35 @@ impl Law {
     }
 }
 
-/// One quadrature point of the axis: where it is, what it weighs, what its section is made of.
+/// Quadrature point of the axis with its weight, reference directors and elastic law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Station<const N: usize> {
-    /// Gauss weight times the element's length.
+    /// Gauss weight times the length of the element.
     pub(crate) weight: f64,
-    /// What each of the element's vectors is in the directors.
-    pub(crate) parts: [Parts; N],
-    /// Directors of the reference state in the element's frame.
+    /// Weights of the vectors of the element in the directors.
+    pub(crate) parts: [DirectorWeights; N],
+    /// Directors of the reference state in the frame of the element.
     pub(crate) reference: Directors,
-    /// Elasticity.
+    /// Elastic law.
     pub(crate) law: Law,
-    /// Viscosity: resultants of strain rates.
+    /// Viscous law: resultants of strain rates.
     pub(crate) viscosity: Option<SectionLaw>,
 }
 
-/// Strain energy by the strains that it belongs to; what couples two of them is shared between them.
+/// Strain energy by kind of strain. Coupling terms are divided equally.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StrainEnergy {
-    /// Stretch of the axis.
+    /// Axial stretch.
     pub axial: f64,
     /// Bending about both axes.
     pub bending: f64,
     /// Mean shear of the sections.
     pub shear: f64,
-    /// Twist.
+    /// Torsion.
     pub torsion: f64,
-    /// Change of the sections' size and shape.
+    /// Deformation of the sections.
     pub section: f64,
-    /// All of it, of a law that has no such parts.
+    /// Total energy of a law without such parts.
     pub volume: f64,
 }
 
@@ -129,15 +129,15 @@ impl Mul<f64> for StrainEnergy {
     }
 }
 
-/// The directors that a vector enters, each with its weight there.
+/// Directors that depend on a vector, each with its weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Parts {
+pub(crate) struct DirectorWeights {
     count: usize,
     items: [(usize, f64); 3],
 }
 
-impl Parts {
-    /// Those below `reach` with a weight.
+impl DirectorWeights {
+    /// Selects the directors below `reach` with nonzero weights.
     pub(crate) fn new(directors: [usize; 3], weights: [f64; 3], reach: usize) -> Self {
         let mut parts = Self::default();
         for part in directors.into_iter().zip(weights).filter(|&(i, weight)| i < reach && weight != 0.0) {
@@ -147,20 +147,21 @@ impl Parts {
         parts
     }
 
-    /// Director and weight of each.
+    /// Returns pairs of director and weight.
     pub(crate) fn as_slice(&self) -> &[(usize, f64)] {
         &self.items[..self.count]
     }
 }
 
-/// The vectors of an element, each less the first of its kind, and these first ones of kind Y and Z: what depends on
-/// differences only is then not spoilt by what all have in common.
-pub(crate) struct Relative<const N: usize> {
+/// Vectors of an element relative to the first vector of each kind, and the first vectors of the kinds Y and Z.
+///
+/// Quantities that depend only on differences are then free of cancellation.
+pub(crate) struct RelativeVectors<const N: usize> {
     difference: [Vector3<f64>; N],
     base: [Vector3<f64>; 2],
 }
 
-impl<const N: usize> Relative<N> {
+impl<const N: usize> RelativeVectors<N> {
     pub(crate) fn new<S: Interpolation<N>>(q: &[Vector3<f64>; N]) -> Self {
         let first = |kind: Kind| S::KINDS.iter().position(|&k| k == kind).map_or(Vector3::zeros(), |i| q[i]);
         let [r, y, z] = [Kind::Position, Kind::Y, Kind::Z].map(first);
@@ -173,8 +174,8 @@ impl<const N: usize> Relative<N> {
         Self { difference, base: [y, z] }
     }
 
-    /// The directors that the vectors make.
-    pub(crate) fn directors<S: Interpolation<N>>(&self, parts: &[Parts; N]) -> Directors {
+    /// Computes the directors from the vectors.
+    pub(crate) fn directors<S: Interpolation<N>>(&self, parts: &[DirectorWeights; N]) -> Directors {
         let mut u = [Vector3::zeros(); DIRECTORS];
         let (mut d, mut e) = (0.0, 0.0);
         for i in 0..N {
@@ -194,13 +195,13 @@ impl<const N: usize> Relative<N> {
 }
 
 impl<const N: usize> Station<N> {
-    /// Increments of the directors.
-    pub(crate) fn directors<S: Interpolation<N>>(&self, q: &Relative<N>) -> Directors {
+    /// Computes the increments of the directors.
+    pub(crate) fn directors<S: Interpolation<N>>(&self, q: &RelativeVectors<N>) -> Directors {
         q.directors::<S>(&self.parts)
     }
 
-    /// Bounds of the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
-    fn uncertainty(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
+    /// Bounds the rounding errors of [`directors`](Self::directors), given the norms of the vectors.
+    fn director_rounding(&self, sizes: &[f64; N]) -> [f64; DIRECTORS] {
         let mut du = [0.0; DIRECTORS];
         for (i, size) in sizes.iter().enumerate() {
             for &(director, weight) in self.parts[i].as_slice() {
@@ -210,7 +211,7 @@ impl<const N: usize> Station<N> {
         du
     }
 
-    /// The reference directors in the global frame.
+    /// Returns the reference directors in the global frame.
     pub(crate) fn reference(&self, frame: &Matrix3<f64>) -> Directors {
         let mut g0 = self.reference;
         for g in g0.iter_mut().filter(|g| **g != Vector3::zeros()) {
@@ -219,18 +220,18 @@ impl<const N: usize> Station<N> {
         g0
     }
 
-    /// det J > 0 on the axis, and wherever its law wants it.
+    /// Requires det J > 0 on the axis, and at the points of the elastic law.
     pub(crate) fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
         let g = sum(g0, u);
         g[0].dot(&g[3].cross(&g[4])) > 0.0 && self.law.is_admissible(g0, u)
     }
 
-    /// Strain energy per length.
+    /// Returns the strain energy per length.
     pub(crate) fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
         self.law.energy(g0, u)
     }
 
-    /// Strain energy per length by part.
+    /// Returns the strain energy per length by part.
     pub(crate) fn strain_energy(&self, g0: &Directors, u: &Directors) -> StrainEnergy {
         let Law::Quadratic(law) = &self.law else {
             return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
@@ -247,12 +248,13 @@ impl<const N: usize> Station<N> {
         }
     }
 
-    /// Elastic and viscous forces of the directors, per length, with velocities `v` of the vectors; without these, elastic ones.
+    /// Computes elastic and viscous forces of the directors per length. `v` are the velocities of the vectors, if
+    /// viscous.
     pub(crate) fn forces<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
     ) -> Directors {
         let mut p = self.law.forces(g0, u);
         if let (Some(law), Some(v)) = (&self.viscosity, v) {
@@ -263,15 +265,15 @@ impl<const N: usize> Station<N> {
         p
     }
 
-    /// A bound of the rounding errors of the forces, for each component, given the norms of the vectors.
+    /// Bounds the rounding errors of the forces for each component, given the norms of the vectors.
     pub(crate) fn rounding<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
         sizes: &[f64; N],
     ) -> [f64; DIRECTORS] {
-        let mut bound = self.law.rounding(g0, u, &self.uncertainty(sizes));
+        let mut bound = self.law.rounding(g0, u, &self.director_rounding(sizes));
         if let (Some(law), Some(v)) = (&self.viscosity, v) {
             let g = sum(g0, u);
             let n = law.viscous(&g, &self.directors::<S>(v)).map(f64::abs);
@@ -281,14 +283,15 @@ impl<const N: usize> Station<N> {
         bound
     }
 
-    /// Derivatives of the forces, w_q by the directors and w_v by their rates, all blocks, but for w_q B(g)ᵀ D B(v), how
-    /// displacements change the rates of strain: it is not symmetric, and Newton's method does better without any of it than
-    /// with its symmetric part.
+    /// Computes all blocks of the derivatives of the forces, w_q by the directors and w_v by their rates.
+    ///
+    /// The term w_q B(g)ᵀ D B(v), the effect of displacements on the strain rates, is omitted. It is not symmetric, and
+    /// its symmetric part slows Newton's method down.
     pub(crate) fn stiffness<S: Interpolation<N>>(
         &self,
         g0: &Directors,
         u: &Directors,
-        v: Option<&Relative<N>>,
+        v: Option<&RelativeVectors<N>>,
         [wq, wv]: [f64; 2],
         h: &mut Stiffness,
     ) {
@@ -311,7 +314,8 @@ impl<const N: usize> Station<N> {
         }
     }
 
-    /// The stiffness of the elastic stresses that the increment `du` of the directors causes in first order, all blocks.
+    /// Computes all blocks of the initial stress stiffness, for first-order stresses of the increment `du` of the
+    /// directors.
     pub(crate) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
         let mut h = NO_STIFFNESS;
         self.law.add_stress_stiffness(g0, u, du, &mut h);
@@ -323,8 +327,8 @@ impl<const N: usize> Station<N> {
         h
     }
 
-    /// Adds p to the vectors that the directors are made of.
-    pub(crate) fn spread(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
+    /// Distributes the forces p of the directors to the vectors.
+    pub(crate) fn distribute(&self, p: &Directors, force: &mut [Vector3<f64>; N]) {
         for (force, parts) in force.iter_mut().zip(&self.parts) {
             for &(director, weight) in parts.as_slice() {
                 *force += p[director] * (weight * self.weight);
@@ -332,8 +336,8 @@ impl<const N: usize> Station<N> {
         }
     }
 
-    /// Adds H to the lower blocks of the element's matrix.
-    pub(crate) fn spread_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
+    /// Distributes the stiffness H of the directors to the lower blocks of the element matrix.
+    pub(crate) fn distribute_stiffness(&self, h: &Stiffness, k: &mut [[Matrix3<f64>; N]; N]) {
         let reach = self.law.reach();
         for a in 0..N {
             if let [(director, own)] = *self.parts[a].as_slice() {
@@ -344,7 +348,7 @@ impl<const N: usize> Station<N> {
                 }
                 continue;
             }
-            // The row of the vector against the directors.
+            // Row of the vector with respect to the directors.
             let mut row = [Matrix3::zeros(); DIRECTORS];
             for &(director, weight) in self.parts[a].as_slice() {
                 for j in 0..reach {

@@ -1,8 +1,8 @@
-//! Hydrodynamic loads: drag, added mass, buoyancy.
+//! Hydrodynamic loads: drag, added mass and buoyancy.
 
-mod flow;
-mod immersed;
+mod flow_field;
+mod hydrodynamic_loads;
 mod morison;
 
-pub use flow::{Fluid, Hull};
+pub use flow_field::{Fluid, Hull};
 pub use morison::Morison;

@@ -3,87 +3,93 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::flow::{Flow, Fluid, Wetted};
+use super::flow_field::{Fluid, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
-/// What a fluid does to one element of a thin line: drag, added mass, buoyancy.
+/// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.
 ///
-/// Per undeformed length, with the tangent t, the velocity of the fluid seen from the line w = u − ṙ, its parts w_t = t·w along
-/// and w_n = w − t w_t across, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in MoorDyn, Hall & Goupee 2015):
+/// Per undeformed length, with the tangent t, the relative velocity of the fluid w = u − ṙ, its tangential part w_t =
+/// t·w and normal part w_n = w − t w_t, a displaced area A and a diameter d (Morison et al. 1950; coefficients as in
+/// MoorDyn, Hall & Goupee 2015):
 ///
 /// f = ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t + ρA u̇ + M (u̇ − r̈) − ρA g,  M = ρA (C_an (I − t tᵀ) + C_at t tᵀ).
 ///
-/// The buoyancy −ρA g is that of a line with fluid all around it, at its ends too; axial forces are then effective tensions, true
-/// force plus pressure times area. Drag, buoyancy and ρA u̇ + M u̇ are loads and act s times for a load factor s; −M r̈ is
-/// inertia and does not.
+/// The buoyancy −ρA g assumes fluid all around the line, including its ends. Axial forces are then effective tensions:
+/// true force plus pressure times area. Drag, buoyancy and ρA u̇ + M u̇ are loads, which the load factor s multiplies.
+/// −M r̈ is inertia and independent of s.
 ///
-/// Energies: ½ ṙ·M ṙ is kinetic, that of the fluid set in motion; buoyancy has a potential. Supplied are F·u of the drag F, the work
-/// of a changing current, and ½ ṙ·Ṁ ṙ, since Morison's formula has no forces by which the momentum of the fluid turns with the line.
-/// Dissipated is F·w ≥ 0.
+/// Energies: ½ ṙ·M ṙ is the kinetic energy of the accelerated fluid, and buoyancy has a potential. The supplied power
+/// is F·u of the drag F, the power of a time-dependent current, and ½ ṙ·Ṁ ṙ. The last term occurs since Morison's
+/// formula has no forces that rotate the momentum of the fluid with the line. The dissipated power is F·w ≥ 0.
 ///
-/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent holds its symmetric part.
+/// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent contains its
+/// symmetric part.
 #[derive(Clone, Debug)]
 pub struct Morison {
     coordinates: Vec<usize>,
     fluid: Arc<Fluid>,
-    stations: [Station; 5],
+    stations: [MorisonStation; 5],
 }
 
-/// A point of the axis.
+/// Quadrature point of the axis.
 #[derive(Clone, Copy, Debug)]
-struct Station {
+struct MorisonStation {
     /// Weights of the vectors in r and in p = dr/ds.
     values: [f64; 4],
     slopes: [f64; 4],
-    /// p in the reference state.
+    /// Reference value of p.
     tangent: Vector3<f64>,
-    wetted: Wetted,
+    coefficients: HydroCoefficients,
 }
 
-/// The fluid at one time.
-struct Instant {
+/// Fluid motion at one time.
+struct FluidMotion {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
 }
 
 impl Morison {
-    /// On an axis, from the weights, the tangent and the section at five points.
+    /// Creates the load from the weights, the tangent and the section properties at five points of an axis.
     pub(crate) fn new(
         axis: &ElementAxis,
         fluid: Arc<Fluid>,
-        points: [([[f64; 4]; 3], Vector3<f64>, Wetted); 5],
+        points: [([[f64; 4]; 3], Vector3<f64>, HydroCoefficients); 5],
     ) -> Self {
-        let stations =
-            points.map(|([values, slopes, _], tangent, wetted)| Station { values, slopes, tangent, wetted });
+        let stations = points.map(|([values, slopes, _], tangent, coefficients)| MorisonStation {
+            values,
+            slopes,
+            tangent,
+            coefficients,
+        });
         Self { coordinates: axis.coordinates().collect(), fluid, stations }
     }
 
-    fn fluid(&self, at: &Local<'_>) -> Instant {
+    fn fluid(&self, at: &Local<'_>) -> FluidMotion {
         let (velocity, acceleration) = (self.fluid.velocity(at.t), self.fluid.acceleration(at.t));
-        Instant { velocity, acceleration }
+        FluidMotion { velocity, acceleration }
     }
 
-    /// Without load: buoyancy and the push of a fluid that is accelerated.
-    fn displaced(&self, fluid: &Instant, wetted: &Wetted) -> Vector3<f64> {
-        (fluid.acceleration - self.fluid.gravity) * wetted.displaced()
+    /// Returns buoyancy and the force of the accelerated fluid, without load factor.
+    fn displaced(&self, fluid: &FluidMotion, coefficients: &HydroCoefficients) -> Vector3<f64> {
+        (fluid.acceleration - self.fluid.gravity) * coefficients.displaced()
     }
 }
 
-impl Station {
-    fn flow(&self, at: &Local<'_>, fluid: &Instant) -> Flow {
+impl MorisonStation {
+    fn flow(&self, at: &Local<'_>, fluid: &FluidMotion) -> RelativeFlow {
         let p = self.tangent + sum(&self.slopes, at.q);
         let stretch = p.norm();
-        Flow {
+        RelativeFlow {
             tangent: p / stretch,
             stretch,
             relative: fluid.velocity - sum(&self.values, at.v),
-            accelerated: fluid.acceleration * at.load - sum(&self.values, at.a),
+            relative_acceleration: fluid.acceleration * at.load - sum(&self.values, at.a),
             load: at.load,
         }
     }
 
-    /// The magnitudes that p, w and b are made of.
-    fn sizes(&self, at: &Local<'_>, fluid: &Instant) -> [f64; 3] {
+    /// Returns the magnitudes in p, w and b.
+    fn sizes(&self, at: &Local<'_>, fluid: &FluidMotion) -> [f64; 3] {
         [
             self.tangent.norm() + size(&self.slopes, at.q),
             fluid.velocity.norm() + size(&self.values, at.v),
@@ -112,10 +118,10 @@ impl Term for Morison {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let fluid = self.fluid(at);
         for station in &self.stations {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
-            let force = wetted.drag(&flow)
-                + wetted.added(&flow, &flow.accelerated)
-                + self.displaced(&fluid, wetted) * at.load;
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
+            let force = coefficients.drag(&flow)
+                + coefficients.added(&flow, &flow.relative_acceleration)
+                + self.displaced(&fluid, coefficients) * at.load;
             for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
                 (0..3).for_each(|k| row[k] -= value * force[k]);
             }
@@ -125,9 +131,9 @@ impl Term for Morison {
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let fluid = self.fluid(at);
         for station in &self.stations {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
-            let displaced = (self.displaced(&fluid, wetted) * at.load).norm() * f64::EPSILON;
-            let bound = wetted.rounding(&flow, station.sizes(at, &fluid)) + displaced;
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
+            let displaced = (self.displaced(&fluid, coefficients) * at.load).norm() * f64::EPSILON;
+            let bound = coefficients.rounding(&flow, station.sizes(at, &fluid)) + displaced;
             for (row, value) in floor.chunks_exact_mut(3).zip(station.values) {
                 row.iter_mut().for_each(|floor| *floor += value.abs() * bound);
             }
@@ -139,7 +145,7 @@ impl Term for Morison {
         let mut blocks = [[Matrix3::zeros(); 4]; 4];
         for station in &self.stations {
             let (values, slopes) = (&station.values, &station.slopes);
-            let by = station.wetted.slopes(&station.flow(at, &fluid));
+            let by = station.coefficients.derivatives(&station.flow(at, &fluid));
             let inertia = by.velocity * w.v + by.acceleration * w.a;
             let stiffness = by.gradient * (-0.5 * w.q);
             for i in 0..n {
@@ -157,11 +163,11 @@ impl Term for Morison {
 
     fn energy(&self, at: &Local<'_>) -> Energy {
         let fluid = self.fluid(at);
-        let of = |station: &Station| {
+        let of = |station: &MorisonStation| {
             let (flow, v) = (station.flow(at, &fluid), sum(&station.values, at.v));
-            let buoyancy = self.fluid.gravity * (-at.load * station.wetted.displaced());
+            let buoyancy = self.fluid.gravity * (-at.load * station.coefficients.displaced());
             Energy {
-                kinetic: 0.5 * v.dot(&station.wetted.added(&flow, &v)),
+                kinetic: 0.5 * v.dot(&station.coefficients.added(&flow, &v)),
                 potential: -buoyancy.dot(&sum(&station.values, at.q)),
                 ..Energy::default()
             }
@@ -173,13 +179,16 @@ impl Term for Morison {
 
     fn power(&self, at: &Local<'_>) -> Power {
         let fluid = self.fluid(at);
-        let of = |station: &Station| {
-            let (flow, wetted) = (station.flow(at, &fluid), &station.wetted);
+        let of = |station: &MorisonStation| {
+            let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
             let (v, rate) = (sum(&station.values, at.v), sum(&station.slopes, at.v));
-            let drag = wetted.drag(&flow);
-            let pushed = fluid.acceleration * wetted.displaced() + wetted.added(&flow, &fluid.acceleration);
+            let drag = coefficients.drag(&flow);
+            let force = fluid.acceleration * coefficients.displaced()
+                + coefficients.added(&flow, &fluid.acceleration);
             Power {
-                work: drag.dot(&fluid.velocity) + pushed.dot(&v) * at.load + wetted.turning(&flow, &v, &rate),
+                work: drag.dot(&fluid.velocity)
+                    + force.dot(&v) * at.load
+                    + coefficients.rotation_power(&flow, &v, &rate),
                 dissipation: drag.dot(&flow.relative),
             }
         };

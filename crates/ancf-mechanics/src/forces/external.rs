@@ -4,15 +4,16 @@ use nalgebra::{Matrix3, Vector3};
 use crate::functions::ForceFunction;
 use crate::kinematics::{Marker, add_symmetric};
 
-/// A force on a point that the program computes from time, position and velocity: adds −w s F(t, x, v) to the residual, with the
-/// load factor s.
+/// User-defined force on a point, computed from time, position and velocity: adds −w s F(t, x, v) with the load factor
+/// s.
 ///
-/// It has no potential that is known; its work is told as supplied power, also what it takes out. The derivatives by x and v
-/// are central differences, exact to some 10⁻¹⁰ of F per length of the model and per speed where F is smooth, and the tangent
-/// holds the symmetric part of them.
+/// The force has no known potential. Its work counts as supplied work, whatever its sign. The derivatives by x and v
+/// are central differences. For smooth F their error is about 10⁻¹⁰ of F per model length and per speed. The tangent
+/// contains their symmetric part.
 ///
-/// Steps are ∛ε, where errors of differencing and of rounding balance, times what is large: of x the length of the model, of v
-/// the speed itself or, if that is less, the speed at which a thousand steps of time pass the length of the model.
+/// The difference steps are ∛ε times a reference value, where truncation and rounding errors balance. The reference of
+/// x is the model length. The reference of v is the speed, at least the speed that passes the model length in a
+/// thousand time steps.
 #[derive(Clone, Debug)]
 pub struct ExternalForce {
     point: Marker,
@@ -21,19 +22,19 @@ pub struct ExternalForce {
     length: f64,
 }
 
-/// ∛ε.
+/// Relative difference step ∛ε.
 const STEP: f64 = 6.055e-6;
-/// A step of time less, by which a slow point passes so much of the length of the model.
-const SLOW: f64 = 1e-3;
+/// Smallest reference speed, in model lengths per time step.
+const MIN_REFERENCE_SPEED: f64 = 1e-3;
 
 impl ExternalForce {
-    /// The force on a point marker, in a model of a length.
+    /// Creates the force on a point marker. `length` is the length of the model.
     pub fn new(point: &Marker, function: ForceFunction, length: f64) -> Self {
         let coordinates: Vec<usize> = point.coordinates().collect();
         Self { point: point.within(&coordinates), coordinates, function, length }
     }
 
-    /// Position and velocity of the point.
+    /// Returns position and velocity of the point.
     fn motion(&self, at: &Local<'_>) -> [Vector3<f64>; 2] {
         [self.point.reference() + self.point.sum(at.q), self.point.sum(at.v)]
     }
@@ -42,24 +43,24 @@ impl ExternalForce {
         Vector3::from(self.function.at(at.t, x.into(), v.into())) * at.load
     }
 
-    /// ∂F/∂x.
-    fn by_position(&self, at: &Local<'_>) -> Matrix3<f64> {
+    /// Computes ∂F/∂x.
+    fn position_derivative(&self, at: &Local<'_>) -> Matrix3<f64> {
         let [x, v] = self.motion(at);
         slope(x, STEP * self.length, |x| self.force(at, [x, v]))
     }
 
-    /// ∂F/∂v by steps for a speed.
-    fn by_velocity(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
+    /// Computes ∂F/∂v with difference steps for a reference speed.
+    fn velocity_derivative(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
         let [x, v] = self.motion(at);
         slope(v, STEP * speed, |v| self.force(at, [x, v]))
     }
 }
 
-/// The derivative of a function by central differences.
+/// Computes the derivative of a function by central differences.
 fn slope(x: Vector3<f64>, step: f64, f: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Matrix3<f64> {
     let columns = [0, 1, 2].map(|k| {
         let (mut ahead, mut back) = (x, x);
-        // Far away, steps have to be seen at all.
+        // Far from the origin, a step must exceed the rounding error of x.
         let step = step.max(8.0 * f64::EPSILON * x[k].abs());
         ahead[k] += step;
         back[k] -= step;
@@ -77,12 +78,13 @@ impl Term for ExternalForce {
         self.point.add(-self.force(at, self.motion(at)), r);
     }
 
-    /// That of the arguments, and of the result as if the program rounded it once.
+    /// Rounding errors of the arguments, and one rounding of the result.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (place, speed) = (self.point.size(at.q), self.point.sum_of_sizes(at.v));
-        let mut error = 4.0 * self.force(at, self.motion(at)).norm() + self.by_position(at).norm() * place;
+        let mut error =
+            4.0 * self.force(at, self.motion(at)).norm() + self.position_derivative(at).norm() * place;
         if speed > 0.0 {
-            error += self.by_velocity(at, speed).norm() * speed;
+            error += self.velocity_derivative(at, speed).norm() * speed;
         }
         for &(first, w) in self.point.parts() {
             floor[first..first + 3].iter_mut().for_each(|row| *row += 2.0 * f64::EPSILON * error * w.abs());
@@ -95,12 +97,12 @@ impl Term for ExternalForce {
         }
         let mut slope = Matrix3::zeros();
         if w.q != 0.0 {
-            slope += self.by_position(at) * w.q;
+            slope += self.position_derivative(at) * w.q;
         }
         if w.v != 0.0 {
             let rate = if w.q == 0.0 { 1.0 } else { (w.v / w.q).abs() };
-            let speed = self.point.sum(at.v).norm().max(SLOW * self.length * rate);
-            slope += self.by_velocity(at, speed) * w.v;
+            let speed = self.point.sum(at.v).norm().max(MIN_REFERENCE_SPEED * self.length * rate);
+            slope += self.velocity_derivative(at, speed) * w.v;
         }
         add_symmetric(&[&self.point], &slope, -1.0, k);
     }

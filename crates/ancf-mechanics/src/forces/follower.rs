@@ -4,14 +4,14 @@ use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use crate::functions::Function;
 use crate::kinematics::{Marker, Real, add_symmetric, components, turned};
 
-/// A force on a point that turns with the section: constant, but for a function of time, in the section's frame
-/// ([`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame)).
+/// Follower force on a point, with constant direction in the section frame and a magnitude scaled by f(t).
 ///
-/// It has no potential. The derivative of its forces is not symmetric, and the tangent holds the symmetric part of it, as
-/// that of a [`Moment`](super::moment::Moment) does.
+/// The frame is that of [`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame). The force has no
+/// potential. The derivative is not symmetric, and the tangent contains its symmetric part, as for a
+/// [`Moment`](super::moment::Moment).
 #[derive(Clone, Debug)]
 pub struct FollowerForce {
-    /// The point and the directors r_y and r_z.
+    /// Point, and directors r_y and r_z.
     markers: [Marker; 3],
     coordinates: Vec<usize>,
     components: Vector3<f64>,
@@ -19,16 +19,16 @@ pub struct FollowerForce {
 }
 
 impl FollowerForce {
-    /// The force, times a function of time, that is `force` in the reference state.
+    /// Creates the follower force with the value `force` in the reference state, times a function of time.
     pub fn new(point: &Marker, directors: [&Marker; 2], force: Vector3<f64>, function: Function) -> Self {
         let [d, e] = directors;
         let markers = [point, d, e];
-        let coordinates = Marker::joined(markers);
+        let coordinates = Marker::union_coordinates(markers);
         let components = components(d.reference(), e.reference(), &force);
         Self { markers: markers.map(|marker| marker.within(&coordinates)), coordinates, components, function }
     }
 
-    /// The force of given components in the frame of the section, times a function of time.
+    /// Creates the follower force with the given components in the section frame, times a function of time.
     pub fn in_section(
         point: &Marker,
         directors: [&Marker; 2],
@@ -38,14 +38,14 @@ impl FollowerForce {
         Self { components, ..Self::new(point, directors, Vector3::zeros(), function) }
     }
 
-    /// d and e.
+    /// Returns d and e.
     fn values(&self, q: &[f64]) -> Vector6<f64> {
         let value = |marker: &Marker| marker.reference() + marker.sum(q);
         let (d, e) = (value(&self.markers[1]), value(&self.markers[2]));
         Vector6::new(d.x, d.y, d.z, e.x, e.y, e.z)
     }
 
-    /// The force at d and e.
+    /// Returns the force at d and e.
     fn force<D: Real>(&self, x: &SVector<D, 6>) -> Vector3<D> {
         turned(x.fixed_rows::<3>(0).into_owned(), x.fixed_rows::<3>(3).into_owned(), &self.components)
     }

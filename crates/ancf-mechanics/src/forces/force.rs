@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use crate::functions::Function;
 use crate::kinematics::Marker;
 
-/// A force on a point, constant in direction and, but for a function of time f, in size.
+/// Force on a point, of constant direction; magnitude scaled by f(t).
 ///
-/// Adds −w f(t) F to the residual. A constant one has the potential −f F·(x − x₀), zero in the reference configuration; of one
-/// that varies, the work is told as supplied power.
+/// Adds −w f(t) F to the residual. A constant force has the potential −f F·(x − x₀), zero in the reference
+/// configuration. The work of a time-dependent force counts as supplied work.
 #[derive(Clone, Debug)]
 pub struct Force {
     point: Marker,
@@ -17,12 +17,12 @@ pub struct Force {
 }
 
 impl Force {
-    /// The force on a point marker.
+    /// Creates a constant force on a point marker.
     pub fn new(point: &Marker, force: Vector3<f64>) -> Self {
         Self::varying(point, force, Function::ONE)
     }
 
-    /// The force, times a function of time, on a point marker.
+    /// Creates a force on a point marker, times a function of time.
     pub fn varying(point: &Marker, force: Vector3<f64>, function: Function) -> Self {
         let coordinates: Vec<usize> = point.coordinates().collect();
         Self { point: point.within(&coordinates), coordinates, force, function }

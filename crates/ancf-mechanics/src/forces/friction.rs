@@ -2,12 +2,12 @@ use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
 use crate::constraints::{Measure, Wrench};
 
-/// Dry friction against the rate of a measure, of a given size: f = −F tanh(ġ/ε) ∂g/∂q.
+/// Dry friction of given magnitude against the rate of a measure: f = −F tanh(ġ/ε) ∂g/∂q.
 ///
-/// Below the rate ε it is viscous, so that what should stick creeps. It dissipates F |ġ| above. The tangent holds the symmetric
-/// part of the derivative.
+/// Below the rate ε the friction is viscous, so sticking is approximated by creep. Above, it dissipates F |ġ|. The
+/// tangent contains the symmetric part of the derivative.
 ///
-/// Units: F is an energy per measure, ε a measure per time.
+/// Units: F is energy per unit of the measure, ε the measure per time.
 #[derive(Clone, Debug)]
 pub struct Friction {
     global: Measure,
@@ -18,14 +18,14 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// Friction of a size, full above the rate `creep`.
+    /// Creates friction of a given magnitude, fully developed above the rate `creep`.
     pub fn new(measure: Measure, force: f64, creep: f64) -> Self {
         let coordinates = measure.coordinates();
         let local = measure.within(&coordinates);
         Self { global: measure, measure: local, force, creep, coordinates }
     }
 
-    /// What it exerts on the first body.
+    /// Returns the force and moment on the first body.
     pub fn reaction(&self, s: &State) -> Wrench {
         self.global.wrench(s, -self.force * (self.global.rate(s) / self.creep).tanh())
     }

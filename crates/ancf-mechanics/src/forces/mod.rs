@@ -1,4 +1,4 @@
-//! Applied forces and moments, springs, friction.
+//! Applied forces and moments, springs and friction.
 
 mod external;
 mod follower;

@@ -4,67 +4,69 @@ use nalgebra::{SVector, Vector3, Vector6};
 use crate::functions::Function;
 use crate::kinematics::{Marker, Real, add_symmetric, components, constant, turned};
 
-/// A moment on a section, as a couple of forces on its directors d = r_y and e = r_z and on nothing else.
+/// Moment on a section, as a couple of forces on its directors d = r_y and e = r_z.
 ///
 /// With n = d × e/A, A = |d × e|:
 ///
 /// f_d = −(m·e)/A n + ½ (m·n) n × d/(d·d),  f_e = (m·d)/A n + ½ (m·n) n × e/(e·e).
 ///
-/// Whatever the lengths and the angle of d and e, d × f_d + e × f_e = m: a spin ω of the section costs m·ω. The part across
-/// the normal works on the turn of the normal, that along it on the mean turn of the two directors about it.
+/// For any lengths and angle of d and e, d × f_d + e × f_e = m: a spin ω of the section has the power m·ω. The
+/// component normal to n does work on the rotation of n. The component along n does work on the mean rotation of both
+/// directors about n.
 ///
-/// The moment is constant in the global frame, or, as a follower, in the frame of the section
-/// ([`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame)). Turning in a plane, the constant one has the potential −Mθ.
-/// In space neither has a potential (Ziegler 1968): the derivative of its forces is not symmetric, and the tangent holds the
-/// symmetric part of it. Newton's method then converges linearly, at a rate proportional to the moment. Its work is told as supplied power.
+/// The moment is constant in the global frame, or as a follower in the section frame
+/// ([`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame)). In plane rotation, the constant moment has
+/// the potential −Mθ. In space neither moment has a potential (Ziegler 1968). The derivative is not symmetric, and the
+/// tangent contains its symmetric part. Newton's method then converges linearly, at a rate proportional to the moment.
+/// The work counts as supplied work.
 #[derive(Clone, Debug)]
 pub struct Moment {
     directors: [Marker; 2],
     coordinates: Vec<usize>,
-    direction: Direction,
+    direction: MomentFrame,
     function: Function,
 }
 
-/// In which frame a moment is constant.
+/// Frame in which a moment is constant.
 #[derive(Clone, Copy, Debug)]
-enum Direction {
+enum MomentFrame {
     Global(Vector3<f64>),
     Section(Vector3<f64>),
 }
 
 impl Moment {
-    /// The moment, times a function of time, on the directors r_y and r_z of a place.
+    /// Creates a moment, times a function of time, on the directors r_y and r_z.
     pub fn new(directors: [&Marker; 2], moment: Vector3<f64>, function: Function) -> Self {
-        let coordinates = Marker::joined(directors);
+        let coordinates = Marker::union_coordinates(directors);
         let directors = directors.map(|director| director.within(&coordinates));
-        Self { directors, coordinates, direction: Direction::Global(moment), function }
+        Self { directors, coordinates, direction: MomentFrame::Global(moment), function }
     }
 
-    /// The moment that turns with the section and is `moment` in the reference state.
+    /// Creates a follower moment with the value `moment` in the reference state.
     pub fn follower(directors: [&Marker; 2], moment: Vector3<f64>, function: Function) -> Self {
         let [d, e] = directors.map(Marker::reference);
-        let direction = Direction::Section(components(d, e, &moment));
+        let direction = MomentFrame::Section(components(d, e, &moment));
         Self { direction, ..Self::new(directors, moment, function) }
     }
 
-    /// The moment of given components in the frame of the section, times a function of time.
+    /// Creates a follower moment with the given components in the section frame, times a function of time.
     pub fn in_section(directors: [&Marker; 2], components: Vector3<f64>, function: Function) -> Self {
-        let direction = Direction::Section(components);
+        let direction = MomentFrame::Section(components);
         Self { direction, ..Self::new(directors, Vector3::zeros(), function) }
     }
 
-    /// d and e.
+    /// Returns d and e.
     fn values(&self, q: &[f64]) -> Vector6<f64> {
         let [d, e] = self.directors.each_ref().map(|director| director.reference() + director.sum(q));
         Vector6::new(d.x, d.y, d.z, e.x, e.y, e.z)
     }
 
-    /// f_d and f_e at d and e.
+    /// Computes f_d and f_e at d and e.
     fn forces<D: Real>(&self, x: &SVector<D, 6>) -> SVector<D, 6> {
         let (d, e) = (x.fixed_rows::<3>(0).into_owned(), x.fixed_rows::<3>(3).into_owned());
         let m = match self.direction {
-            Direction::Global(moment) => constant(&moment),
-            Direction::Section(components) => turned(d, e, &components),
+            MomentFrame::Global(moment) => constant(&moment),
+            MomentFrame::Section(components) => turned(d, e, &components),
         };
         let c = d.cross(&e);
         let square = c.dot(&c);
@@ -94,13 +96,14 @@ impl Term for Moment {
         }
     }
 
-    /// The forces are of degree −1 in directors whose relative error is that of their parts; skew ones magnify it.
+    /// The forces are of degree −1 in the directors, whose relative error is that of their parts. Skew directors
+    /// amplify it.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let x = self.values(at.q);
         let [d, e] = [0, 3].map(|i| x.fixed_rows::<3>(i).into_owned());
         let (ld, le) = (d.norm(), e.norm());
         let skew = ld * le / d.cross(&e).norm();
-        let (Direction::Global(moment) | Direction::Section(moment)) = self.direction;
+        let (MomentFrame::Global(moment) | MomentFrame::Section(moment)) = self.direction;
         let error = self.directors[0].size(at.q) / ld + self.directors[1].size(at.q) / le;
         let bound = 4.0 * f64::EPSILON * (self.factor(at) * moment.norm()).abs() * skew.powi(2) * error;
         for (director, length) in self.directors.iter().zip([ld, le]) {

@@ -2,14 +2,14 @@ use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Te
 
 use crate::constraints::{Measure, Target, Wrench, add_outer};
 
-/// A spring and a damper beside it that resist the change of a measure.
+/// Spring and parallel damper that resist the change of a measure.
 ///
-/// U = ½ k x (x − 2c), x = g(q) − g₀, is ½ k (x − c)² less its value in the reference state, with the set point c(t); the
-/// damper dissipates d ẋ². Forces are (k (x − c) + d ẋ) ∂g/∂q. A set point that moves supplies −k x ċ.
+/// U = ½ k x (x − 2c), x = g(q) − g₀, is ½ k (x − c)² minus its reference value, with the set point c(t). The damper
+/// dissipates d ẋ². The forces are (k (x − c) + d ẋ) ∂g/∂q. A moving set point supplies −k x ċ.
 ///
-/// The derivative of the damper's forces by q is not symmetric if g is quadratic, and the tangent holds its symmetric part.
+/// For quadratic g the derivative of the damper force by q is not symmetric. The tangent contains its symmetric part.
 ///
-/// Units: k is an energy, d an energy times time, per square of the measure.
+/// Units: k is energy, d energy × time, each per square of the measure.
 #[derive(Clone, Debug)]
 pub struct Spring {
     global: Measure,
@@ -21,12 +21,12 @@ pub struct Spring {
 }
 
 impl Spring {
-    /// A spring without force in the reference state.
+    /// Creates a spring without force in the reference state.
     pub fn new(measure: Measure, stiffness: f64, damping: f64) -> Self {
         Self::set(measure, stiffness, damping, Target::NONE)
     }
 
-    /// A spring with a set point, by the load factor.
+    /// Creates a spring with a set point, scaled by the load factor.
     pub fn set(measure: Measure, stiffness: f64, damping: f64, rest: Target) -> Self {
         let coordinates = measure.coordinates();
         let local = measure.within(&coordinates);
@@ -38,7 +38,7 @@ impl Spring {
         self.stiffness * stretch + self.damping * self.measure.slope(at.q, at.v)
     }
 
-    /// What it exerts on the first body.
+    /// Returns the force and moment on the first body.
     pub fn reaction(&self, s: &State) -> Wrench {
         let at = Local { q: &s.q, v: &s.v, a: &s.a, lambda: &[], t: s.t, load: s.load };
         let stretch = self.global.change(at.q) - self.rest.value(&at);

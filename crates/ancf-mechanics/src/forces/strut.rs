@@ -4,79 +4,79 @@ use nalgebra::{Matrix3, Vector3};
 use crate::constraints::Wrench;
 use crate::kinematics::Marker;
 
-/// A spring and a damper between two points, d = r_a − r_b, of free length L₀: they draw a to b by the force
+/// Spring and parallel damper between two points, d = r_a − r_b, of free length L₀. The tensile force is
 ///
 /// N = k e + c dl/dt, e = l − l₀ − s (L₀ − l₀), l = |d|,
 ///
-/// where l₀ is the distance in the reference state and the preload comes with the load factor s, which is 1 but in statics. A
-/// rope only draws: N = 0 for e ≤ 0, and never less than 0.
+/// where l₀ is the reference distance. The load factor s, which differs from 1 in statics only, scales the preload. A
+/// rope has no compression: N = 0 for e ≤ 0, and N ≥ 0 otherwise.
 ///
-/// U = ½ k e², less its value in the reference state; the damper dissipates c (dl/dt)². The derivative of the damper's forces by
-/// q is not symmetric, and the tangent holds its symmetric part. Points that come together leave the force without direction:
-/// that is not admissible.
+/// U = ½ k e² minus its reference value; the damper dissipates c (dl/dt)². The derivative of the damper force by q is
+/// not symmetric, and the tangent contains its symmetric part. For coincident points the direction of the force is
+/// undefined, so the state is inadmissible.
 ///
 /// Units: k force/length, c force × time/length.
 #[derive(Clone, Debug)]
 pub struct Strut {
     global: Marker,
-    apart: Marker,
+    distance_vector: Marker,
     coordinates: Vec<usize>,
     stiffness: f64,
     damping: f64,
-    /// L₀ − l₀.
-    slack: f64,
+    /// Preload length L₀ − l₀.
+    preload_length: f64,
     rope: bool,
 }
 
-/// Points nearer to each other than this part of their first distance are at one place.
-const TOGETHER: f64 = 1e-9;
+/// Distance below which points count as coincident, relative to the reference distance.
+const COINCIDENT: f64 = 1e-9;
 
-/// The distance in a state.
-struct Distance {
+/// Distance in a state.
+struct StrutLength {
     length: f64,
-    /// l − l₀.
+    /// Change of length l − l₀.
     change: f64,
-    /// d/l.
+    /// Unit vector d/l.
     unit: Vector3<f64>,
 }
 
 impl Strut {
-    /// A spring and a damper between two points that are not at one place in the reference state.
+    /// Creates a spring and a damper between two points that are distinct in the reference state.
     pub fn new(a: &Marker, b: &Marker, stiffness: f64, damping: f64, free_length: f64) -> Self {
         let global = Marker::combined([(1.0, a), (-1.0, b)]);
         let coordinates: Vec<usize> = global.coordinates().collect();
-        let apart = global.within(&coordinates);
-        let slack = free_length - apart.reference().norm();
-        Self { global, apart, coordinates, stiffness, damping, slack, rope: false }
+        let distance_vector = global.within(&coordinates);
+        let preload_length = free_length - distance_vector.reference().norm();
+        Self { global, distance_vector, coordinates, stiffness, damping, preload_length, rope: false }
     }
 
-    /// The same without force in the reference state.
+    /// Sets the free length to the reference distance, which gives zero force in the reference state.
     #[must_use]
     pub fn neutral(self) -> Self {
-        Self { slack: 0.0, ..self }
+        Self { preload_length: 0.0, ..self }
     }
 
-    /// The same that only draws.
+    /// Restricts the force to tension.
     #[must_use]
     pub fn rope(self) -> Self {
         Self { rope: true, ..self }
     }
 
-    fn distance(&self, marker: &Marker, q: &[f64]) -> Distance {
+    fn distance(&self, marker: &Marker, q: &[f64]) -> StrutLength {
         let (d0, u) = (marker.reference(), marker.sum(q));
         let d = d0 + u;
         let length = d.norm();
         let change = (2.0 * d0.dot(&u) + u.dot(&u)) / (length + d0.norm());
-        Distance { length, change, unit: d / length }
+        StrutLength { length, change, unit: d / length }
     }
 
-    /// e at a change of length and a load factor, 0 of a slack rope.
+    /// Returns e at a change of length and a load factor. It is 0 for a slack rope.
     fn stretch(&self, change: f64, load: f64) -> f64 {
-        let stretch = change - load * self.slack;
+        let stretch = change - load * self.preload_length;
         if self.rope { stretch.max(0.0) } else { stretch }
     }
 
-    /// N and whether it changes with e, and with dl/dt.
+    /// Returns N, and true if N depends on e and dl/dt.
     fn force(&self, change: f64, load: f64, rate: f64) -> (f64, bool) {
         let stretch = self.stretch(change, load);
         let force = self.stiffness * stretch + self.damping * rate;
@@ -84,15 +84,15 @@ impl Strut {
         (if acts { force } else { 0.0 }, acts)
     }
 
-    /// What it exerts on the first body, at its point.
+    /// Returns the force on the first body, at its point.
     pub fn reaction(&self, s: &State) -> Wrench {
-        let Distance { change, unit, .. } = self.distance(&self.global, &s.q);
+        let StrutLength { change, unit, .. } = self.distance(&self.global, &s.q);
         let (force, _) = self.force(change, s.load, unit.dot(&self.global.sum(&s.v)));
         Wrench { force: unit * -force, ..Wrench::default() }
     }
 
     fn add(&self, h: &Matrix3<f64>, k: &mut LocalMatrix<'_>) {
-        self.apart.product(&self.apart, h, |i, j, value| {
+        self.distance_vector.product(&self.distance_vector, h, |i, j, value| {
             if i >= j {
                 k.add(i, j, value);
             }
@@ -106,60 +106,62 @@ impl Term for Strut {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let Distance { change, unit, .. } = self.distance(&self.apart, at.q);
-        let (force, _) = self.force(change, at.load, unit.dot(&self.apart.sum(at.v)));
-        self.apart.add(unit * force, r);
+        let StrutLength { change, unit, .. } = self.distance(&self.distance_vector, at.q);
+        let (force, _) = self.force(change, at.load, unit.dot(&self.distance_vector.sum(at.v)));
+        self.distance_vector.add(unit * force, r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let Distance { length, change, unit } = self.distance(&self.apart, at.q);
-        let (speed, zeros) = (self.apart.sum(at.v), [0.0; LOCAL]);
+        let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
+        let (speed, zeros) = (self.distance_vector.sum(at.v), [0.0; LOCAL]);
         let (force, acts) = self.force(change, at.load, unit.dot(&speed));
-        // The change of length comes from what moved, the direction from all.
-        let moved = self.apart.size(at.q) - self.apart.size(&zeros[..at.q.len()]);
-        let turned = 2.0 * self.apart.size(at.q) / length;
+        // The displacement determines the rounding error of the length change, and the position that of the direction.
+        let moved = self.distance_vector.size(at.q) - self.distance_vector.size(&zeros[..at.q.len()]);
+        let turned = 2.0 * self.distance_vector.size(at.q) / length;
         let of_force = if acts {
-            self.stiffness * (moved + change.abs() + (at.load * self.slack).abs())
-                + self.damping * (turned * speed.norm() + self.apart.size(at.v))
+            self.stiffness * (moved + change.abs() + (at.load * self.preload_length).abs())
+                + self.damping * (turned * speed.norm() + self.distance_vector.size(at.v))
         } else {
             0.0
         };
         let bound = 2.0 * f64::EPSILON * (of_force + turned * force.abs());
-        for &(first, w) in self.apart.parts() {
+        for &(first, w) in self.distance_vector.parts() {
             floor[first..first + 3].iter_mut().for_each(|row| *row += bound * w.abs());
         }
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let Distance { length, change, unit } = self.distance(&self.apart, at.q);
-        let speed = self.apart.sum(at.v);
+        let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
+        let speed = self.distance_vector.sum(at.v);
         let (force, acts) = self.force(change, at.load, unit.dot(&speed));
         if !acts {
             return;
         }
         let along = unit * unit.transpose();
         let across = (Matrix3::identity() - along) / length;
-        // ∂(dl/dt)/∂d is what of the velocity is across, over l.
+        // ∂(dl/dt)/∂d is the transverse velocity over l.
         let turning = unit * (across * speed).transpose() * (0.5 * self.damping);
         let stiffness = along * self.stiffness + across * force + turning + turning.transpose();
         self.add(&(stiffness * w.q + along * (w.v * self.damping)), k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
-        let Distance { length, change, unit } = self.distance(&self.apart, at.q);
+        let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
         if self.rope && self.stretch(change, at.load) <= 0.0 {
             return;
         }
-        let force = self.stiffness * (unit.dot(&self.apart.sum(by.q)) - by.load * self.slack);
+        let force =
+            self.stiffness * (unit.dot(&self.distance_vector.sum(by.q)) - by.load * self.preload_length);
         self.add(&((Matrix3::identity() - unit * unit.transpose()) * (force / length)), k);
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        self.distance(&self.apart, at.q).length > TOGETHER * self.apart.reference().norm()
+        self.distance(&self.distance_vector, at.q).length
+            > COINCIDENT * self.distance_vector.reference().norm()
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {
-        let change = self.distance(&self.apart, at.q).change;
+        let change = self.distance(&self.distance_vector, at.q).change;
         let [now, first] = [change, 0.0].map(|change| self.stretch(change, at.load));
         Energy { strain: 0.5 * self.stiffness * (now - first) * (now + first), ..Energy::default() }
     }

@@ -1,35 +1,35 @@
+use super::function_value::Instant;
 use super::grammar::{ExpressionError, parse};
-use super::instant::Instant;
-use super::node::{Jet, Node};
+use super::syntax_node::{Jet, SyntaxNode};
 
-/// A formula in t, with exact derivatives by dual numbers.
+/// Formula in t, with exact derivatives by dual numbers.
 ///
-/// Operators, from loose to tight: comparisons (1 if true, 0 if not), + and −, * and /, the sign, ^. A power of a power
-/// wants brackets. −t^2 is −(t²).
+/// Operators in ascending precedence: comparisons (1 if true, 0 if false), + and −, * and /, the sign, ^. A power of a
+/// power requires brackets. −t^2 is −(t²).
 #[derive(Clone, Debug)]
 pub struct Expression {
-    root: Node,
+    root: SyntaxNode,
 }
 
 impl Expression {
-    /// Reads a formula.
+    /// Parses a formula.
     ///
     /// # Errors
-    /// Where it is not understood, and what is wanted there.
+    /// If the formula is invalid. The error contains the position and the expected input.
     ///
     /// ```
-    /// use ancf::function::Expression;
+    /// use ancf_mechanics::functions::Expression;
     ///
     /// let formula = Expression::parse("if(t < 2, t^2/4, 1)")?;
     /// assert_eq!(formula.at(1.0).value, 0.25);
     /// assert_eq!(formula.at(1.0).rate, 0.5);
-    /// # Ok::<(), ancf::function::ExpressionError>(())
+    /// # Ok::<(), ancf_mechanics::functions::ExpressionError>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         Ok(Self { root: parse(text)? })
     }
 
-    /// Its value, first and second derivative.
+    /// Returns the value with its first and second derivative.
     pub fn at(&self, t: f64) -> Instant {
         let Jet { re, v1, v2 } = self.root.at(Jet::new(t, 1.0, 0.0));
         Instant { value: re, rate: v1, acceleration: v2 }

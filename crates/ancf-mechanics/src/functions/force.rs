@@ -1,32 +1,32 @@
 use std::fmt;
 use std::sync::Arc;
 
-type Law = dyn Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync;
+type ForceLaw = dyn Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync;
 
-/// The force on a point that the program computes from time, position and velocity of the point: F(t, x, v).
+/// User-defined force on a point as a function of time, position and velocity: F(t, x, v).
 ///
-/// It is called from any thread, from several at once, for arguments in any order, those of iterations on the way to a solution
-/// and of differences about them among them. What it returns must depend on its arguments alone. A component that is no
-/// number ends the analysis as one that diverged.
+/// Calls come from any thread, also concurrently, for arguments in any order. The arguments include intermediate
+/// iterates and finite differences. The result must depend on the arguments alone. A component that is not a number
+/// ends the analysis as divergence.
 ///
-/// Clones are the same function, and equal; functions made apart are not.
+/// Clones are the same function and compare equal. Separately created functions differ.
 ///
 /// Units: force, time, length, length/time; all vectors in the global frame.
 #[derive(Clone)]
-pub struct ForceFunction(Arc<Law>);
+pub struct ForceFunction(Arc<ForceLaw>);
 
 impl ForceFunction {
-    /// The force at a time t, of a point at x that moves with the velocity v.
+    /// Creates the force from a function of time t, position x and velocity v.
     pub fn new(f: impl Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3] + Send + Sync + 'static) -> Self {
         Self(Arc::new(f))
     }
 
-    /// F(t, x, v).
+    /// Returns F(t, x, v).
     pub fn at(&self, t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
         (self.0)(t, x, v)
     }
 
-    /// The same force in other units, whose lengths, times and forces are so many of its own.
+    /// Converts the force to other units. The arguments are the new units in the present ones.
     #[must_use]
     pub fn in_units(&self, length: f64, time: f64, force: f64) -> Self {
         let own = self.clone();
@@ -36,7 +36,7 @@ impl ForceFunction {
         })
     }
 
-    /// The same force at all times as at this one.
+    /// Freezes the force at a time.
     #[must_use]
     pub fn held(&self, t: f64) -> Self {
         let own = self.clone();

@@ -2,32 +2,32 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::expression::Expression;
-use super::external::External;
-use super::instant::Instant;
-use super::table::Table;
+use super::external_function::External;
+use super::function_value::Instant;
+use super::time_table::Table;
 
-/// A function f of time t, a pure number.
+/// Dimensionless function f of time t.
 ///
-/// Where it jumps or kinks, value and rates are those from there on: an integrator that is to see what was before ends its
-/// step at [`f64::next_down`] of a break.
+/// At jumps and kinks, value and rates are right-sided limits. For the left-sided limits, an integrator ends its step
+/// at [`f64::next_down`] of a break.
 #[derive(Clone, Debug)]
 pub enum Function {
-    /// The same at all times.
+    /// Constant.
     Constant(f64),
-    /// Linear between points.
+    /// Piecewise linear between points.
     Table(Table),
-    /// 0, then linear from `start` to `end`, then 1.
+    /// Ramp: 0, then linear from `start` to `end`, then 1.
     Ramp {
-        /// Where it leaves 0.
+        /// Time at the start of the ramp.
         start: f64,
-        /// Where it reaches 1, after the start.
+        /// Time at the end of the ramp, after the start.
         end: f64,
     },
-    /// 0, then 1 from a time on, and 0 again from another.
+    /// Step from 0 to 1 at a time, and optionally back to 0.
     Step {
-        /// Where it becomes 1.
+        /// Time of the step to 1.
         at: f64,
-        /// Where it becomes 0 again; never if there is no such time.
+        /// Time of the step back to 0, if any.
         until: Option<f64>,
     },
     /// sin(2π f t + φ).
@@ -37,44 +37,44 @@ pub enum Function {
         /// Phase φ in radians.
         phase: f64,
     },
-    /// A formula.
+    /// Formula.
     Expression {
-        /// The formula.
+        /// Formula in t.
         formula: Arc<Expression>,
-        /// The t of the formula at time 1.
+        /// Value of t in the formula at time 1.
         unit: f64,
     },
-    /// One that the program supplies.
+    /// User-defined function.
     External {
-        /// The function.
+        /// Function.
         function: External,
-        /// The t of the function at time 1.
+        /// Argument t of the function at time 1.
         unit: f64,
     },
-    /// The integral of another function from 0 on; time.
+    /// Integral of another function from 0; unit of time.
     Integral(Arc<Integral>),
 }
 
 impl Function {
-    /// The function that is always 1.
+    /// Constant function 1.
     pub const ONE: Self = Self::Constant(1.0);
 
-    /// Its integral from 0 on, if there is a closed form: there is, but of formulas and of what the program supplies.
+    /// Returns the integral from 0 in closed form, or `None` for formulas and user-defined functions.
     pub fn integral(self) -> Option<Self> {
         Some(Self::Integral(Arc::new(Integral::new(self)?)))
     }
 
-    /// Whether it is the same at all times.
+    /// Returns true if the function is constant.
     pub const fn is_constant(&self) -> bool {
         matches!(self, Self::Constant(_))
     }
 
-    /// Its value.
+    /// Returns the value.
     pub fn value(&self, t: f64) -> f64 {
         self.at(t).value
     }
 
-    /// Its value and rates.
+    /// Returns value and rates.
     pub fn at(&self, t: f64) -> Instant {
         match self {
             Self::Constant(value) => Instant { value: *value, ..Instant::default() },
@@ -90,12 +90,13 @@ impl Function {
                 Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
             Self::Integral(integral) => integral.at(t),
-            Self::Expression { formula, unit } => formula.at(t * unit).quickened(*unit),
-            Self::External { function, unit } => function.at(t * unit).quickened(*unit),
+            Self::Expression { formula, unit } => formula.at(t * unit).with_scaled_rates(*unit),
+            Self::External { function, unit } => function.at(t * unit).with_scaled_rates(*unit),
         }
     }
 
-    /// Times at which it or its rate jumps, as far as they are known: formulas and programs do not tell.
+    /// Returns the times at which the value or its rate jumps. Jumps of formulas and user-defined functions are
+    /// unknown.
     pub fn breaks(&self) -> Vec<f64> {
         match self {
             Self::Constant(_) | Self::Sine { .. } | Self::Expression { .. } | Self::External { .. } => {
@@ -120,18 +121,18 @@ fn ramp(t: f64, start: f64, end: f64) -> Instant {
     }
 }
 
-/// The integral of a function from 0 to t, in closed form.
+/// Integral of a function from 0 to t, in closed form.
 #[derive(Clone, Debug)]
 pub struct Integral {
     of: Function,
-    /// Of a table: its points (t, f) and the integral up to each from the first.
+    /// Points (t, f) of a table with the integral from the first point to each of them.
     sums: Vec<[f64; 3]>,
-    /// The integral from the origin of the closed form to 0.
+    /// Integral from the origin of the closed form to 0.
     origin: f64,
 }
 
 impl Integral {
-    /// The integral of a function, if there is a closed form: of formulas and of what the program supplies there is none.
+    /// Creates the integral of a function, or returns `None` for formulas and user-defined functions.
     pub fn new(of: Function) -> Option<Self> {
         let sums = match &of {
             Function::Expression { .. } | Function::External { .. } | Function::Integral(_) => return None,
@@ -143,13 +144,13 @@ impl Integral {
         Some(integral)
     }
 
-    /// Integral, function and rate.
+    /// Returns the integral, the function and its rate.
     pub(crate) fn at(&self, t: f64) -> Instant {
         let Instant { value, rate, .. } = self.of.at(t);
         Instant { value: self.primitive(t) - self.origin, rate: value, acceleration: rate }
     }
 
-    /// Where the function jumps or kinks.
+    /// Returns the times of jumps and kinks of the function.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         self.of.breaks()
     }
@@ -159,7 +160,7 @@ impl Integral {
             Function::Constant(value) => value * t,
             Function::Table(_) => self.area(t),
             Function::Ramp { start, end } => {
-                // Not `clamp`, which wants them in order: ramps are made before they are found to be wrong.
+                // `clamp` requires an ordered interval, but ramps are created before they are checked.
                 let on = (t.max(*start).min(*end) - start).powi(2) / (2.0 * (end - start));
                 on + (t - end).max(0.0)
             }
@@ -174,7 +175,7 @@ impl Integral {
         }
     }
 
-    /// The integral of the table from its first point.
+    /// Returns the integral of the table from its first point.
     fn area(&self, t: f64) -> f64 {
         let next = self.sums.partition_point(|[time, ..]| *time <= t);
         match (next.checked_sub(1).map(|last| self.sums[last]), self.sums.first()) {

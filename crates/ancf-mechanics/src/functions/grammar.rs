@@ -7,11 +7,11 @@ use winnow::stream::Stream as _;
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
-use super::node::{Node, power};
+use super::syntax_node::{SyntaxNode, power};
 
-/// Characters of a formula; beyond that it is taken for a slip, and its depth would be that of the stack.
+/// Maximum number of characters of a formula. It also limits the recursion depth.
 const LENGTH: usize = 1000;
-/// Brackets within brackets.
+/// Maximum depth of nested brackets.
 const DEPTH: usize = 40;
 
 const OPERAND: &str = "a number, `t`, `pi`, a function or a bracket";
@@ -20,20 +20,20 @@ const NAME: &str = "`t`, `pi` or a function: sin, cos, tan, asin, acos, atan, si
 const ARGUMENTS: &str = "one argument, two of `min` and `max`, three of `if`";
 const OPERATOR: &str = "an operator or the end; powers of powers in brackets";
 
-/// Where a formula is not understood.
+/// Syntax error in a formula.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("character {}: wanted {wanted}", .at + 1)]
 pub struct ExpressionError {
-    /// The character, counted from 0.
+    /// Position as the index of the character, from 0.
     pub at: usize,
-    /// What is wanted there.
+    /// Expected input at this position.
     pub wanted: String,
 }
 
-type Failure = ErrMode<ContextError>;
+type ParseFailure = ErrMode<ContextError>;
 
-/// Reads a whole formula.
-pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
+/// Parses a whole formula.
+pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
     let error = |at, wanted: &str| Err(ExpressionError { at, wanted: wanted.into() });
     if text.chars().count() > LENGTH {
         return error(LENGTH, "at most 1000 characters");
@@ -42,13 +42,13 @@ pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
     for (at, c) in text.chars().enumerate() {
         open = (open + usize::from(c == '(')).saturating_sub(usize::from(c == ')'));
         if open > DEPTH {
-            return error(at, "at most 40 brackets within each other");
+            return error(at, "at most 40 nested brackets");
         }
     }
     let whole = |i: &mut &str| {
         let node = sum(i)?;
         multispace0.parse_next(i)?;
-        if i.is_empty() { Ok(node) } else { wanted(OPERATOR) }
+        if i.is_empty() { Ok(node) } else { expected(OPERATOR) }
     };
     { whole }.parse(text).map_err(|failure| {
         let said = failure.inner().context().find_map(|context| match context {
@@ -60,95 +60,95 @@ pub(crate) fn parse(text: &str) -> Result<Node, ExpressionError> {
     })
 }
 
-/// A failure for good.
-fn wanted<T>(what: &'static str) -> ModalResult<T> {
+/// Returns a fatal error with the expected input.
+fn expected<T>(what: &'static str) -> ModalResult<T> {
     let mut error = ContextError::new();
     error.push(StrContext::Expected(StrContextValue::Description(what)));
     Err(ErrMode::Cut(error))
 }
 
-/// Operands and operators.
-fn sum(i: &mut &str) -> ModalResult<Node> {
+/// Parsers of operands and operators.
+fn sum(i: &mut &str) -> ModalResult<SyntaxNode> {
     expression(operand).prefix(sign).infix(operator).parse_next(i)
 }
 
-fn sign<'i>(i: &mut &'i str) -> ModalResult<Prefix<&'i str, Node, Failure>> {
+fn sign<'i>(i: &mut &'i str) -> ModalResult<Prefix<&'i str, SyntaxNode, ParseFailure>> {
     multispace0.parse_next(i)?;
     match opt(one_of(['+', '-'])).parse_next(i)? {
-        Some(_) if i.trim_start().starts_with(['+', '-']) => wanted(OPERAND),
-        Some('-') => Ok(Prefix(30, |_, x| Ok(Node::One(|x| -x, Box::new(x))))),
+        Some(_) if i.trim_start().starts_with(['+', '-']) => expected(OPERAND),
+        Some('-') => Ok(Prefix(30, |_, x| Ok(SyntaxNode::One(|x| -x, Box::new(x))))),
         Some(_) => Ok(Prefix(30, |_, x| Ok(x))),
-        None => wanted(OPERAND),
+        None => expected(OPERAND),
     }
 }
 
-fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, Node, Failure>> {
+fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, SyntaxNode, ParseFailure>> {
     let sign = one_of(['+', '-', '*', '/', '^', '<', '>']).take();
     let operator = preceded(multispace0, alt(("<=", ">=", sign))).parse_next(i)?;
     Ok(match operator {
-        "+" => Infix::Left(10, |_, x, y| Ok(Node::two(|x, y| x + y, x, y))),
-        "-" => Infix::Left(10, |_, x, y| Ok(Node::two(|x, y| x - y, x, y))),
-        "*" => Infix::Left(20, |_, x, y| Ok(Node::two(|x, y| x * y, x, y))),
-        "/" => Infix::Left(20, |_, x, y| Ok(Node::two(|x, y| x / y, x, y))),
-        "<" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re < y.re), x, y))),
-        ">" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re > y.re), x, y))),
-        "<=" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re <= y.re), x, y))),
-        ">=" => Infix::Neither(5, |_, x, y| Ok(Node::two(|x, y| truth(x.re >= y.re), x, y))),
-        _ => Infix::Neither(40, |_, x, y| Ok(Node::two(power, x, y))),
+        "+" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(|x, y| x + y, x, y))),
+        "-" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(|x, y| x - y, x, y))),
+        "*" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(|x, y| x * y, x, y))),
+        "/" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(|x, y| x / y, x, y))),
+        "<" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re < y.re), x, y))),
+        ">" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re > y.re), x, y))),
+        "<=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re <= y.re), x, y))),
+        ">=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re >= y.re), x, y))),
+        _ => Infix::Neither(40, |_, x, y| Ok(SyntaxNode::two(power, x, y))),
     })
 }
 
-fn truth(holds: bool) -> Dual2_64 {
+fn number_from(holds: bool) -> Dual2_64 {
     Dual2_64::from_re(f64::from(u8::from(holds)))
 }
 
-fn operand(i: &mut &str) -> ModalResult<Node> {
+fn operand(i: &mut &str) -> ModalResult<SyntaxNode> {
     multispace0.parse_next(i)?;
     match i.chars().next() {
         Some('0'..='9' | '.') => number(i),
         Some('a'..='z' | 'A'..='Z' | '_') => name(i),
         Some('(') => {
             i.next_token();
-            let inner = sure(sum(i))?;
+            let inner = fatal(sum(i))?;
             close(i, "`)` or an operator")?;
             Ok(inner)
         }
         Some('+' | '-') => Err(ErrMode::Backtrack(ContextError::new())),
-        _ => wanted(OPERAND),
+        _ => expected(OPERAND),
     }
 }
 
-fn number(i: &mut &str) -> ModalResult<Node> {
+fn number(i: &mut &str) -> ModalResult<SyntaxNode> {
     let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1);
     let digits = (digit0, opt(('.', digit0)), opt(exponent)).take();
     let number = digits.verify_map(|text: &str| text.parse().ok().filter(|x: &f64| x.is_finite()));
     match opt(number).parse_next(i)? {
-        Some(x) => Ok(Node::Number(x)),
-        None => wanted("a finite number"),
+        Some(x) => Ok(SyntaxNode::Number(x)),
+        None => expected("a finite number"),
     }
 }
 
-fn name(i: &mut &str) -> ModalResult<Node> {
+fn name(i: &mut &str) -> ModalResult<SyntaxNode> {
     let start = i.checkpoint();
     let name = take_while(1.., |c: char| c.is_ascii_alphanumeric() || c == '_').parse_next(i)?;
     match name {
-        "t" => return Ok(Node::Time),
-        "pi" => return Ok(Node::Number(std::f64::consts::PI)),
+        "t" => return Ok(SyntaxNode::Time),
+        "pi" => return Ok(SyntaxNode::Number(std::f64::consts::PI)),
         _ => {}
     }
     let call = opt((multispace0, '(')).parse_next(i)?;
     let known = FUNCTIONS.contains(&name);
     if call.is_none() || !known {
         i.reset(&start);
-        return wanted(NAME);
+        return expected(NAME);
     }
-    let arguments = sure(separated(1..=3, sum, (multispace0, ',')).parse_next(i))?;
+    let arguments = fatal(separated(1..=3, sum, (multispace0, ',')).parse_next(i))?;
     close(i, "`)`, `,` or an operator")?;
-    match Node::call(name, arguments) {
+    match SyntaxNode::call(name, arguments) {
         Some(node) => Ok(node),
         None => {
             i.reset(&start);
-            wanted(ARGUMENTS)
+            expected(ARGUMENTS)
         }
     }
 }
@@ -162,11 +162,11 @@ fn close(i: &mut &str, what: &'static str) -> ModalResult<()> {
     multispace0.parse_next(i)?;
     match opt(')').parse_next(i)? {
         Some(_) => Ok(()),
-        None => wanted(what),
+        None => expected(what),
     }
 }
 
-/// What fails now cannot be meant otherwise.
-fn sure<T>(result: ModalResult<T>) -> ModalResult<T> {
+/// Turns a failure into a fatal error, without trying alternatives.
+fn fatal<T>(result: ModalResult<T>) -> ModalResult<T> {
     result.map_err(ErrMode::cut)
 }

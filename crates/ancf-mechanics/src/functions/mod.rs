@@ -1,18 +1,18 @@
-//! Functions of time, and forces that a program supplies.
+//! Functions of time and user-defined forces.
 
 mod expression;
-mod external;
+mod external_function;
 mod force;
 mod function;
+mod function_value;
 mod grammar;
-mod instant;
-mod node;
-mod table;
+mod syntax_node;
+mod time_table;
 
 pub use expression::Expression;
-pub use external::External;
+pub use external_function::External;
 pub use force::ForceFunction;
 pub use function::{Function, Integral};
+pub use function_value::Instant;
 pub use grammar::ExpressionError;
-pub use instant::Instant;
-pub use table::Table;
+pub use time_table::Table;

@@ -4,36 +4,36 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use super::frame::section_frame;
 use super::marker::Marker;
 
-/// Where a joint, a load or a probe holds on to a body or to the ground: a point, and the directions that the body has there.
+/// Attachment of a joint, a load or a probe to a body or to the ground: a point and the directions of the body there.
 #[derive(Clone, Debug)]
 pub struct Attachment {
-    /// The point.
+    /// Point.
     pub point: Marker,
-    /// The directions.
+    /// Directions.
     pub directions: Directions,
 }
 
-/// The directions of a body at a point.
+/// Directions of a body at a point.
 #[derive(Clone, Debug)]
 pub enum Directions {
-    /// None: the body is a point.
+    /// No directions: the body is a point.
     None,
-    /// A tangent only: the body is a line.
+    /// Tangent only: the body is a line.
     Line(Marker),
-    /// r_x, r_y and r_z of a section, which may stretch and shear.
+    /// Directors r_x, r_y and r_z of a section, which may stretch and shear.
     Section([Marker; 3]),
-    /// Directions that keep their lengths and angles: of a rigid body, or of the ground.
+    /// Directions of a rigid body or of the ground, with constant lengths and angles.
     Rigid([Marker; 3]),
 }
 
 impl Attachment {
-    /// A point of the ground, with the global axes.
+    /// Creates a point of the ground with the global axes.
     pub fn ground(point: Vector3<f64>) -> Self {
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()].map(Marker::fixed);
         Self { point: Marker::fixed(point), directions: Directions::Rigid(axes) }
     }
 
-    /// The three directions, if the body has as many.
+    /// Returns the three directions, if the body has them.
     pub fn axes(&self) -> Option<&[Marker; 3]> {
         match &self.directions {
             Directions::None | Directions::Line(_) => None,
@@ -41,12 +41,12 @@ impl Attachment {
         }
     }
 
-    /// Whether its directions keep their lengths and angles.
+    /// Returns true if the directions have constant lengths and angles.
     pub const fn is_rigid(&self) -> bool {
         matches!(self.directions, Directions::Rigid(_))
     }
 
-    /// The tangent of a line.
+    /// Returns the tangent of a line.
     pub const fn line(&self) -> Option<&Marker> {
         match &self.directions {
             Directions::Line(tangent) => Some(tangent),
@@ -54,28 +54,30 @@ impl Attachment {
         }
     }
 
-    /// The direction of the body that is `direction` in the reference state: J d with J = [r_x r_y r_z].
+    /// Returns the body-fixed direction with the reference value `direction`: J d with J = [r_x r_y r_z].
     ///
-    /// Of a line, the part of it along the tangent; of a point, none.
+    /// For a line, only the component along the tangent is used. A point has no direction.
     pub fn direction(&self, direction: Vector3<f64>) -> Marker {
         match &self.directions {
             Directions::None => Marker::fixed(Vector3::zeros()),
             Directions::Line(tangent) => {
                 let along = tangent.reference().dot(&direction) / tangent.reference().norm_squared();
-                Marker::combined([(clean(along), tangent)])
+                Marker::combined([(round_to_zero(along), tangent)])
             }
             Directions::Section(axes) | Directions::Rigid(axes) => {
                 let reference = Matrix3::from_columns(&axes.each_ref().map(|axis| axis.reference()));
                 let inverse = reference.try_inverse().unwrap_or_else(Matrix3::zeros);
-                let [x, y, z]: [f64; 3] = (inverse * direction).map(clean).into();
+                let [x, y, z]: [f64; 3] = (inverse * direction).map(round_to_zero).into();
                 Marker::combined([(x, &axes[0]), (y, &axes[1]), (z, &axes[2])])
             }
         }
     }
 
-    /// Euler parameters (e₀, e₁, e₂, e₃), e₀ ≥ 0, of the rotation from the reference state, and the angular velocity in the global
-    /// frame, if it has three directions. Of a section, those of the orthonormal frame that shares the skew of r_y and r_z,
-    /// and the mean spin of the two directions about its normal.
+    /// Returns Euler parameters and angular velocity in the global frame, if the attachment has three directions.
+    ///
+    /// The Euler parameters (e₀, e₁, e₂, e₃), e₀ ≥ 0, describe the rotation from the reference state. For a section
+    /// they belong to the orthonormal frame that divides the skew of r_y and r_z equally. Its spin about the normal is
+    /// the mean spin of both directions.
     pub fn rotation(&self, s: &State) -> Option<([f64; 4], Vector3<f64>)> {
         let [a, d, e] = self.axes()?;
         let frame = |d: Vector3<f64>, e: Vector3<f64>| Matrix3::from_columns(&section_frame(d, e));
@@ -87,15 +89,17 @@ impl Attachment {
         Some(([w, i, j, k].map(|x| sign * x), spin([a, d, e].map(|axis| (axis.value(s), axis.sum(&s.v))))))
     }
 
-    /// The same, held at an arm from the point, given in the reference state.
+    /// Moves the point by an arm, given in the reference state.
     pub fn offset(self, arm: Vector3<f64>) -> Self {
         let point = Marker::combined([(1.0, &self.point), (1.0, &self.direction(arm))]);
         Self { point, ..self }
     }
 }
 
-/// The angular velocity of a frame by its directions and their rates. The normal n = d × e and its rate give the part across,
-/// the mean of d and e the part along n.
+/// Computes the angular velocity of a frame from its directions and their rates.
+///
+/// The normal n = d × e and its rate determine the normal component. The mean of d and e determines the component along
+/// n.
 fn spin([_, (d, d_rate), (e, e_rate)]: [(Vector3<f64>, Vector3<f64>); 3]) -> Vector3<f64> {
     let area = d.cross(&e);
     let normal = area.normalize();
@@ -104,7 +108,7 @@ fn spin([_, (d, d_rate), (e, e_rate)]: [(Vector3<f64>, Vector3<f64>); 3]) -> Vec
     normal.cross(&rate) + normal * (0.5 * (along(d, d_rate) + along(e, e_rate)))
 }
 
-/// Numbers that are zero but for rounding, such as components along a frame's own directions, are zero.
-pub(crate) fn clean(component: f64) -> f64 {
+/// Rounds components to zero that are zero within rounding, such as those along the directions of a frame.
+pub(crate) fn round_to_zero(component: f64) -> f64 {
     if component.abs() < 1e-14 { 0.0 } else { component }
 }

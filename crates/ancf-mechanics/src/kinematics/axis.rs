@@ -4,28 +4,29 @@ use nalgebra::Vector3;
 
 use super::shape::{BeamShape, QuadraticShape};
 
-/// The axis of one element as a curve, r(s) = Σᵢ Nᵢ(s) rᵢ, by the arc length s of the undeformed body.
+/// Axis of one element as a curve r(s) = Σᵢ Nᵢ(s) rᵢ of the undeformed arc length s.
 ///
-/// What slides along a body or touches it needs r at places that move; a [`Marker`](super::marker::Marker) stays where it is.
+/// It provides r at variable positions for sliding joints and contact. A [`Marker`](super::marker::Marker) has a fixed
+/// position.
 #[derive(Clone, Debug)]
 pub struct ElementAxis {
     /// First coordinate of each vector rᵢ, three or four of them.
     vectors: Vec<usize>,
     reference: Vec<Vector3<f64>>,
-    shape: Shape,
+    shape: AxisInterpolation,
     start: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Shape {
+enum AxisInterpolation {
     Cubic(BeamShape),
     Quadratic(QuadraticShape),
 }
 
 impl ElementAxis {
-    /// An axis that begins at an arc length, by the coordinates and reference values of its positions and slopes.
+    /// Creates an axis that starts at an arc length, from coordinates and reference values of its positions and slopes.
     ///
-    /// Three vectors are interpolated by quadratic polynomials, four by cubic ones.
+    /// Three vectors are interpolated by quadratic polynomials, and four by cubic polynomials.
     pub fn new(
         vectors: Vec<usize>,
         reference: Vec<Vector3<f64>>,
@@ -33,52 +34,52 @@ impl ElementAxis {
         start: f64,
     ) -> Self {
         let shape = match vectors.len() {
-            3 => Shape::Quadratic(QuadraticShape { length, slope }),
-            _ => Shape::Cubic(BeamShape { length, slope }),
+            3 => AxisInterpolation::Quadratic(QuadraticShape { length, slope }),
+            _ => AxisInterpolation::Cubic(BeamShape { length, slope }),
         };
         Self { vectors, reference, shape, start }
     }
 
-    /// Arc lengths at which the element starts and ends.
+    /// Returns the arc lengths of the start and the end of the element.
     pub fn span(&self) -> Range<f64> {
         let length = match self.shape {
-            Shape::Cubic(shape) => shape.length,
-            Shape::Quadratic(shape) => shape.length,
+            AxisInterpolation::Cubic(shape) => shape.length,
+            AxisInterpolation::Quadratic(shape) => shape.length,
         };
         self.start..self.start + length
     }
 
-    /// First coordinate of each vector.
+    /// Returns the first coordinate of each vector.
     pub fn vectors(&self) -> &[usize] {
         &self.vectors
     }
 
-    /// All coordinates that it reads.
+    /// Returns all coordinates of the axis.
     pub fn coordinates(&self) -> impl Iterator<Item = usize> {
         self.vectors.iter().flat_map(|&first| first..first + 3)
     }
 
-    /// The same axis over the coordinates of a term, given their list.
+    /// Renumbers the coordinates for a term with the given coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
         let local = |first: &usize| {
-            coordinates.iter().position(|c| c == first).expect("the term lists its coordinates")
+            coordinates.iter().position(|c| c == first).expect("the coordinate list contains all coordinates")
         };
         Self { vectors: self.vectors.iter().map(local).collect(), ..self.clone() }
     }
 
-    /// The magnitudes that vector i is made of.
+    /// Returns the sum of magnitudes in vector i.
     pub(crate) fn size(&self, i: usize, q: &[f64]) -> f64 {
         self.reference[i].norm() + vector(q, self.vectors[i]).norm()
     }
 
-    /// Weights of the vectors in r, dr/ds and d²r/ds² at an arc length; of three vectors the fourth is 0.
+    /// Returns the weights of the vectors in r, dr/ds and d²r/ds² at an arc length. The fourth of three vectors is 0.
     pub fn weights(&self, s: f64) -> [[f64; 4]; 3] {
         match self.shape {
-            Shape::Cubic(shape) => {
+            AxisInterpolation::Cubic(shape) => {
                 let xi = (s - self.start) / shape.length;
                 [shape.axis(xi), shape.axis_gradient(xi), shape.axis_curvature(xi)]
             }
-            Shape::Quadratic(shape) => {
+            AxisInterpolation::Quadratic(shape) => {
                 let (l, xi) = (shape.length, (s - self.start) / shape.length);
                 let four = |[a, b, c]: [f64; 3]| [a, b, c, 0.0];
                 let curvature = [4.0, -8.0, 4.0].map(|weight| weight / (l * l));
@@ -88,28 +89,28 @@ impl ElementAxis {
         }
     }
 
-    /// r, dr/ds and d²r/ds² at an arc length, given the coordinates q.
+    /// Returns r, dr/ds and d²r/ds² at an arc length, given the coordinates q.
     pub fn at(&self, q: &[f64], s: f64) -> [Vector3<f64>; 3] {
         let moved = |i: usize| self.reference[i] + vector(q, self.vectors[i]);
         self.weights(s).map(|weights| (0..self.vectors.len()).map(|i| moved(i) * weights[i]).sum())
     }
 
-    /// The magnitudes that r and dr/ds are made of, Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|): ε times these bounds their rounding errors.
+    /// Returns Σᵢ |Nᵢ| (|rᵢ⁰| + |qᵢ|) for r and dr/ds. ε times these bounds the rounding errors.
     pub(crate) fn sizes(&self, q: &[f64], s: f64) -> [f64; 2] {
         let [values, slopes, _] = self.weights(s);
         let size = |i: usize| self.reference[i].norm() + vector(q, self.vectors[i]).norm();
         [values, slopes].map(|weights| (0..self.vectors.len()).map(|i| weights[i].abs() * size(i)).sum())
     }
 
-    /// The points whose convex hull holds the element, given the coordinates q: those of Bézier.
-    pub(crate) fn hull(&self, q: &[f64]) -> [Vector3<f64>; 4] {
+    /// Returns the Bézier points of the element, whose convex hull contains it, given the coordinates q.
+    pub(crate) fn bezier_points(&self, q: &[f64]) -> [Vector3<f64>; 4] {
         let span = self.span();
         let third = (span.end - span.start) / 3.0;
         let ([a, from, _], [b, to, _]) = (self.at(q, span.start), self.at(q, span.end));
         [a, a + from * third, b - to * third, b]
     }
 
-    /// Σᵢ Nᵢ x[vᵢ..vᵢ+3] and its two derivatives by s, of a vector over the coordinates: of velocities, say.
+    /// Returns Σᵢ Nᵢ x[vᵢ..vᵢ+3] and its two derivatives by s, for a vector x such as the velocities.
     pub fn sum(&self, x: &[f64], s: f64) -> [Vector3<f64>; 3] {
         let of = |weights: [f64; 4]| {
             (0..self.vectors.len()).map(|i| vector(x, self.vectors[i]) * weights[i]).sum()

@@ -4,44 +4,44 @@ use nalgebra::{DMatrix, Vector3};
 
 use super::quadrature::gauss;
 
-/// A point of a reference axis with the orthonormal directions of x (the tangent), y and z.
+/// Point of a reference axis with the orthonormal directions of x (the tangent), y and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
     /// Position.
     pub position: Vector3<f64>,
-    /// Directions of the axis and of the section's y and z.
+    /// Directions of the axis and of the y and z axes of the section.
     pub frame: [Vector3<f64>; 3],
 }
 
-/// The axis of a beam in its reference state, by arc length.
+/// Reference axis of a beam, parameterised by arc length.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
-    /// A straight line.
+    /// Straight line.
     Line {
         /// Start.
         from: Vector3<f64>,
         /// End.
         to: Vector3<f64>,
     },
-    /// A helix, or an arc if it does not rise.
+    /// Helix, or circular arc for zero rise.
     Helix {
-        /// The point of its axis at the height of the start.
+        /// Point of the helix axis at the height of the start.
         center: Vector3<f64>,
-        /// From the center to the start.
+        /// Vector from the centre to the start.
         radius: Vector3<f64>,
-        /// Unit vector of the axis; the helix turns about it by the right hand.
+        /// Unit vector of the axis. The helix rotates about it by the right-hand rule.
         axis: Vector3<f64>,
-        /// Angle of all its turns, in radians.
+        /// Total angle in radians.
         angle: f64,
-        /// How far it rises along its axis in all.
+        /// Total rise along the axis.
         rise: f64,
     },
-    /// A natural cubic spline through points, by chord length.
+    /// Natural cubic spline through points, parameterised by chord length.
     Spline(Spline),
 }
 
 impl Curve {
-    /// The arc of a circle from a point through another to a third; `None` if they are on a line.
+    /// Creates the circular arc through three points. Returns `None` for collinear points.
     pub fn arc(from: Vector3<f64>, through: Vector3<f64>, to: Vector3<f64>) -> Option<Self> {
         let (u, v) = (through - from, to - from);
         let normal = u.cross(&v);
@@ -54,7 +54,7 @@ impl Curve {
         Some(Self::Helix { center: from + to_center, radius, axis, angle, rise: 0.0 })
     }
 
-    /// Its length.
+    /// Returns the length.
     pub fn length(&self) -> f64 {
         match self {
             Self::Line { from, to } => (to - from).norm(),
@@ -63,7 +63,7 @@ impl Curve {
         }
     }
 
-    /// Point and unit tangent at an arc length.
+    /// Returns point and unit tangent at an arc length.
     pub fn at(&self, s: f64) -> (Vector3<f64>, Vector3<f64>) {
         match self {
             Self::Line { from, to } => {
@@ -81,8 +81,10 @@ impl Curve {
         }
     }
 
-    /// Nodes at ascending arc lengths. The section's y starts as near to `up` as it can and is carried along without
-    /// turning about the tangent, but for a twist in proportion to the arc length, `twist` radians over the whole.
+    /// Creates nodes at ascending arc lengths.
+    ///
+    /// The y axis of the first section is as close as possible to `up`. It is transported without rotation about the
+    /// tangent, plus a uniform twist of `twist` radians in total.
     ///
     /// Source: Wang, Jüttler, Zheng & Liu (2008), double reflection, for the frames without twist.
     pub fn nodes(&self, up: Vector3<f64>, twist: f64, at: &[f64]) -> Vec<Node> {
@@ -95,7 +97,7 @@ impl Curve {
             for step in 1..=steps {
                 let (next, next_tangent) = self.at(here + (s - here) * f64::from(step) / f64::from(steps));
                 if !straight {
-                    y = carried(y, (point, tangent), (next, next_tangent));
+                    y = transported(y, (point, tangent), (next, next_tangent));
                 }
                 (point, tangent) = (next, next_tangent);
             }
@@ -110,11 +112,11 @@ impl Curve {
     }
 }
 
-/// Reflections between two nodes.
+/// Number of reflections between two nodes.
 const SUBSTEPS: u32 = 16;
 
-/// A normal vector carried from one point of a curve to another by two reflections.
-fn carried(
+/// Transports a normal vector between two points of a curve by two reflections.
+fn transported(
     y: Vector3<f64>,
     (point, tangent): (Vector3<f64>, Vector3<f64>),
     (next, next_tangent): (Vector3<f64>, Vector3<f64>),
@@ -126,29 +128,29 @@ fn carried(
     let chord = next - point;
     let (y, turned) = (reflected(y, chord), reflected(tangent, chord));
     let y = reflected(y, next_tangent - turned);
-    // Normal to the tangent and of length one to rounding, however many steps there are.
+    // Removes accumulated rounding errors of direction and length.
     (y - next_tangent * next_tangent.dot(&y)).normalize()
 }
 
-/// A natural cubic spline.
+/// Natural cubic spline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spline {
     points: Vec<Vector3<f64>>,
     /// Second derivatives at the points.
-    bends: Vec<Vector3<f64>>,
+    second_derivatives: Vec<Vector3<f64>>,
     /// Chord lengths between the points.
     chords: Vec<f64>,
-    /// Arc length up to each of the equal parts of all chords, [`PARTS`] for each.
+    /// Arc length at the ends of equal parts of the chords, [`PARTS`] per chord.
     arcs: Vec<f64>,
 }
 
-/// Parts of a chord in the table of arc lengths.
+/// Number of parts per chord in the table of arc lengths.
 const PARTS: usize = 32;
 
 impl Spline {
-    /// The spline through at least two points, each away from the one before.
+    /// Creates the spline through at least two points, with distinct neighbours.
     ///
-    /// `None` if there are fewer, or two in a row are the same.
+    /// Returns `None` for fewer points or equal neighbours.
     pub fn new(points: Vec<Vector3<f64>>) -> Option<Self> {
         let chords: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
         if chords.is_empty() || chords.iter().any(|chord| !chord.is_normal()) {
@@ -166,8 +168,8 @@ impl Spline {
             sides.row_mut(i).copy_from(&bend.transpose());
         }
         let solved = matrix.lu().solve(&sides)?;
-        let bends = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
-        let mut spline = Self { points, bends, chords, arcs: vec![0.0] };
+        let second_derivatives = (0..n).map(|i| solved.fixed_view::<1, 3>(i, 0).transpose()).collect();
+        let mut spline = Self { points, second_derivatives, chords, arcs: vec![0.0] };
         for i in 0..spline.chords.len() {
             for part in 0..PARTS {
                 let width = spline.chords[i] / PARTS as f64;
@@ -179,17 +181,17 @@ impl Spline {
         Some(spline)
     }
 
-    /// Its length.
+    /// Returns the length.
     pub fn length(&self) -> f64 {
         self.arcs[self.arcs.len() - 1]
     }
 
-    /// Point and unit tangent at an arc length.
+    /// Returns point and unit tangent at an arc length.
     fn at(&self, s: f64) -> (Vector3<f64>, Vector3<f64>) {
         let part = self.arcs.partition_point(|&arc| arc <= s).clamp(1, self.arcs.len() - 1) - 1;
         let (i, width) = (part / PARTS, self.chords[part / PARTS] / PARTS as f64);
         let start = (part % PARTS) as f64 * width;
-        // Newton's method on the arc length, from the chord of the table.
+        // Newton's method for the arc length, started on the chord of the table.
         let mut t = start + width * (s - self.arcs[part]) / (self.arcs[part + 1] - self.arcs[part]);
         for _ in 0..3 {
             let speed = |x: f64| self.derivative(i, start + (t - start) * x).norm();
@@ -199,10 +201,10 @@ impl Spline {
         (self.point(i, t), self.derivative(i, t).normalize())
     }
 
-    /// Point of chord i at the parameter t, 0 at its start.
+    /// Returns the point of chord i at the parameter t, which is 0 at its start.
     fn point(&self, i: usize, t: f64) -> Vector3<f64> {
         let (h, left) = (self.chords[i], self.chords[i] - t);
-        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        let (m, n) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         (m * left.powi(3) + n * t.powi(3)) / (6.0 * h)
             + (self.points[i] / h - m * (h / 6.0)) * left
             + (self.points[i + 1] / h - n * (h / 6.0)) * t
@@ -210,7 +212,7 @@ impl Spline {
 
     fn derivative(&self, i: usize, t: f64) -> Vector3<f64> {
         let (h, left) = (self.chords[i], self.chords[i] - t);
-        let (m, n) = (self.bends[i], self.bends[i + 1]);
+        let (m, n) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         (n * t.powi(2) - m * left.powi(2)) / (2.0 * h) + (self.points[i + 1] - self.points[i]) / h
             - (n - m) * (h / 6.0)
     }
@@ -235,14 +237,14 @@ mod tests {
         assert_eq!(Curve::arc(from, to * 0.5, to), None);
     }
 
-    /// An arc of more than half a circle goes the long way round.
+    /// An arc longer than a semicircle follows the longer side.
     #[test]
     fn long_arc() {
         let arc = Curve::arc(Vector3::x(), -Vector3::x(), -Vector3::y()).unwrap();
         assert!((arc.length() - 1.5 * PI).abs() < 1e-14);
     }
 
-    /// On a helix, the frame without twist turns against the Frenet frame by the torsion: by τ s in all.
+    /// On a helix, the frame without twist rotates relative to the Frenet frame by the torsion: τ s in total.
     #[test]
     fn frames_of_a_helix_do_not_spin() {
         let (radius, rise) = (2.0, 1.5);
@@ -258,7 +260,7 @@ mod tests {
         let at: Vec<f64> = (0..=8).map(|k| length * f64::from(k) / 8.0).collect();
         let nodes = helix.nodes(-Vector3::x(), 0.0, &at);
         let last = nodes[8].frame;
-        // The principal normal is again −x after a turn.
+        // After one turn the principal normal is −x again.
         let angle = (-Vector3::x()).dot(&last[2]).atan2((-Vector3::x()).dot(&last[1]));
         assert!((angle - (torsion * length).rem_euclid(TAU)).abs() < 1e-5, "{angle}");
         for Node { frame: [x, y, z], .. } in nodes {

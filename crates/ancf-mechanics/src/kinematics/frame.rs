@@ -1,4 +1,4 @@
-//! The section as its directors d = r_y, e = r_z see it, in numbers that may carry derivatives.
+//! Section frame from the directors d = r_y, e = r_z, for numbers that may carry derivatives.
 
 use ancf_solver::equations::LocalMatrix;
 use nalgebra::{Matrix3, SMatrix, Vector3};
@@ -6,7 +6,7 @@ use num_dual::DualNum;
 
 use super::marker::Marker;
 
-/// A real number, with or without derivatives.
+/// Real number with or without derivatives.
 pub(crate) trait Real: DualNum<Primitive = f64> + Copy {}
 
 impl<T: DualNum<Primitive = f64> + Copy> Real for T {}
@@ -16,32 +16,33 @@ fn unit<D: Real>(x: Vector3<D>) -> Vector3<D> {
     x.map(|x| x / length)
 }
 
-/// A constant vector.
+/// Converts a constant vector.
 pub(crate) fn constant<D: Real>(x: &Vector3<f64>) -> Vector3<D> {
     x.map(D::from)
 }
 
-/// The orthonormal frame of a section: its normal n = d × e/|d × e|, and y and z that share the skew of d and e.
+/// Computes the orthonormal section frame: normal n = d × e/|d × e|, and y and z that divide the skew of d and e
+/// equally.
 ///
-/// The same as [`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame).
+/// Corresponds to [`BeamMesh::section_frame`](crate::bodies::BeamMesh::section_frame).
 pub(crate) fn section_frame<D: Real>(d: Vector3<D>, e: Vector3<D>) -> [Vector3<D>; 3] {
     let normal = unit(d.cross(&e));
     let y = unit(unit(d) + unit(e.cross(&normal)));
     [normal, y, normal.cross(&y)]
 }
 
-/// Components in the frame of a section of a vector in global ones.
+/// Returns the components of a global vector in the section frame.
 pub(crate) fn components(d: Vector3<f64>, e: Vector3<f64>, global: &Vector3<f64>) -> Vector3<f64> {
     Matrix3::from_columns(&section_frame(d, e)).transpose() * global
 }
 
-/// The vector of given components in the frame of a section.
+/// Returns the global vector with the given components in the section frame.
 pub(crate) fn turned<D: Real>(d: Vector3<D>, e: Vector3<D>, components: &Vector3<f64>) -> Vector3<D> {
     let [n, y, z] = section_frame(d, e);
     n.map(|x| x * components.x) + y.map(|x| x * components.y) + z.map(|x| x * components.z)
 }
 
-/// Adds the symmetric part of w H to a tangent, H = ∂(f₁, .., f_n)/∂(x₁, .., x_n) over markers, three rows and columns each.
+/// Adds the symmetric part of w H to a tangent, H = ∂(f₁, .., f_n)/∂(x₁, .., x_n) over markers, in 3 × 3 blocks.
 pub(crate) fn add_symmetric<const N: usize>(
     markers: &[&Marker],
     h: &SMatrix<f64, N, N>,

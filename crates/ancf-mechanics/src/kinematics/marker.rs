@@ -1,9 +1,9 @@
 use ancf_solver::equations::State;
 use nalgebra::{Matrix3, Vector3};
 
-/// A vector linear in the coordinates: a material point or a material direction of a body, or a fixed one.
+/// Vector linear in the coordinates: a material point or direction of a body, or a fixed one.
 ///
-/// x = x₀ + Σᵢ wᵢ q[vᵢ..vᵢ+3]. Joints tie markers, loads push them, probes read them.
+/// x = x₀ + Σᵢ wᵢ q[vᵢ..vᵢ+3]. Joints constrain markers, loads act on them, and probes measure them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
     /// First coordinate vᵢ and weight wᵢ of each vector.
@@ -12,17 +12,17 @@ pub struct Marker {
 }
 
 impl Marker {
-    /// A marker that does not move: a point or a direction of the ground.
+    /// Creates a fixed marker: a point or a direction of the ground.
     pub const fn fixed(reference: Vector3<f64>) -> Self {
         Self { parts: Vec::new(), reference }
     }
 
-    /// A marker from the first coordinate and the weight of each vector, and its value in the reference state.
+    /// Creates a marker from first coordinates and weights of vectors, and its reference value.
     pub fn new(parts: impl IntoIterator<Item = (usize, f64)>, reference: Vector3<f64>) -> Self {
         Self { parts: parts.into_iter().filter(|&(_, w)| w != 0.0).collect(), reference }
     }
 
-    /// A sum of multiples of markers.
+    /// Creates a linear combination of markers.
     pub fn combined<'a>(terms: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
         let (mut parts, mut reference): (Vec<(usize, f64)>, _) = (Vec::new(), Vector3::zeros());
         for (factor, marker) in terms {
@@ -38,58 +38,59 @@ impl Marker {
         Self::new(parts, reference)
     }
 
-    /// First coordinate and weight of each vector.
+    /// Returns the first coordinate and the weight of each vector.
     pub fn parts(&self) -> &[(usize, f64)] {
         &self.parts
     }
 
-    /// Its value x₀ in the reference state.
+    /// Returns the reference value x₀.
     pub fn reference(&self) -> Vector3<f64> {
         self.reference
     }
 
-    /// All coordinates that it reads.
+    /// Returns all coordinates of the marker.
     pub fn coordinates(&self) -> impl Iterator<Item = usize> {
         self.parts.iter().flat_map(|&(first, _)| first..first + 3)
     }
 
-    /// The coordinates of several markers, sorted, each once.
-    pub(crate) fn joined<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
+    /// Returns the sorted coordinates of several markers without repetition.
+    pub(crate) fn union_coordinates<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
         let mut coordinates: Vec<usize> = markers.into_iter().flat_map(Self::coordinates).collect();
         coordinates.sort_unstable();
         coordinates.dedup();
         coordinates
     }
 
-    /// Σᵢ wᵢ x[vᵢ..vᵢ+3] of a vector over the coordinates: displacement, velocity or acceleration of the marker.
+    /// Returns Σᵢ wᵢ x[vᵢ..vᵢ+3]: displacement, velocity or acceleration of the marker.
     pub fn sum(&self, x: &[f64]) -> Vector3<f64> {
         self.parts.iter().map(|&(i, w)| Vector3::new(x[i], x[i + 1], x[i + 2]) * w).sum()
     }
 
-    /// Its value in a state.
+    /// Returns the value in a state.
     pub fn value(&self, s: &State) -> Vector3<f64> {
         self.reference + self.sum(&s.q)
     }
 
-    /// The magnitudes that its value is made of, |x₀| + Σᵢ |wᵢ| |q[vᵢ..vᵢ+3]|: ε times this bounds its rounding error.
+    /// Returns the sum of magnitudes |x₀| + Σᵢ |wᵢ| |q[vᵢ..vᵢ+3]|. ε times this bounds the rounding error of the value.
     pub(crate) fn size(&self, q: &[f64]) -> f64 {
         self.reference.norm() + self.sum_of_sizes(q)
     }
 
-    /// Σᵢ |wᵢ| |x[vᵢ..vᵢ+3]|.
+    /// Returns Σᵢ |wᵢ| |x[vᵢ..vᵢ+3]|.
     pub(crate) fn sum_of_sizes(&self, x: &[f64]) -> f64 {
         self.parts.iter().map(|&(i, w)| w.abs() * Vector3::new(x[i], x[i + 1], x[i + 2]).norm()).sum()
     }
 
-    /// The same marker over the coordinates of a term, given their sorted list.
+    /// Renumbers the coordinates for a term with the given sorted coordinate list.
     pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
-        let local =
-            |first| coordinates.iter().position(|c| c == first).expect("the term lists its coordinates");
+        let local = |first| {
+            coordinates.iter().position(|c| c == first).expect("the coordinate list contains all coordinates")
+        };
         let parts = self.parts.iter().map(|(first, w)| (local(first), *w)).collect();
         Self { parts, reference: self.reference }
     }
 
-    /// Adds x to the rows of a vector, weighted: rows[vᵢ + k] += wᵢ xₖ.
+    /// Adds x to the rows of a vector with weights: rows[vᵢ + k] += wᵢ xₖ.
     pub(crate) fn add(&self, x: Vector3<f64>, rows: &mut [f64]) {
         for &(i, w) in &self.parts {
             for (row, x) in rows[i..i + 3].iter_mut().zip(&x) {
@@ -98,7 +99,7 @@ impl Marker {
         }
     }
 
-    /// Calls `visit(i, j, wᵢ w'ⱼ H_kl)` for the second derivative x·H·y of this marker and another.
+    /// Calls `visit(i, j, wᵢ w'ⱼ H_kl)` for the second derivative of x·H·y of this marker and another one.
     pub(crate) fn product(&self, other: &Self, h: &Matrix3<f64>, mut visit: impl FnMut(usize, usize, f64)) {
         for &(i, w) in &self.parts {
             for &(j, u) in &other.parts {

@@ -10,12 +10,12 @@ mod nodal_vector;
 mod quadrature;
 mod shape;
 
-pub(crate) use attachment::clean;
+pub(crate) use attachment::round_to_zero;
 pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
 pub use curve::{Curve, Node, Spline};
 pub(crate) use frame::{Real, add_symmetric, components, constant, turned};
-pub(crate) use line::{Bend, Blocks, Stretch};
+pub(crate) use line::{AxialStretch, Bend, BendBlocks};
 pub use marker::Marker;
 pub use nodal_vector::NodalVector;
 pub use quadrature::{gauss, gauss2, gauss3};

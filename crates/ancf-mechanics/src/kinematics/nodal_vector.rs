@@ -2,19 +2,19 @@ use nalgebra::Vector3;
 
 use super::shape::Kind;
 
-/// A vector among the coordinates of a mesh.
+/// Nodal vector of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodalVector {
-    /// The first of its three coordinates.
+    /// First of its three coordinates.
     pub first: usize,
-    /// What it is.
+    /// Kind of vector.
     pub kind: Kind,
-    /// Its value in a state.
+    /// Value in a state.
     pub value: Vector3<f64>,
 }
 
 impl NodalVector {
-    /// Whether it is the position of a node, which translations move, or a direction, which only rotations do.
+    /// Returns true for a position, which translations change, and false for a direction.
     pub fn is_position(&self) -> bool {
         self.kind == Kind::Position
     }

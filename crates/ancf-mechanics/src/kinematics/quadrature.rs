@@ -1,4 +1,4 @@
-/// Points and weights of the five-point Gauss-Legendre rule on [0, 1], exact to degree nine.
+/// Returns points and weights of the five-point Gauss-Legendre rule on [0, 1], exact to degree nine.
 ///
 /// The energy density of the fully parameterised beam has degree eight along the axis.
 /// Source: Abramowitz & Stegun (1964), table 25.4.
@@ -10,24 +10,24 @@ pub fn gauss() -> [(f64, f64); 5] {
     on_unit([(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)])
 }
 
-/// The three-point rule, exact to degree five.
+/// Returns the three-point Gauss-Legendre rule, exact to degree five.
 pub fn gauss3() -> [(f64, f64); 3] {
     let x = 0.6_f64.sqrt();
     on_unit([(-x, 5.0 / 9.0), (0.0, 8.0 / 9.0), (x, 5.0 / 9.0)])
 }
 
-/// The two-point rule, exact to degree three.
+/// Returns the two-point Gauss-Legendre rule, exact to degree three.
 pub fn gauss2() -> [(f64, f64); 2] {
     let x = (1.0_f64 / 3.0).sqrt();
     on_unit([(-x, 1.0), (x, 1.0)])
 }
 
-/// A rule on [−1, 1] brought to [0, 1].
+/// Maps a rule from [−1, 1] to [0, 1].
 fn on_unit<const N: usize>(rule: [(f64, f64); N]) -> [(f64, f64); N] {
     rule.map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
 }
 
-/// The four-point Gauss-Legendre rule on [0, 1], exact to degree seven.
+/// Returns the four-point Gauss-Legendre rule on [0, 1], exact to degree seven.
 pub(crate) fn gauss4() -> [(f64, f64); 4] {
     let root = 2.0 / 7.0 * 1.2_f64.sqrt();
     let (inner, outer) = ((3.0 / 7.0 - root).sqrt(), (3.0 / 7.0 + root).sqrt());
@@ -36,7 +36,7 @@ pub(crate) fn gauss4() -> [(f64, f64); 4] {
     on_unit([(-outer, light), (-inner, heavy), (inner, heavy), (outer, light)].map(|(x, w)| (x, 2.0 * w)))
 }
 
-/// The three-point Lobatto rule on [0, 1], which is Simpson's, exact to degree three.
+/// Returns the three-point Lobatto rule on [0, 1], which is Simpson's rule, exact to degree three.
 pub(crate) fn lobatto3() -> [(f64, f64); 3] {
     [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)]
 }

@@ -6,10 +6,10 @@
 /// S₁ = 1 − 3ξ² + 2ξ³   S₂ = s(ξ − 2ξ² + ξ³)   S₃ = s(η − ξη)   S₄ = s(ζ − ξζ)
 /// S₅ = 3ξ² − 2ξ³       S₆ = s(ξ³ − ξ²)        S₇ = s ξη        S₈ = s ξζ
 ///
-/// ℓ = 1 gives eq. (5), ℓ = l eq. (12). The paper prints 3ξ³ in S₂ and a stray l in Ŝ₆; with those, S₂ would have a slope
-/// at the far end and Ŝ₆ a dimension (see `docs/paper.md`).
+/// ℓ = 1 gives eq. (5), ℓ = l eq. (12). The paper prints 3ξ³ in S₂ and an extra factor l in Ŝ₆. With these, S₂ would
+/// have a slope at the far end and Ŝ₆ a dimension (see `docs/paper.md`).
 ///
-/// Units: l, ℓ and x lengths; values as the powers of s and l say.
+/// Units: l, ℓ and x lengths; values according to the powers of s and l.
 /// Source: Kim et al. (2017), eqs (5), (12); Yakoub & Shabana (2001).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeamShape {
@@ -20,54 +20,55 @@ pub struct BeamShape {
 }
 
 impl BeamShape {
-    /// S₁, S₂, S₅, S₆ on the axis at ξ: weights of r₁, ℓ r_x₁, r₂, ℓ r_x₂.
+    /// Returns S₁, S₂, S₅, S₆ on the axis at ξ: the weights of r₁, ℓ r_x₁, r₂, ℓ r_x₂.
     pub fn axis(&self, xi: f64) -> [f64; 4] {
         let s = self.length / self.slope;
         let (xi2, xi3) = (xi * xi, xi * xi * xi);
         [1.0 - 3.0 * xi2 + 2.0 * xi3, s * (xi - 2.0 * xi2 + xi3), 3.0 * xi2 - 2.0 * xi3, s * (xi3 - xi2)]
     }
 
-    /// Derivatives by x of [`axis`](Self::axis).
+    /// Returns the derivatives of [`axis`](Self::axis) by x.
     pub fn axis_gradient(&self, xi: f64) -> [f64; 4] {
         let xi2 = xi * xi;
         let bend = 6.0 * (xi2 - xi) / self.length;
         [bend, (1.0 - 4.0 * xi + 3.0 * xi2) / self.slope, -bend, (3.0 * xi2 - 2.0 * xi) / self.slope]
     }
 
-    /// Second derivatives by x of [`axis`](Self::axis).
+    /// Returns the second derivatives of [`axis`](Self::axis) by x.
     pub fn axis_curvature(&self, xi: f64) -> [f64; 4] {
         let bend = 6.0 * (2.0 * xi - 1.0) / (self.length * self.length);
         let rate = 1.0 / (self.slope * self.length);
         [bend, (6.0 * xi - 4.0) * rate, -bend, (6.0 * xi - 2.0) * rate]
     }
 
-    /// ∂S₃/∂y = ∂S₄/∂z and ∂S₇/∂y = ∂S₈/∂z at ξ: weights of the section vectors of both nodes.
+    /// Returns ∂S₃/∂y = ∂S₄/∂z and ∂S₇/∂y = ∂S₈/∂z at ξ: the weights of the section vectors of both nodes.
     pub fn section(&self, xi: f64) -> [f64; 2] {
         [(1.0 - xi) / self.slope, xi / self.slope]
     }
 
-    /// Derivatives by x of [`section`](Self::section).
+    /// Returns the derivatives of [`section`](Self::section) by x.
     pub fn section_gradient(&self) -> [f64; 2] {
         let rate = 1.0 / (self.slope * self.length);
         [-rate, rate]
     }
 }
 
-/// What a vector of an element is a coordinate of.
+/// Kind of a nodal vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// r, a point of the axis.
+    /// Position r of the axis.
     Position,
-    /// ℓ r_x.
+    /// Axial slope ℓ r_x.
     Slope,
-    /// ℓ r_y.
+    /// Section vector ℓ r_y.
     Y,
-    /// ℓ r_z.
+    /// Section vector ℓ r_z.
     Z,
 }
 
 impl Kind {
-    /// The directors that it enters: a, h and k, or d and b, or e and c; only the axis has a third.
+    /// Returns the directors that depend on the vector: a, h and k, or d and b, or e and c. Only the axis has a third
+    /// one.
     pub(crate) const fn directors(self) -> [usize; 3] {
         match self {
             Self::Position | Self::Slope => [0, 5, 6],
@@ -77,18 +78,18 @@ impl Kind {
     }
 }
 
-/// How N vectors of an element make its axis and its sections.
+/// Interpolation of axis and sections from N vectors of an element.
 pub trait Interpolation<const N: usize> {
-    /// What each vector is.
+    /// Kind of each vector.
     const KINDS: [Kind; N];
 
-    /// Length of the element.
+    /// Returns the length of the element.
     fn length(&self) -> f64;
 
-    /// Weights of the vectors in r, r_y or r_z, whichever they belong to, at ξ.
+    /// Returns the weights of the vectors at ξ, in r, r_y or r_z according to their kind.
     fn values(&self, xi: f64) -> [f64; N];
 
-    /// Weights of the vectors in the directors that they enter ([`Kind`]) at ξ: a, h and k, or d and b, or e and c.
+    /// Returns the weights of the vectors in their directors ([`Kind`]) at ξ: a, h and k, or d and b, or e and c.
     fn directors(&self, xi: f64) -> [[f64; 3]; N];
 }
 
@@ -107,7 +108,7 @@ impl Interpolation<8> for BeamShape {
 
     fn directors(&self, xi: f64) -> [[f64; 3]; 8] {
         let (axis, section, twist) = (self.axis_gradient(xi), self.section(xi), self.section_gradient());
-        // The part of a that is quadratic in ξ: 3 (r_x₁ + r_x₂) − 6 (r₂ − r₁)/l.
+        // Part of a that is quadratic in ξ: 3 (r_x₁ + r_x₂) − 6 (r₂ − r₁)/l.
         let quadratic = [6.0 / self.length, 3.0 / self.slope, -6.0 / self.length, 3.0 / self.slope];
         let change = [0.0, -1.0 / self.slope, 0.0, 1.0 / self.slope];
         let axis: [[f64; 3]; 4] = std::array::from_fn(|i| [axis[i], quadratic[i], change[i]]);
@@ -130,12 +131,12 @@ pub struct QuadraticShape {
 }
 
 impl QuadraticShape {
-    /// N₁, N₂, N₃ at ξ.
+    /// Returns N₁, N₂, N₃ at ξ.
     pub fn values(xi: f64) -> [f64; 3] {
         [1.0 - 3.0 * xi + 2.0 * xi * xi, 4.0 * (xi - xi * xi), 2.0 * xi * xi - xi]
     }
 
-    /// Their derivatives by ξ.
+    /// Returns the derivatives of N₁, N₂, N₃ by ξ.
     pub fn slopes(xi: f64) -> [f64; 3] {
         [4.0 * xi - 3.0, 4.0 - 8.0 * xi, 4.0 * xi - 1.0]
     }
@@ -180,7 +181,7 @@ mod tests {
 
     const SHAPE: BeamShape = BeamShape { length: 0.7, slope: 0.3 };
 
-    /// r and ℓ r_x at the ends are the coordinates themselves. The printed S₂ has slope 6 at ξ = 1, not 0.
+    /// At the ends, r and ℓ r_x are the coordinates. The printed S₂ has slope 6 at ξ = 1 instead of 0.
     #[test]
     fn nodal_values_and_slopes() {
         let l = SHAPE.slope;
@@ -190,7 +191,7 @@ mod tests {
         assert_eq!(SHAPE.axis_gradient(1.0).map(|s| s * l), [0.0, 0.0, 0.0, 1.0]);
     }
 
-    /// The derivative of a cubic by central differences with Richardson's correction is exact.
+    /// Central differences with Richardson's correction are exact for a cubic.
     #[test]
     fn gradient_is_derivative_of_value() {
         let difference = |xi: f64, h: f64| {
@@ -205,7 +206,7 @@ mod tests {
         }
     }
 
-    /// The central difference of a parabola is exact.
+    /// Central differences are exact for a parabola.
     #[test]
     fn curvature_is_derivative_of_gradient() {
         for xi in [0.0, 0.3, 0.8, 1.0] {
@@ -216,8 +217,8 @@ mod tests {
         }
     }
 
-    /// The hat functions of eq. (12) have no dimension: in other units of length they are the same numbers.
-    /// The printed Ŝ₆ = l (ξ³ − ξ²) is not.
+    /// The functions Ŝ of eq. (12) are dimensionless: they have the same values in other units of length.
+    /// The printed Ŝ₆ = l (ξ³ − ξ²) is not dimensionless.
     #[test]
     fn hat_functions_are_dimensionless() {
         let in_metres = BeamShape { length: 0.7, slope: 0.7 };

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::section_law::{DIRECTORS, Directors, Lame, Stiffness};
 
-/// A point of a cross-section and the area that it stands for.
+/// Quadrature point of a cross-section with its area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionPoint {
     /// Material coordinate y, length.
@@ -15,17 +15,18 @@ pub struct SectionPoint {
 
 /// Compressible neo-Hookean elasticity, integrated over a cross-section by points.
 ///
-/// With J(y, z) = [a + y b + z c, d, e], J₀ that of the reference directors, F = J J₀⁻¹ and C = FᵀF, the energy per
+/// With J(y, z) = [a + y b + z c, d, e], J₀ for the reference directors, F = J J₀⁻¹ and C = FᵀF, the energy per
 /// length of the axis is Σ weight · det J₀ · W with
 ///
 /// W = ½G (tr C − 3) − G ln det F + ½λ (ln det F)².
 ///
-/// Its linearisation at F = I is that of [`SectionLaw`](super::section_law::SectionLaw). Everything is computed from the increments
-/// by way of H = F − I and E = ½(H + Hᵀ + HᵀH), so that the energy of tiny strains has the relative error of E itself.
+/// Its linearisation at F = I is that of [`SectionLaw`](super::section_law::SectionLaw). All quantities are computed
+/// from the increments through H = F − I and E = ½(H + Hᵀ + HᵀH). The energy of small strains therefore has the
+/// relative accuracy of E.
 ///
-/// Where det F ≤ 0 at any point there is no energy: it is infinite, its derivatives are not numbers, and
-/// [`is_admissible`](Self::is_admissible) says no. The same holds where det J₀ ≤ 0, a reference curved more tightly than its section
-/// is thick.
+/// States with det F ≤ 0 at any point are inadmissible ([`is_admissible`](Self::is_admissible)). Their energy is
+/// infinite, and the derivatives are not a number. The same holds for det J₀ ≤ 0, where the radius of curvature of the
+/// reference is smaller than the section.
 ///
 /// Units: energies per length of the axis.
 /// Source: Simo & Pister (1984); Bonet & Wood (2008), eqs (6.27), (6.28).
@@ -35,32 +36,32 @@ pub struct NeoHookean {
     points: Vec<SectionPoint>,
 }
 
-/// The column of J that a director enters.
+/// Column of J that depends on a director.
 const COLUMN: [usize; 5] = [0, 0, 0, 1, 2];
 
 impl SectionPoint {
-    /// The factors of the directors in their columns of J.
+    /// Returns the factors of the directors in their columns of J.
     fn factors(&self) -> [f64; 5] {
         [1.0, self.y, self.z, 1.0, 1.0]
     }
 
-    /// J(y, z) of directors, or its increment.
+    /// Computes J(y, z) of directors, or its increment.
     fn gradient(&self, g: &Directors) -> Matrix3<f64> {
         Matrix3::from_columns(&[g[0] + g[1] * self.y + g[2] * self.z, g[3], g[4]])
     }
 }
 
-/// What a point knows of its deformation.
+/// Deformation at a point.
 struct Deformation {
-    /// weight · det J₀.
+    /// Volume weight · det J₀.
     volume: f64,
-    /// J₀⁻¹.
+    /// Inverse J₀⁻¹.
     inverse: Matrix3<f64>,
-    /// F.
+    /// Deformation gradient F.
     gradient: Matrix3<f64>,
     /// F⁻ᵀ.
     dual: Matrix3<f64>,
-    /// E.
+    /// Green-Lagrange strain E.
     strain: Matrix3<f64>,
     /// ln det F.
     log: f64,
@@ -69,7 +70,7 @@ struct Deformation {
 }
 
 impl Deformation {
-    /// None where det F or det J₀ is not positive.
+    /// Returns `None` unless det F and det J₀ are positive.
     fn new(point: &SectionPoint, g0: &Directors, u: &Directors) -> Option<Self> {
         let reference = point.gradient(g0);
         let (inverse, volume) = (reference.try_inverse()?, point.weight * reference.determinant());
@@ -90,19 +91,19 @@ impl Deformation {
         })
     }
 
-    /// 2G E + λ ln det F I = C S, with the second Piola-Kirchhoff stress S.
+    /// Returns 2G E + λ ln det F I = C S, with the second Piola-Kirchhoff stress S.
     fn stress(&self, lame: Lame) -> Matrix3<f64> {
         self.strain * (2.0 * lame.shear) + Matrix3::from_diagonal_element(lame.lambda * self.log)
     }
 }
 
-/// Size of E up to which logarithms are taken by way of E, not of det F.
+/// Size of E up to which logarithms are computed from E instead of det F.
 const NEAR: f64 = 0.0625;
 
-/// ln det F and tr E − ln det F.
+/// Computes ln det F and tr E − ln det F.
 ///
-/// With the invariants of E, det C = 1 + x, x = 2 I + 4 II + 8 III; then tr E − ½ ln(1 + x) =
-/// −2 II − 4 III + ½(x − ln(1 + x)), in which the terms of first order have gone.
+/// With the invariants of E, det C = 1 + x, x = 2 I + 4 II + 8 III. Then tr E − ½ ln(1 + x) =
+/// −2 II − 4 III + ½(x − ln(1 + x)), where the first-order terms have cancelled.
 fn logarithm(strain: &Matrix3<f64>, det: f64) -> (f64, f64) {
     let trace = strain.trace();
     if strain.norm() < NEAR {
@@ -114,7 +115,7 @@ fn logarithm(strain: &Matrix3<f64>, det: f64) -> (f64, f64) {
     }
 }
 
-/// x − ln(1 + x) for small x: with s = x/(2 + x), ln(1 + x) = 2 artanh s and x − 2s = x s.
+/// Computes x − ln(1 + x) for small x: with s = x/(2 + x), ln(1 + x) = 2 artanh s and x − 2s = x s.
 fn log_excess(x: f64) -> f64 {
     let s = x / (2.0 + x);
     let square = s * s;
@@ -123,17 +124,17 @@ fn log_excess(x: f64) -> f64 {
 }
 
 impl NeoHookean {
-    /// The law of a section of one material, given by points with weights.
+    /// Creates the law of a homogeneous section from quadrature points.
     pub fn new(lame: Lame, points: Vec<SectionPoint>) -> Self {
         Self { lame, points }
     }
 
-    /// Whether det F > 0 at all points.
+    /// Returns true if det F > 0 at all points.
     pub fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
         self.points.iter().all(|point| Deformation::new(point, g0, u).is_some())
     }
 
-    /// Strain energy per length of the increment u from the reference directors g0; infinite where det F ≤ 0.
+    /// Returns the strain energy per length of the increment u from the reference directors g0, infinite for det F ≤ 0.
     pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
         let Lame { lambda, shear } = self.lame;
         let density = |d: &Deformation| shear * d.distortion + 0.5 * lambda * d.log * d.log;
@@ -141,7 +142,7 @@ impl NeoHookean {
         self.points.iter().map(energy).sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// Derivative p_α of the energy by the directors; not numbers where det F ≤ 0.
+    /// Returns the derivatives p_α of the energy by the directors, not a number for det F ≤ 0.
     ///
     /// ∂W/∂F = G(F − F⁻ᵀ) + λ ln det F F⁻ᵀ = F⁻ᵀ (2G E + λ ln det F I), and ∂W/∂J = ∂W/∂F J₀⁻ᵀ.
     pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
@@ -158,11 +159,10 @@ impl NeoHookean {
         p
     }
 
-    /// Adds `factor` times the second derivative of the energy by the directors, blocks H_αβ with α ≥ β; not
-    /// numbers where det F ≤ 0.
+    /// Adds `factor` times the second derivative of the energy by the directors, in blocks H_αβ with α ≥ β.
     ///
-    /// With the columns gⁱ of J⁻ᵀ = F⁻ᵀ J₀⁻ᵀ, column i of J against column j has
-    /// G (J₀ᵀJ₀)⁻¹_ij I + (G − λ ln det F) gʲ gⁱᵀ + λ gⁱ gʲᵀ.
+    /// The blocks are not a number for det F ≤ 0. With the columns gⁱ of J⁻ᵀ = F⁻ᵀ J₀⁻ᵀ, the columns i and j of J have
+    /// the block G (J₀ᵀJ₀)⁻¹_ij I + (G − λ ln det F) gʲ gⁱᵀ + λ gⁱ gʲᵀ.
     pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
         let Lame { lambda, shear } = self.lame;
         for point in &self.points {
@@ -189,11 +189,11 @@ impl NeoHookean {
         }
     }
 
-    /// Adds the stiffness of the stresses that an increment `du` of the directors causes in first order; not numbers where
-    /// det F ≤ 0.
+    /// Adds the initial stress stiffness of the first-order stresses of an increment `du` of the directors.
     ///
-    /// With the second Piola-Kirchhoff stress S = G (I − C⁻¹) + λ ln det F C⁻¹ and dE = sym(Fᵀ dF),
-    /// dS = λ (C⁻¹:dE) C⁻¹ + 2 (G − λ ln det F) C⁻¹ dE C⁻¹; column i of J against column j has (J₀⁻¹ dS J₀⁻ᵀ)_ij I.
+    /// The blocks are not a number for det F ≤ 0. With the second Piola-Kirchhoff stress S = G (I − C⁻¹) + λ ln det F
+    /// C⁻¹ and dE = sym(Fᵀ dF), dS = λ (C⁻¹:dE) C⁻¹ + 2 (G − λ ln det F) C⁻¹ dE C⁻¹. The columns i and j of J have the
+    /// block (J₀⁻¹ dS J₀⁻ᵀ)_ij I.
     pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
         let Lame { lambda, shear } = self.lame;
         for point in &self.points {
@@ -217,11 +217,11 @@ impl NeoHookean {
         }
     }
 
-    /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u; infinite where
-    /// det F ≤ 0.
+    /// Bounds the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u. Infinite for det F
+    /// ≤ 0.
     ///
-    /// Returns one number per director, for each of its components. By norms: dH = dJ J₀⁻¹, dE = Fᵀ dH,
-    /// d ln det F = C⁻¹:dE, dF⁻¹ = −F⁻¹ dF F⁻¹.
+    /// Returns one number per director, which applies to each of its components. The bounds use norms: dH = dJ J₀⁻¹,
+    /// dE = Fᵀ dH, d ln det F = C⁻¹:dE, dF⁻¹ = −F⁻¹ dF F⁻¹.
     pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
         let moved: [f64; DIRECTORS] = std::array::from_fn(|i| du[i] + 2.0 * f64::EPSILON * u[i].norm());
         let mut p = [0.0; DIRECTORS];
@@ -251,7 +251,7 @@ impl NeoHookean {
     }
 }
 
-/// A bound of the spectral norm, exact for multiples of the identity: √(‖m‖₁ ‖m‖∞).
+/// Bounds the spectral norm by √(‖m‖₁ ‖m‖∞), exact for multiples of the identity.
 fn norm(m: &Matrix3<f64>) -> f64 {
     let size = m.abs();
     (size.row_sum().max() * size.column_sum().max()).sqrt()
@@ -261,7 +261,7 @@ fn norm(m: &Matrix3<f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// Against the series Σ (−x)ᵏ/k, k ≥ 2, and against the difference itself where it loses little.
+    /// Compares with the series Σ (−x)ᵏ/k, k ≥ 2, and with the direct difference for larger x.
     #[test]
     fn log_excess_is_exact() {
         for x in [1e-12_f64, -1e-9, 1e-5, -3e-3, 0.02, -0.1, 0.24, -0.24] {

@@ -1,10 +1,10 @@
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::hyperelastic::SectionPoint;
-use super::section_law::{Directors, Form, Lame, STRAINS, SectionLaw};
+use super::section_law::{Directors, Lame, STRAINS, SectionLaw, SectionMatrix};
 use super::section_strains::*;
 
-/// Moments ∫ yⁱ zʲ dA of a cross-section about its principal axes; odd ones vanish by symmetry.
+/// Area moments ∫ yⁱ zʲ dA of a cross-section about its principal axes. Odd moments vanish by symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
     /// Area A.
@@ -21,35 +21,35 @@ pub struct Moments {
     pub zzzz: f64,
 }
 
-/// A cross-section as the elements see it.
+/// Cross-section properties used by the elements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossSection {
-    /// Moments of area.
+    /// Area moments.
     pub moments: Moments,
-    /// ∫ y² dA and ∫ z² dA by which the section resists rotation with its mass.
+    /// ∫ y² dA and ∫ z² dA for the rotary inertia.
     pub inertia: [f64; 2],
-    /// Torsion constant J of St. Venant.
+    /// St. Venant torsion constant J.
     pub torsion: f64,
-    /// Shear factors k_y and k_z.
+    /// Shear correction factors k_y and k_z.
     pub shear: [f64; 2],
-    /// A quadrature rule over the section that is exact for the moments.
+    /// Quadrature points that integrate the moments exactly.
     pub points: Vec<SectionPoint>,
 }
 
 impl SectionLaw {
-    /// Three-dimensional St. Venant-Kirchhoff elasticity ½∫(λ tr² E + 2G E:E) dA of a straight beam, exactly.
+    /// Creates the exact three-dimensional St. Venant-Kirchhoff law ½∫(λ tr² E + 2G E:E) dA of a straight beam.
     ///
-    /// Locks: bending is resisted by (λ+2G) I, torsion by the polar moment of area.
+    /// The law locks: the bending stiffness is (λ+2G) I, and the torsional stiffness uses the polar moment of area.
     ///
     /// Source: the energy of Kim et al. (2017), eqs (26)-(31), with the factors missing in (27), (28) restored.
     pub fn continuum(material: Lame, m: Moments) -> Self {
         Self::new(&full(material, m))
     }
 
-    /// The same for a beam that is curved or twisted in its reference state, with directors g0 in any frame.
+    /// Creates the three-dimensional law of a beam with a curved or twisted reference, with directors g0 in any frame.
     ///
-    /// The strains that have energy are those in the orthonormal frame of the reference section, E = F₀⁻ᵀ Ẽ F₀⁻¹ with
-    /// F₀ = [g₁ g₂ g₃], which varies over the section; integrated by points.
+    /// The strains in the energy refer to the orthonormal frame of the reference section, E = F₀⁻ᵀ Ẽ F₀⁻¹ with
+    /// F₀ = [g₁ g₂ g₃]. F₀ varies over the section, so the law is integrated by points.
     pub fn curved(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let Lame { lambda, shear } = material;
         let mut d = NONE;
@@ -67,22 +67,23 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// Elasticity of a rod in the strains of the continuum: the remedy of Poisson and torsion locking.
+    /// Creates the rod law in continuum strains, which avoids Poisson and torsion locking.
     ///
-    /// The sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference directors g0 in
-    /// any frame.
+    /// It is the sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference
+    /// directors g0 in any frame.
     ///
-    /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on the axis
-    /// only and the shear factors; the split into parts that are never negative is ours.
+    /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on
+    /// the axis only and the shear factors. The split into parts that are never negative is specific to this
+    /// implementation.
     pub fn enhanced(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let shear = Self::shear(material, section, g0);
         Self::rod(material, section, g0).plus(&shear).plus(&Self::transverse(material, section, g0))
     }
 
-    /// Tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
+    /// Creates the law of tension, bending and torsion: ½(∫E E₁₁² dA + GJ κ²).
     ///
-    /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean of the rates at which the
-    /// section's two directions turn.
+    /// The fibres have the modulus E. The twist κ = ½(∫y 2E₁₃ dA/∫y² dA − ∫z 2E₁₂ dA/∫z² dA) is the mean rate of
+    /// rotation of both section directions.
     pub fn rod(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let (m, mut d, mut area, mut twist) = (section.moments, NONE, 0.0, [0.0; STRAINS]);
         for point in &section.points {
@@ -94,12 +95,13 @@ impl SectionLaw {
                 twist[k] += 0.5 * weight * (point.y / m.yy * rows[4][k] - point.z / m.zz * rows[3][k]);
             }
         }
-        // Per length of the material coordinate, of which area/A is the length in the reference state.
+        // Per length of the material coordinate. The factor area/A is its length in the reference state.
         add_product(&twist, &twist, material.shear * section.torsion * m.area / area, &mut d);
         Self::new(&d)
     }
 
-    /// Shear forces: ½(k_y GA γ_y² + k_z GA γ_z²), where γ are the means of the shear strains over the section.
+    /// Creates the law of shear forces: ½(k_y GA γ_y² + k_z GA γ_z²), where γ are the mean shear strains of the
+    /// section.
     pub fn shear(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let (mut d, mut area, mut means) = (NONE, 0.0, [[0.0; STRAINS]; 2]);
         for point in &section.points {
@@ -115,15 +117,16 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// The section's own change of size and shape, ½A ((λ+2G)(y² + z²) + 2λ y z + G (2E₂₃)²) with y = E₂₂ + ν E₁₁,
-    /// z = E₃₃ + ν E₁₁ on the axis: none where it contracts as it does under tension.
+    /// Creates the law of section deformation, ½A ((λ+2G)(y² + z²) + 2λ y z + G (2E₂₃)²).
+    ///
+    /// y = E₂₂ + ν E₁₁ and z = E₃₃ + ν E₁₁ on the axis, so the energy vanishes for lateral contraction under tension.
     pub fn transverse(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
         let Lame { lambda, shear } = material;
         let poisson = 0.5 * lambda / (lambda + shear);
         let (rows, volume) = local_strains(g0, 0.0, 0.0);
         let area = section.moments.area * volume;
         let of = |i: usize| std::array::from_fn(|k| rows[i][k] + poisson * rows[0][k]);
-        let (y, z, mut d): (Row, Row, Form) = (of(1), of(2), NONE);
+        let (y, z, mut d): (StrainRow, StrainRow, SectionMatrix) = (of(1), of(2), NONE);
         for (x, y, stiffness) in [
             (&y, &y, lambda + 2.0 * shear),
             (&z, &z, lambda + 2.0 * shear),
@@ -136,27 +139,28 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// The same law under the strains of the linked formulation at ξ of a two-node element of length l.
+    /// Replaces the curvatures by those of the linked formulation at ξ of a two-node element of length l.
     ///
-    /// Its curvatures are ε_ab + w' ε_hd, with w = ξ − ξ², in the place of ε_ab, and likewise with c, e: as if the sections'
-    /// directors had the quadratic part w h·d that makes the shear strains linear along the element, from their values at the
-    /// nodes.
+    /// The curvature ε_ab is replaced by ε_ab + w' ε_hd, with w = ξ − ξ², and so on for c, e. This corresponds to a
+    /// quadratic part w h·d of the section directors. The shear strains are then linear along the element, with their
+    /// values at the nodes.
     ///
-    /// Source: linked interpolation as in Jelenic & Papa (2011), here of strains of the fully parameterised element.
+    /// Source: linked interpolation as in Jelenic & Papa (2011), here for strains of the fully parameterised element.
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
-        self.mapped(&linking(xi, length))
+        self.mapped(&linked_strain_terms(xi, length))
     }
 
-    /// The same law under the axial strain that is linear along a three-node element and has its values at the two Gauss points:
-    /// ε_aa − (η² − 1/12) ε_hh in the place of ε_aa, with η = ξ − ½ and a = a(½) + η h.
+    /// Replaces the axial strain by a linear one along a three-node element, with its values at the two Gauss points.
+    ///
+    /// The strain ε_aa is replaced by ε_aa − (η² − 1/12) ε_hh, with η = ξ − ½ and a = a(½) + η h.
     #[must_use]
     pub fn reduced(&self, xi: f64) -> Self {
         let eta = xi - 0.5;
         self.mapped(&[(AA, HH, 1.0 / 12.0 - eta * eta)])
     }
 
-    /// The law in which each strain of the list has a factor of another one added to it.
+    /// Adds to each strain of the list a multiple of another strain.
     fn mapped(&self, list: &[(usize, usize, f64)]) -> Self {
         let mut map: SMatrix<f64, STRAINS, STRAINS> = SMatrix::identity();
         for &(strain, added, factor) in list {
@@ -168,21 +172,21 @@ impl SectionLaw {
     }
 }
 
-/// What linked curvatures have besides their own section strain at ξ: the strain, what is added to it, and its factor.
-pub(crate) fn linking(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
+/// Returns the additional terms of linked curvatures at ξ: the strain, the added strain and its factor.
+pub(crate) fn linked_strain_terms(xi: f64, length: f64) -> [(usize, usize, f64); 4] {
     let slope = (1.0 - 2.0 * xi) / length;
     let arm = slope * length;
     [(AB, DH, slope), (AB, BK, arm), (AC, EH, slope), (AC, CK, arm)]
 }
 
-/// A strain as a combination of section strains.
-type Row = [f64; STRAINS];
+/// Strain as a linear combination of section strains.
+type StrainRow = [f64; STRAINS];
 
-/// No stiffness.
-const NONE: Form = [[0.0; STRAINS]; STRAINS];
+/// Zero stiffness.
+const NONE: SectionMatrix = [[0.0; STRAINS]; STRAINS];
 
-/// D of λ tr² E + 2G E:E over a straight section.
-fn full(material: Lame, m: Moments) -> Form {
+/// Returns D of λ tr² E + 2G E:E over a straight section.
+fn full(material: Lame, m: Moments) -> SectionMatrix {
     let Lame { lambda: l, shear: g } = material;
     let p = l + 2.0 * g;
     let mut d = NONE;
@@ -222,7 +226,7 @@ fn full(material: Lame, m: Moments) -> Form {
     d
 }
 
-fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
+fn add_product(x: &StrainRow, y: &StrainRow, factor: f64, d: &mut SectionMatrix) {
     for k in 0..STRAINS {
         for l in 0..STRAINS {
             d[k][l] += factor * x[k] * y[l];
@@ -230,16 +234,17 @@ fn add_product(x: &Row, y: &Row, factor: f64, d: &mut Form) {
     }
 }
 
-/// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ at (y, z) in the orthonormal frame of the reference section as rows over the section
-/// strains, and det F₀.
-pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
+/// Returns strains at (y, z) in the orthonormal frame of the reference section, and det F₀.
+///
+/// E₁₁, E₂₂, E₃₃, 2E₁₂, 2E₁₃, 2E₂₃ are given as rows over the section strains.
+pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([StrainRow; 6], f64) {
     let n = g0[3].cross(&g0[4]).normalize();
     let second = g0[3].normalize();
     let frame = Matrix3::from_columns(&[n, second, n.cross(&second)]);
     let first = g0[0] + g0[1] * y + g0[2] * z;
     let f0 = frame.transpose() * Matrix3::from_columns(&[first, g0[3], g0[4]]);
     let inverse = f0.try_inverse().unwrap_or_else(Matrix3::identity);
-    // Ẽ in the basis of the reference directors: each entry a combination of section strains.
+    // Ẽ in the basis of the reference directors. Each entry is a linear combination of section strains.
     let of = |terms: &[(usize, f64)]| {
         let mut row = [0.0; STRAINS];
         terms.iter().for_each(|&(k, x)| row[k] = x);
@@ -250,7 +255,7 @@ pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
     let (e22, e33, e23) = (of(&[(DD, 1.0)]), of(&[(EE, 1.0)]), of(&[(DE, 0.5)]));
     let (e12, e13) = (half([(AD, 1.0), (BD, y), (CD, z)]), half([(AE, 1.0), (BE, y), (CE, z)]));
     let strains = [[e11, e12, e13], [e12, e22, e23], [e13, e23, e33]];
-    let rotated = |i: usize, j: usize, factor: f64| -> Row {
+    let rotated = |i: usize, j: usize, factor: f64| -> StrainRow {
         let mut row = [0.0; STRAINS];
         for (k, strains) in strains.iter().enumerate() {
             for (l, strain) in strains.iter().enumerate() {
@@ -271,7 +276,7 @@ pub(crate) fn local_strains(g0: &Directors, y: f64, z: f64) -> ([Row; 6], f64) {
     (rows, f0.determinant())
 }
 
-/// Directors of a straight, undistorted reference section in its own frame.
+/// Returns the directors of a straight, undistorted reference section in its own frame.
 pub(crate) fn straight() -> Directors {
     let zero = Vector3::zeros();
     [Vector3::x(), zero, zero, Vector3::y(), Vector3::z(), zero, zero]

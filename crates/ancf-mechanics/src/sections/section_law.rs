@@ -10,17 +10,17 @@ pub struct Lame {
 }
 
 impl Lame {
-    /// Young's modulus E = G (3λ + 2G)/(λ + G).
+    /// Returns Young's modulus E = G (3λ + 2G)/(λ + G).
     pub fn young(&self) -> f64 {
         self.shear * (3.0 * self.lambda + 2.0 * self.shear) / (self.lambda + self.shear)
     }
 }
 
-/// The vectors that make up the deformation of a cross-section, or increments of them.
+/// Vectors that describe the deformation of a cross-section, or increments of them.
 ///
-/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The others say
-/// how a varies along an element, whatever the section: h is the coefficient of its highest power of ξ, and
-/// k = a(1) − a(0). Strains that vary along an element more than they should are mended by them
+/// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The other
+/// directors describe the variation of a along an element: h is the coefficient of its highest power of ξ, and k = a(1)
+/// − a(0). They reduce the variation of strains that would cause locking
 /// ([`Formulation`](crate::elements::Formulation)).
 pub type Directors = [Vector3<f64>; DIRECTORS];
 
@@ -30,7 +30,7 @@ pub(crate) const DIRECTORS: usize = 7;
 /// Number of section strains.
 pub(crate) const STRAINS: usize = 20;
 
-/// Pairs of directors whose products make the section strains; ½ of the product for the equal ones.
+/// Pairs of directors whose products are the section strains; ½ of the product for equal directors.
 pub(crate) const PAIRS: [(usize, usize); STRAINS] = [
     (0, 0),
     (1, 1),
@@ -53,7 +53,7 @@ pub(crate) const PAIRS: [(usize, usize); STRAINS] = [
     (1, 6),
     (2, 6), // dh eh bk ck
 ];
-/// Section strains by the pair of directors that they belong to.
+/// Section strains, indexed by pair of directors.
 pub(crate) type Strains = [f64; STRAINS];
 
 /// Elasticity of a cross-section as a quadratic form ½ εᵀ D ε in the products of directors.
@@ -62,28 +62,28 @@ pub(crate) type Strains = [f64; STRAINS];
 /// ε_αα = ½(g_α·g_α − g⁰_α·g⁰_α) and ε_αβ = g_α·g_β − g⁰_α·g⁰_β:
 ///
 /// E₁₁ = ε_aa + y ε_ab + z ε_ac + y² ε_bb + yz ε_bc + z² ε_cc,  E₂₂ = ε_dd,  E₃₃ = ε_ee,
-/// 2E₁₂ = ε_ad + y ε_bd + z ε_cd,  2E₁₃ = ε_ae + y ε_be + z ε_ce,  2E₂₃ = ε_de,
+/// 2E₁₂ = ε_ad + y ε_bd + z ε_cd,  2E₁₃ = ε_ae + y ε_be + z ε_ce,  2E₂₃ = ε_de.
 ///
-/// so that any energy quadratic in them, integrated over the section, is ½ εᵀ D ε; what D is, the formulations say
+/// Any energy quadratic in them, integrated over the section, is therefore ½ εᵀ D ε. The formulations define D
 /// ([`SectionLaw::continuum`], [`SectionLaw::enhanced`]).
 ///
 /// Units: D force·lengthᵏ; energies per length of the axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionLaw {
-    /// Entries (k, l, D_kl) that are not zero, with k > l.
+    /// Nonzero entries (k, l, D_kl) with k > l.
     coupled: Vec<(usize, usize, f64)>,
-    /// The strains that have stiffness, each with its pair of directors and D_kk.
+    /// Strains with stiffness, each with its pair of directors and D_kk.
     used: Vec<(usize, (usize, usize), f64)>,
-    /// One more than the last director that it depends on.
+    /// Number of directors that the law depends on.
     reach: usize,
 }
 
-/// D over the section strains.
-pub(crate) type Form = [[f64; STRAINS]; STRAINS];
+/// Matrix D over the section strains.
+pub(crate) type SectionMatrix = [[f64; STRAINS]; STRAINS];
 
 impl SectionLaw {
-    /// The law of a symmetric matrix D that is not negative; entries that are rounding errors of zero are left out.
-    pub(crate) fn new(d: &Form) -> Self {
+    /// Creates the law of a symmetric positive semidefinite matrix D. Entries within rounding of zero are dropped.
+    pub(crate) fn new(d: &SectionMatrix) -> Self {
         let counts = |k: usize, l: usize| d[k][l].abs() > 1e-14 * (d[k][k] * d[l][l]).abs().sqrt();
         let used: Vec<_> = (0..STRAINS).filter(|&k| counts(k, k)).map(|k| (k, PAIRS[k], d[k][k])).collect();
         let lower = (0..STRAINS).flat_map(|k| (0..k).map(move |l| (k, l)));
@@ -92,8 +92,8 @@ impl SectionLaw {
         Self { coupled: coupled.collect(), used, reach }
     }
 
-    /// D.
-    pub(crate) fn form(&self) -> Form {
+    /// Returns D.
+    pub(crate) fn form(&self) -> SectionMatrix {
         let mut d = [[0.0; STRAINS]; STRAINS];
         for &(k, _, entry) in &self.used {
             d[k][k] = entry;
@@ -105,7 +105,7 @@ impl SectionLaw {
         d
     }
 
-    /// The same law, `factor` times as stiff.
+    /// Multiplies the stiffness by `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         let mut law = self.clone();
@@ -114,7 +114,7 @@ impl SectionLaw {
         law
     }
 
-    /// The sum of two laws.
+    /// Returns the sum of two laws.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let (mut d, more) = (self.form(), other.form());
@@ -122,13 +122,14 @@ impl SectionLaw {
         Self::new(&d)
     }
 
-    /// One more than the last director that it depends on.
+    /// Returns the number of directors that the law depends on.
     pub(crate) fn reach(&self) -> usize {
         self.reach
     }
 
-    /// Section strains of the increment u from the reference directors g0, without cancellation:
-    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Those without stiffness are left at zero.
+    /// Computes section strains of the increment u from the reference directors g0, without cancellation.
+    ///
+    /// g_α·g_β − g⁰_α·g⁰_β = g⁰_α·u_β + u_α·g⁰_β + u_α·u_β. Strains without stiffness remain zero.
     fn strains(&self, g0: &Directors, u: &Directors) -> Strains {
         let mut strains = [0.0; STRAINS];
         for &(k, pair, _) in &self.used {
@@ -137,7 +138,7 @@ impl SectionLaw {
         strains
     }
 
-    /// Rates of the section strains of the directors g moving with v.
+    /// Computes the rates of the section strains of the directors g with rates v.
     fn rates(&self, g: &Directors, v: &Directors) -> Strains {
         let mut rates = [0.0; STRAINS];
         for &(k, (i, j), _) in &self.used {
@@ -146,7 +147,7 @@ impl SectionLaw {
         rates
     }
 
-    /// Stress resultants n = D ε.
+    /// Computes the stress resultants n = D ε.
     fn resultants(&self, strains: &Strains) -> Strains {
         let mut n = [0.0; STRAINS];
         for &(k, _, d) in &self.used {
@@ -159,23 +160,23 @@ impl SectionLaw {
         n
     }
 
-    /// Resultants of the rates of strain, for a law of viscosity.
+    /// Computes the viscous resultants of the strain rates.
     pub(crate) fn viscous(&self, g: &Directors, v: &Directors) -> Strains {
         self.resultants(&self.rates(g, v))
     }
 
-    /// Strain energy per length of the increment u from the reference directors g0.
+    /// Returns the strain energy per length of the increment u from the reference directors g0.
     pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
         let strains = self.strains(g0, u);
         0.5 * self.resultants(&strains).iter().zip(&strains).map(|(n, e)| n * e).sum::<f64>()
     }
 
-    /// Derivative of the energy by the directors: p_α = Σ_β N_αβ g_β.
+    /// Returns the derivatives of the energy by the directors: p_α = Σ_β N_αβ g_β.
     pub fn forces(&self, g0: &Directors, u: &Directors) -> Directors {
         self.of_resultants(&self.resultants(&self.strains(g0, u)), &sum(g0, u))
     }
 
-    /// Σ_k n_k ∂ε_k/∂g_α.
+    /// Computes Σ_k n_k ∂ε_k/∂g_α.
     pub(crate) fn of_resultants(&self, n: &Strains, g: &Directors) -> Directors {
         let mut p = [Vector3::zeros(); DIRECTORS];
         for &(k, (i, j), _) in &self.used {
@@ -187,20 +188,20 @@ impl SectionLaw {
         p
     }
 
-    /// Adds `factor` times the second derivative of the energy by the directors, blocks H_αβ with α ≥ β.
+    /// Adds `factor` times the second derivative of the energy by the directors, in blocks H_αβ with α ≥ β.
     pub fn add_stiffness(&self, g0: &Directors, u: &Directors, factor: f64, h: &mut Stiffness) {
         let (n, g) = (self.resultants(&self.strains(g0, u)), sum(g0, u));
         self.add_geometric(&n, factor, h);
         self.add_squares(&g, factor, h);
     }
 
-    /// Adds the stiffness Σ_k n_k ∂²ε_k of the stresses n = D ∂ε/∂g `du` that an increment of the directors causes in first
-    /// order.
+    /// Adds the initial stress stiffness Σ_k n_k ∂²ε_k of the first-order stresses n = D ∂ε/∂g `du` of an increment
+    /// `du`.
     pub fn add_stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors, h: &mut Stiffness) {
         self.add_geometric(&self.resultants(&self.rates(&sum(g0, u), du)), 1.0, h);
     }
 
-    /// Strain energy per length that belongs to each section strain; what couples two of them is shared between them.
+    /// Returns the strain energy per length of each section strain. Coupling terms are divided equally.
     pub(crate) fn shares(&self, g0: &Directors, u: &Directors) -> Strains {
         let strains = self.strains(g0, u);
         let n = self.resultants(&strains);
@@ -229,8 +230,9 @@ impl SectionLaw {
         self.add_form(&p, h);
     }
 
-    /// Adds what D makes of the products P_ij = g_i g_jᵀ: D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at
-    /// (i, m), and so on for each order of each pair.
+    /// Adds the contraction of D with the products P_ij = g_i g_jᵀ.
+    ///
+    /// D_kl of the pairs k = (i, j) and l = (m, n) adds P_jn at (i, m), for each order of each pair.
     fn add_form(&self, p: &Stiffness, h: &mut Stiffness) {
         for &(_, (i, j), d) in &self.used {
             add(&mut h[i][i], &p[j][j], d);
@@ -244,7 +246,7 @@ impl SectionLaw {
                 && i == j
                 && m == n
             {
-                // Of equal pairs, k > l is i > m.
+                // For equal pairs, k > l means i > m.
                 add(&mut h[i][m], &p[i][m], d);
                 continue;
             }
@@ -261,9 +263,9 @@ impl SectionLaw {
         }
     }
 
-    /// A bound of the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u.
+    /// Bounds the rounding error of [`forces`](Self::forces), given bounds `du` of the errors in u.
     ///
-    /// Returns one number per director, for each of its components.
+    /// Returns one number per director, which applies to each of its components.
     pub fn rounding(&self, g0: &Directors, u: &Directors, du: &[f64; DIRECTORS]) -> [f64; DIRECTORS] {
         let [mut size, mut moved, mut p] = [[0.0; DIRECTORS]; 3];
         for i in 0..self.reach {
@@ -290,26 +292,26 @@ impl SectionLaw {
     }
 }
 
-/// All section strains of the increment u from the reference directors g0.
+/// Computes all section strains of the increment u from the reference directors g0.
 pub(crate) fn all_strains(g0: &Directors, u: &Directors) -> Strains {
     PAIRS.map(|pair| strain_of(pair, g0, u))
 }
 
-/// The section strain of a pair of directors.
+/// Computes the section strain of a pair of directors.
 #[inline]
 fn strain_of((i, j): (usize, usize), g0: &Directors, u: &Directors) -> f64 {
     if i == j { (g0[i] + u[i] * 0.5).dot(&u[i]) } else { (g0[i] + u[i]).dot(&u[j]) + u[i].dot(&g0[j]) }
 }
 
-/// A pair of directors in both orders; in one, if they are the same.
+/// Returns a pair of directors in both orders, or once if they are equal.
 fn orders((i, j): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
     [(i, j), (j, i)].into_iter().take(if i == j { 1 } else { 2 })
 }
 
-/// Second derivatives by the directors: blocks H_αβ, of which those with α ≥ β count.
+/// Second derivatives by the directors: blocks H_αβ, used for α ≥ β.
 pub type Stiffness = [[Matrix3<f64>; DIRECTORS]; DIRECTORS];
 
-/// All of them zero.
+/// Zero stiffness.
 pub(crate) const NO_STIFFNESS: Stiffness =
     [[Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0); DIRECTORS]; DIRECTORS];
 
@@ -321,7 +323,7 @@ pub(crate) fn add(sum: &mut Matrix3<f64>, matrix: &Matrix3<f64>, factor: f64) {
     }
 }
 
-/// Reference directors plus increments.
+/// Returns reference directors plus increments.
 pub(crate) fn sum(g0: &Directors, u: &Directors) -> Directors {
     std::array::from_fn(|i| g0[i] + u[i])
 }

@@ -1,4 +1,4 @@
-//! Indices of the section strains: a, b, c, d, e, h are the vectors of the gradient, see `SectionLaw`.
+//! Indices of the section strains. The letters a, b, c, d, e, h denote directors, see `SectionLaw`.
 
 pub(crate) const AA: usize = 0;
 pub(crate) const BB: usize = 1;

@@ -1,123 +1,123 @@
 use serde::{Deserialize, Serialize};
 
-use super::estimate::{Estimate, Past};
-use super::motion::Unknown;
+use super::error_estimate::{ErrorEstimate, ErrorHistory};
+use super::integration_state::Unknown;
 use super::step_report::StepReport;
 use super::time_stepper::Dynamics;
 use crate::equations::EquationsOfMotion;
 use crate::newton::{Failure, SolveError};
 
-/// What steps of variable size are to achieve.
+/// Settings of the step size control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Control {
-    /// The error that the motion may gather over the duration: a root mean square displacement over the mass, relative
-    /// to `length`.
+    /// Tolerance of the global error: a mass-weighted root mean square displacement at the end, relative to `length`.
     pub tolerance: f64,
-    /// A length of the model, such as that of its longest body.
+    /// Reference length of the model, such as the length of its longest body.
     pub length: f64,
-    /// The mass of the model.
+    /// Total mass of the model.
     pub mass: f64,
-    /// The time over which errors gather.
+    /// Duration over which errors accumulate.
     pub duration: f64,
-    /// The first step; by the first acceleration if left out.
+    /// First step size. Computed from the first acceleration if absent.
     pub initial: Option<f64>,
-    /// The largest step.
+    /// Largest permitted step size.
     pub largest: f64,
-    /// The smallest step.
+    /// Smallest permitted step size.
     pub smallest: f64,
 }
 
 impl Control {
-    /// The smallest step as a part of the duration, unless something else is wanted.
+    /// Default of the smallest step size, relative to the duration.
     pub const SMALLEST: f64 = 1e-9;
 }
 
-/// Steps of [`Dynamics`] as large as a tolerance permits, for schemes of second order.
+/// Step size control of [`Dynamics`] for second-order schemes.
 ///
-/// The error of each step is estimated as a displacement e. Errors gather, so each step may have its share of the tolerance:
-/// e/h ≤ tolerance × length / duration. A step aims at a part of that; its size follows from the errors of two steps,
-/// smoothly, since each change of the step disturbs the multipliers:
+/// The error e of each step is estimated as a displacement. Errors accumulate, so each step receives a proportional
+/// share of the tolerance: e/h ≤ tolerance × length / duration. The controller aims at a fraction of this share. The
+/// errors of two steps determine the next step size. The step size changes smoothly, since each change disturbs the
+/// multipliers:
 ///
-/// hₙ₊₁ = hₙ (xₙ xₙ₋₁)^(1/bk) (hₙ/hₙ₋₁)^(−1/b),   x = aimed error / error,  k = 2,  b = 4.
+/// hₙ₊₁ = hₙ (xₙ xₙ₋₁)^(1/bk) (hₙ/hₙ₋₁)^(−1/b),   x = target error / error,  k = 2,  b = 4.
 ///
-/// What the tolerance promises is proven for vibrations only; a motion that is unstable loses more.
+/// The global error bound is proven for vibrations only. Unstable motions have larger errors.
 ///
 /// Source: Söderlind (2003), the digital filter H211b.
 #[derive(Debug)]
 pub struct Adaptive {
     control: Control,
-    estimate: Estimate,
-    sizes: Sizes,
+    estimate: ErrorEstimate,
+    sizes: StepSizes,
 }
 
-/// Sizes of steps.
+/// Step sizes of the controller.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Sizes {
-    /// The step that is to come.
+struct StepSizes {
+    /// Next step size.
     next: f64,
-    /// x and h of the last accepted step.
+    /// Error ratio x and step size h of the last accepted step.
     last: Option<(f64, f64)>,
 }
 
-/// All on which the further control depends; of [`Adaptive`].
+/// Saved state of [`Adaptive`], on which later steps depend.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct AdaptiveMemory {
-    sizes: Sizes,
-    past: Past,
+    sizes: StepSizes,
+    history: ErrorHistory,
 }
 
-/// The part of its share at which a step aims.
-const AIM: f64 = 0.4;
-/// 1/bk and 1/b.
+/// Target of the error, relative to its share of the tolerance.
+const TARGET: f64 = 0.4;
+/// Exponents 1/bk and 1/b.
 const FILTER: (f64, f64) = (0.125, 0.25);
-/// To this part of itself a step falls when Newton's method fails, and at most when it is too inaccurate.
-const FALL: f64 = 0.25;
+/// Reduction factor after a failed iteration, and largest reduction after a rejected step.
+const REDUCTION: f64 = 0.25;
 
 impl Adaptive {
-    /// Control of the dynamics.
+    /// Creates the step size control of an integration.
     pub fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, control: Control) -> Self {
-        let mut estimate = Estimate::new(dynamics, control.mass);
+        let mut estimate = ErrorEstimate::new(dynamics, control.mass);
         let a = estimate.norm(&dynamics.state().a);
-        // In this step the acceleration moves the system by a hundredth of the tolerance or so.
+        // During this step the acceleration moves the system by about a hundredth of the tolerance.
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
         let next = control.initial.unwrap_or(own).max(control.smallest);
-        Self { control, estimate, sizes: Sizes { next, last: None } }
+        Self { control, estimate, sizes: StepSizes { next, last: None } }
     }
 
-    /// Does one step of a size that the tolerance permits towards the time `to`, where the last of them ends exactly.
+    /// Performs one step within the tolerance towards the time `to`. The last step ends exactly there.
     ///
     /// # Errors
-    /// If the smallest step fails or is too inaccurate; the state is then that of the last accepted step.
+    /// If the smallest step fails or exceeds the tolerance. The state is then that of the last accepted step.
     pub fn step<E: EquationsOfMotion>(
         &mut self,
         dynamics: &mut Dynamics<'_, E>,
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
-        if dynamics.motion.fresh {
+        if dynamics.motion.at_start {
             self.sizes.last = None;
             self.estimate.restart();
         }
         let from = dynamics.state().t;
         let (mut size, mut failed) = (self.sizes.next, false);
         loop {
-            // Equal parts of what is left, so that no sliver remains.
+            // Equal parts of the remaining interval avoid a tiny last step.
             let parts = ((to - from) / size.min(self.control.largest) * (1.0 - 1e-9)).ceil().max(1.0);
             let h = (to - from) / parts;
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
-                Ok(x) if x >= AIM => {
-                    self.plan(x, h, (size, failed));
+                Ok(x) if x >= TARGET => {
+                    self.plan_next(x, h, (size, failed));
                     return Ok(report);
                 }
                 Ok(x) => {
-                    size = h * x.sqrt().max(FALL);
+                    size = h * x.sqrt().max(REDUCTION);
                     SolveError { worst: self.estimate.worst(), ..SolveError::at(end, Failure::StepTooSmall) }
                 }
                 Err(error) if error.is_final() => return Err(error),
                 Err(error) => {
                     report.iterations += error.iterations;
-                    size = FALL * h;
+                    size = REDUCTION * h;
                     error
                 }
             };
@@ -129,7 +129,7 @@ impl Adaptive {
         }
     }
 
-    /// Tries a step; accepts it if x, the quotient of aimed and estimated error, is at least [`AIM`].
+    /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`TARGET`].
     fn attempt<E: EquationsOfMotion>(
         &mut self,
         dynamics: &mut Dynamics<'_, E>,
@@ -137,54 +137,54 @@ impl Adaptive {
         end: f64,
         report: &mut StepReport,
     ) -> Result<f64, SolveError> {
-        // The estimate filters by it.
+        // The error estimate needs the current iteration matrix as a filter.
         dynamics.newton.tangent.renew();
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
-        let error = error.inspect_err(|_| dynamics.take_back())?;
+        let error = error.inspect_err(|_| dynamics.revert())?;
         let share = self.control.tolerance * self.control.length * h / self.control.duration;
-        let x = AIM * share / error.max(f64::MIN_POSITIVE);
-        if x >= AIM {
+        let x = TARGET * share / error.max(f64::MIN_POSITIVE);
+        if x >= TARGET {
             dynamics.accept(&done, report);
             self.estimate.accept(h);
         } else {
-            dynamics.take_back();
+            dynamics.revert();
             report.iterations += done.iterations;
             report.rejected += 1;
         }
         Ok(x)
     }
 
-    /// The size of the next step, after one that was to have a size, before which others may have failed.
-    fn plan(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
+    /// Computes the next step size after an accepted step h, given the proposed size and whether other sizes failed.
+    fn plan_next(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
         let (x_before, h_before) = self.sizes.last.unwrap_or((x, h));
         let factor = (x * x_before).powf(FILTER.0) * (h / h_before).powf(-FILTER.1);
         let smooth = 1.0 + (factor - 1.0).atan(); // at most 2.6
         let next = h * if failed { smooth.min(1.0) } else { smooth };
-        // A step that was cut short to end somewhere says nothing against the size it might have had.
+        // A step shortened to end at a given time does not limit the next step size.
         let cut = h < 0.9 * size && next >= h && !failed;
         let next = next.max(if cut { size } else { self.control.smallest });
-        self.sizes = Sizes { next, last: Some((x, h)) };
+        self.sizes = StepSizes { next, last: Some((x, h)) };
     }
 
-    /// All on which the further control depends, as of the last accepted step.
+    /// Returns the saved state as of the last accepted step.
     pub fn memory(&self) -> AdaptiveMemory {
-        AdaptiveMemory { sizes: self.sizes, past: self.estimate.past.clone() }
+        AdaptiveMemory { sizes: self.sizes, history: self.estimate.history.clone() }
     }
 
-    /// Goes on from a memory.
+    /// Resumes from a saved state.
     ///
     /// # Errors
-    /// If it is no memory of such a control.
+    /// If the saved state does not belong to this control.
     pub fn recall(&mut self, memory: &AdaptiveMemory) -> Result<(), Unknown> {
-        let AdaptiveMemory { sizes: Sizes { next, last }, past } = memory;
+        let AdaptiveMemory { sizes: StepSizes { next, last }, history } = memory;
         let is_size = |h: f64| h >= self.control.smallest && h.is_finite();
-        // No error at all makes x infinite.
+        // An error of zero makes x infinite.
         let were_sizes = last.is_none_or(|(x, h)| x > 0.0 && h > 0.0 && h.is_finite());
-        if !is_size(*next) || !were_sizes || !past.is_sound(self.estimate.past.size()) {
+        if !is_size(*next) || !were_sizes || !history.is_sound(self.estimate.history.size()) {
             return Err(Unknown);
         }
-        (self.sizes, self.estimate.past) = (memory.sizes, past.clone());
+        (self.sizes, self.estimate.history) = (memory.sizes, history.clone());
         Ok(())
     }
 }

@@ -3,21 +3,22 @@ use super::scheme::Scheme;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
-/// Part of a step by which the rate of the acceleration is differenced.
-const PART: f64 = 1.0 / 16.0;
+/// Difference interval for the rate of the acceleration, relative to the step size.
+const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
 
-/// Start values of the generalized-α scheme for a first step h from a consistent state: aₙ, and a change of the velocities.
+/// Computes start values of the generalized-α scheme for a first step h: the auxiliary acceleration and a velocity
+/// change.
 ///
-/// a₀ = v̇₀ + (αm − αf) h v̈₀ is what a is an approximation of. Positions that satisfy Φ(q₁) = 0 in spite of the local error
-/// C h³ v̈ want Φ_q v to be C h² Φ_q v̈, as it is in all later steps: from exact velocities the first accelerations and
-/// multipliers would be off by O(h), which takes many steps to decay. Both corrections are filtered by the
-/// matrix of the iteration S = M + w_q K, so that motions faster than the step are left alone:
+/// The state is consistent. The auxiliary acceleration approximates a₀ = v̇₀ + (αm − αf) h v̈₀. The positions satisfy
+/// Φ(q₁) = 0 in spite of the local error C h³ v̈. This requires Φ_q v = C h² Φ_q v̈, as in all later steps. Exact
+/// velocities would cause errors of O(h) in the first accelerations and multipliers, which decay slowly. The iteration
+/// matrix S = M + w_q K filters both corrections, so motions faster than the step remain unchanged:
 ///
 /// [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (M v̈₀, Φ_q v̈₀),   [S, Φ_qᵀ; Φ_q, 0] (y, ·) = (0, Φ_q v̈₀),
 /// a₀ = v̇₀ + (αm − αf) h x,   v₀ ← v₀ + C h² y.
 ///
 /// Source: Arnold, Brüls & Cardona (2015), on the order reduction of the first steps and perturbed start values.
-pub(crate) fn launch<E: EquationsOfMotion>(
+pub(crate) fn start_values<E: EquationsOfMotion>(
     eom: &E,
     scheme: Scheme,
     newton: &mut Newton,
@@ -26,7 +27,7 @@ pub(crate) fn launch<E: EquationsOfMotion>(
     h: f64,
 ) -> Result<(), SolveError> {
     let n = s.q.len();
-    let mut rate = rate(eom, newton, s, h * PART)?;
+    let mut rate = rate(eom, newton, s, h * DIFFERENCE_INTERVAL)?;
     rate.resize(newton.z.len(), 0.0);
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
@@ -46,9 +47,10 @@ pub(crate) fn launch<E: EquationsOfMotion>(
     Ok(())
 }
 
-/// v̈ by consistent accelerations along the parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ).
+/// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ).
 ///
-/// Forward only, since loads may have jumped. Quadratic terms cancel, and with them the error of the parabola in v.
+/// The differences are one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the
+/// parabola in v.
 fn rate<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,

@@ -3,7 +3,7 @@ use crate::factor::Factor;
 use crate::newton::{Failure, SolveError};
 use crate::sparse::SparseMatrix;
 
-/// Sets the accelerations and multipliers that satisfy the equations of motion at given q and v.
+/// Computes the accelerations and multipliers that satisfy the equations of motion at given q and v.
 ///
 /// [M, Φ_qᵀ; Φ_q, 0] (v̇, λ) = −(f, (Φ_q v)_q v + Φ_tt).
 ///
@@ -18,9 +18,9 @@ pub fn consistent_start<E: EquationsOfMotion>(
     accelerations(eom, matrix, &mut factor, s, &mut rhs)
 }
 
-/// Sets the velocities nearest to the given ones in the norm of the kinetic energy that satisfy Φ_q v + Φ_t = 0.
+/// Projects the velocities onto Φ_q v + Φ_t = 0 in the norm of the kinetic energy.
 ///
-/// [M, Φ_qᵀ; Φ_q, 0] (Δv, μ) = −(0, Φ_q v + Φ_t). Velocities that satisfy the constraints stay as they are.
+/// [M, Φ_qᵀ; Φ_q, 0] (Δv, μ) = −(0, Φ_q v + Φ_t). Consistent velocities remain unchanged.
 ///
 /// # Errors
 /// If the matrix is singular.
@@ -33,13 +33,13 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
     velocities(eom, matrix, &mut factor, s, &mut rhs)
 }
 
-/// A factorisation and a right-hand side for one use.
+/// Allocates a factorisation and a right-hand side.
 fn storage(matrix: &SparseMatrix) -> Result<(Factor, Vec<f64>), SolveError> {
     let factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?;
     Ok((factor, vec![0.0; matrix.pattern().size()]))
 }
 
-/// [`consistent_start`] with working storage at hand.
+/// Computes consistent accelerations as [`consistent_start`], in given working storage.
 pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,
@@ -59,7 +59,7 @@ pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     Ok(())
 }
 
-/// [`consistent_velocities`] with working storage at hand.
+/// Projects velocities as [`consistent_velocities`], in given working storage.
 pub(crate) fn velocities<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,
@@ -79,7 +79,7 @@ pub(crate) fn velocities<E: EquationsOfMotion + ?Sized>(
     Ok(())
 }
 
-/// Solves with the tangent of a state.
+/// Assembles and factorises the tangent of a state and solves with it.
 pub(crate) fn solve<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,

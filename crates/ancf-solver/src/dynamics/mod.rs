@@ -1,10 +1,10 @@
-//! Time integration: schemes, steps of fixed and of controlled size, initial conditions.
+//! Time integration: schemes, fixed and controlled step sizes, initial conditions.
 
 mod adaptive;
-mod estimate;
+mod error_estimate;
 mod first_step;
 mod initial_conditions;
-mod motion;
+mod integration_state;
 mod predictor;
 mod scheme;
 mod step_report;
@@ -12,7 +12,7 @@ mod time_stepper;
 
 pub use adaptive::{Adaptive, AdaptiveMemory, Control};
 pub use initial_conditions::{consistent_start, consistent_velocities};
-pub use motion::{DynamicsMemory, Unknown};
+pub use integration_state::{DynamicsMemory, Unknown};
 pub use scheme::Scheme;
 pub use step_report::StepReport;
 pub use time_stepper::Dynamics;

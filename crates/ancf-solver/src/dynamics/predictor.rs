@@ -3,49 +3,49 @@ use serde::{Deserialize, Serialize};
 use crate::equations::{State, Weights};
 use crate::factor::Factor;
 
-/// How accelerations and multipliers change from step to step, for the first guess of the next step.
+/// Predictor of accelerations and multipliers for the next step, extrapolated from the last step.
 ///
-/// A motion that the steps resolve goes on as it did: z = (v̇ₙ − v̇ₙ₋₁, λₙ − λₙ₋₁) is added to the state that keeps the
-/// acceleration. One that they do not resolve, does not; hence the guess is made only if it would have been a good one
-/// in the last step, in the norm Σ Kᵢᵢ zᵢ² of the iteration matrix, which is free of units.
+/// For a resolved motion, the change z = (v̇ₙ − v̇ₙ₋₁, λₙ − λₙ₋₁) is added to the state with constant acceleration. For
+/// an unresolved motion the extrapolation fails. It is therefore applied only if it would have been accurate in the
+/// last step. Accuracy is measured in the norm Σ Kᵢᵢ zᵢ² of the iteration matrix, which is independent of units.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Trend {
-    /// z of the last step, and its size.
+pub(crate) struct Predictor {
+    /// Change z and size h of the last step.
     change: Vec<f64>,
     h: Option<f64>,
     is_smooth: bool,
 }
 
-/// A guess is good if it leaves less than this part of the change, squared.
-const GOOD: f64 = 0.25;
+/// Largest squared prediction error, relative to the squared change, for which the predictor is used.
+const PREDICTION_TOLERANCE: f64 = 0.25;
 
-impl Trend {
+impl Predictor {
     pub(crate) fn new(size: usize) -> Self {
         Self { change: vec![0.0; size], h: None, is_smooth: false }
     }
 
-    /// Whether it is of so many unknowns, and finite.
+    /// Returns true if the predictor has the given number of unknowns and is finite.
     pub(crate) fn is_sound(&self, size: usize) -> bool {
         self.change.len() == size && self.change.iter().chain(&self.h).all(|x| x.is_finite())
     }
 
-    /// Forgets what was before.
+    /// Clears the history.
     pub(crate) fn restart(&mut self) {
         (self.h, self.is_smooth) = (None, false);
     }
 
-    /// Moves a predicted state on by what a step h is likely to change.
+    /// Adds the predicted change of a step h to a state.
     pub(crate) fn add_to(&self, s: &mut State, w: Weights, h: f64) {
         let Some(last) = self.h.filter(|_| self.is_smooth) else { return };
         let ratio = h / last;
         s.add(&self.change, Weights { q: ratio * w.q, v: ratio * w.v, a: ratio * w.a });
-        // `add` moves multipliers by the whole change.
+        // `add` applies the full change to the multipliers.
         let multipliers = &self.change[s.q.len()..];
         s.lambda.iter_mut().zip(multipliers).for_each(|(lambda, change)| *lambda += (ratio - 1.0) * change);
     }
 
-    /// Takes note of a step h that led from one state to another.
-    pub(crate) fn note(&mut self, before: &State, now: &State, h: f64, factor: &Factor) {
+    /// Records the change of an accepted step h between two states.
+    pub(crate) fn record(&mut self, before: &State, now: &State, h: f64, factor: &Factor) {
         let ratio = self.h.map_or(0.0, |last| h / last);
         let (mut changed, mut missed) = (0.0, 0.0);
         let (of_coordinates, of_multipliers) = self.change.split_at_mut(now.q.len());
@@ -58,7 +58,7 @@ impl Trend {
         }
         let pairs = now.lambda.iter().zip(&before.lambda);
         of_multipliers.iter_mut().zip(pairs).for_each(|(change, (now, before))| *change = now - before);
-        self.is_smooth = self.h.is_some() && missed < GOOD * changed;
+        self.is_smooth = self.h.is_some() && missed < PREDICTION_TOLERANCE * changed;
         self.h = Some(h);
     }
 }

@@ -1,29 +1,31 @@
 use serde::{Deserialize, Serialize};
 
-/// How a step went.
+/// Report of a time step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StepReport {
-    /// Newton iterations, those of failed attempts included.
+    /// Number of Newton iterations, including failed attempts.
     pub iterations: u32,
-    /// Steps that were taken, 1 unless the step had to be divided.
+    /// Number of substeps. It is 1 unless the step was divided.
     pub substeps: u32,
-    /// Steps that were tried but found too inaccurate; none without error control.
+    /// Number of steps rejected by the error control.
     pub rejected: u32,
     /// Euclidean norm of the last residual that was evaluated.
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
-    /// The largest |Φ_q v + Φ_t| of a constraint: what the velocities violate, while Φ = 0 is solved for. In the numbers of
-    /// the solver, length/time for points and 1/time for directions. Second order in h, it need not grow.
+    /// Velocity drift: the largest |Φ_q v + Φ_t| of a constraint, while Φ = 0 is solved.
+    ///
+    /// The units are solver units: length/time for points, 1/time for directions. The drift is of second order in h and
+    /// need not grow.
     pub drift: f64,
-    /// The largest |Φ| of a constraint, in the numbers of the solver, length for points and 1 for directions.
+    /// Constraint violation: the largest |Φ|, in solver units of length for points and 1 for directions.
     pub violation: f64,
-    /// Whether the rounding error of the residual ended an iteration.
+    /// True if an iteration ended at the rounding error of the residual.
     pub floor: bool,
 }
 
 impl StepReport {
-    /// This report and that of the step after it, as one: counts of both, norms of the later.
+    /// Combines this report with that of the next step: the sum of the counts and the norms of the next step.
     #[must_use]
     pub fn then(self, next: &Self) -> Self {
         Self {

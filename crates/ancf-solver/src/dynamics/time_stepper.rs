@@ -1,37 +1,38 @@
-use super::first_step::launch;
+use super::first_step::start_values;
 use super::initial_conditions::{accelerations, velocities};
-use super::motion::{Divided, DynamicsMemory, Motion, Unknown};
+use super::integration_state::{DividedStep, DynamicsMemory, IntegrationState, Unknown};
 use super::scheme::Scheme;
 use super::step_report::StepReport;
 use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};
-use crate::newton::{Current, Failure, Newton, Report, SolveError};
+use crate::newton::{ActiveSet, Failure, Newton, Report, SolveError};
 use crate::sparse::SparseMatrix;
 
-/// Integration of equations of motion in time.
+/// Time integration of the equations of motion.
 #[derive(Debug)]
 pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
-    pub(crate) eom: Current<'a, E>,
+    pub(crate) eom: ActiveSet<'a, E>,
     pub(crate) scheme: Scheme,
     pub(crate) newton: Newton,
     max_halvings: u32,
-    pub(crate) motion: Motion,
-    /// The pairs met when the last step was accepted, if there are others now.
+    pub(crate) motion: IntegrationState,
+    /// Pairs at the last accepted step, if they have changed since.
     met: Option<Vec<Met>>,
-    /// The state before the current attempt.
+    /// State before the current attempt.
     before: State,
-    /// aₙ and aₙ₊₁ of the current attempt.
+    /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
 }
 
 impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
-    /// Starts from a state, accelerations as they are (see [`restart`](Self::restart)); a step whose iteration fails is halved
-    /// up to `max_halvings` times.
+    /// Starts from a state with its accelerations (see [`restart`](Self::restart)).
+    ///
+    /// A step whose iteration fails is halved up to `max_halvings` times.
     pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
-        newton.reuse(&start);
+        newton.permit_reuse(&start);
         let auxiliary = start.a.clone();
         Self {
-            eom: Current::new(eom),
+            eom: ActiveSet::new(eom),
             scheme,
             newton,
             max_halvings,
@@ -39,40 +40,41 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             before: start.clone(),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
-            motion: Motion::new(start, eom),
+            motion: IntegrationState::new(start, eom),
         }
     }
 
-    /// The current state.
+    /// Returns the current state.
     pub fn state(&self) -> &State {
         &self.motion.state
     }
 
-    /// The energies of the current state.
+    /// Returns the energies of the current state.
     pub fn energy(&self) -> Energy {
         self.motion.energy
     }
 
-    /// Work supplied and energy dissipated since the start, by the trapezoidal rule over the steps.
+    /// Returns the work supplied and the energy dissipated since the start, by the trapezoidal rule.
     pub fn exchanged(&self) -> Power {
         self.motion.exchanged
     }
 
-    /// Begins anew at a time t, at q and v as they are: at the start, and where loads or prescribed motions jump.
+    /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
     ///
-    /// Velocities are projected onto Φ_q v + Φ_t = 0, accelerations and multipliers follow from the equations of motion, and
-    /// the scheme gets start values of its own. At a jump take the last step to `t.next_down()`, where loads are still those before it.
+    /// Velocities are projected onto Φ_q v + Φ_t = 0. Accelerations and multipliers follow from the equations of
+    /// motion, and the scheme computes its start values. The last step before a jump must end at `t.next_down()`, where
+    /// the loads have not jumped.
     ///
     /// # Errors
-    /// If the mass matrix with the constraints is singular; the state is then as it was.
+    /// If the mass matrix with the constraints is singular. The state is then unchanged.
     pub fn restart(&mut self, t: f64) -> Result<(), SolveError> {
         self.before.copy_from(&self.motion.state);
         let (energy, exchanged) = (self.motion.energy, self.motion.exchanged);
         let done = self.start_at(t);
         match done {
-            Ok(()) => self.keep(),
+            Ok(()) => self.save_restart_point(),
             Err(_) => {
-                self.take_back();
+                self.revert();
                 (self.motion.energy, self.motion.exchanged) = (energy, exchanged);
             }
         }
@@ -88,19 +90,19 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         if self.motion.h > 0.0 {
-            // A blow: prescribed motions whose rates jump do the work of impulses on the mean of both rates.
+            // Velocity jump: adds the impulsive work, computed with the mean velocity.
             self.motion.exchanged.work += self.motion.energy.kinetic - before;
         }
         accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
         self.motion.power = self.eom.power(&self.motion.state);
         self.motion.h = 0.0;
-        self.motion.fresh = true;
-        self.motion.trend.restart();
+        self.motion.at_start = true;
+        self.motion.predictor.restart();
         Ok(())
     }
 
-    /// Projects velocities onto Φ_q v + Φ_t = 0, and leaves accelerations and multipliers as they are.
+    /// Projects velocities onto Φ_q v + Φ_t = 0. Accelerations and multipliers remain unchanged.
     ///
     /// # Errors
     /// If the mass matrix with the constraints is singular.
@@ -110,29 +112,30 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.motion.power = self.eom.power(&self.motion.state);
-        self.keep();
+        self.save_restart_point();
         Ok(())
     }
 
-    /// Moves on to the time `to`, in one step if Newton's method converges, in 2, 4, 8, ... equal ones if it does not. After
-    /// that, steps grow again by a factor of two each.
+    /// Advances to the time `to`, in one step or in 2, 4, 8, ... equal substeps if Newton's method fails.
+    ///
+    /// Afterwards the step size doubles with each step up to its full size.
     ///
     /// # Errors
-    /// If the smallest permitted step fails; the state is then that of the last converged part of the step, from which the same
-    /// step goes on if it is asked for again.
+    /// If the smallest permitted step fails. The state is then that of the last converged substep. A repeated call
+    /// resumes the step there.
     pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
         let divided = self.motion.divided.filter(|divided| divided.to == to);
-        let Divided { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
+        let DividedStep { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
             let halvings = self.motion.halvings.min(self.max_halvings);
             let h = (to - self.motion.state.t) / f64::from(halvings).exp2();
-            Divided { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
+            DividedStep { to, h, left: 1_u64 << halvings, halvings, report: StepReport::default() }
         });
         while left > 0 {
             match self.attempt(h, to - (left - 1) as f64 * h) {
                 Ok(done) => {
                     self.accept(&done, &mut report);
                     left -= 1;
-                    self.motion.divided = (left > 0).then_some(Divided { to, h, left, halvings, report });
+                    self.motion.divided = (left > 0).then_some(DividedStep { to, h, left, halvings, report });
                 }
                 Err(error) => {
                     report.iterations += error.iterations;
@@ -147,12 +150,14 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(report)
     }
 
-    /// The time to which a step leads that was divided and not completed.
+    /// Returns the end time of a divided step that is not complete.
     pub fn under_way(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }
 
-    /// Tries a step h that ends at the time `to`. Its end is then to be accepted or taken back; a failed one is taken back already.
+    /// Attempts a step h that ends at the time `to`.
+    ///
+    /// The caller accepts or reverts the result. A failed attempt has already been reverted.
     pub(crate) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
         self.take_in()?;
         self.before.copy_from(&self.motion.state);
@@ -161,8 +166,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             let done = match self.solve(h, to) {
                 Ok(done) => done,
                 Err(error) => {
-                    self.take_back();
-                    if error.is_final() || !self.newton.tangent.improve() {
+                    self.revert();
+                    if error.is_final() || !self.newton.tangent.request_newer() {
                         return Err(error);
                     }
                     spent += error.iterations;
@@ -172,21 +177,23 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             let Some((eom, matrix)) = self.eom.completed(&self.motion.state) else {
                 return Ok(Report { iterations: spent + done.iterations, ..done });
             };
-            // Something acts at the end that was not among the equations.
-            self.take_back();
-            self.renew(eom, matrix)?;
+            // A term that is active at the end was not included.
+            self.revert();
+            self.replace_equations(eom, matrix)?;
             spent += done.iterations;
         }
     }
 
-    /// Takes in the terms that may soon act. To be called before the first look at the energy; steps do it by themselves.
+    /// Includes the terms that may become active soon. Must be called before the first evaluation of the energy.
+    ///
+    /// Steps call it automatically.
     ///
     /// # Errors
-    /// If memory does not suffice.
+    /// If the memory does not suffice.
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.motion.state) {
             Some((eom, matrix)) => {
-                self.renew(eom, matrix)?;
+                self.replace_equations(eom, matrix)?;
                 self.motion.energy = self.eom.energy(&self.motion.state);
                 Ok(())
             }
@@ -194,18 +201,18 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
     }
 
-    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         if self.met.is_none() {
             self.met = Some(self.eom.met());
         }
         self.eom.replace(eom);
-        self.newton.adopt(matrix)
+        self.newton.replace_matrix(matrix)
     }
 
     fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
         let [auxiliary, next] = &mut self.attempted;
-        if self.motion.fresh && !self.scheme.is_newmark() {
-            launch(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
+        if self.motion.at_start && !self.scheme.is_newmark() {
+            start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
         } else {
             // a − v̇ is proportional to h (Brüls & Arnold 2008).
             let ratio = if self.motion.h == 0.0 { 1.0 } else { h / self.motion.h };
@@ -218,7 +225,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.motion.state.t = to;
         let weights = self.scheme.weights(h);
         if self.newton.tangent.is_reusable() {
-            self.motion.trend.add_to(&mut self.motion.state, weights, h);
+            self.motion.predictor.add_to(&mut self.motion.state, weights, h);
         }
         let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
@@ -230,16 +237,21 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         Ok(done)
     }
 
-    /// Returns to the state before the attempt.
-    pub(crate) fn take_back(&mut self) {
+    /// Reverts to the state before the attempt.
+    pub(crate) fn revert(&mut self) {
         self.motion.state.copy_from(&self.before);
     }
 
-    /// Makes the end of the attempt the current state.
+    /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &Report, report: &mut StepReport) {
         self.motion.h = self.motion.state.t - self.before.t;
-        self.motion.trend.note(&self.before, &self.motion.state, self.motion.h, &self.newton.tangent.factor);
-        self.motion.fresh = false;
+        self.motion.predictor.record(
+            &self.before,
+            &self.motion.state,
+            self.motion.h,
+            &self.newton.tangent.factor,
+        );
+        self.motion.at_start = false;
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.newton.met(self.motion.energy.largest());
@@ -255,45 +267,45 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         report.drift = self.largest(Level::Velocity);
         report.violation = self.largest(Level::Position);
         report.floor |= done.floor;
-        self.keep();
+        self.save_restart_point();
     }
 
-    /// To what is now a run returns that breaks off in the next step.
-    fn keep(&mut self) {
+    /// Saves the state to which a failed next step returns.
+    fn save_restart_point(&mut self) {
         self.met = None;
-        self.newton.tangent.keep();
+        self.newton.tangent.save();
     }
 
-    /// All on which the rest of the motion depends, as of the last accepted step.
+    /// Returns the saved state as of the last accepted step.
     pub fn memory(&self) -> DynamicsMemory {
         let met = self.met.clone().unwrap_or_else(|| self.eom.met());
         DynamicsMemory { motion: self.motion.clone(), met, newton: self.newton.memory() }
     }
 
-    /// Goes on from a memory, to the last bit as the dynamics would have gone on that it is one of.
+    /// Resumes from a saved state. Later steps are identical to the last bit.
     ///
     /// # Errors
-    /// If it is no memory of such dynamics; they are then of no use.
+    /// If the saved state does not belong to this integration. The integration is then in an undefined state.
     pub fn recall(&mut self, memory: &DynamicsMemory) -> Result<(), Unknown> {
         let DynamicsMemory { motion, met, newton } = memory;
         let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
-        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.knows(newton, n, m) {
+        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
             return Err(Unknown);
         }
         if *met != self.eom.met() {
             let (eom, matrix) = self.eom.having_met(met).ok_or(Unknown)?;
-            self.renew(eom, matrix).map_err(|_| Unknown)?;
+            self.replace_equations(eom, matrix).map_err(|_| Unknown)?;
         }
         self.motion = motion.clone();
         let mut residual = vec![0.0; n + m];
         self.eom.residual(&self.motion.state, &mut residual);
         let is_finite = residual.iter().all(|x| x.is_finite());
         let recalled = self.newton.recall(&*self.eom, newton);
-        self.keep();
+        self.save_restart_point();
         if is_finite && recalled.is_ok() { Ok(()) } else { Err(Unknown) }
     }
 
-    /// The largest constraint at a level.
+    /// Returns the largest magnitude of the constraints at a level.
     fn largest(&mut self, level: Level) -> f64 {
         self.eom.constraints(&self.motion.state, level, &mut self.phi);
         self.phi.iter().fold(0.0, |largest, phi| phi.abs().max(largest))

@@ -1,62 +1,67 @@
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Operator, Search, krylov};
+use super::krylov::{EigenError, EigenSearch, Operator, krylov};
 use super::modes::modes;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
-/// A load factor at which a state buckles, and the motion in which it does.
+/// Critical load factor with its buckling shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Critical {
-    /// s: the loads at load factor one, s times, on top of those that the state bears already.
+    /// Critical factor s of the loads at load factor one, in addition to the loads already applied in the state.
     pub factor: f64,
-    /// x over the coordinates with xᵀ M x = 1.
+    /// Buckling shape x over the coordinates with xᵀ M x = 1.
     pub shape: Vec<f64>,
 }
 
-/// Which way the loads grow.
+/// Direction of the loads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sense {
-    /// As they are: s > 0.
+    /// Stated direction: s > 0.
     #[default]
     Stated,
-    /// Reversed: s < 0.
+    /// Reversed direction: s < 0.
     Reversed,
-    /// Either way: the smallest in size.
+    /// Both directions, by increasing magnitude.
     Either,
 }
 
-/// Converged when residuals are below this.
+/// Residual tolerance of converged eigenpairs.
 const TOLERANCE: f64 = 1e-7;
-/// Vectors of a block beyond the number of factors.
+/// Number of block vectors in addition to the requested factors.
 const GUARD: usize = 4;
-/// Blocks of a space.
+/// Number of blocks per Krylov space.
 const DEPTH: usize = 16;
-/// Spaces, each with better vectors.
+/// Maximum number of restarts.
 const PASSES: usize = 8;
-/// Eigenvalues 1/s smaller than this part of the largest are those of an unloaded rest.
-const LOADED: f64 = 1e-6;
-/// Loads do nothing if their work is less than this part of the sum of what they would do on each coordinate alone.
-const IDLE: f64 = 1e-12;
+/// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
+const MIN_EIGENVALUE: f64 = 1e-6;
+/// Smallest significant work of the loads, relative to the sum of their work on isolated coordinates.
+const MIN_WORK: f64 = 1e-12;
 
-/// The `count` lowest critical load factors of a stable equilibrium by linear buckling: K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
+/// Computes the `count` lowest critical load factors of a stable equilibrium by linear buckling analysis:
+/// K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
 ///
 /// K_g is the stiffness of the stresses and multipliers that the loads at load factor one cause in first order,
 /// [K₀, Φ_qᵀ; Φ_q, 0] (q₁, λ₁) = −∂r/∂(load factor), at the configuration of the state
-/// ([`EquationsOfMotion::stress_stiffness`]). The reference configuration is an equilibrium under load factor zero; about it
-/// this is the classical theory, which neglects what bodies deform before they buckle: Euler's load of a column but for
-/// P/EA, Prandtl's and Michell's load of a strip on edge. Such a strip, bent in its plane before, bears more,
-/// about 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) times as much if both ratios are small.
+/// ([`EquationsOfMotion::stress_stiffness`]).
 ///
-/// About an equilibrium under load, displacement so far is in K₀, and the factor left over is zero where the nonlinear path
-/// is critical. [`Path`](crate::statics::Path) finds that point by the negative pivots of K.
+/// The reference configuration is an equilibrium at load factor zero. There the analysis is the classical theory, which
+/// neglects prebuckling deformation. It gives Euler's load of a column except for P/EA, and the loads of Prandtl and
+/// Michell for lateral buckling of a strip. In-plane bending before buckling raises the load of such a strip by about
+/// 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) if both ratios are small.
 ///
-/// Fewer than `count` if loads in this sense have no more. `matrix` is any matrix of the pattern of `eom`.
+/// For an equilibrium under load, K₀ includes the displacement so far. The remaining factor is zero where the nonlinear
+/// path is critical. [`Path`](crate::statics::Path) finds that point by the negative pivots of K.
+///
+/// Returns fewer than `count` factors if the loads have no more in this direction. `matrix` is any matrix of the
+/// pattern of `eom`.
 ///
 /// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
-/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, by block Krylov spaces.
+/// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, are found by block
+/// Krylov spaces.
 ///
 /// # Errors
 /// If K₀ is singular or not positive definite, the iteration does not converge, or it is interrupted.
@@ -91,16 +96,16 @@ pub fn buckling(
         Sense::Reversed => |theta| -theta,
         Sense::Either => f64::abs,
     };
-    let search = Search { count, key, least: LOADED, tolerance: TOLERANCE, depth: DEPTH };
+    let search = EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH };
     let mut start = op.start(count + GUARD)?;
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
     for _ in 0..PASSES {
         let found = krylov(&mut op, start, &search)?;
         if found.converged {
-            // Once more through T: x then obeys the constraints as well as equations are solved.
+            // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
             let shapes: Result<Vec<_>, _> =
-                found.pairs[..found.wanted].iter().map(|pair| op.apply(&pair.vector)).collect();
+                found.pairs[..found.requested].iter().map(|pair| op.apply(&pair.vector)).collect();
             return Ok(shapes?.iter().map(|x| critical(x, &stiffness, &softening, &mass, n)).collect());
         }
         start = found.pairs.into_iter().map(|pair| pair.vector).collect();
@@ -108,7 +113,7 @@ pub fn buckling(
     Err(EigenError::NotConverged)
 }
 
-/// s = xᵀ K₀ x / −xᵀ K_g x, which the error of x enters by its square only, and x with xᵀ M x = 1.
+/// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, and x with xᵀ M x = 1.
 fn critical(
     x: &DVector<f64>,
     stiffness: &SparseMatrix,
@@ -122,7 +127,7 @@ fn critical(
     Critical { factor: product(stiffness) / product(softening), shape }
 }
 
-/// What the loads at load factor one do in first order, (q₁, λ₁); `None` if they move nothing.
+/// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Returns `None` for loads without effect.
 fn first_order(
     eom: &dyn EquationsOfMotion,
     s: &State,
@@ -148,5 +153,5 @@ fn first_order(
     let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
     let mut increment = State::rest(n, m);
     increment.add(&direction, Weights::STIFFNESS);
-    Ok((work.abs() > IDLE * (0..n).map(held).sum::<f64>()).then_some(increment))
+    Ok((work.abs() > MIN_WORK * (0..n).map(held).sum::<f64>()).then_some(increment))
 }

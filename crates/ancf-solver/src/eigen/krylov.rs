@@ -5,20 +5,20 @@ use crate::factor::{Factor, SingularMatrix};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
-/// Why eigenvalues were not found.
+/// Cause of failure of an eigenvalue analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum EigenError {
     /// The matrix to be inverted has no usable factorisation.
     #[error("the matrix is singular: a joint repeats another, or a motion is held by nothing")]
     Singular,
-    /// The inner product is not positive: a stiffness that is none, or a negative mass.
-    #[error("the matrix of the inner product is not positive definite: the state is not stable")]
+    /// The inner product is not positive definite: missing stiffness or negative mass.
+    #[error("the matrix of the inner product is not positive definite: the state is unstable")]
     Indefinite,
-    /// The permitted number of passes was not enough.
+    /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,
-    /// It was ended from outside.
-    #[error("the search was interrupted")]
+    /// The interrupt flag was set.
+    #[error("the eigenvalue search was interrupted")]
     Interrupted,
 }
 
@@ -28,33 +28,33 @@ impl From<SingularMatrix> for EigenError {
     }
 }
 
-/// T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
+/// Operator T = S⁻¹ A on the x with Φ_q x = 0, self-adjoint in the inner product xᵀ B y.
 ///
-/// S comes with its border, [S, Φ_qᵀ; Φ_q, 0], and all vectors with a tail of zeros in the place of multipliers, so that
-/// the borders of A and B, whatever they are, have no effect.
+/// S is bordered, [S, Φ_qᵀ; Φ_q, 0], and all vectors have zeros in the place of multipliers. The borders of A and B
+/// therefore have no effect.
 #[derive(Debug)]
 pub(crate) struct Operator<'a> {
-    /// The factors of S.
+    /// Factors of S.
     pub(crate) factor: &'a mut Factor,
-    /// S.
+    /// Matrix S.
     pub(crate) left: &'a SparseMatrix,
-    /// A.
+    /// Matrix A.
     pub(crate) right: &'a SparseMatrix,
-    /// B.
+    /// Matrix B of the inner product.
     pub(crate) inner: &'a SparseMatrix,
     /// Number of coordinates.
     pub(crate) coordinates: usize,
-    /// What may end the search.
+    /// Interrupt flag that stops the search.
     pub(crate) interrupt: &'a Interrupt,
 }
 
 impl Operator<'_> {
-    /// T x.
+    /// Computes T x.
     pub(crate) fn apply(&mut self, x: &DVector<f64>) -> Result<DVector<f64>, EigenError> {
         self.solve(self.right.times(x.as_slice()).into())
     }
 
-    /// S⁻¹ f.
+    /// Computes S⁻¹ f.
     fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
         if self.interrupt.is_set() {
             return Err(EigenError::Interrupted);
@@ -66,20 +66,21 @@ impl Operator<'_> {
         Ok(f)
     }
 
-    /// S⁻¹ of `count` random forces, each as large on a coordinate as the root of B's diagonal, which makes them blind to
-    /// units; the same in every run.
+    /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run.
+    ///
+    /// The forces are scaled by the root of the diagonal of B, which makes them independent of units.
     pub(crate) fn start(&mut self, count: usize) -> Result<Vec<DVector<f64>>, EigenError> {
-        let (mut random, n) = (Random(24), self.left.pattern().size());
+        let (mut random, n) = (PseudoRandom(24), self.left.pattern().size());
         let size: Vec<f64> = (0..n).map(|i| self.inner.diagonal_of(i).abs().sqrt()).collect();
         (0..count).map(|_| self.solve(DVector::from_fn(n, |i, _| size[i] * random.number()))).collect()
     }
 }
 
-/// Numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
+/// Pseudo-random numbers in [−1, 1), the same in every run (SplitMix64; Steele, Lea & Flood 2014).
 #[derive(Debug)]
-pub(crate) struct Random(pub(crate) u64);
+pub(crate) struct PseudoRandom(pub(crate) u64);
 
-impl Random {
+impl PseudoRandom {
     pub(crate) fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -88,67 +89,67 @@ impl Random {
     }
 }
 
-/// An approximate eigenpair T x = θ x.
+/// Approximate eigenpair T x = θ x.
 #[derive(Clone, Debug)]
-pub(crate) struct Pair {
-    /// θ.
+pub(crate) struct EigenPair {
+    /// Eigenvalue θ.
     pub(crate) value: f64,
-    /// x with xᵀ B x = 1.
+    /// Eigenvector x with xᵀ B x = 1.
     pub(crate) vector: DVector<f64>,
 }
 
-/// Which eigenvalues θ of T are wanted, and how well.
+/// Selection of the eigenvalues θ of T, and their accuracy.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Search {
-    /// How many.
+pub(crate) struct EigenSearch {
+    /// Number of eigenvalues.
     pub(crate) count: usize,
-    /// Those first of which this is largest.
+    /// Sort key. Eigenvalues with the largest key come first.
     pub(crate) key: fn(f64) -> f64,
-    /// Those only of which it exceeds this part of the largest |θ|.
+    /// Smallest key, relative to the largest |θ|.
     pub(crate) least: f64,
-    /// Converged when |T x − θ x| ≤ tolerance · |θ|, or when it is down to the rounding error of T.
+    /// Tolerance: converged when |T x − θ x| ≤ tolerance · |θ|, or at the rounding error of T.
     pub(crate) tolerance: f64,
-    /// The largest number of blocks of a space.
+    /// Maximum number of blocks of a space.
     pub(crate) depth: usize,
 }
 
-/// The best pairs of a space, best first, and whether the wanted ones among them have converged.
+/// Best eigenpairs of a space, best first.
 #[derive(Debug)]
-pub(crate) struct Found {
-    /// As many as the starting block has, if there are so many, for it to be replaced by them.
-    pub(crate) pairs: Vec<Pair>,
-    /// How many of them are wanted.
-    pub(crate) wanted: usize,
-    /// Whether those have converged.
+pub(crate) struct EigenSearchResult {
+    /// Eigenpairs, at most as many as vectors of the starting block, which they may replace.
+    pub(crate) pairs: Vec<EigenPair>,
+    /// Number of requested pairs.
+    pub(crate) requested: usize,
+    /// True if the requested pairs have converged.
     pub(crate) converged: bool,
 }
 
-/// What is left of a vector counts as nothing below this part of it.
-const NOTHING: f64 = 1e-10;
-/// A square below zero by more than this part of what it is a sum of is negative.
-const NEGATIVE: f64 = 1e-10;
-/// A residual within this many times the asymmetry of VᵀBTV cannot be told from rounding.
+/// Size of a remainder, relative to the vector, below which the vector is dependent.
+const DEPENDENT: f64 = 1e-10;
+/// Negative squares, relative to the sum of the magnitudes, beyond which the inner product is indefinite.
+const INDEFINITE: f64 = 1e-10;
+/// Multiple of the asymmetry of VᵀBTV below which a residual is rounding error.
 const ROUNDING: f64 = 10.0;
 
-/// Rayleigh-Ritz on the Krylov space of a block: span(X, TX, T²X, ...), grown until the wanted eigenvalues converge.
+/// Applies the Rayleigh-Ritz method to the block Krylov space span(X, TX, T²X, ...), enlarged until convergence.
 ///
-/// A block of p vectors finds eigenvalues of any multiplicity up to p, which one vector does not. Orthogonalised in full,
-/// twice, vector by vector: a dependent vector is just left out.
+/// A block of p vectors finds eigenvalues of any multiplicity up to p, unlike a single vector. The basis is fully
+/// orthogonalised, twice, vector by vector. Dependent vectors are dropped.
 ///
 /// Source: Ruhe (1979), the band Lanczos method; Parlett (1980), chapter 13.
 pub(crate) fn krylov(
     op: &mut Operator<'_>,
     start: Vec<DVector<f64>>,
-    search: &Search,
-) -> Result<Found, EigenError> {
-    let mut space = Space { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
+    search: &EigenSearch,
+) -> Result<EigenSearchResult, EigenError> {
+    let mut space = KrylovSpace { inner: op.inner, basis: Vec::new(), columns: Vec::new() };
     let size = start.len();
     for x in start {
         space.insert(x)?;
     }
     let block = space.basis.len();
     if block == 0 {
-        return Ok(Found { pairs: Vec::new(), wanted: 0, converged: true });
+        return Ok(EigenSearchResult { pairs: Vec::new(), requested: 0, converged: true });
     }
     let mut depth = 0;
     loop {
@@ -161,13 +162,13 @@ pub(crate) fn krylov(
         let ritz = space.ritz(search);
         if ritz.converged || depth >= search.depth {
             let pairs = (0..size.min(ritz.order.len())).map(|k| space.pair(&ritz, k)).collect();
-            return Ok(Found { pairs, wanted: ritz.wanted, converged: ritz.converged });
+            return Ok(EigenSearchResult { pairs, requested: ritz.requested, converged: ritz.converged });
         }
     }
 }
 
-/// An orthonormal basis V and T V = V H, column by column as far as T was applied.
-struct Space<'a> {
+/// Orthonormal basis V and T V = V H, for the columns to which T was applied.
+struct KrylovSpace<'a> {
     inner: &'a SparseMatrix,
     basis: Vec<DVector<f64>>,
     columns: Vec<Vec<f64>>,
@@ -178,21 +179,21 @@ struct Ritz {
     values: Vec<f64>,
     vectors: DMatrix<f64>,
     order: Vec<usize>,
-    wanted: usize,
+    requested: usize,
     converged: bool,
 }
 
-impl Space<'_> {
-    /// Orthogonalises a vector and adds what is left of it to the basis; returns its coefficients.
+impl KrylovSpace<'_> {
+    /// Orthogonalises a vector and adds the remainder to the basis. Returns its coefficients.
     fn insert(&mut self, mut x: DVector<f64>) -> Result<Vec<f64>, EigenError> {
         let mut coefficients = vec![0.0; self.basis.len()];
         let (mut image, square) = self.image(&x)?;
-        if square < 0.0 && square < -NEGATIVE * self.inner.magnitude(x.as_slice()) {
+        if square < 0.0 && square < -INDEFINITE * self.inner.magnitude(x.as_slice()) {
             return Err(EigenError::Indefinite);
         }
         let before = square.max(0.0).sqrt();
         let mut size = before;
-        // Once more after a loss of digits; what then is left of the loss is rounding.
+        // Repetition after a loss of digits. The remaining loss is rounding error.
         for _ in 0..3 {
             for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
                 let dot = v.dot(&image);
@@ -202,31 +203,31 @@ impl Space<'_> {
             let square;
             (image, square) = self.image(&x)?;
             let kept = square.max(0.0).sqrt() / std::mem::replace(&mut size, square.max(0.0).sqrt());
-            if kept > 0.1 || size <= NOTHING * before {
+            if kept > 0.1 || size <= DEPENDENT * before {
                 break;
             }
         }
-        if size > NOTHING * before {
+        if size > DEPENDENT * before {
             self.basis.push(x / size);
             coefficients.push(size);
         }
         Ok(coefficients)
     }
 
-    /// B x and xᵀ B x.
+    /// Computes B x and xᵀ B x.
     fn image(&self, x: &DVector<f64>) -> Result<(DVector<f64>, f64), EigenError> {
         let image = DVector::from(self.inner.times(x.as_slice()));
         let square = x.dot(&image);
         if square.is_finite() { Ok((image, square)) } else { Err(EigenError::Singular) }
     }
 
-    /// Entry (i, j) of H; zero where a column ended before a vector joined the basis.
+    /// Returns entry (i, j) of H. It is zero if the basis vector was added after the column.
     fn entry(&self, i: usize, j: usize) -> f64 {
         self.columns[j].get(i).copied().unwrap_or(0.0)
     }
 
-    /// The eigenpairs of the symmetric part of VᵀBTV; its skew part is rounding.
-    fn ritz(&self, search: &Search) -> Ritz {
+    /// Computes the eigenpairs of the symmetric part of VᵀBTV. Its skew part is rounding error.
+    fn ritz(&self, search: &EigenSearch) -> Ritz {
         let (n, all) = (self.columns.len(), self.basis.len());
         let h = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
         let skew = |i: usize, j: usize| (self.entry(i, j) - self.entry(j, i)).abs();
@@ -237,24 +238,25 @@ impl Space<'_> {
         let key = |&k: &usize| -> f64 { (search.key)(Vec::<f64>::as_slice(&values)[k]) };
         order.sort_by(|a, b| key(b).total_cmp(&key(a)));
         let largest = values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
-        let wanted = order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
+        let requested =
+            order.iter().take(search.count).take_while(|k| key(k) > search.least * largest).count();
         let residual = |k: usize| {
             let row = |i| (0..n).map(|j| self.entry(i, j) * vectors[(j, k)]).sum::<f64>();
             (n..all).map(|i| row(i).powi(2)).sum::<f64>().sqrt()
         };
         let small =
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
-        let converged = order[..wanted].iter().all(small);
-        Ritz { values, vectors, order, wanted, converged }
+        let converged = order[..requested].iter().all(small);
+        Ritz { values, vectors, order, requested, converged }
     }
 
-    /// The k-th best pair.
-    fn pair(&self, ritz: &Ritz, k: usize) -> Pair {
+    /// Returns the k-th best pair.
+    fn pair(&self, ritz: &Ritz, k: usize) -> EigenPair {
         let at = ritz.order[k];
         let mut vector = DVector::zeros(self.basis[0].len());
         for (v, &weight) in self.basis.iter().zip(&ritz.vectors.column(at)) {
             vector.axpy(weight, v, 1.0);
         }
-        Pair { value: ritz.values[at], vector }
+        EigenPair { value: ritz.values[at], vector }
     }
 }

@@ -1,4 +1,4 @@
-//! Eigenvalues about a state: natural modes and critical loads.
+//! Eigenvalue problems about a state: natural modes and critical loads.
 
 mod buckling;
 mod krylov;

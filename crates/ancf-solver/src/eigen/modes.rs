@@ -2,58 +2,59 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, Found, Operator, Search, krylov};
+use super::krylov::{EigenError, EigenSearch, EigenSearchResult, Operator, krylov};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
-/// A natural mode of vibration about a state.
+/// Natural mode of vibration about a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// ω², 1/time². Exactly zero for a rigid mode, negative where the state is not stable.
+    /// Squared circular frequency ω², 1/time². It is exactly zero for a rigid mode and negative for an unstable state.
     pub squared: f64,
-    /// x over the coordinates with xᵀ M x = 1; its largest entry, each weighed by the root of its mass, is positive.
+    /// Mode shape x over the coordinates with xᵀ M x = 1. Its largest entry, weighted by the root of the mass, is
+    /// positive.
     pub shape: Vec<f64>,
-    /// |T x − θ x| / θ in the norm of M, with T = (K − σM)⁻¹ M and θ = 1/(ω² − σ).
+    /// Residual |T x − θ x| / θ in the norm of M, with T = (K − σM)⁻¹ M and θ = 1/(ω² − σ).
     pub residual: f64,
 }
 
 impl Mode {
-    /// ω / 2π; `None` for a motion that grows instead.
+    /// Returns the frequency ω / 2π, or `None` for an unstable mode.
     pub fn frequency(&self) -> Option<f64> {
         (self.squared >= 0.0).then(|| self.squared.sqrt() / TAU)
     }
 }
 
-/// The lowest modes of vibration about a state.
+/// Lowest modes of vibration about a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
-    /// By ω², ascending.
+    /// Modes in ascending order of ω².
     pub modes: Vec<Mode>,
-    /// How many of them have no stiffness: ω² that the rounding of K cannot tell from zero.
+    /// Number of rigid modes, whose ω² is within the rounding error of K.
     pub rigid: usize,
 }
 
-/// Converged when residuals are below this.
+/// Residual tolerance of converged eigenpairs.
 const TOLERANCE: f64 = 1e-7;
-/// Vectors of a block beyond the number of modes.
+/// Number of block vectors in addition to the requested modes.
 const GUARD: usize = 4;
-/// Blocks of the first space, which only estimates the spectrum, and of the others.
+/// Number of blocks of the first Krylov space, which estimates the spectrum, and of the next ones.
 const DEPTH: [usize; 2] = [4, 16];
-/// Passes, each with a better shift and better vectors.
+/// Maximum number of restarts, each with a better shift and better vectors.
 const PASSES: usize = 8;
-/// ω² within this many rounding errors of xᵀ K x is zero.
+/// Multiple of the rounding error of xᵀ K x below which ω² is zero.
 const ZERO: f64 = 8.0;
 
-/// The `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state; fewer if the system has not so many.
+/// Computes the `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state, or fewer if there are no more.
 ///
-/// K is the tangent of f + Φ_qᵀ λ in that state: stress, loads and multipliers stiffen or soften it. Gyroscopic forces
-/// have no part in it, nor has damping.
+/// K is the tangent of f + Φ_qᵀ λ in that state, including the stiffness of stresses, loads and multipliers. Gyroscopic
+/// forces and damping are neglected.
 ///
-/// The largest eigenvalues θ = 1/(ω² − σ) of (K − σM)⁻¹ M by block Krylov spaces. σ lies below all ω², which the inertia
-/// of K − σM tells, and as far below as the lowest ω² that is not zero is above: free bodies, of which K is singular,
-/// need no care. Units and slope lengths have no effect.
+/// Block Krylov spaces find the largest eigenvalues θ = 1/(ω² − σ) of (K − σM)⁻¹ M. The shift σ lies below all ω²,
+/// which the inertia of K − σM verifies. Its distance to the lowest ω² is that of the smallest nonzero |ω²| to zero.
+/// Free bodies with singular K are therefore admissible. Units and slope lengths have no effect.
 ///
 /// `matrix` is any matrix of the pattern of `eom`.
 ///
@@ -73,8 +74,9 @@ pub fn modes(
         return Ok(Modes { modes: Vec::new(), rigid: 0 });
     }
     let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
-    let mut search = Search { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
-    // Far below all ω² no mode is preferred: the vectors to start from are independent even if the first shift is not.
+    let mut search =
+        EigenSearch { count, key: |theta| theta, least: 0.0, tolerance: TOLERANCE, depth: DEPTH[0] };
+    // A shift far below all ω² prefers no mode, so the start vectors are independent even for a poor first shift.
     let highest = pencil.highest();
     pencil.factorise(-highest)?;
     let mut start = pencil.operator().start(count + GUARD)?;
@@ -92,7 +94,7 @@ pub fn modes(
     Err(EigenError::NotConverged)
 }
 
-/// K and M of a state, and K − σM with its factors.
+/// Matrices K and M of a state, and K − σM with its factors.
 struct Pencil<'a> {
     eom: &'a dyn EquationsOfMotion,
     s: &'a State,
@@ -117,7 +119,7 @@ impl<'a> Pencil<'a> {
         Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor, interrupt })
     }
 
-    /// The size of the highest ω², for which the largest K_ii / M_ii stands; one if nothing has stiffness.
+    /// Estimates the highest ω² by the largest K_ii / M_ii. Returns one without stiffness.
     fn highest(&self) -> f64 {
         let ratio = |i| match self.mass.diagonal_of(i) {
             mass if mass > 0.0 => self.stiffness.diagonal_of(i).abs() / mass,
@@ -127,9 +129,9 @@ impl<'a> Pencil<'a> {
         if highest > 0.0 { highest } else { 1.0 }
     }
 
-    /// Factorises K − σM for the first σ of σ, 4σ, 16σ, ... that lies below all ω²; returns it.
+    /// Factorises K − σM for the first of σ, 4σ, 16σ, ... below all ω². Returns this shift.
     fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
-        // 4¹⁰⁰ is beyond any spectrum.
+        // 4¹⁰⁰ exceeds any spectrum.
         for _ in 0..100 {
             self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
             self.factor.factorise(&self.shifted)?;
@@ -147,26 +149,26 @@ impl<'a> Pencil<'a> {
         Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
     }
 
-    /// ω² = xᵀ K x for xᵀ M x = 1; zero if that is no more than rounding.
+    /// Computes ω² = xᵀ K x for xᵀ M x = 1, and zero within the rounding error.
     fn squared(&self, x: &DVector<f64>) -> f64 {
         let squared = x.dot(&DVector::from(self.stiffness.times(x.as_slice())));
         let rounding = f64::EPSILON * self.stiffness.magnitude(x.as_slice());
         if squared.abs() > ZERO * rounding { squared } else { 0.0 }
     }
 
-    /// As far below the lowest ω² as the smallest in size is away from zero.
-    fn better_shift(&self, found: &Found, shift: f64) -> f64 {
-        let squared = found.pairs.iter().take(found.wanted.max(1)).map(|pair| self.squared(&pair.vector));
+    /// Returns a shift below the lowest ω², at the distance of the smallest nonzero |ω²|.
+    fn better_shift(&self, found: &EigenSearchResult, shift: f64) -> f64 {
+        let squared = found.pairs.iter().take(found.requested.max(1)).map(|pair| self.squared(&pair.vector));
         let squared: Vec<f64> = squared.filter(|&squared| squared != 0.0).collect();
         let lowest = squared.iter().copied().fold(0.0, f64::min);
         let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
         if nearest.is_finite() { lowest - nearest } else { shift }
     }
 
-    /// The modes of converged pairs, each iterated once more.
-    fn finish(&mut self, found: Found) -> Result<Modes, EigenError> {
-        let mut modes = Vec::with_capacity(found.wanted);
-        for pair in &found.pairs[..found.wanted] {
+    /// Computes the modes of converged pairs, with one more iteration each.
+    fn finish(&mut self, found: EigenSearchResult) -> Result<Modes, EigenError> {
+        let mut modes = Vec::with_capacity(found.requested);
+        for pair in &found.pairs[..found.requested] {
             let image = self.operator().apply(&pair.vector)?;
             let rest = &image - &pair.vector * pair.value;
             let residual = self.size(&rest) / pair.value;
@@ -179,12 +181,12 @@ impl<'a> Pencil<'a> {
         Ok(Modes { modes, rigid })
     }
 
-    /// √(xᵀ M x).
+    /// Computes √(xᵀ M x).
     fn size(&self, x: &DVector<f64>) -> f64 {
         x.dot(&DVector::from(self.mass.times(x.as_slice()))).max(0.0).sqrt()
     }
 
-    /// The sign of the first of the largest entries, those within a millionth of each other being equal.
+    /// Returns the sign of the first of the largest entries. Entries within a relative 10⁻⁶ count as equal.
     fn sign(&self, x: &DVector<f64>) -> f64 {
         let weighed = |i: usize| x[i] * self.mass.diagonal_of(i).abs().sqrt();
         let all = 0..self.eom.coordinates();

@@ -6,17 +6,17 @@ use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::term::Term;
 
-/// The most terms that a batch evaluates side by side.
+/// Maximum number of terms that a batch evaluates side by side.
 pub const LANES: usize = 8;
 
-/// One number of each term of a batch.
+/// One number for each term of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
 
-/// The part of a state that a batch sees: [`Local`](super::term::Local) for each of its terms, side by side.
+/// State variables of the terms of a batch, side by side: one [`Local`](super::term::Local) per lane.
 ///
-/// Lanes beyond the number of terms repeat the last one.
+/// Lanes beyond the number of terms repeat the last term.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLanes<'a> {
     /// Coordinates.
@@ -25,85 +25,89 @@ pub struct LocalLanes<'a> {
     pub v: &'a [Lanes],
     /// Accelerations.
     pub a: &'a [Lanes],
-    /// Load factor: a load acts so many times.
+    /// Load factor s, which multiplies all loads.
     pub load: f64,
 }
 
-/// Up to [`LANES`] terms of the same kind and size, without multipliers, that are evaluated at once: the arithmetic of each is
-/// done in a lane of the machine's vectors.
+/// Group of up to [`LANES`] terms of the same kind and size, without multipliers, evaluated by SIMD lanes.
 ///
-/// What it computes is what its terms compute one by one, but for rounding: they are its definition, and stay for whatever is
-/// not asked for at every iteration.
+/// A batch computes the same sums as its terms, except for rounding. The terms remain the definition. They also serve
+/// the quantities that are not evaluated at every iteration.
 pub trait Batch: Send + Sync {
-    /// Number of its terms.
+    /// Returns the number of terms.
     fn count(&self) -> usize;
 
-    /// Adds their shares of the residual, a row for each coordinate.
+    /// Adds the residuals of the terms, one row for each coordinate.
     fn residual(&self, at: &LocalLanes<'_>, r: &mut [Lanes]);
 
-    /// Sets their shares of the tangent, the lower triangle by columns: entry (i, j), i ≥ j, of n coordinates is at
-    /// j n − j (j + 1)/2 + i.
+    /// Sets the tangents of the terms, stored as the lower triangle by columns.
+    ///
+    /// Entry (i, j), i ≥ j, of n coordinates has the index j n − j (j + 1)/2 + i.
     fn tangent(&self, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]);
 
-    /// The sum of their energies.
+    /// Returns the sum of the energies of the terms.
     fn energy(&self, at: &LocalLanes<'_>) -> Energy;
 
-    /// The first of them that cannot be in this state ([`Term::is_admissible`](super::term::Term::is_admissible)).
+    /// Returns the first term that does not admit this state
+    /// ([`Term::is_admissible`](super::term::Term::is_admissible)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
-    /// The sum of their powers ([`Term::power`](super::term::Term::power)).
+    /// Returns the sum of the powers of the terms ([`Term::power`](super::term::Term::power)).
     fn power(&self, at: &LocalLanes<'_>) -> Power;
 }
 
-/// The most coordinates of a term of a batch.
-const WIDTH: usize = 32;
+/// Maximum number of coordinates of a term in a batch.
+const MAX_COORDINATES: usize = 32;
 
-/// A batch among the terms of a system.
-pub(crate) struct Batched {
-    /// The number of its first term.
+/// Batch together with the position of its terms in a system.
+pub(crate) struct PlacedBatch {
+    /// Index of its first term.
     pub(crate) first: usize,
     pub(crate) batch: Box<dyn Batch>,
-    /// Coordinate i of term l at i × LANES + l.
+    /// Global coordinates: local coordinate i of term l is stored at i × LANES + l.
     coordinates: Vec<u32>,
 }
 
-impl Batched {
-    /// A batch of the `terms` from the `first` one on.
+impl PlacedBatch {
+    /// Creates a batch of consecutive `terms`, starting at index `first`.
     ///
     /// # Panics
-    /// If these are not alike, or too many or too large: a mistake in code, not in input.
+    /// If the terms differ in size, or are too many or too large. This is a programming error, not an input error.
     pub(crate) fn new(first: usize, batch: Box<dyn Batch>, terms: &[Arc<dyn Term>]) -> Self {
         let own = &terms[first..first + batch.count()];
         let width = own[0].coordinates().len();
         assert!(
-            own.len() <= LANES && width <= WIDTH,
-            "a batch is of at most {LANES} terms of {WIDTH} coordinates"
+            own.len() <= LANES && width <= MAX_COORDINATES,
+            "a batch has at most {LANES} terms with {MAX_COORDINATES} coordinates"
         );
         let alike = |term: &Arc<dyn Term>| term.coordinates().len() == width && term.multipliers().is_empty();
-        assert!(own.iter().all(alike), "terms of a batch have as many coordinates and no multipliers");
+        assert!(
+            own.iter().all(alike),
+            "terms of a batch have equal numbers of coordinates and no multipliers"
+        );
         let of = |i: usize| (0..LANES).map(move |l| own[l.min(own.len() - 1)].coordinates()[i] as u32);
         Self { first, coordinates: (0..width).flat_map(of).collect(), batch }
     }
 
-    /// The numbers of its terms.
+    /// Returns the indices of the terms.
     pub(crate) fn terms(&self) -> Range<usize> {
         self.first..self.first + self.batch.count()
     }
 
-    /// The range of its coordinates.
+    /// Returns the range of the coordinates.
     pub(crate) fn range(&self) -> Range<usize> {
         let (least, most) = self.coordinates.iter().fold((u32::MAX, 0), |(a, b), &c| (a.min(c), b.max(c)));
         least as usize..most as usize + 1
     }
 
-    /// Gathers from a vector.
+    /// Gathers entries of a global vector.
     fn gather(&self, from: &[f64], to: &mut [Lanes]) {
         for (to, coordinates) in to.iter_mut().zip(self.coordinates.as_chunks::<LANES>().0) {
             to.0 = std::array::from_fn(|l| from[coordinates[l] as usize]);
         }
     }
 
-    /// Adds rows to a vector that begins at a coordinate.
+    /// Adds local rows to a section of a global vector that starts at coordinate `first`.
     fn add(&self, rows: &[Lanes], sum: &mut [f64], first: usize) {
         for (row, coordinates) in rows.iter().zip(self.coordinates.chunks_exact(LANES)) {
             for (value, &c) in row.0.iter().zip(coordinates).take(self.batch.count()) {
@@ -113,19 +117,19 @@ impl Batched {
     }
 }
 
-/// The unknowns of a batch, gathered from a state.
+/// State variables of a batch, gathered from a global state.
 pub(crate) struct GatheredLanes {
-    q: [Lanes; WIDTH],
-    v: [Lanes; WIDTH],
-    a: [Lanes; WIDTH],
+    q: [Lanes; MAX_COORDINATES],
+    v: [Lanes; MAX_COORDINATES],
+    a: [Lanes; MAX_COORDINATES],
 }
 
 impl GatheredLanes {
-    const NONE: [Lanes; WIDTH] = [Lanes([0.0; LANES]); WIDTH];
+    const NONE: [Lanes; MAX_COORDINATES] = [Lanes([0.0; LANES]); MAX_COORDINATES];
     pub(crate) const EMPTY: Self = Self { q: Self::NONE, v: Self::NONE, a: Self::NONE };
 
-    /// Coordinates and velocities; accelerations are left as they are, since only residuals depend on them.
-    pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &Batched) -> LocalLanes<'a> {
+    /// Gathers coordinates and velocities. Accelerations are left unchanged, since only residuals depend on them.
+    pub(crate) fn gather<'a>(&'a mut self, s: &State, of: &PlacedBatch) -> LocalLanes<'a> {
         let Self { q, v, a } = self;
         let width = of.coordinates.len() / LANES;
         of.gather(&s.q, q);
@@ -133,8 +137,8 @@ impl GatheredLanes {
         LocalLanes { q: &q[..width], v: &v[..width], a: &a[..width], load: s.load }
     }
 
-    /// Adds the residual of a batch to that of all, from a coordinate on.
-    pub(crate) fn add_residual(&mut self, s: &State, of: &Batched, sum: &mut [f64], first: usize) {
+    /// Adds the residual of a batch to a section of the global residual that starts at coordinate `first`.
+    pub(crate) fn add_residual(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
         of.gather(&s.a, &mut self.a);
         let at = self.gather(s, of);
@@ -144,16 +148,16 @@ impl GatheredLanes {
     }
 }
 
-/// The lower triangles of a batch.
-pub(crate) struct LowerLanes([Lanes; WIDTH * (WIDTH + 1) / 2]);
+/// Lower triangles of the tangents of a batch.
+pub(crate) struct LowerLanes([Lanes; MAX_COORDINATES * (MAX_COORDINATES + 1) / 2]);
 
 impl LowerLanes {
-    pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); WIDTH * (WIDTH + 1) / 2]);
+    pub(crate) const ZERO: Self = Self([Lanes([0.0; LANES]); MAX_COORDINATES * (MAX_COORDINATES + 1) / 2]);
 
-    /// Adds the tangents of a batch at gathered unknowns to the values of a matrix, from one on.
+    /// Adds the tangents of a batch to a section of the matrix values.
     pub(crate) fn add_tangent(
         &mut self,
-        of: &Batched,
+        of: &PlacedBatch,
         at: &LocalLanes<'_>,
         w: Weights,
         scatters: &[Scatter],

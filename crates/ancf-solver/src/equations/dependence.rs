@@ -4,49 +4,51 @@ use super::state::{State, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use crate::factor::Sparse;
 
-/// A row that follows from earlier ones: Σ cᵢ rowᵢ = 0, the last cᵢ being its own.
+/// Linear dependence of a row on earlier rows: Σ cᵢ rowᵢ = 0, where the last cᵢ belongs to the dependent row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dependence {
-    /// The coefficients cᵢ by row.
+    /// Coefficients cᵢ by row.
     pub coefficients: Sparse,
 }
 
 impl Dependence {
-    /// The row, the last of those that depend on each other.
+    /// Returns the dependent row, which is the last row of the combination.
     pub fn row(&self) -> usize {
         self.coefficients.last_key_value().map_or(0, |(&row, _)| row)
     }
 
-    /// The rows from which it follows.
+    /// Returns the rows on which the dependent row depends.
     pub fn others(&self) -> impl Iterator<Item = usize> {
         let row = self.row();
         self.coefficients.keys().copied().filter(move |&other| other != row)
     }
 }
 
-/// A row is redundant if less than this part of it is independent of the others.
+/// Redundancy tolerance: a row is redundant if its independent part is smaller, relative to the row.
 pub const INDEPENDENT: f64 = 1e-8;
-/// A pivot is at least this part of the largest entry of its row.
+/// Pivot threshold, relative to the largest entry of the row.
 const PIVOT: f64 = 0.1;
-/// Entries and coefficients below this part of what they are sums of are rounding.
+/// Rounding threshold of entries and coefficients, relative to the summands.
 const ROUNDING: f64 = 1e-13;
-/// Coefficients below this part of the largest do not count.
+/// Threshold for coefficients, relative to the largest one. Smaller coefficients are dropped.
 const COEFFICIENT: f64 = 1e-9;
-/// Sweeps by which rows and columns get entries of size one.
+/// Number of equilibration sweeps.
 const SWEEPS: usize = 20;
 
-/// The dependences of sparse rows: as many as rows exceed the rank, each naming a row of its own, the latest it can.
+/// Finds the linear dependences of sparse rows.
 ///
-/// A row depends on others if no more than `tolerance` of it is left by their elimination. Rows and columns are scaled
-/// first, so that no units matter. Pivots are taken from the shortest rows and, of these, the shortest columns: chains and
-/// trees fill in next to nothing, and the cost is near-linear in the number of entries.
+/// Returns one dependence for each row in excess of the rank. The dependent rows are distinct and as late as possible.
+/// A row is dependent if elimination reduces it to at most `tolerance` times its size. Rows and columns are
+/// equilibrated first, so the result does not depend on units. Pivots are taken from the shortest rows and, among
+/// these, from the shortest columns. Chains and trees then produce almost no fill-in. The cost is nearly linear in the
+/// number of entries.
 ///
-/// Source: Markowitz (1957), the order of the pivots; Curtis & Reid (1972), the scaling.
+/// Source: Markowitz (1957) for the pivot order; Curtis & Reid (1972) for the scaling.
 pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
     let mut rows = rows;
     rows.iter_mut().for_each(|row| row.retain(|_, x| *x != 0.0));
     let scales = equilibrate(&mut rows);
-    let mut elimination = Elimination::new(rows, tolerance);
+    let mut elimination = RowElimination::new(rows, tolerance);
     while let Some(row) = elimination.shortest() {
         elimination.pivot_in(row);
     }
@@ -58,9 +60,9 @@ pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
     found
 }
 
-/// Scales rows and columns so that the logarithms of their entries have the mean zero; returns the factors of the rows.
+/// Scales rows and columns until the mean logarithm of their entries is zero. Returns the row scales.
 fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
-    // Powers of two are exact.
+    // Powers of two scale without rounding.
     let of = |logarithms: f64, count: usize| (-logarithms / count.max(1) as f64).round().exp2();
     let mut scales = vec![1.0; rows.len()];
     for _ in 0..SWEEPS {
@@ -80,24 +82,24 @@ fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
     scales
 }
 
-/// Gaussian elimination under way.
-struct Elimination {
-    /// What is left of each row.
+/// State of a Gaussian elimination.
+struct RowElimination {
+    /// Remainder of each row.
     rows: Vec<Sparse>,
-    /// The rows that are left and have an entry, by column.
+    /// Active rows with an entry, by column.
     columns: HashMap<usize, BTreeSet<usize>>,
-    /// The rows that are left, by their number of entries.
+    /// Active rows, sorted by their number of entries.
     left: BTreeSet<(usize, usize)>,
-    /// The largest number that each row was made of.
+    /// Largest number from which each row was computed.
     sizes: Vec<f64>,
-    /// For each row the pivots that were subtracted: (step, row, factor), in order.
+    /// Subtracted pivots of each row as (step, row, factor), in order.
     subtracted: Vec<Vec<(usize, usize, f64)>>,
     step: usize,
     vanished: Vec<usize>,
     tolerance: f64,
 }
 
-impl Elimination {
+impl RowElimination {
     fn new(rows: Vec<Sparse>, tolerance: f64) -> Self {
         let mut columns: HashMap<usize, BTreeSet<usize>> = HashMap::new();
         for (i, row) in rows.iter().enumerate() {
@@ -108,11 +110,11 @@ impl Elimination {
         Self { rows, columns, left, sizes, subtracted, step: 0, vanished: Vec::new(), tolerance }
     }
 
-    /// Takes the shortest row that is left and has not vanished.
+    /// Takes the shortest active row that has not vanished.
     fn shortest(&mut self) -> Option<usize> {
         while let Some((_, i)) = self.left.pop_first() {
             for j in self.rows[i].keys() {
-                self.columns.get_mut(j).expect("every entry is in its column").remove(&i);
+                self.columns.get_mut(j).expect("the column of each entry exists").remove(&i);
             }
             if largest(&self.rows[i]) > self.tolerance * self.sizes[i] {
                 return Some(i);
@@ -122,13 +124,13 @@ impl Elimination {
         None
     }
 
-    /// Eliminates one unknown of a row from all rows that are left.
+    /// Eliminates one unknown of a row from all active rows.
     fn pivot_in(&mut self, row: usize) {
         let pivot = std::mem::take(&mut self.rows[row]);
         let least = PIVOT * largest(&pivot);
         let candidates = pivot.iter().filter(|(_, x)| x.abs() >= least);
         let Some((&at, &entry)) = candidates.min_by_key(|(j, _)| self.columns[*j].len()) else { return };
-        for i in std::mem::take(self.columns.get_mut(&at).expect("the pivot's column")) {
+        for i in std::mem::take(self.columns.get_mut(&at).expect("the pivot column exists")) {
             let factor = self.rows[i][&at] / entry;
             self.subtract(i, factor, &pivot, at);
             self.subtracted[i].push((self.step, row, factor));
@@ -145,19 +147,19 @@ impl Elimination {
             let value = target.entry(j).or_default();
             *value -= factor * x;
             if value.abs() > ROUNDING * size {
-                self.columns.get_mut(&j).expect("a column of the rows").insert(i);
+                self.columns.get_mut(&j).expect("the column of each entry exists").insert(i);
             } else {
                 target.remove(&j);
-                self.columns.get_mut(&j).expect("a column of the rows").remove(&i);
+                self.columns.get_mut(&j).expect("the column of each entry exists").remove(&i);
             }
         }
         self.sizes[i] = size;
         self.left.insert((target.len(), i));
     }
 
-    /// The combination of the given rows that a row has become.
+    /// Returns the linear combination of the given rows that produced a remaining row.
     fn combination(&self, row: usize) -> Sparse {
-        // Pivots, the latest first: what a row is made of was done before it became a pivot.
+        // Pivots in descending order of steps: a pivot row is complete before the step in which it is used.
         let mut open: BTreeMap<(usize, usize), f64> = BTreeMap::from([((usize::MAX, row), 1.0)]);
         let mut sum = Sparse::new();
         while let Some(((_, row), c)) = open.pop_last() {
@@ -170,7 +172,7 @@ impl Elimination {
     }
 }
 
-/// The same dependences, each with another last row.
+/// Reduces the dependences until their last rows are distinct.
 fn latest(dependences: Vec<Sparse>) -> Vec<Dependence> {
     let mut found: BTreeMap<usize, Sparse> = BTreeMap::new();
     for mut sum in dependences {
@@ -196,7 +198,7 @@ fn largest(row: &Sparse) -> f64 {
     row.values().fold(0.0, |max: f64, x| max.max(x.abs()))
 }
 
-/// The rows of Φ_q of a term in a state, one for each of its multipliers.
+/// Returns the rows of Φ_q of a term in a state, one for each multiplier.
 pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<Sparse> {
     let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
     let zero = [0.0; LOCAL];
@@ -213,7 +215,7 @@ pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<Sparse> {
     (0..m).map(row).collect()
 }
 
-/// The rows of Φ_q of some terms in a state, by multiplier.
+/// Returns the rows of Φ_q of several terms in a state, indexed by multiplier.
 pub fn all_constraint_rows<'a>(
     terms: impl IntoIterator<Item = &'a dyn Term>,
     multipliers: usize,
@@ -222,7 +224,7 @@ pub fn all_constraint_rows<'a>(
     let mut rows = vec![Sparse::new(); multipliers];
     for term in terms {
         for (multiplier, row) in term.multipliers().zip(constraint_rows(term, s)) {
-            // The terms of a slide share multipliers; one of them is active.
+            // The terms of a sliding joint share multipliers, and one of these terms is active.
             if rows[multiplier].is_empty() {
                 rows[multiplier] = row;
             }

@@ -14,12 +14,12 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// Sum of the three.
+    /// Returns the total energy.
     pub fn total(&self) -> f64 {
         self.kinetic + self.strain + self.potential
     }
 
-    /// The largest of the three in size.
+    /// Returns the largest magnitude of the three energies.
     pub fn largest(&self) -> f64 {
         self.kinetic.abs().max(self.strain.abs()).max(self.potential.abs())
     }
@@ -33,12 +33,12 @@ impl AddAssign for Energy {
     }
 }
 
-/// Rates at which the sum of the energies changes: d(T + U + V)/dt = work − dissipation.
+/// Power balance of the total energy: d(T + U + V)/dt = work − dissipation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Power {
-    /// Supplied by loads that have no potential and by prescribed motions.
+    /// Power supplied by prescribed motions and by loads without a potential.
     pub work: f64,
-    /// Lost by damping, drag and friction.
+    /// Power dissipated by damping, drag and friction.
     pub dissipation: f64,
 }
 
@@ -49,12 +49,12 @@ impl AddAssign for Power {
     }
 }
 
-/// How often constraints are differentiated in time.
+/// Order of the time derivative of the constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// Φ(q, t).
     Position,
-    /// Φ̇ = Φ_q v + Φ_t: what the velocities violate, the drift of index-3 schemes.
+    /// Φ̇ = Φ_q v + Φ_t. In index-3 schemes this is the velocity drift.
     Velocity,
     /// (Φ_q v)_q v + Φ_tt, the part of Φ̈ without accelerations.
     Acceleration,

@@ -1,4 +1,4 @@
-//! Equations of motion as a sum of terms: states, local terms, the assembled system.
+//! Equations of motion as a sum of terms: states, local terms and the assembled system.
 
 mod batch;
 mod contact_pairs;

@@ -5,44 +5,51 @@ use crate::sparse::{Pattern, SparseMatrix};
 
 /// Index-3 equations of motion M a + f(q, v, t) + Φ_qᵀ λ = 0, Φ(q, t) = 0 with symmetric derivatives.
 ///
-/// The waist of the hourglass: elements and joints above know nothing of schemes, schemes below nothing of elements.
+/// This trait separates mechanics from numerics. Elements and joints do not depend on schemes, and schemes do not
+/// depend on elements.
 ///
-/// Shapes: with n coordinates and m multipliers, residuals have n + m entries, tangents are (n + m)².
+/// Shapes: with n coordinates and m multipliers, residuals have n + m entries and tangents are (n + m) × (n + m).
 pub trait EquationsOfMotion {
-    /// Number n of coordinates.
+    /// Returns the number n of coordinates.
     fn coordinates(&self) -> usize;
 
-    /// Number m of multipliers.
+    /// Returns the number m of multipliers.
     fn multipliers(&self) -> usize;
 
-    /// r = [M a + f + Φ_qᵀ λ; Φ].
+    /// Assembles the residual r = [M a + f + Φ_qᵀ λ; Φ].
     fn residual(&self, s: &State, r: &mut [f64]);
 
-    /// The constraints alone, at a cost proportional to their number: one entry for each multiplier.
+    /// Evaluates the constraints, one entry for each multiplier, at a cost proportional to their number.
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]);
 
-    /// A bound of the rounding error of each entry of the residual: ε times the sum of the magnitudes it is made of.
+    /// Bounds the rounding error of each residual entry by ε times the sum of the magnitudes of its summands.
     fn rounding(&self, s: &State, floor: &mut [f64]);
 
-    /// Where tangents have entries.
+    /// Returns the sparsity pattern of the tangents.
     fn pattern(&self) -> &Pattern;
 
-    /// The symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
+    /// Assembles the symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
 
-    /// The stiffness of initial stresses: of those stresses, multipliers and loads that come in first order with the increment
-    /// `by` of a state's q, λ and load factor, at the configuration of the state ([`Term::stress_stiffness`]).
+    /// Assembles the initial stress stiffness at the configuration of a state.
+    ///
+    /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load
+    /// factor ([`Term::stress_stiffness`]).
     ///
     /// [`Term::stress_stiffness`]: super::term::Term::stress_stiffness
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix);
 
-    /// A coordinate of a term that cannot be in this state, if there is one: equations of motion have such solutions too.
+    /// Returns a coordinate of a term that does not admit this state, if there is one.
+    ///
+    /// The equations of motion also have inadmissible solutions.
     fn inadmissible(&self, _s: &State) -> Option<usize> {
         None
     }
 
-    /// These equations with the terms that may soon act, and a matrix of their pattern, if one near this state is not here: to be
-    /// asked before a step. Terms such as contacts come and go ([`Encounters`](super::contact_pairs::Encounters)).
+    /// Extends the equations by the terms that may become active soon, before a step.
+    ///
+    /// Returns the extended equations and a matrix of their pattern, or `None` if all near terms are included. Terms
+    /// such as contacts are active in some states only ([`Encounters`](super::contact_pairs::Encounters)).
     fn ahead(&self, _s: &State) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
@@ -50,8 +57,10 @@ pub trait EquationsOfMotion {
         None
     }
 
-    /// These equations with all terms that act in this state, and a matrix of their pattern, if one is not here: to be asked
-    /// after a step, which is to be repeated with them.
+    /// Extends the equations by all terms that are active in this state, after a step.
+    ///
+    /// Returns the extended equations and a matrix of their pattern, or `None` if all active terms are included. The
+    /// step is then repeated with the extended equations.
     fn completed(&self, _s: &State) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
@@ -59,12 +68,13 @@ pub trait EquationsOfMotion {
         None
     }
 
-    /// The pairs whose terms came and are here, in ascending order.
+    /// Returns the included pairs in ascending order.
     fn met(&self) -> Vec<Met> {
         Vec::new()
     }
 
-    /// These equations with the terms of just these pairs, and a matrix of their pattern; none if there are no such pairs.
+    /// Returns the equations with exactly these pairs and a matrix of their pattern, or `None` if a pair does not
+    /// exist.
     fn having_met(&self, _met: &[Met]) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
@@ -72,15 +82,15 @@ pub trait EquationsOfMotion {
         None
     }
 
-    /// Number of motions that the constraints leave in a state: n less their rank.
+    /// Returns the number of degrees of freedom in a state: n minus the rank of the constraints.
     fn freedoms(&self, _s: &State) -> usize {
         self.coordinates().saturating_sub(self.multipliers())
     }
 
-    /// Kinetic, strain and potential energy.
+    /// Returns the kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 
-    /// What loads and prescribed motions supply and what is dissipated, per time.
+    /// Returns the power supplied by loads and prescribed motions, and the dissipated power.
     fn power(&self, _s: &State) -> Power {
         Power::default()
     }

@@ -1,62 +1,65 @@
 use std::ops::Range;
 
-use super::thread_parts::hull;
-use crate::sparse::{LANES, Pattern, Shape};
+use super::thread_parts::enclosing_range;
+use crate::sparse::{Pattern, QUAD, SupernodeShape};
 
-/// Where the lower triangle of a small matrix over some unknowns goes in a matrix of a pattern.
+/// Map from the lower triangle of a local matrix to the values of a sparse matrix.
 ///
-/// Unknowns that follow each other both in the small matrix and in a panel make a run, each pair of runs a piece that is
-/// dense in both: three pieces for an element of two nodes.
+/// Unknowns that are consecutive both in the local matrix and in a supernode form a run. Each pair of runs forms a
+/// block that is dense in both matrices. An element with two nodes has three blocks.
 #[derive(Clone, Debug)]
 pub struct Scatter {
     size: u32,
-    pieces: Box<[Piece]>,
+    blocks: Box<[DenseBlock]>,
 }
 
-/// A part of a small matrix, dense in a panel.
+/// Block of a local matrix that is dense in a supernode.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
-    /// Where the values of the panel begin, and its height in quads.
+struct DenseBlock {
+    /// Index of the first value of the supernode, and the height of the supernode in quads.
     start: usize,
     height: u32,
-    /// The first row and the first column in the panel.
+    /// First row and first column in the supernode.
     row: u32,
     column: u32,
-    /// The first of the small matrix, in rows and in columns of the panel.
+    /// First row and first column in the local matrix, as rows and columns of the supernode.
     from_row: u8,
     from_column: u8,
     rows: u8,
     columns: u8,
 }
 
-/// Unknowns that follow each other in a small matrix and in a panel.
+/// Unknowns that are consecutive in a local matrix and in a supernode.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct UnknownRun {
     from: usize,
     length: usize,
     position: usize,
 }
 
 impl Scatter {
-    /// That of the given unknowns, multipliers counted after the coordinates.
+    /// Creates the map of the given unknowns. Multipliers are numbered after the coordinates.
     ///
     /// # Panics
-    /// If the pattern was made without a block of them.
+    /// If the pattern does not contain the block of these unknowns.
     pub(crate) fn new(pattern: &Pattern, unknowns: &[u32]) -> Self {
-        let stretches = stretches(pattern, unknowns);
-        let mut pieces = Vec::with_capacity(stretches.len() * (stretches.len() + 1) / 2);
-        for (i, &one) in stretches.iter().enumerate() {
-            for &other in &stretches[i..] {
+        let unknown_runs = unknown_runs(pattern, unknowns);
+        let mut blocks = Vec::with_capacity(unknown_runs.len() * (unknown_runs.len() + 1) / 2);
+        for (i, &one) in unknown_runs.iter().enumerate() {
+            for &other in &unknown_runs[i..] {
                 let (columns, rows) =
                     if one.position <= other.position { (one, other) } else { (other, one) };
-                let at = pattern.panel_of(columns.position);
-                let panel = &pattern.panels().panels[at];
-                let row = pattern.panels().row(at, rows.position).expect("a block of these unknowns");
-                pieces.push(Piece {
-                    start: panel.start,
-                    height: panel.shape().height as u32,
+                let at = pattern.supernode_of(columns.position);
+                let supernode = &pattern.supernodes().list[at];
+                let row = pattern
+                    .supernodes()
+                    .row(at, rows.position)
+                    .expect("the pattern contains a block of these unknowns");
+                blocks.push(DenseBlock {
+                    start: supernode.start,
+                    height: supernode.shape().height as u32,
                     row: row as u32,
-                    column: columns.position as u32 - panel.first,
+                    column: columns.position as u32 - supernode.first,
                     from_row: rows.from as u8,
                     from_column: columns.from as u8,
                     rows: rows.length as u8,
@@ -64,39 +67,40 @@ impl Scatter {
                 });
             }
         }
-        Self { size: unknowns.len() as u32, pieces: pieces.into() }
+        Self { size: unknowns.len() as u32, blocks: blocks.into() }
     }
 
-    /// The range of the values of a matrix to which it adds.
+    /// Returns the range of matrix values that receive entries.
     pub(crate) fn range(&self) -> Range<usize> {
-        hull(self.pieces.iter().map(Piece::range))
+        enclosing_range(self.blocks.iter().map(DenseBlock::range))
     }
 
-    /// Adds entries to the values of a matrix, of which the first `skip` are left out: `entry(k)` is the k-th of the lower
-    /// triangle by columns.
+    /// Adds entries to a section of the matrix values that starts at index `skip`.
+    ///
+    /// `entry(k)` is the k-th entry of the lower triangle by columns.
     #[inline]
     pub fn add(&self, values: &mut [f64], skip: usize, entry: impl Fn(usize) -> f64) {
         let n = self.size as usize;
-        for piece in &*self.pieces {
-            let (rows, i, j) = (piece.rows as usize, piece.from_row as usize, piece.from_column as usize);
+        for block in &*self.blocks {
+            let (rows, i, j) = (block.rows as usize, block.from_row as usize, block.from_column as usize);
             if i == j {
                 let mut k = start(n, j) + j;
-                piece.columns(|c, first| {
+                block.columns(|c, first| {
                     let column = &mut values[first + c - skip..first + rows - skip];
                     column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
                     k += n - j - c;
                 });
             } else if i > j {
                 let mut k = start(n, j) + i;
-                piece.columns(|c, first| {
+                block.columns(|c, first| {
                     let column = &mut values[first - skip..first + rows - skip];
                     column.iter_mut().zip(k..).for_each(|(x, k)| *x += entry(k));
                     k += n - 1 - j - c;
                 });
             } else {
-                // The small matrix has it in a row.
+                // The local matrix stores this block as a row.
                 let row = start(n, i) + j;
-                piece.columns(|c, first| {
+                block.columns(|c, first| {
                     let mut k = row + c;
                     for (r, x) in values[first - skip..first + rows - skip].iter_mut().enumerate() {
                         *x += entry(k);
@@ -108,50 +112,50 @@ impl Scatter {
     }
 }
 
-/// Where column j of a lower triangle of n columns would begin with row zero.
+/// Returns the index that row zero of column j would have in a lower triangle of n columns.
 #[inline(always)]
 const fn start(n: usize, j: usize) -> usize {
     j * n - j * (j + 1) / 2
 }
 
-impl Piece {
-    /// The range of the values that hold it.
+impl DenseBlock {
+    /// Returns the range of values of the block.
     fn range(&self) -> Range<usize> {
         let (mut start, mut end) = (usize::MAX, 0);
         self.columns(|_, first| (start, end) = (start.min(first), end.max(first + self.rows as usize)));
         start..end
     }
 
-    /// Calls for each column with its number and where its first row is among the values.
+    /// Calls `work` for each column with its index and the index of its first value.
     #[inline(always)]
     fn columns(&self, mut work: impl FnMut(usize, usize)) {
         let (height, column) = (self.height as usize, self.column as usize);
-        let shape = Shape { columns: 0, height };
+        let shape = SupernodeShape { columns: 0, height };
         let mut first =
-            self.start + LANES * shape.column(column).start + self.row as usize - (column - column % LANES);
+            self.start + QUAD * shape.column(column).start + self.row as usize - (column - column % QUAD);
         for c in 0..self.columns as usize {
             work(c, first);
             let j = column + c;
-            // Each four columns begin a quad of rows later than those before.
-            first += LANES * (height - j / LANES) - if j % LANES == LANES - 1 { LANES } else { 0 };
+            // Every four columns, the first stored row moves down by one quad.
+            first += QUAD * (height - j / QUAD) - if j % QUAD == QUAD - 1 { QUAD } else { 0 };
         }
     }
 }
 
-/// Parts unknowns into those that follow each other.
-fn stretches(pattern: &Pattern, unknowns: &[u32]) -> Vec<Stretch> {
-    let mut stretches: Vec<Stretch> = Vec::new();
+/// Splits unknowns into runs of consecutive positions.
+fn unknown_runs(pattern: &Pattern, unknowns: &[u32]) -> Vec<UnknownRun> {
+    let mut unknown_runs: Vec<UnknownRun> = Vec::new();
     for (from, &unknown) in unknowns.iter().enumerate() {
         let position = pattern.position(unknown as usize);
-        match stretches.last_mut() {
+        match unknown_runs.last_mut() {
             Some(last)
                 if last.position + last.length == position
-                    && pattern.panel_of(last.position) == pattern.panel_of(position) =>
+                    && pattern.supernode_of(last.position) == pattern.supernode_of(position) =>
             {
                 last.length += 1;
             }
-            _ => stretches.push(Stretch { from, length: 1, position }),
+            _ => unknown_runs.push(UnknownRun { from, length: 1, position }),
         }
     }
-    stretches
+    unknown_runs
 }

@@ -1,9 +1,9 @@
 use serde::{Deserialize, Serialize};
 
-/// The state of a system at one instant.
+/// State of a system at one time.
 ///
-/// q are coordinates *measured from the reference configuration*, e = e₀ + q: strains then come from displacement
-/// gradients, and neither their accuracy nor anything else depends on how far the model is from the origin.
+/// The coordinates q are *measured from the reference configuration*, e = e₀ + q. Strains are computed from
+/// displacement gradients, so their accuracy does not depend on the distance of the model from the origin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time t.
@@ -16,12 +16,12 @@ pub struct State {
     pub a: Vec<f64>,
     /// Lagrange multipliers λ.
     pub lambda: Vec<f64>,
-    /// Load factor s: all loads, gravity among them, act s times. 1 but in statics.
+    /// Load factor s, which multiplies all loads including gravity. It differs from 1 in statics only.
     pub load: f64,
 }
 
 impl State {
-    /// The reference configuration at rest.
+    /// Creates the reference configuration at rest.
     pub fn rest(coordinates: usize, multipliers: usize) -> Self {
         let zeros = vec![0.0; coordinates];
         Self {
@@ -47,7 +47,7 @@ impl State {
         }
     }
 
-    /// Whether it has so many coordinates and multipliers, and all of it is finite.
+    /// Returns true if the state has the given sizes and all its numbers are finite.
     pub fn is_sound(&self, coordinates: usize, multipliers: usize) -> bool {
         let Self { t, q, v, a, lambda, load } = self;
         let of_coordinates = [q, v, a].iter().all(|x| x.len() == coordinates);
@@ -55,7 +55,7 @@ impl State {
         of_coordinates && lambda.len() == multipliers && numbers.into_iter().all(|x| x.is_finite())
     }
 
-    /// Copies another state of the same size without allocating.
+    /// Copies a state of the same size without allocation.
     pub fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
@@ -66,10 +66,10 @@ impl State {
     }
 }
 
-/// How an unknown z moves the state, dq : dv : da, and so how much stiffness, damping and mass a tangent holds.
+/// Weights dq : dv : da of an increment dz, which are also the weights of stiffness, damping and mass in the tangent.
 ///
 /// Every one-step scheme for second-order equations is such an affine map; (1, 0, 0) gives statics.
-/// Source: the idea is that of the integrators in Drake's `multibody/fem`.
+/// Source: follows the integrators of Drake, `multibody/fem`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Weights {
     /// dq/dz, weight of the stiffness.
@@ -81,8 +81,8 @@ pub struct Weights {
 }
 
 impl Weights {
-    /// The unknowns are the coordinates: the tangent is the stiffness matrix.
+    /// Weights for unknown coordinates: the tangent is the stiffness matrix.
     pub const STIFFNESS: Self = Self { q: 1.0, v: 0.0, a: 0.0 };
-    /// The unknowns are the accelerations at fixed q and v: the tangent is the mass matrix.
+    /// Weights for unknown accelerations at fixed q and v: the tangent is the mass matrix.
     pub const MASS: Self = Self { q: 0.0, v: 0.0, a: 1.0 };
 }

@@ -2,36 +2,36 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
-use super::batch::{Batch, Batched, GatheredLanes, LocalLanes, LowerLanes};
-use super::contact_pairs::{Encounters, Met, lacks, near};
+use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
+use super::contact_pairs::{Encounters, Met, is_missing, near_pairs};
 use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::thread_parts::{Parts, hull};
-use crate::sparse::{Lists, Pattern, SparseMatrix};
+use super::thread_parts::{ThreadParts, enclosing_range};
+use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
-/// Equations of motion as the sum of terms: gather, evaluate, scatter.
+/// Equations of motion as a sum of terms: gather, evaluate, scatter.
 pub struct System {
     coordinates: usize,
     multipliers: usize,
     terms: Vec<Arc<dyn Term>>,
-    /// What adds terms besides, and the pairs whose terms are the last ones, in ascending order.
-    encounters: Arc<[Arc<dyn Encounters>]>,
+    /// Searches that add terms, and the pairs of the last terms in ascending order.
+    searches: Arc<[Arc<dyn Encounters>]>,
     met: Vec<Met>,
-    /// The terms that have multipliers.
+    /// Indices of the terms with multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
-    /// Where each term's matrix goes.
+    /// Scatter map of each term.
     scatters: Vec<Scatter>,
-    /// What evaluates terms side by side, and the terms that are evaluated one by one.
-    batches: Arc<[Batched]>,
-    alone: Vec<usize>,
-    /// The batches by the rows and by the entries to which they add.
-    by_rows: Parts,
-    by_entries: Parts,
+    /// Batches, and the indices of the terms that are evaluated one by one.
+    batches: Arc<[PlacedBatch]>,
+    unbatched: Vec<usize>,
+    /// Batches, grouped by residual rows and by matrix entries.
+    by_rows: ThreadParts,
+    by_entries: ThreadParts,
 }
 
 impl fmt::Debug for System {
@@ -44,18 +44,18 @@ impl fmt::Debug for System {
     }
 }
 
-/// Pairs within this part of the margin are taken in before they act.
-const SOON: f64 = 0.5;
+/// Distance, relative to the search margin, below which pairs are included before they become active.
+const INCLUSION_DISTANCE: f64 = 0.5;
 
-/// The unknowns of one term, gathered from a state.
-struct Gathered {
+/// State variables of one term, gathered from a global state.
+struct LocalState {
     q: [f64; LOCAL],
     v: [f64; LOCAL],
     a: [f64; LOCAL],
     lambda: [f64; LOCAL],
 }
 
-impl Gathered {
+impl LocalState {
     const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
 
     fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
@@ -79,89 +79,95 @@ impl Gathered {
 }
 
 impl System {
-    /// The sum of `terms` over so many coordinates and multipliers.
+    /// Creates the sum of `terms` over the given numbers of coordinates and multipliers.
     ///
     /// # Panics
-    /// If a term has more than [`LOCAL`] unknowns or names one that is not there: a mistake in code, not in input.
+    /// If a term has more than [`LOCAL`] unknowns or an unknown out of range. This is a programming error, not an input
+    /// error.
     pub fn new(coordinates: usize, multipliers: usize, terms: Vec<Box<dyn Term>>) -> Self {
         let terms = terms.into_iter().map(Arc::from).collect();
-        Self::made_of(coordinates, multipliers, terms, Arc::default(), Vec::new())
+        Self::from_terms(coordinates, multipliers, terms, Arc::default(), Vec::new())
     }
 
-    /// The same with terms that come and go; none of them is here before it is asked for
-    /// ([`ahead`](EquationsOfMotion::ahead), [`completed`](EquationsOfMotion::completed)).
+    /// Adds searches for terms that are active in some states only.
+    ///
+    /// None of these terms is included before [`ahead`](EquationsOfMotion::ahead) or
+    /// [`completed`](EquationsOfMotion::completed) is called.
     #[must_use]
-    pub fn with(self, encounters: Vec<Arc<dyn Encounters>>) -> Self {
-        Self { encounters: encounters.into(), ..self }
+    pub fn with(self, searches: Vec<Arc<dyn Encounters>>) -> Self {
+        Self { searches: searches.into(), ..self }
     }
 
-    fn made_of(
+    fn from_terms(
         coordinates: usize,
         multipliers: usize,
         terms: Vec<Arc<dyn Term>>,
-        encounters: Arc<[Arc<dyn Encounters>]>,
+        searches: Arc<[Arc<dyn Encounters>]>,
         met: Vec<Met>,
     ) -> Self {
-        let blocks: Lists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
+        let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
         assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
         let defining = terms.iter().filter(|term| !term.massless().is_empty());
         let defined: Vec<_> = defining.map(|term| (term.massless().to_vec(), term.multipliers())).collect();
         let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
         let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
-        let (pattern, alone, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
+        let (pattern, unbatched, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
         Self {
             coordinates,
             multipliers,
             terms,
-            encounters,
+            searches,
             met,
             constraints,
             pattern,
             scatters,
             batches,
-            alone,
-            by_rows: Parts::new(&[]),
-            by_entries: Parts::new(&[]),
+            unbatched,
+            by_rows: ThreadParts::new(&[]),
+            by_entries: ThreadParts::new(&[]),
         }
     }
 
-    /// The same with terms evaluated side by side: each batch with the number of its first term.
+    /// Evaluates terms in batches, each given with the index of its first term.
     ///
     /// # Panics
-    /// If the terms are not alike: a mistake in code, not in input.
+    /// If the terms of a batch differ in size. This is a programming error, not an input error.
     #[must_use]
     pub fn batched(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
-        let batches = batches.into_iter().map(|(first, batch)| Batched::new(first, batch, &self.terms));
+        let batches = batches.into_iter().map(|(first, batch)| PlacedBatch::new(first, batch, &self.terms));
         let batches = batches.collect();
         self.in_batches(batches)
     }
 
-    fn in_batches(self, batches: Arc<[Batched]>) -> Self {
-        let mut alone = vec![true; self.terms.len()];
-        batches.iter().for_each(|batched| alone[batched.terms()].fill(false));
-        let alone = (0..self.terms.len()).filter(|&i| alone[i]).collect();
-        let rows: Vec<_> = batches.iter().map(Batched::range).collect();
-        let entries = |batched: &Batched| hull(self.scatters[batched.terms()].iter().map(Scatter::range));
+    fn in_batches(self, batches: Arc<[PlacedBatch]>) -> Self {
+        let mut unbatched = vec![true; self.terms.len()];
+        batches.iter().for_each(|batched| unbatched[batched.terms()].fill(false));
+        let unbatched = (0..self.terms.len()).filter(|&i| unbatched[i]).collect();
+        let rows: Vec<_> = batches.iter().map(PlacedBatch::range).collect();
+        let entries = |batched: &PlacedBatch| {
+            enclosing_range(self.scatters[batched.terms()].iter().map(Scatter::range))
+        };
         let entries: Vec<_> = batches.iter().map(entries).collect();
-        let (by_rows, by_entries) = (Parts::new(&rows), Parts::new(&entries));
-        Self { batches, alone, by_rows, by_entries, ..self }
+        let (by_rows, by_entries) = (ThreadParts::new(&rows), ThreadParts::new(&entries));
+        Self { batches, unbatched, by_rows, by_entries, ..self }
     }
 
-    /// The same with the terms of other pairs, in ascending order.
-    fn meeting(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
+    /// Replaces the terms of the pairs by those of other pairs, in ascending order.
+    fn with_pair_terms(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
         let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
-        let terms = lasting.chain(met.iter().map(|&(i, pair)| self.encounters[i].term(pair))).collect();
+        let terms = lasting.chain(met.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
         let system =
-            Self::made_of(self.coordinates, self.multipliers, terms, Arc::clone(&self.encounters), met)
+            Self::from_terms(self.coordinates, self.multipliers, terms, Arc::clone(&self.searches), met)
                 .in_batches(Arc::clone(&self.batches));
         let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
         let matrix = system.matrix();
         (system, matrix)
     }
 
-    /// The same with multipliers that redundant constraints leave undetermined: forces are shared by them in the least
-    /// squares ([`Factor`](crate::factor::Factor)). To be told before any matrix is made.
+    /// Marks multipliers that redundant constraints leave undetermined. Must be called before any matrix is created.
+    ///
+    /// The factorisation distributes their forces in the least-squares sense ([`Factor`](crate::factor::Factor)).
     #[must_use]
     pub fn sharing(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
         let coordinates = self.coordinates;
@@ -170,17 +176,17 @@ impl System {
         self
     }
 
-    /// The terms.
+    /// Returns the terms.
     pub fn terms(&self) -> &[Arc<dyn Term>] {
         &self.terms
     }
 
-    /// A zero matrix of this pattern.
+    /// Creates a zero matrix of the pattern of the system.
     pub fn matrix(&self) -> SparseMatrix {
         SparseMatrix::zero(Arc::clone(&self.pattern))
     }
 
-    /// Adds a vector summed over some of the terms: `share` adds to the local rows.
+    /// Adds a vector summed over some terms; `share` adds to the local rows.
     fn add<'a>(
         &self,
         terms: impl Iterator<Item = &'a Arc<dyn Term>>,
@@ -188,7 +194,7 @@ impl System {
         sum: &mut [f64],
         share: impl Fn(&dyn Term, &Local<'_>, &mut [f64]),
     ) {
-        let (mut gathered, mut rows) = (Gathered::EMPTY, [0.0; LOCAL]);
+        let (mut gathered, mut rows) = (LocalState::EMPTY, [0.0; LOCAL]);
         for term in terms {
             let term = term.as_ref();
             let local = gathered.gather(s, term);
@@ -205,7 +211,7 @@ impl System {
         }
     }
 
-    /// Adds a matrix summed over some of the terms: `share` adds to the lower triangle of the local one.
+    /// Adds a matrix summed over some terms; `share` adds to the lower triangle of the local matrix.
     fn add_matrix(
         &self,
         terms: impl Iterator<Item = usize>,
@@ -223,8 +229,8 @@ impl System {
         }
     }
 
-    /// Batches by their numbers.
-    fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a Batched> {
+    /// Returns the batches of the given indices.
+    fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a PlacedBatch> {
         batches.iter().map(|&i| &self.batches[i as usize])
     }
 
@@ -243,13 +249,13 @@ impl System {
         })
     }
 
-    /// The terms that no batch evaluates.
-    fn alone(&self) -> impl Iterator<Item = &Arc<dyn Term>> {
-        self.alone.iter().map(|&i| &self.terms[i])
+    /// Returns the terms outside all batches.
+    fn unbatched(&self) -> impl Iterator<Item = &Arc<dyn Term>> {
+        self.unbatched.iter().map(|&i| &self.terms[i])
     }
 }
 
-/// Global unknowns of a term: coordinates as they are, multipliers after all coordinates.
+/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
 fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
     let multipliers = term.multipliers().map(move |m| coordinates + m);
     term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
@@ -270,12 +276,12 @@ impl EquationsOfMotion for System {
             let mut gathered = GatheredLanes::EMPTY;
             self.of(batches).for_each(|batched| gathered.add_residual(s, batched, r, first));
         });
-        self.add(self.alone(), s, r, |term, at, rows| term.residual(at, rows));
+        self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
     }
 
     fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
         phi.fill(0.0);
-        let mut gathered = Gathered::EMPTY;
+        let mut gathered = LocalState::EMPTY;
         for &i in &self.constraints {
             let term = self.terms[i].as_ref();
             term.constraints(&gathered.gather(s, term), level, &mut phi[term.multipliers()]);
@@ -301,15 +307,15 @@ impl EquationsOfMotion for System {
                 lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
             }
         });
-        let mut gathered = Gathered::EMPTY;
-        let alone = self.alone.iter().copied();
-        self.add_matrix(alone, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+        let mut gathered = LocalState::EMPTY;
+        let unbatched = self.unbatched.iter().copied();
+        self.add_matrix(unbatched, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
         let values = k.values_mut();
         values.fill(0.0);
-        let (mut at, mut increment) = (Gathered::EMPTY, Gathered::EMPTY);
+        let (mut at, mut increment) = (LocalState::EMPTY, LocalState::EMPTY);
         self.add_matrix(0..self.terms.len(), values, |term, block| {
             term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
         });
@@ -323,27 +329,28 @@ impl EquationsOfMotion for System {
                 wrong.map(|lane| &self.terms[batched.first + lane])
             })
         });
-        let mut gathered = Gathered::EMPTY;
-        let wrong = batched
-            .or_else(|| self.alone().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref()))));
+        let mut gathered = LocalState::EMPTY;
+        let wrong = batched.or_else(|| {
+            self.unbatched().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())))
+        });
         wrong.and_then(|term| term.coordinates().first().copied())
     }
 
     fn ahead(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near(&self.encounters, s);
+        let near = near_pairs(&self.searches, s);
         let met = || near.iter().map(|(pair, _)| *pair).collect();
-        lacks(&self.met, &near, SOON).then(|| self.meeting(met()))
+        is_missing(&self.met, &near, INCLUSION_DISTANCE).then(|| self.with_pair_terms(met()))
     }
 
     fn completed(&self, s: &State) -> Option<(Self, SparseMatrix)> {
-        let near = near(&self.encounters, s);
-        lacks(&self.met, &near, 0.0).then(|| {
-            // Those of the start of the step stay, so that repeating it comes to an end.
+        let near = near_pairs(&self.searches, s);
+        is_missing(&self.met, &near, 0.0).then(|| {
+            // The pairs of the start of the step are kept, so that repetitions of the step terminate.
             let mut met: Vec<Met> =
                 near.iter().map(|(pair, _)| *pair).chain(self.met.iter().copied()).collect();
             met.sort_unstable();
             met.dedup();
-            self.meeting(met)
+            self.with_pair_terms(met)
         })
     }
 
@@ -352,8 +359,9 @@ impl EquationsOfMotion for System {
     }
 
     fn having_met(&self, met: &[Met]) -> Option<(Self, SparseMatrix)> {
-        let is_here = |(i, pair): &Met| self.encounters.get(*i).is_some_and(|each| each.has(*pair));
-        (met.is_sorted_by(|a, b| a < b) && met.iter().all(is_here)).then(|| self.meeting(met.to_vec()))
+        let is_here = |(i, pair): &Met| self.searches.get(*i).is_some_and(|each| each.has(*pair));
+        (met.is_sorted_by(|a, b| a < b) && met.iter().all(is_here))
+            .then(|| self.with_pair_terms(met.to_vec()))
     }
 
     fn freedoms(&self, s: &State) -> usize {
@@ -368,15 +376,15 @@ impl EquationsOfMotion for System {
 
     fn energy(&self, s: &State) -> Energy {
         let mut energy = self.sum(s, |batch, at| batch.energy(at));
-        let mut gathered = Gathered::EMPTY;
-        self.alone().for_each(|term| energy += term.energy(&gathered.gather(s, term.as_ref())));
+        let mut gathered = LocalState::EMPTY;
+        self.unbatched().for_each(|term| energy += term.energy(&gathered.gather(s, term.as_ref())));
         energy
     }
 
     fn power(&self, s: &State) -> Power {
         let mut power = self.sum(s, |batch, at| batch.power(at));
-        let mut gathered = Gathered::EMPTY;
-        self.alone().for_each(|term| power += term.power(&gathered.gather(s, term.as_ref())));
+        let mut gathered = LocalState::EMPTY;
+        self.unbatched().for_each(|term| power += term.power(&gathered.gather(s, term.as_ref())));
         power
     }
 }

@@ -3,10 +3,10 @@ use std::ops::Range;
 use super::energy::{Energy, Level, Power};
 use super::state::Weights;
 
-/// The largest number of unknowns (coordinates and multipliers) of one term: local arrays live on the stack.
+/// Maximum number of unknowns (coordinates and multipliers) of one term. Local arrays are kept on the stack.
 pub const LOCAL: usize = 64;
 
-/// The part of a state that a term sees: its own coordinates and multipliers, in its own order.
+/// State variables of a term: its own coordinates and multipliers in local order.
 #[derive(Clone, Copy, Debug)]
 pub struct Local<'a> {
     /// Coordinates.
@@ -19,11 +19,11 @@ pub struct Local<'a> {
     pub lambda: &'a [f64],
     /// Time.
     pub t: f64,
-    /// Load factor: a load acts so many times.
+    /// Load factor s, which multiplies all loads.
     pub load: f64,
 }
 
-/// A small symmetric matrix over the coordinates, then the multipliers, of a term: the lower triangle, i ≥ j, by columns.
+/// Symmetric matrix over the coordinates and then the multipliers of a term, stored as the lower triangle by columns.
 #[derive(Debug)]
 pub struct LocalMatrix<'a> {
     size: usize,
@@ -31,7 +31,7 @@ pub struct LocalMatrix<'a> {
 }
 
 impl<'a> LocalMatrix<'a> {
-    /// A zero matrix of `size` rows in `storage`, which holds at least size (size + 1)/2 numbers.
+    /// Creates a zero matrix of `size` rows in `storage`, which has at least size (size + 1)/2 numbers.
     pub fn zero(size: usize, storage: &'a mut [f64]) -> Self {
         let values = &mut storage[..size * (size + 1) / 2];
         values.fill(0.0);
@@ -40,40 +40,40 @@ impl<'a> LocalMatrix<'a> {
 
     /// Adds to entry (i, j), i ≥ j.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
-        debug_assert!(i >= j && i < self.size, "only the lower triangle counts");
+        debug_assert!(i >= j && i < self.size, "entries are in the lower triangle");
         self.values[self.at(i, j)] += value;
     }
 
-    /// Entry (i, j), i ≥ j.
+    /// Returns entry (i, j), i ≥ j.
     pub fn get(&self, i: usize, j: usize) -> f64 {
         self.values[self.at(i, j)]
     }
 
-    /// The lower triangle by columns.
+    /// Returns the lower triangle by columns.
     pub fn lower(&self) -> &[f64] {
         self.values
     }
 
-    /// Where entry (i, j) is: column j ends with row n − 1 at (j + 1) n − j (j + 1)/2 − 1.
+    /// Returns the index of entry (i, j): column j ends with row n − 1 at (j + 1) n − j (j + 1)/2 − 1.
     const fn at(&self, i: usize, j: usize) -> usize {
         j * self.size - j * (j + 1) / 2 + i
     }
 
-    /// Subtracts another matrix of its size.
+    /// Subtracts a matrix of the same size.
     fn subtract(&mut self, other: &LocalMatrix<'_>) {
         self.values.iter_mut().zip(&*other.values).for_each(|(value, other)| *value -= other);
     }
 }
 
-/// One local share of the equations of motion: an element, one equation of a joint, a load.
+/// Local contribution to the equations of motion, such as an element, one equation of a joint or a load.
 ///
-/// A term is immutable; it adds nothing but depends on nothing beyond the coordinates and multipliers that it names.
-/// What every term must obey (tangent = ∂residual, residual = ∂energy) is checked by `tests/it/terms/laws.rs`.
+/// A term is immutable. Its contribution depends only on its own coordinates and multipliers. The test `tests/laws.rs`
+/// checks the consistency of every term: tangent = ∂residual, residual = ∂energy.
 ///
-/// A spring between coordinate 3 and the ground, complete:
+/// Complete example of a spring between coordinate 3 and the ground:
 ///
 /// ```
-/// use ancf::system::{Energy, Local, LocalMatrix, Term, Weights};
+/// use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
 ///
 /// struct Spring {
 ///     stiffness: f64,
@@ -98,44 +98,46 @@ impl<'a> LocalMatrix<'a> {
 /// }
 /// ```
 pub trait Term: Send + Sync {
-    /// Its coordinates, each once.
+    /// Returns the coordinates of the term without repetition.
     fn coordinates(&self) -> &[usize];
 
-    /// Its multipliers.
+    /// Returns the multipliers of the term.
     fn multipliers(&self) -> Range<usize> {
         0..0
     }
 
-    /// Adds its share of the residual: rows of its coordinates, then of its multipliers.
+    /// Adds the residual of the term: rows of its coordinates, then of its multipliers.
     fn residual(&self, at: &Local<'_>, r: &mut [f64]);
 
-    /// Adds a bound of the rounding error in its share of the residual.
+    /// Adds a bound of the rounding error of the residual.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]);
 
-    /// Adds its share of the tangent, the lower triangle.
+    /// Adds the lower triangle of the tangent.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
-    /// Those of its coordinates that have no mass and that its multipliers determine, as they do the position of a slider.
+    /// Returns the massless coordinates that the multipliers determine, such as the position of a slider.
     ///
-    /// They are eliminated after these multipliers, whose other coordinates must have mass or stiffness.
+    /// They are eliminated after these multipliers. The other coordinates of the multipliers must have mass or
+    /// stiffness.
     fn massless(&self) -> &[usize] {
         &[]
     }
 
-    /// Adds ċ(t) and c̈(t) of constraints A(q) + c(t) that depend on time, one for each of its multipliers.
+    /// Adds ċ(t) and c̈(t) of rheonomic constraints A(q) + c(t), one entry for each multiplier.
     ///
-    /// The residual holds c(t) itself.
+    /// The residual contains c(t) itself.
     fn drive(&self, _t: f64, _rates: &mut [f64], _accelerations: &mut [f64]) {}
 
-    /// Adds its constraints Φ = A(q) + c(t) at a level, one for each of its multipliers.
+    /// Adds the constraints Φ = A(q) + c(t) at a level, one entry for each multiplier.
     ///
-    /// By default A is taken to be at most quadratic, so that its derivatives along v are exactly its differences:
-    /// A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v). Other constraints tell their own.
+    /// The default implementation is valid for A that is at most quadratic. Its derivatives along v are then exact
+    /// differences: A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v).
+    /// Terms with other constraints override this method.
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
         let m = at.lambda.len();
         let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
         self.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
-        let here = |sign| constraints_ahead(self, at, sign);
+        let here = |sign| shifted_constraints(self, at, sign);
         match level {
             Level::Position => {
                 let here = here(0.0);
@@ -152,25 +154,25 @@ pub trait Term: Send + Sync {
         }
     }
 
-    /// What its k-th constraint ties, in words: "position along x".
+    /// Returns a description of the k-th constraint, such as "position along x".
     fn tie(&self, k: usize) -> String {
         format!("equation {}", k + 1)
     }
 
-    /// Whether matter can be in this state: not turned inside out, not off the beam on which it slides.
+    /// Returns true if the state is admissible. Inverted elements and sliders beyond the end of their beam are not.
     fn is_admissible(&self, _at: &Local<'_>) -> bool {
         true
     }
 
-    /// Adds the stiffness of initial stresses, the lower triangle: of those stresses, multipliers and loads that come in first
-    /// order with the increment `by` of the state's q, λ and load factor, at the configuration of the state.
+    /// Adds the lower triangle of the initial stress stiffness at the configuration of the state.
     ///
-    /// With stresses n = ∂U/∂ε of strains ε(q) the entries are Σ n₁ ∂²ε/∂q², n₁ = ∂n/∂ε ∂ε/∂q q₁; with multipliers
-    /// Σ λ₁ ∂²Φ/∂q²; with loads their own stiffness, times the increment of the load factor. What a displacement changes
-    /// besides, Σ ∂ε/∂q ∂n/∂ε ∂²ε/∂q² q₁, has no part in it.
+    /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load
+    /// factor. With stresses n = ∂U/∂ε of strains ε(q) the entries are Σ n₁ ∂²ε/∂q², n₁ = ∂n/∂ε ∂ε/∂q q₁.
+    /// Multipliers add Σ λ₁ ∂²Φ/∂q². Loads add their own stiffness, multiplied by the increment of the load factor.
+    /// The displacement term Σ ∂ε/∂q ∂n/∂ε ∂²ε/∂q² q₁ is not included.
     ///
-    /// A term that has strain energy of strains not linear in q tells its own. By default, that of multipliers and loads:
-    /// the tangent is affine in them, and its part without them is subtracted.
+    /// A term whose strains are nonlinear in q overrides this method. The default implementation covers multipliers and
+    /// loads: the tangent is affine in them, and the part without them is subtracted.
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let (zeros, mut storage) = ([0.0; LOCAL], [0.0; LOCAL * LOCAL]);
         let mut rest = LocalMatrix::zero(at.q.len() + at.lambda.len(), &mut storage);
@@ -180,28 +182,28 @@ pub trait Term: Send + Sync {
         k.subtract(&rest);
     }
 
-    /// Its energies.
+    /// Returns the energies of the term.
     fn energy(&self, _at: &Local<'_>) -> Energy {
         Energy::default()
     }
 
-    /// The power that it supplies without having it in its potential, and the power that it dissipates.
+    /// Returns the power supplied without a potential, and the dissipated power.
     ///
-    /// By default prescribed motions supply λ·ċ(t), and what depends on the velocities dissipates: v·[f(q, v) − f(q, 0)].
+    /// By default prescribed motions supply λ·ċ(t), and velocity-dependent forces dissipate v·[f(q, v) − f(q, 0)].
     fn power(&self, at: &Local<'_>) -> Power {
-        Power { work: driven(self, at), dissipation: dissipated(self, at) }
+        Power { work: driving_power(self, at), dissipation: dissipated(self, at) }
     }
 }
 
-/// The power of its prescribed motions: Φ_qᵀ λ does the work −λ·Φ_q v = λ·ċ on the bodies.
-fn driven<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
+/// Returns the power of prescribed motions: Φ_qᵀ λ does the work −λ·Φ_q v = λ·ċ on the bodies.
+fn driving_power<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
     let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
     let m = at.lambda.len();
     term.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
     at.lambda.iter().zip(rates).map(|(lambda, rate)| lambda * rate).sum()
 }
 
-/// The power of forces that depend on the velocities, v·[f(q, v) − f(q, 0)].
+/// Returns the power of velocity-dependent forces, v·[f(q, v) − f(q, 0)].
 pub fn dissipated<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
     let (zeros, n, m) = ([0.0; LOCAL], at.q.len(), at.lambda.len());
     let (mut moving, mut still) = ([0.0; LOCAL], [0.0; LOCAL]);
@@ -210,15 +212,15 @@ pub fn dissipated<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
     (0..n).map(|i| at.v[i] * (moving[i] - still[i])).sum()
 }
 
-/// What a load supplies that has no potential: −v·f.
+/// Returns the power −v·f of a load without a potential.
 pub fn supplied<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> Power {
     let (zeros, mut r, n) = ([0.0; LOCAL], [0.0; LOCAL], at.q.len());
     load.residual(&Local { a: &zeros[..n], ..*at }, &mut r[..n]);
     Power { work: -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>(), dissipation: 0.0 }
 }
 
-/// Rows of a term's multipliers at q + sign × v.
-fn constraints_ahead<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
+/// Evaluates the constraint rows of a term at q + sign × v.
+fn shifted_constraints<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) -> [f64; LOCAL] {
     let (mut q, mut rows) = ([0.0; LOCAL], [0.0; LOCAL]);
     let (n, m) = (at.q.len(), at.lambda.len());
     for i in 0..n {

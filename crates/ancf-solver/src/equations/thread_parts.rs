@@ -1,71 +1,76 @@
 use std::ops::{AddAssign, Range};
 
-/// Items of a sum by the part of a vector to which they add; the parts are done at the same time by all threads.
+/// Partition of the items of a sum into parts that threads process in parallel.
 ///
-/// Items that add to more than one part come after all parts. Parts depend on the items only, not on the threads, and
-/// each entry is summed in one order: results are the same to the last digit with any number of threads. Few items
-/// make one part, which costs nothing.
-pub(crate) struct Parts {
-    parts: Vec<Part>,
-    between: Vec<u32>,
+/// Each part adds to its own section of a vector. Items that add to more than one section follow after all parts. The
+/// partition depends on the items only, not on the threads, and each entry is summed in a fixed order. Results are
+/// therefore identical to the last digit for any number of threads. A small number of items forms a single part.
+pub(crate) struct ThreadParts {
+    parts: Vec<ThreadPart>,
+    spanning: Vec<u32>,
 }
 
-/// A part of the vector, up to the next one, and the items that add to it only.
-struct Part {
+/// Section of the vector, up to the next part, and the items that add to this section only.
+struct ThreadPart {
     first: usize,
     items: Vec<u32>,
 }
 
-/// Items of a part. Measured: with 512 elements a part takes some 100 μs, and its thread is woken in 5.
+/// Items per part. Measured with 512 elements: about 100 µs per part, and 5 µs to wake a thread.
 const ITEMS: usize = 64;
 
-impl Parts {
-    /// Parts of items that add to the given ranges of entries.
+impl ThreadParts {
+    /// Partitions items that add to the given ranges of entries.
     pub(crate) fn new(ranges: &[Range<usize>]) -> Self {
         let mut order: Vec<u32> = (0..ranges.len() as u32).collect();
         order.sort_by_key(|&item| ranges[item as usize].start);
         let cut = |items: &[u32]| ranges[items[0] as usize].start;
         let chunks: Vec<&[u32]> = order.chunks(ITEMS).collect();
-        let (mut parts, mut between) = (Vec::with_capacity(chunks.len()), Vec::new());
+        let (mut parts, mut spanning) = (Vec::with_capacity(chunks.len()), Vec::new());
         for (k, chunk) in chunks.iter().enumerate() {
             let end = chunks.get(k + 1).map_or(usize::MAX, |next| cut(next));
             let (inside, across): (Vec<u32>, Vec<u32>) =
                 chunk.iter().partition(|&&item| ranges[item as usize].end <= end);
-            parts.push(Part { first: if k == 0 { 0 } else { cut(chunk) }, items: inside });
-            between.extend(across);
+            parts.push(ThreadPart { first: if k == 0 { 0 } else { cut(chunk) }, items: inside });
+            spanning.extend(across);
         }
-        Self { parts, between }
+        Self { parts, spanning }
     }
 
-    /// Adds to a vector: `work` adds items to a part of it that begins at the given entry.
+    /// Adds to a vector; `work` adds items to a section that starts at the given entry.
     pub(crate) fn add_to(&self, values: &mut [f64], work: impl Fn(&[u32], &mut [f64], usize) + Sync) {
         split(&self.parts, values, 0, &|part, values| work(&part.items, values, part.first));
-        work(&self.between, values, 0);
+        work(&self.spanning, values, 0);
     }
 
-    /// The sum of what `work` finds of items.
+    /// Sums the results of `work` over all items.
     pub(crate) fn sum<T: Default + AddAssign + Send>(&self, work: impl Fn(&[u32]) -> T + Sync) -> T {
         let plus = |mut a: T, b: T| {
             a += b;
             a
         };
         let parts = fold(&self.parts, &|items| work(items), &plus).unwrap_or_default();
-        plus(parts, work(&self.between))
+        plus(parts, work(&self.spanning))
     }
 
-    /// What `work` finds first.
+    /// Returns the first result of `work`.
     pub(crate) fn find<T: Send>(&self, work: impl Fn(&[u32]) -> Option<T> + Sync) -> Option<T> {
-        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| work(&self.between))
+        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| work(&self.spanning))
     }
 }
 
-/// The least range that holds all of them.
-pub(crate) fn hull(ranges: impl Iterator<Item = Range<usize>>) -> Range<usize> {
+/// Returns the smallest range that contains all ranges.
+pub(crate) fn enclosing_range(ranges: impl Iterator<Item = Range<usize>>) -> Range<usize> {
     ranges.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default()
 }
 
-/// Does the parts of a vector, of which `values` begins at an entry.
-fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part, &mut [f64]) + Sync)) {
+/// Processes the parts of a vector; `values` starts at the entry `first`.
+fn split(
+    parts: &[ThreadPart],
+    values: &mut [f64],
+    first: usize,
+    work: &(impl Fn(&ThreadPart, &mut [f64]) + Sync),
+) {
     match parts {
         [] => {}
         [part] => work(part, values),
@@ -78,9 +83,9 @@ fn split(parts: &[Part], values: &mut [f64], first: usize, work: &(impl Fn(&Part
     }
 }
 
-/// Puts together what is found of the parts, neighbours first.
+/// Combines the results of the parts pairwise, neighbours first.
 fn fold<T: Send>(
-    parts: &[Part],
+    parts: &[ThreadPart],
     work: &(impl Fn(&[u32]) -> T + Sync),
     join: &(impl Fn(T, T) -> T + Sync),
 ) -> Option<T> {
@@ -99,12 +104,12 @@ fn fold<T: Send>(
 mod tests {
     use super::*;
 
-    /// Each item once, also those across parts, in the same way by one thread and by many.
+    /// Every item is processed once, including items across parts, for one and for several threads.
     #[test]
     fn each_item_once() {
         let count = 10 * ITEMS + 7;
         let ranges: Vec<_> = (0..count).map(|i| 3 * i..3 * i + 6).collect();
-        let parts = Parts::new(&ranges);
+        let parts = ThreadParts::new(&ranges);
         let run = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut sum = vec![0.0; 3 * count + 3];

@@ -1,19 +1,19 @@
-//! Arithmetic on dense panels, in quads: to be called within [`pulp::Arch::dispatch`], hence all inline.
+//! Dense kernels for supernodes in quads. They are called within [`pulp::Arch::dispatch`] and are therefore inlined.
 
-use crate::sparse::{LANES, Quad, Shape};
+use crate::sparse::{QUAD, Quad, SupernodeShape};
 
-/// y += s x.
+/// Computes y += s x.
 #[inline(always)]
 fn add_product(y: &mut Quad, s: f64, x: &Quad) {
-    for lane in 0..LANES {
+    for lane in 0..QUAD {
         y[lane] = s.mul_add(x[lane], y[lane]);
     }
 }
 
-/// y += x ∘ z.
+/// Computes y += x ∘ z.
 #[inline(always)]
 fn add_products(y: &mut Quad, x: &Quad, z: &Quad) {
-    for lane in 0..LANES {
+    for lane in 0..QUAD {
         y[lane] = x[lane].mul_add(z[lane], y[lane]);
     }
 }
@@ -23,32 +23,32 @@ fn sum(x: &Quad) -> f64 {
     (x[0] + x[2]) + (x[1] + x[3])
 }
 
-/// Eliminates the columns of a panel from one another: A = L D Lᵀ for the own rows, L for those below.
+/// Factorises the columns of a supernode: A = L D Lᵀ for its own rows, L for the rows below.
 ///
-/// In `front`, whose columns are of full height, they become L D; `l` becomes L, zero on and above the diagonal; `inverse`
-/// D⁻¹. Returns whether all pivots are such: finite, their inverse too, and not just the rounding error of what was subtracted
-/// from them, the largest part of which is kept in `sizes` (quads of its own rows).
+/// In `front`, whose columns have full height, the result is L D. `l` receives L, zero on and above the diagonal, and
+/// `inverse` receives D⁻¹. Returns true if all pivots and their inverses are finite and above their rounding error. The
+/// rounding error is relative to the largest subtracted number, recorded in `sizes` (quads of the own rows).
 #[inline(always)]
 pub(crate) fn eliminate(
-    shape: Shape,
+    shape: SupernodeShape,
     front: &mut [Quad],
     l: &mut [Quad],
     inverse: &mut [f64],
     sizes: &mut [Quad],
 ) -> bool {
     let mut good = true;
-    sizes.fill([0.0; LANES]);
+    sizes.fill([0.0; QUAD]);
     for four in 0..shape.own() {
-        let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[LANES * four..]);
-        let front_of = &mut front[LANES * four * shape.height..];
-        good &= match shape.columns - LANES * four {
+        let (own, inverse) = (&mut l[shape.columns_of(four)], &mut inverse[QUAD * four..]);
+        let front_of = &mut front[QUAD * four * shape.height..];
+        good &= match shape.columns - QUAD * four {
             4.. => eliminate_columns::<4>(shape, four, front_of, own, inverse, sizes),
             3 => eliminate_columns::<3>(shape, four, front_of, own, inverse, sizes),
             2 => eliminate_columns::<2>(shape, four, front_of, own, inverse, sizes),
             _ => eliminate_columns::<1>(shape, four, front_of, own, inverse, sizes),
         };
         for later in four + 1..shape.own() {
-            let columns = LANES.min(shape.columns - LANES * later);
+            let columns = QUAD.min(shape.columns - QUAD * later);
             let mut row = later;
             while row + 2 <= shape.height {
                 subtract_from_own::<2>(shape, front, l, four, later, columns, row);
@@ -62,10 +62,10 @@ pub(crate) fn eliminate(
     good
 }
 
-/// Eliminates up to four columns from one another.
+/// Factorises up to four columns.
 #[inline(always)]
 fn eliminate_columns<const N: usize>(
-    shape: Shape,
+    shape: SupernodeShape,
     four: usize,
     front: &mut [Quad],
     l: &mut [Quad],
@@ -74,8 +74,8 @@ fn eliminate_columns<const N: usize>(
 ) -> bool {
     let (height, length, mut good) = (shape.height, shape.height - four, true);
     let (mut pivots, mut by) = ([0.0; N], [0.0; N]);
-    // The factors of each column with those before, from the quad of the diagonals.
-    let mut factors = [[0.0; LANES]; N];
+    // Factors of each column with the previous columns, from the quad of the diagonal.
+    let mut factors = [[0.0; QUAD]; N];
     let mut x: [Quad; N] = std::array::from_fn(|c| front[c * height + four]);
     for c in 0..N {
         for k in 0..c {
@@ -87,7 +87,7 @@ fn eliminate_columns<const N: usize>(
         let is_number = pivots[c].is_finite() && by[c].is_finite();
         good &= is_number && pivots[c].abs() >= f64::EPSILON * sizes[four][c];
         let quotient = quotient(&x[c], pivots[c], by[c]);
-        for lane in 0..LANES {
+        for lane in 0..QUAD {
             factors[c][lane] = if lane > c { quotient[lane] } else { 0.0 };
         }
         raise(&mut sizes[four], &factors[c], &x[c]);
@@ -113,47 +113,48 @@ fn eliminate_columns<const N: usize>(
     good
 }
 
-/// x/d for 1/d, as exact as a division: rows that are equal stay equal, and their difference zero.
+/// Computes x/d from 1/d with the accuracy of a division: equal rows remain equal, and their difference remains zero.
 ///
 /// Source: Markstein (1990).
 #[inline(always)]
 fn quotient(x: &Quad, d: f64, by: f64) -> Quad {
-    let mut quotient = [0.0; LANES];
-    for lane in 0..LANES {
+    let mut quotient = [0.0; QUAD];
+    for lane in 0..QUAD {
         let near = by * x[lane];
         quotient[lane] = (-near).mul_add(d, x[lane]).mul_add(by, near);
     }
     quotient
 }
 
-/// Raises sizes to those of a product.
+/// Raises sizes to the magnitudes of a product.
 #[inline(always)]
 fn raise(sizes: &mut Quad, x: &Quad, y: &Quad) {
-    for lane in 0..LANES {
+    for lane in 0..QUAD {
         let size = (x[lane] * y[lane]).abs();
         sizes[lane] = if size > sizes[lane] { size } else { sizes[lane] };
     }
 }
 
-/// Subtracts what four columns make of some quads of rows of four columns: L D of the rows times L of the columns, which is in
-/// the quad of rows `at`.
+/// Subtracts the products of four columns from some quads of rows of four columns.
+///
+/// The product is L D of the rows times L of the columns, which is in the quad of rows `at`.
 #[inline(always)]
 fn subtract<const N: usize>(
-    shape: Shape,
+    shape: SupernodeShape,
     front: &[Quad],
     l: &[Quad],
     four: usize,
     at: usize,
     row: usize,
-    sums: &mut [[Quad; N]; LANES],
+    sums: &mut [[Quad; N]; QUAD],
 ) {
     let length = shape.height - four;
     let l = &l[shape.columns_of(four)];
-    for k in 0..LANES.min(shape.columns - LANES * four) {
+    for k in 0..QUAD.min(shape.columns - QUAD * four) {
         let factors = l[k * length + at - four];
-        let from = (LANES * four + k) * shape.height + row;
+        let from = (QUAD * four + k) * shape.height + row;
         let rows = &front[from..from + N];
-        for c in 0..LANES {
+        for c in 0..QUAD {
             for n in 0..N {
                 add_product(&mut sums[c][n], -factors[c], &rows[n]);
             }
@@ -163,7 +164,7 @@ fn subtract<const N: usize>(
 
 #[inline(always)]
 fn subtract_from_own<const N: usize>(
-    shape: Shape,
+    shape: SupernodeShape,
     front: &mut [Quad],
     l: &[Quad],
     four: usize,
@@ -171,8 +172,8 @@ fn subtract_from_own<const N: usize>(
     columns: usize,
     row: usize,
 ) {
-    let mut sums = [[[0.0; LANES]; N]; LANES];
-    let place = |c: usize| (LANES * later + c) * shape.height + row;
+    let mut sums = [[[0.0; QUAD]; N]; QUAD];
+    let place = |c: usize| (QUAD * later + c) * shape.height + row;
     for c in 0..columns {
         sums[c].copy_from_slice(&front[place(c)..place(c) + N]);
     }
@@ -182,56 +183,56 @@ fn subtract_from_own<const N: usize>(
     }
 }
 
-/// What an eliminated panel leaves to later ones: A − L D Lᵀ of the rows below.
+/// Computes the update matrix of a factorised supernode: A − L D Lᵀ of the rows below.
 #[inline(always)]
-pub(crate) fn update(shape: Shape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
+pub(crate) fn update(shape: SupernodeShape, front: &[Quad], l: &[Quad], update: &mut [Quad]) {
     let (own, below) = (shape.own(), shape.below());
     let mut update = update;
     for four in 0..below {
-        let (columns, rest) = update.split_at_mut(LANES * (below - four));
+        let (columns, rest) = update.split_at_mut(QUAD * (below - four));
         update = rest;
         let mut row = own + four;
         while row + 2 <= shape.height {
-            leave::<2>(shape, front, l, columns, own + four, row);
+            update_columns::<2>(shape, front, l, columns, own + four, row);
             row += 2;
         }
         if row < shape.height {
-            leave::<1>(shape, front, l, columns, own + four, row);
+            update_columns::<1>(shape, front, l, columns, own + four, row);
         }
     }
 }
 
-/// Four columns and some quads of rows of it.
+/// Computes four columns and some quads of rows of the update matrix.
 #[inline(always)]
-fn leave<const N: usize>(
-    shape: Shape,
+fn update_columns<const N: usize>(
+    shape: SupernodeShape,
     front: &[Quad],
     l: &[Quad],
     update: &mut [Quad],
     at: usize,
     row: usize,
 ) {
-    let mut sums = [[[0.0; LANES]; N]; LANES];
-    for c in 0..LANES {
-        let from = (shape.columns + LANES * (at - shape.own()) + c) * shape.height + row;
+    let mut sums = [[[0.0; QUAD]; N]; QUAD];
+    for c in 0..QUAD {
+        let from = (shape.columns + QUAD * (at - shape.own()) + c) * shape.height + row;
         sums[c].copy_from_slice(&front[from..from + N]);
     }
     for four in 0..shape.own() {
         subtract(shape, front, l, four, at, row, &mut sums);
     }
     let length = shape.height - at;
-    for c in 0..LANES {
+    for c in 0..QUAD {
         let to = c * length + row - at;
         update[to..to + N].copy_from_slice(&sums[c]);
     }
 }
 
-/// Solves L y = x for the own rows and takes what they make of those below: x is of full height.
+/// Solves L y = x for the own rows and updates the rows below; x has full height.
 #[inline(always)]
-pub(crate) fn forward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
+pub(crate) fn forward(shape: SupernodeShape, l: &[Quad], x: &mut [Quad]) {
     for four in 0..shape.own() {
         let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
-        match shape.columns - LANES * four {
+        match shape.columns - QUAD * four {
             4.. => forward_columns::<4>(length, l, x),
             3 => forward_columns::<3>(length, l, x),
             2 => forward_columns::<2>(length, l, x),
@@ -258,12 +259,12 @@ fn forward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     }
 }
 
-/// Solves Lᵀ y = x for the own rows, those below being known: x is of full height.
+/// Solves Lᵀ y = x for the own rows with known rows below; x has full height.
 #[inline(always)]
-pub(crate) fn backward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
+pub(crate) fn backward(shape: SupernodeShape, l: &[Quad], x: &mut [Quad]) {
     for four in (0..shape.own()).rev() {
         let (length, l, x) = (shape.height - four, &l[shape.columns_of(four)], &mut x[four..shape.height]);
-        match shape.columns - LANES * four {
+        match shape.columns - QUAD * four {
             4.. => backward_columns::<4>(length, l, x),
             3 => backward_columns::<3>(length, l, x),
             2 => backward_columns::<2>(length, l, x),
@@ -275,7 +276,7 @@ pub(crate) fn backward(shape: Shape, l: &[Quad], x: &mut [Quad]) {
 #[inline(always)]
 fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     let columns: [&[Quad]; N] = std::array::from_fn(|c| &l[c * length..(c + 1) * length]);
-    let mut sums = [[0.0; LANES]; N];
+    let mut sums = [[0.0; QUAD]; N];
     for q in 1..length {
         for c in 0..N {
             add_products(&mut sums[c], &columns[c][q], &x[q]);
@@ -292,13 +293,13 @@ fn backward_columns<const N: usize>(length: usize, l: &[Quad], x: &mut [Quad]) {
     x[0] = own;
 }
 
-/// y += A x of a symmetric panel: x and y are of full height.
+/// Adds A x of a symmetric supernode to y; x and y have full height.
 #[inline(always)]
-pub(crate) fn multiply(shape: Shape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
+pub(crate) fn multiply(shape: SupernodeShape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
     for four in 0..shape.own() {
         let (length, a) = (shape.height - four, &a[shape.columns_of(four)]);
         let (x, y) = (&x[four..shape.height], &mut y[four..shape.height]);
-        match shape.columns - LANES * four {
+        match shape.columns - QUAD * four {
             4.. => multiply_columns::<4>(length, a, x, y),
             3 => multiply_columns::<3>(length, a, x, y),
             2 => multiply_columns::<2>(length, a, x, y),
@@ -310,7 +311,7 @@ pub(crate) fn multiply(shape: Shape, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
 #[inline(always)]
 fn multiply_columns<const N: usize>(length: usize, a: &[Quad], x: &[Quad], y: &mut [Quad]) {
     let columns: [&[Quad]; N] = std::array::from_fn(|c| &a[c * length..(c + 1) * length]);
-    let (own, mut sums) = (x[0], [[0.0; LANES]; N]);
+    let (own, mut sums) = (x[0], [[0.0; QUAD]; N]);
     for q in 1..length {
         let mut rows = y[q];
         for c in 0..N {

@@ -10,54 +10,57 @@ use serde::{Deserialize, Serialize};
 use super::ldlt::Ldlt;
 use crate::sparse::{Pattern, SparseMatrix};
 
-/// The factorisation of a symmetric indefinite matrix: LDLᵀ in panels without pivoting, checked at every solve but for
-/// increments after a first one that needed no refinement.
+/// Supernodal LDLᵀ factorisation of a symmetric indefinite matrix without pivoting, with LU as a fallback.
 ///
-/// Without pivoting, rounding in LDLᵀ does not depend on how rows and columns are scaled together, so units and
-/// slope lengths do not matter to it. What it loses when a stiffness is indefinite is seen in the backward error
-/// ‖D(b − Ax)‖ / (‖D⁻¹x‖ + ‖Db‖) (maximum norms), where D A D has entries of size one and the error no units: it is
-/// refined, and if that does not help, LU with pivoting takes over. Symbolic analysis happens once.
+/// Every solution is checked by its backward error. Increments are exempt after a first one without refinement.
 ///
-/// Where constraints are redundant, K is singular and multipliers are *shared* ([`System::sharing`](crate::equations::System::sharing)).
-/// What is factorised then has a compliance −ε/D² in their diagonal, K_ε = K − εE: of all multipliers that satisfy the
-/// equations it picks those of least λᵀEλ, since Φ_q Δq − εE λ = −Φ puts Eλ into the range of Φ_q. What ε changes besides is
-/// taken back by steps K_ε Δx = b − K x, each of which leaves no more than about ε of it.
+/// Without pivoting, rounding errors of LDLᵀ do not depend on a symmetric scaling. Units and slope lengths therefore
+/// have no effect. An indefinite stiffness may cause a loss of accuracy. It appears in the backward error
+/// ‖D(b − Ax)‖ / (‖D⁻¹x‖ + ‖Db‖) (maximum norms), where D A D has entries of size one and the error no units. Large
+/// errors are reduced by iterative refinement. If that fails, LU with pivoting is used. The symbolic analysis is
+/// performed once.
+///
+/// With redundant constraints, K is singular and multipliers are *shared*
+/// ([`System::sharing`](crate::equations::System::sharing)). The factorised matrix K_ε = K − εE then has a compliance
+/// −ε/D² on their diagonal. Among all multipliers that satisfy the equations it selects those with minimal λᵀEλ, since
+/// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. Steps K_ε Δx = b − K x remove the other effects of ε. Each step
+/// reduces them by a factor of about ε.
 ///
 /// Source: Rigal & Gaches (1967) for the error; faer for LU; Bertsekas (1982), the method of multipliers.
 pub struct Factor {
     ldlt: Ldlt,
     pattern: Arc<Pattern>,
     lu: Option<Lu<usize, f64>>,
-    /// If multipliers are shared.
-    shared: Option<Box<Shared>>,
-    /// Whether the factors have solved equations without refinement.
-    proven: bool,
-    /// Equilibration D, right-hand side, solution and residual, in positions.
+    /// Storage for shared multipliers, if there are any.
+    shared: Option<Box<SharedMultipliers>>,
+    /// True if the factors have solved equations without refinement.
+    verified: bool,
+    /// Equilibration D, right-hand side, solution and residual, by position.
     d: Vec<f64>,
     b: Vec<f64>,
     x: Vec<f64>,
     r: Vec<f64>,
 }
 
-/// What became of a factorisation since it was made.
+/// History of a factorisation, from which it can be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Course {
-    /// Whether LU has taken over.
+    /// True if the LU fallback is active.
     lu: bool,
-    /// Whether the factors have solved equations without refinement.
-    proven: bool,
+    /// True if the factors have solved equations without refinement.
+    verified: bool,
 }
 
 impl Course {
-    /// Nothing yet.
-    pub const NEW: Self = Self { lu: false, proven: false };
+    /// History of a new factorisation.
+    pub const NEW: Self = Self { lu: false, verified: false };
 }
 
-/// What shared multipliers need besides.
-struct Shared {
-    /// K_ε.
+/// Additional storage for shared multipliers.
+struct SharedMultipliers {
+    /// Compliant matrix K_ε.
     compliant: SparseMatrix,
-    /// Right-hand side and solution of K, in positions.
+    /// Right-hand side and solution of K, by position.
     b: Vec<f64>,
     x: Vec<f64>,
 }
@@ -71,37 +74,37 @@ impl fmt::Debug for Factor {
     }
 }
 
-/// The matrix has no usable factorisation: a redundant constraint, a free motion or numbers that are not finite.
+/// Singular matrix: a redundant constraint, an unconstrained motion or entries that are not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SingularMatrix;
 
-/// Backward errors above this are refined.
+/// Backward error above which a solution is refined.
 const REFINE: f64 = 1e-11;
-/// Backward errors above this after refinement are not accepted.
+/// Largest accepted backward error after refinement.
 const ACCEPT: f64 = 1e-9;
-/// ε: well above rounding, and well below what is solved in a few steps.
+/// Compliance ε, far above rounding and small enough for fast convergence.
 const COMPLIANCE: f64 = 1e-6;
-/// Steps from K_ε to K.
+/// Number of steps from K_ε to K.
 const STEPS: u32 = 3;
-/// Backward errors of K above this tell that redundant constraints contradict each other.
-const CONTRADICT: f64 = 1e-6;
+/// Backward error of K above which redundant constraints are contradictory.
+const CONTRADICTION: f64 = 1e-6;
 
 impl Factor {
     /// Analyses a pattern.
     ///
     /// # Errors
-    /// If memory or the range of indices does not suffice.
+    /// If the memory or the range of indices does not suffice.
     pub fn new(pattern: &Arc<Pattern>) -> Result<Self, SingularMatrix> {
         let zeros = vec![0.0; pattern.size()];
         Ok(Self {
-            ldlt: Ldlt::new(pattern.panels()),
+            ldlt: Ldlt::new(pattern.supernodes()),
             pattern: Arc::clone(pattern),
             lu: None,
             shared: (!pattern.shared().is_empty()).then(|| {
                 let compliant = SparseMatrix::zero(Arc::clone(pattern));
-                Box::new(Shared { compliant, b: zeros.clone(), x: zeros.clone() })
+                Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone() })
             }),
-            proven: false,
+            verified: false,
             d: zeros.clone(),
             b: zeros.clone(),
             x: zeros.clone(),
@@ -115,29 +118,29 @@ impl Factor {
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.equilibrate(k);
-        let Some(mut shared) = self.shared.take() else { return self.factorise_as_is(k) };
+        let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {
             values[self.pattern.diagonal(at)] -= COMPLIANCE / self.d[at].powi(2);
         }
-        let done = self.factorise_as_is(&shared.compliant);
+        let done = self.factorise_plain(&shared.compliant);
         self.shared = Some(shared);
         done
     }
 
-    fn factorise_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        (self.lu, self.proven) = (None, false);
-        let done = self.ldlt.factorise(self.pattern.panels(), k.values());
+    fn factorise_plain(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+        (self.lu, self.verified) = (None, false);
+        let done = self.ldlt.factorise(self.pattern.supernodes(), k.values());
         if done.is_err() { self.factorise_by_lu(k) } else { Ok(()) }
     }
 
-    /// What became of the current factors.
+    /// Returns the history of the current factors.
     pub fn course(&self) -> Course {
-        Course { lu: self.lu.is_some(), proven: self.proven }
+        Course { lu: self.lu.is_some(), verified: self.verified }
     }
 
-    /// Factorises a matrix as it was done before, to the factors that it had in the end.
+    /// Repeats a factorisation with its history, which reproduces the final factors.
     ///
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
@@ -153,26 +156,26 @@ impl Factor {
                 }
             }
         }
-        self.proven = course.proven;
+        self.verified = course.verified;
         Ok(())
     }
 
-    /// Solves K x = b in place with the factors of K; `x` holds b on entry, in the order of the unknowns.
+    /// Solves K x = b in place with the factors of K. On entry `x` contains b, in the order of the unknowns.
     ///
     /// # Errors
-    /// If no factorisation solves the equations to a small backward error, or redundant constraints contradict each other.
+    /// If no factorisation gives a small backward error, or redundant constraints are contradictory.
     pub fn solve(&mut self, k: &SparseMatrix, x: &mut [f64]) -> Result<(), SingularMatrix> {
         let error = self.solve_from(k, x, None)?;
-        if error <= CONTRADICT { Ok(()) } else { Err(SingularMatrix) }
+        if error <= CONTRADICTION { Ok(()) } else { Err(SingularMatrix) }
     }
 
-    /// The same for an increment x of a state with multipliers λ, such that those shared are least after it, not in it.
+    /// Solves for an increment x of a state with multipliers λ. The shared multipliers are minimal after the increment.
     ///
-    /// What redundant constraints contradict each other is left as it is, as away from Φ = 0 they may. Errors of an increment are
-    /// seen in the next residual: factors that have proven themselves are not checked again.
+    /// Contradictions of redundant constraints are ignored, since they may occur away from Φ = 0. Errors of an
+    /// increment appear in the next residual. Factors with a successful solution are therefore not checked again.
     ///
     /// # Errors
-    /// If no factorisation solves the equations to a small backward error.
+    /// If no factorisation gives a small backward error.
     pub fn solve_increment(
         &mut self,
         k: &SparseMatrix,
@@ -182,7 +185,7 @@ impl Factor {
         self.solve_from(k, x, Some(lambda)).map(|_| ())
     }
 
-    /// Returns the backward error if multipliers are shared, else zero for one that is accepted.
+    /// Returns the backward error with shared multipliers, and otherwise zero for an accepted solution.
     fn solve_from(
         &mut self,
         k: &SparseMatrix,
@@ -193,12 +196,12 @@ impl Factor {
             self.b[self.pattern.position(unknown)] = value;
         }
         let error = match self.shared.take() {
-            None if self.proven && lambda.is_some() => {
+            None if self.verified && lambda.is_some() => {
                 self.x.copy_from_slice(&self.b);
                 self.substitute(false);
                 Ok(0.0)
             }
-            None => self.solve_as_is(k).map(|()| 0.0),
+            None => self.solve_plain(k).map(|()| 0.0),
             Some(mut shared) => {
                 let error = self.solve_shared(k, &mut shared, lambda.unwrap_or_default());
                 self.shared = Some(shared);
@@ -211,23 +214,23 @@ impl Factor {
         Ok(error)
     }
 
-    /// Solves K x = `b` into `x`, by LU if LDLᵀ does not do.
-    fn solve_as_is(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        if self.refined(k).is_err() {
+    /// Solves K x = `b` into `x`, by LU if LDLᵀ is not accurate enough.
+    fn solve_plain(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+        if self.solve_refined(k).is_err() {
             if self.lu.is_some() {
                 return Err(SingularMatrix);
             }
             self.factorise_by_lu(k)?;
-            self.refined(k)?;
+            self.solve_refined(k)?;
         }
         Ok(())
     }
 
-    /// Solves K x = `b` into `x` by steps with K_ε; returns the backward error.
+    /// Solves K x = `b` into `x` by steps with K_ε. Returns the backward error.
     fn solve_shared(
         &mut self,
         k: &SparseMatrix,
-        shared: &mut Shared,
+        shared: &mut SharedMultipliers,
         lambda: &[f64],
     ) -> Result<f64, SingularMatrix> {
         shared.b.copy_from_slice(&self.b);
@@ -238,7 +241,7 @@ impl Factor {
         }
         let mut steps = 0;
         loop {
-            self.solve_as_is(&shared.compliant)?;
+            self.solve_plain(&shared.compliant)?;
             shared.x.iter_mut().zip(&self.x).for_each(|(sum, x)| *sum += x);
             self.x.copy_from_slice(&shared.x);
             self.b.copy_from_slice(&shared.b);
@@ -252,11 +255,11 @@ impl Factor {
     }
 
     /// Solves for `b` into `x` with up to two steps of iterative refinement.
-    fn refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
+    fn solve_refined(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.x.copy_from_slice(&self.b);
         self.substitute(false);
         let mut error = self.backward_error(k);
-        self.proven = error <= REFINE;
+        self.verified = error <= REFINE;
         for _ in 0..2 {
             if error <= REFINE {
                 return Ok(());
@@ -270,7 +273,7 @@ impl Factor {
         if error <= ACCEPT { Ok(()) } else { Err(SingularMatrix) }
     }
 
-    /// Forward and backward substitution of `x`, or of the residual `r`, in place.
+    /// Performs forward and backward substitution of `x`, or of the residual `r`, in place.
     fn substitute(&mut self, residual: bool) {
         let target = if residual { &mut self.r } else { &mut self.x };
         match &self.lu {
@@ -278,15 +281,15 @@ impl Factor {
                 let n = target.len();
                 lu.solve_in_place(MatMut::from_column_major_slice_mut(target, n, 1));
             }
-            None => self.ldlt.solve(self.pattern.panels(), target),
+            None => self.ldlt.solve(self.pattern.supernodes(), target),
         }
     }
 
-    /// Residual r = b − K x and the backward error; infinite if anything is not finite.
+    /// Computes the residual r = b − K x and the backward error, which is infinite unless all numbers are finite.
     fn backward_error(&mut self, k: &SparseMatrix) -> f64 {
         let Self { ldlt, pattern, d, b, x, r, .. } = self;
         r.copy_from_slice(b);
-        ldlt.subtract_product(pattern.panels(), k.values(), x, r);
+        ldlt.subtract_product(pattern.supernodes(), k.values(), x, r);
         let (mut residual, mut size): (f64, f64) = (0.0, 0.0);
         for i in 0..b.len() {
             if !r[i].is_finite() {
@@ -298,10 +301,11 @@ impl Factor {
         if residual == 0.0 { 0.0 } else { residual / size }
     }
 
-    /// D: one over the root of the diagonal; for multipliers, where that is zero, one over the largest scaled entry.
+    /// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
+    /// scaled entry, since their diagonal is zero.
     ///
-    /// The diagonal of a coordinate without mass may be next to nothing, as a multiplier is: its scale is at most that by which
-    /// it counts as much as others in an equation that determines it.
+    /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
+    /// At the limit it matches the other coordinates in an equation that determines it.
     fn equilibrate(&mut self, k: &SparseMatrix) {
         let Self { d, r: largest, x: bound, .. } = self;
         d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
@@ -337,7 +341,7 @@ impl Factor {
         let n = self.b.len();
         let mut entries = Vec::new();
         k.visit(|i, j, value| {
-            // What only fills up panels.
+            // Padding of the supernodes.
             if value == 0.0 {
                 return;
             }
@@ -353,7 +357,7 @@ impl Factor {
     }
 }
 
-/// The largest entry of each multiplier, scaled by the D of its coordinate.
+/// Computes the largest entry of each multiplier, scaled by D of its coordinate.
 fn scale_multipliers(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
     largest.fill(0.0);
     for border in k.pattern().border() {
@@ -363,19 +367,19 @@ fn scale_multipliers(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
 }
 
 impl Factor {
-    /// Whether the current factorisation is the LU fallback.
+    /// Returns true if the LU fallback is active.
     pub fn is_lu(&self) -> bool {
         self.lu.is_some()
     }
 
-    /// The scale of a coordinate: one over the root of its diagonal entry in the matrix factorised last.
+    /// Returns the scale of a coordinate: the inverse root of its diagonal entry in the last factorised matrix.
     pub fn scale(&self, coordinate: usize) -> f64 {
         self.d[self.pattern.position(coordinate)]
     }
 
-    /// The number of negative entries of D in the current L D Lᵀ: as many as K has negative eigenvalues.
+    /// Returns the number of negative entries of D in L D Lᵀ, which is the number of negative eigenvalues of K.
     ///
-    /// `None` if LU has taken over, whose pivots tell nothing of eigenvalues.
+    /// Returns `None` for LU, whose pivots do not provide the inertia.
     ///
     /// Source: Sylvester (1852), the law of inertia.
     pub fn negative_pivots(&self) -> Option<usize> {

@@ -2,57 +2,61 @@ use std::ops::Range;
 
 use pulp::{Arch, NullaryFnOnce};
 
-use super::substitution::{Backward, Forward, SubtractProduct, View, add_outside, copy_outside};
-use crate::sparse::{Branch, Branches, LANES, LEAST, Panel, Panels, Quad, Shape, Stretch, children, fork};
+use super::substitution::{Backward, Forward, SubtractProduct, SubtreeView, add_outside, copy_outside};
+use crate::sparse::{
+    MIN_SUBTREE, QUAD, Quad, Subtree, Subtrees, Supernode, SupernodeShape, Supernodes, VectorSection,
+    children, process_subtrees,
+};
 
-/// LDLᵀ of a symmetric matrix in panels, without pivoting, by the multifrontal method.
+/// Supernodal LDLᵀ of a symmetric matrix without pivoting, by the multifrontal method.
 ///
-/// Each panel is eliminated in a dense matrix of its own, the front, which takes in the panel's entries of K and what its children
-/// leave; what it leaves itself waits on a stack until its parent is there. L is stored as the matrix is. Branches are done at the
-/// same time, the trunk after them, or before them in backward substitution.
+/// Each supernode is eliminated in a dense frontal matrix. The front assembles the entries of K and the update matrices
+/// of the children. Its own update matrix is kept on a stack until the parent is assembled. L is stored like the matrix.
+/// Subtrees are processed in parallel. The trunk follows after them, or precedes them in backward substitution.
 ///
 /// Source: Duff & Reid (1983); Liu (1992).
 #[derive(Debug)]
 pub(crate) struct Ldlt {
-    /// L, zero on and above the diagonal.
+    /// Factor L, zero on and above the diagonal.
     l: Vec<f64>,
-    /// D⁻¹.
+    /// Inverse pivots D⁻¹.
     inverse: Vec<f64>,
-    branches: Branches,
-    /// Where the trunk is worked on, and each branch.
-    trunk: Space,
-    spaces: Vec<Space>,
+    subtrees: Subtrees,
+    /// Working storage of the trunk and of each subtree.
+    trunk: WorkSpace,
+    spaces: Vec<WorkSpace>,
 }
 
-/// A pivot is zero, not finite, or nothing but rounding error.
+/// A pivot is zero, not finite, or below its rounding error.
 pub(crate) struct BadPivot;
 
-/// Where panels are worked on one after the other.
+/// Working storage for the sequential elimination of supernodes.
 #[derive(Debug)]
-struct Space {
+struct WorkSpace {
     front: Vec<Quad>,
     stack: Vec<Quad>,
-    /// Number of quads on the stack; none after a bad pivot.
+    /// Number of quads on the stack, or `None` after a bad pivot.
     top: Option<usize>,
-    /// Parts of vectors, of the height of a panel.
+    /// Sections of vectors with the height of a supernode.
     part: Vec<Quad>,
     product: Vec<Quad>,
-    /// Rows of a vector outside the branch.
+    /// Rows of a vector outside the subtree.
     outside: Vec<f64>,
 }
 
-impl Space {
-    /// For panels in some ranges, what is left outside them, and what branches leave to them apart.
-    fn new(panels: &Panels, ranges: &[Range<usize>], outside: usize, branches: &[Branch]) -> Self {
-        let all = || ranges.iter().cloned().flatten().map(|at| panels.panels[at]);
-        let most = |of: fn(Shape, Shape) -> usize| {
-            let sizes = all().map(|panel| of(panel.shape(), panel.update()));
-            vec![[0.0; LANES]; sizes.max().unwrap_or_default()]
+impl WorkSpace {
+    /// Allocates storage for supernodes in some ranges. Update matrices that leave the ranges or come from subtrees are
+    /// kept elsewhere.
+    fn new(supernodes: &Supernodes, ranges: &[Range<usize>], outside: usize, subtrees: &[Subtree]) -> Self {
+        let all = || ranges.iter().cloned().flatten().map(|at| supernodes.list[at]);
+        let most = |of: fn(SupernodeShape, SupernodeShape) -> usize| {
+            let sizes = all().map(|supernode| of(supernode.shape(), supernode.update()));
+            vec![[0.0; QUAD]; sizes.max().unwrap_or_default()]
         };
         let part = most(|shape, _| shape.height);
         Self {
             front: most(|shape, update| (shape.columns + update.columns) * shape.height),
-            stack: vec![[0.0; LANES]; stack_height(panels, ranges, branches)],
+            stack: vec![[0.0; QUAD]; stack_height(supernodes, ranges, subtrees)],
             top: Some(0),
             product: part.clone(),
             part,
@@ -61,181 +65,183 @@ impl Space {
     }
 }
 
-/// The most quads that wait at once for parents.
-fn stack_height(panels: &Panels, ranges: &[Range<usize>], branches: &[Branch]) -> usize {
+/// Returns the maximum number of quads on the stack of update matrices.
+fn stack_height(supernodes: &Supernodes, ranges: &[Range<usize>], subtrees: &[Subtree]) -> usize {
     let (mut height, mut most) = (0, 0);
     for at in ranges.iter().cloned().flatten() {
-        let own = children(panels, at).filter(|&child| branch_of(branches, child).is_none());
-        height -= own.map(|child| panels.panels[child].update().size()).sum::<usize>();
-        height += panels.panels[at].update().size();
+        let own = children(supernodes, at).filter(|&child| subtree_of(subtrees, child).is_none());
+        height -= own.map(|child| supernodes.list[child].update().size()).sum::<usize>();
+        height += supernodes.list[at].update().size();
         most = most.max(height);
     }
     most
 }
 
-/// The branch with a root.
+/// Returns the subtree with a given root.
 #[inline(always)]
-fn branch_of(branches: &[Branch], root: usize) -> Option<usize> {
-    branches.binary_search_by_key(&root, Branch::root).ok()
+fn subtree_of(subtrees: &[Subtree], root: usize) -> Option<usize> {
+    subtrees.binary_search_by_key(&root, Subtree::root).ok()
 }
 
 impl Ldlt {
-    /// Memory for matrices in the given panels.
-    pub(crate) fn new(panels: &Panels) -> Self {
-        Self::with(panels, Branches::new(panels, LEAST))
+    /// Allocates storage for matrices with the given supernodes.
+    pub(crate) fn new(supernodes: &Supernodes) -> Self {
+        Self::with(supernodes, Subtrees::new(supernodes, MIN_SUBTREE))
     }
 
-    fn with(panels: &Panels, branches: Branches) -> Self {
-        let unknowns = panels.panels.last().map_or(0, |last| last.own().end);
-        let space = |branch: &Branch| {
-            let outside = panels.panels[branch.root()].below as usize;
-            Space::new(panels, std::slice::from_ref(&branch.panels), outside, &[])
+    fn with(supernodes: &Supernodes, subtrees: Subtrees) -> Self {
+        let unknowns = supernodes.list.last().map_or(0, |last| last.own().end);
+        let space = |subtree: &Subtree| {
+            let outside = supernodes.list[subtree.root()].below as usize;
+            WorkSpace::new(supernodes, std::slice::from_ref(&subtree.supernodes), outside, &[])
         };
         Self {
-            l: vec![0.0; panels.entries()],
+            l: vec![0.0; supernodes.entries()],
             inverse: vec![0.0; unknowns],
-            trunk: Space::new(panels, &branches.trunk, 0, &branches.branches),
-            spaces: branches.branches.iter().map(space).collect(),
-            branches,
+            trunk: WorkSpace::new(supernodes, &subtrees.trunk, 0, &subtrees.list),
+            spaces: subtrees.list.iter().map(space).collect(),
+            subtrees,
         }
     }
 
     /// Factorises a matrix.
     ///
     /// # Errors
-    /// At a pivot that is zero, not finite, or nothing but rounding error.
-    pub(crate) fn factorise(&mut self, panels: &Panels, k: &[f64]) -> Result<(), BadPivot> {
-        let Self { l, inverse, branches: Branches { branches, trunk: ranges }, trunk, spaces } = self;
-        fork(
-            branches,
+    /// If a pivot is zero, not finite, or below its rounding error.
+    pub(crate) fn factorise(&mut self, supernodes: &Supernodes, k: &[f64]) -> Result<(), BadPivot> {
+        let Self { l, inverse, subtrees: Subtrees { list: subtrees, trunk: ranges }, trunk, spaces } = self;
+        process_subtrees(
+            subtrees,
             spaces,
-            (Stretch::whole(l), Stretch::whole(inverse)),
-            &|(l, inverse), branch| {
+            (VectorSection::full(l), VectorSection::full(inverse)),
+            &|(l, inverse), subtree| {
                 let ((l, next_l), (inverse, next)) =
-                    (l.cut(branch.start), inverse.cut(branch.positions.start));
+                    (l.split_at(subtree.start), inverse.split_at(subtree.positions.start));
                 ((l, inverse), (next_l, next))
             },
-            &|branch, space, (l, inverse)| {
+            &|subtree, space, (l, inverse)| {
                 space.top = Some(0);
-                let range = branch.panels.clone();
+                let range = subtree.supernodes.clone();
                 Arch::new().dispatch(Factorise {
-                    panels,
+                    supernodes,
                     k,
                     range,
                     l,
                     inverse,
                     space,
-                    left: Left::default(),
+                    updates: SubtreeUpdates::default(),
                 });
             },
         );
-        let is_good = |space: &Space| space.top.is_some();
+        let is_good = |space: &WorkSpace| space.top.is_some();
         trunk.top = spaces.iter().all(is_good).then_some(0);
-        let left = Left { branches, spaces };
+        let updates = SubtreeUpdates { subtrees, spaces };
         for range in ranges.iter().cloned() {
-            let (l, inverse) = (Stretch::whole(l), Stretch::whole(inverse));
-            Arch::new().dispatch(Factorise { panels, k, range, l, inverse, space: trunk, left });
+            let (l, inverse) = (VectorSection::full(l), VectorSection::full(inverse));
+            Arch::new().dispatch(Factorise { supernodes, k, range, l, inverse, space: trunk, updates });
         }
         if is_good(trunk) { Ok(()) } else { Err(BadPivot) }
     }
 
-    /// Solves K x = b in place, in positions.
-    pub(crate) fn solve(&mut self, panels: &Panels, x: &mut [f64]) {
-        let Self { l, inverse, branches: Branches { branches, trunk: ranges }, trunk, spaces } = self;
+    /// Solves K x = b in place, by position.
+    pub(crate) fn solve(&mut self, supernodes: &Supernodes, x: &mut [f64]) {
+        let Self { l, inverse, subtrees: Subtrees { list: subtrees, trunk: ranges }, trunk, spaces } = self;
         let (l, inverse, part) = (&l[..], &inverse[..], &mut trunk.part[..]);
-        fork(
-            branches,
+        process_subtrees(
+            subtrees,
             spaces,
-            Stretch::whole(x),
-            &|x, branch| x.cut(branch.positions.start),
-            &|branch, space, x| {
-                let (range, part) = (branch.panels.clone(), &mut space.part[..]);
+            VectorSection::full(x),
+            &|x, subtree| x.split_at(subtree.positions.start),
+            &|subtree, space, x| {
+                let (range, part) = (subtree.supernodes.clone(), &mut space.part[..]);
                 space.outside.fill(0.0);
-                let x = View::of(panels, branch, x, &mut space.outside);
-                Arch::new().dispatch(Forward { panels, range, l, x, part });
+                let x = SubtreeView::of(supernodes, subtree, x, &mut space.outside);
+                Arch::new().dispatch(Forward { supernodes, range, l, x, part });
             },
         );
-        for (branch, space) in branches.iter().zip(&*spaces) {
-            add_outside(panels, branch, &space.outside, x);
+        for (subtree, space) in subtrees.iter().zip(&*spaces) {
+            add_outside(supernodes, subtree, &space.outside, x);
         }
         for range in ranges.iter().cloned() {
-            let x = View::whole(panels, &mut *x);
-            Arch::new().dispatch(Forward { panels, range, l, x, part });
+            let x = SubtreeView::whole(supernodes, &mut *x);
+            Arch::new().dispatch(Forward { supernodes, range, l, x, part });
         }
         for range in ranges.iter().rev().cloned() {
-            let x = View::whole(panels, &mut *x);
-            Arch::new().dispatch(Backward { panels, range, l, inverse, x, part });
+            let x = SubtreeView::whole(supernodes, &mut *x);
+            Arch::new().dispatch(Backward { supernodes, range, l, inverse, x, part });
         }
-        for (branch, space) in branches.iter().zip(&mut *spaces) {
-            copy_outside(panels, branch, x, &mut space.outside);
+        for (subtree, space) in subtrees.iter().zip(&mut *spaces) {
+            copy_outside(supernodes, subtree, x, &mut space.outside);
         }
-        fork(
-            branches,
+        process_subtrees(
+            subtrees,
             spaces,
-            Stretch::whole(x),
-            &|x, branch| x.cut(branch.positions.start),
-            &|branch, space, x| {
-                let (range, part) = (branch.panels.clone(), &mut space.part[..]);
-                let x = View::of(panels, branch, x, &mut space.outside);
-                Arch::new().dispatch(Backward { panels, range, l, inverse, x, part });
+            VectorSection::full(x),
+            &|x, subtree| x.split_at(subtree.positions.start),
+            &|subtree, space, x| {
+                let (range, part) = (subtree.supernodes.clone(), &mut space.part[..]);
+                let x = SubtreeView::of(supernodes, subtree, x, &mut space.outside);
+                Arch::new().dispatch(Backward { supernodes, range, l, inverse, x, part });
             },
         );
     }
 
-    /// r −= K x in positions, with a matrix in the same panels.
-    pub(crate) fn subtract_product(&mut self, panels: &Panels, k: &[f64], x: &[f64], r: &mut [f64]) {
-        let Self { branches: Branches { branches, trunk: ranges }, trunk, spaces, .. } = self;
-        let x = || View::whole(panels, x);
-        fork(
-            branches,
+    /// Computes r −= K x by position, for a matrix with the same supernodes.
+    pub(crate) fn subtract_product(&mut self, supernodes: &Supernodes, k: &[f64], x: &[f64], r: &mut [f64]) {
+        let Self { subtrees: Subtrees { list: subtrees, trunk: ranges }, trunk, spaces, .. } = self;
+        let x = || SubtreeView::whole(supernodes, x);
+        process_subtrees(
+            subtrees,
             spaces,
-            Stretch::whole(r),
-            &|r, branch| r.cut(branch.positions.start),
-            &|branch, space, r| {
-                let (range, parts) = (branch.panels.clone(), (&mut space.part[..], &mut space.product[..]));
+            VectorSection::full(r),
+            &|r, subtree| r.split_at(subtree.positions.start),
+            &|subtree, space, r| {
+                let (range, parts) =
+                    (subtree.supernodes.clone(), (&mut space.part[..], &mut space.product[..]));
                 space.outside.fill(0.0);
-                let r = View::of(panels, branch, r, &mut space.outside);
-                Arch::new().dispatch(SubtractProduct { panels, range, k, x: x(), r, parts });
+                let r = SubtreeView::of(supernodes, subtree, r, &mut space.outside);
+                Arch::new().dispatch(SubtractProduct { supernodes, range, k, x: x(), r, parts });
             },
         );
-        for (branch, space) in branches.iter().zip(&*spaces) {
-            add_outside(panels, branch, &space.outside, r);
+        for (subtree, space) in subtrees.iter().zip(&*spaces) {
+            add_outside(supernodes, subtree, &space.outside, r);
         }
         for range in ranges.iter().cloned() {
-            let (r, parts) = (View::whole(panels, &mut *r), (&mut trunk.part[..], &mut trunk.product[..]));
-            Arch::new().dispatch(SubtractProduct { panels, range, k, x: x(), r, parts });
+            let (r, parts) =
+                (SubtreeView::whole(supernodes, &mut *r), (&mut trunk.part[..], &mut trunk.product[..]));
+            Arch::new().dispatch(SubtractProduct { supernodes, range, k, x: x(), r, parts });
         }
     }
 
-    /// D⁻¹.
+    /// Returns the inverse pivots D⁻¹.
     pub(crate) fn inverse_pivots(&self) -> &[f64] {
         &self.inverse
     }
 }
 
-/// What branches leave to the trunk.
+/// Update matrices that subtrees pass to the trunk.
 #[derive(Clone, Copy, Default)]
-struct Left<'a> {
-    branches: &'a [Branch],
-    spaces: &'a [Space],
+struct SubtreeUpdates<'a> {
+    subtrees: &'a [Subtree],
+    spaces: &'a [WorkSpace],
 }
 
-impl<'a> Left<'a> {
+impl<'a> SubtreeUpdates<'a> {
     #[inline(always)]
-    fn by(&self, root: usize) -> Option<&'a [Quad]> {
-        branch_of(self.branches, root).map(|branch| &self.spaces[branch].stack[..])
+    fn of(&self, root: usize) -> Option<&'a [Quad]> {
+        subtree_of(self.subtrees, root).map(|subtree| &self.spaces[subtree].stack[..])
     }
 }
 
-/// The elimination of some panels.
+/// Elimination of a range of supernodes.
 struct Factorise<'a> {
-    panels: &'a Panels,
+    supernodes: &'a Supernodes,
     k: &'a [f64],
     range: Range<usize>,
-    l: Stretch<'a>,
-    inverse: Stretch<'a>,
-    space: &'a mut Space,
-    left: Left<'a>,
+    l: VectorSection<'a>,
+    inverse: VectorSection<'a>,
+    space: &'a mut WorkSpace,
+    updates: SubtreeUpdates<'a>,
 }
 
 impl NullaryFnOnce for Factorise<'_> {
@@ -243,17 +249,31 @@ impl NullaryFnOnce for Factorise<'_> {
 
     #[inline(always)]
     fn call(mut self) {
-        let Space { front, stack, part: sizes, top: space_top, .. } = self.space;
+        let WorkSpace { front, stack, part: sizes, top: space_top, .. } = self.space;
         let Some(mut top) = *space_top else { return };
         for at in self.range {
-            let panel = &self.panels.panels[at];
-            let k = self.k[panel.values()].as_chunks().0;
-            let l = self.l.of(panel.values()).as_chunks_mut().0;
-            let (inverse, left) = (self.inverse.of(panel.own()), self.left);
-            let work = Work { panels: self.panels, at, panel, k, l, inverse, front, stack, sizes, top, left };
-            // The usual forms again, for the compiler to know their sizes.
-            let done = match panel.shape() {
-                Shape { columns: 12, height: 6 } => work.eliminate(Shape { columns: 12, height: 6 }),
+            let supernode = &self.supernodes.list[at];
+            let k = self.k[supernode.values()].as_chunks().0;
+            let l = self.l.slice(supernode.values()).as_chunks_mut().0;
+            let (inverse, updates) = (self.inverse.slice(supernode.own()), self.updates);
+            let work = EliminationStep {
+                supernodes: self.supernodes,
+                at,
+                supernode,
+                k,
+                l,
+                inverse,
+                front,
+                stack,
+                sizes,
+                top,
+                updates,
+            };
+            // Common shapes are repeated as constants, so that the compiler knows their sizes.
+            let done = match supernode.shape() {
+                SupernodeShape { columns: 12, height: 6 } => {
+                    work.eliminate(SupernodeShape { columns: 12, height: 6 })
+                }
                 shape => work.eliminate(shape),
             };
             *space_top = done;
@@ -265,11 +285,11 @@ impl NullaryFnOnce for Factorise<'_> {
     }
 }
 
-/// All that the elimination of one panel needs.
-struct Work<'a> {
-    panels: &'a Panels,
+/// Data for the elimination of one supernode.
+struct EliminationStep<'a> {
+    supernodes: &'a Supernodes,
     at: usize,
-    panel: &'a Panel,
+    supernode: &'a Supernode,
     k: &'a [Quad],
     l: &'a mut [Quad],
     inverse: &'a mut [f64],
@@ -278,30 +298,30 @@ struct Work<'a> {
     sizes: &'a mut [Quad],
     /// Number of quads on the stack.
     top: usize,
-    left: Left<'a>,
+    updates: SubtreeUpdates<'a>,
 }
 
-impl Work<'_> {
-    /// Returns the new number of quads on the stack if all pivots are good.
+impl EliminationStep<'_> {
+    /// Eliminates a supernode. Returns the new number of quads on the stack if all pivots are good.
     #[inline(always)]
-    fn eliminate(self, shape: Shape) -> Option<usize> {
+    fn eliminate(self, shape: SupernodeShape) -> Option<usize> {
         let (height, own, below) = (shape.height, shape.own(), shape.below());
-        let front = &mut self.front[..(shape.columns + LANES * below) * height];
+        let front = &mut self.front[..(shape.columns + QUAD * below) * height];
         super::front::fill(shape, front, self.k);
         let mut top = self.top;
-        for child in children(self.panels, self.at) {
-            let form = self.panels.panels[child].update();
-            let update = match self.left.by(child) {
-                Some(left) => &left[..form.size()],
+        for child in children(self.supernodes, self.at) {
+            let form = self.supernodes.list[child].update();
+            let update = match self.updates.of(child) {
+                Some(updates) => &updates[..form.size()],
                 None => {
                     top -= form.size();
                     &self.stack[top..top + form.size()]
                 }
             };
-            super::front::take_in(shape, front, self.panels.runs(child), form, update);
+            super::front::extend_add(shape, front, self.supernodes.runs(child), form, update);
         }
         let good = super::dense::eliminate(shape, front, self.l, self.inverse, &mut self.sizes[..own]);
-        let form = self.panel.update();
+        let form = self.supernode.update();
         super::dense::update(shape, front, self.l, &mut self.stack[top..top + form.size()]);
         good.then_some(top + form.size())
     }
@@ -310,19 +330,19 @@ impl Work<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sparse::Lists;
+    use crate::sparse::IndexLists;
     use crate::sparse::Pattern;
 
-    /// With branches and without: the same to rounding; by one thread and by many: the same to the last digit.
+    /// Subtrees change the result by rounding only. The number of threads does not change the result.
     #[test]
-    fn branches_change_nothing() {
-        // Nodes of three coordinates: a comb, each tooth of which is a chain that hangs on the one before.
+    fn subtrees_change_rounding_only() {
+        // Nodes with three coordinates in a comb: each tooth is a chain attached to the previous tooth.
         let node = |n: u32| 3 * n..3 * n + 3;
         let links = (1..600).map(|n| (if n % 60 == 0 { n - 60 } else { n - 1 }, n));
-        let blocks: Lists = links.map(|(a, b)| node(a).chain(node(b)).collect::<Vec<_>>()).collect();
+        let blocks: IndexLists = links.map(|(a, b)| node(a).chain(node(b)).collect::<Vec<_>>()).collect();
         let pattern = Pattern::new(1800, 0, &blocks, &[]);
-        let panels = pattern.panels();
-        let mut k = vec![0.0; panels.entries()];
+        let supernodes = pattern.supernodes();
+        let mut k = vec![0.0; supernodes.entries()];
         for (i, j) in
             blocks.iter().flat_map(|block| block.iter().flat_map(|&i| block.iter().map(move |&j| (i, j))))
         {
@@ -331,21 +351,21 @@ mod tests {
         }
         let run = |least: usize, threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            let mut ldlt = Ldlt::with(panels, Branches::new(panels, least));
+            let mut ldlt = Ldlt::with(supernodes, Subtrees::new(supernodes, least));
             let b: Vec<f64> = (0..1800).map(|i| f64::from(i).sin()).collect();
             let (mut x, mut r) = (b.clone(), b);
             pool.install(|| {
-                assert!(ldlt.factorise(panels, &k).is_ok());
-                ldlt.solve(panels, &mut x);
-                ldlt.subtract_product(panels, &k, &x, &mut r);
+                assert!(ldlt.factorise(supernodes, &k).is_ok());
+                ldlt.solve(supernodes, &mut x);
+                ldlt.subtract_product(supernodes, &k, &x, &mut r);
             });
             assert!(r.iter().all(|r| r.abs() < 1e-13));
             (ldlt.spaces.len(), [ldlt.l, ldlt.inverse, x, r])
         };
-        let ((none, serial), (count, branched)) = (run(1800, 1), run(20, 1));
+        let ((none, serial), (count, with_subtrees)) = (run(1800, 1), run(20, 1));
         assert!(none == 0 && count > 4, "{none} {count}");
-        let pairs = serial.iter().flatten().zip(branched.iter().flatten());
+        let pairs = serial.iter().flatten().zip(with_subtrees.iter().flatten());
         pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-13, "{a} {b}"));
-        (2..5).for_each(|threads| assert_eq!(run(20, threads).1, branched));
+        (2..5).for_each(|threads| assert_eq!(run(20, threads).1, with_subtrees));
     }
 }

@@ -1,4 +1,4 @@
-//! Factorisation LDLᵀ of the tangent with multipliers, refinement, and LU as the fallback.
+//! LDLᵀ factorisation of tangents with multipliers, iterative refinement and LU as a fallback.
 
 mod dense;
 mod factorisation;

@@ -1,25 +1,26 @@
 use std::collections::BTreeMap;
 
-/// A sparse row or column: entries by index.
+/// Sparse row or column: entries by index.
 pub type Sparse = BTreeMap<usize, f64>;
 
-/// The vectors x on which rows vanish, by elimination row after row (Gauss-Jordan).
+/// Null space of a set of rows, by Gauss-Jordan elimination row by row.
 ///
-/// Some unknowns become *pivots*, told by the others, which stay *free*: the kernel has one vector for each free unknown,
-/// with 1 in its place and 0 in the places of the other free ones.
+/// Some unknowns become *pivots*, which depend on the *free* unknowns. The null space has one basis vector for each
+/// free unknown, with 1 at this unknown and 0 at the other free ones.
 #[derive(Clone, Debug, Default)]
 pub struct Kernel {
-    /// For each pivot p the c with x_p + Σⱼ cⱼ xⱼ = 0, j free.
+    /// Coefficients c of each pivot p: x_p + Σⱼ cⱼ xⱼ = 0, j free.
     pivots: BTreeMap<usize, Sparse>,
 }
 
-/// Entries below this part of the largest of a row are rounding.
+/// Rounding threshold of entries, relative to the largest entry of the row.
 const ROUNDING: f64 = 1e-12;
 
 impl Kernel {
-    /// Takes in a row; it is dependent on earlier ones if none of what they leave of it exceeds `tolerance`.
+    /// Adds a row. A dependent row, in which elimination leaves no entry above `tolerance`, is ignored.
     ///
-    /// Unknowns that `prefer` likes become pivots if their entries are not small, so that the others stay free.
+    /// Unknowns accepted by `prefer` become pivots unless their entries are small, so that the other unknowns remain
+    /// free.
     pub fn restrict(&mut self, mut row: Sparse, tolerance: f64, prefer: impl Fn(usize) -> bool) {
         let known: Vec<usize> = row.keys().copied().filter(|j| self.pivots.contains_key(j)).collect();
         for p in known {
@@ -48,7 +49,7 @@ impl Kernel {
         self.pivots.insert(pivot, row);
     }
 
-    /// The vectors of the kernel by their free unknowns, of so many unknowns in all.
+    /// Returns the basis vectors by their free unknowns, for the given total number of unknowns.
     pub fn vectors(&self, unknowns: usize) -> BTreeMap<usize, Sparse> {
         let free = (0..unknowns).filter(|j| !self.pivots.contains_key(j));
         let mut vectors: BTreeMap<usize, Sparse> = free.map(|j| (j, Sparse::from([(j, 1.0)]))).collect();
@@ -64,9 +65,9 @@ impl Kernel {
 }
 
 /// Replaces x_p in a row by −Σ c x.
-fn eliminate(row: &mut Sparse, p: usize, told: &Sparse) {
+fn eliminate(row: &mut Sparse, p: usize, pivot_row: &Sparse) {
     if let Some(entry) = row.remove(&p) {
-        for (&j, c) in told {
+        for (&j, c) in pivot_row {
             *row.entry(j).or_default() -= entry * c;
         }
     }

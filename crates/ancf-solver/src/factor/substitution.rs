@@ -2,39 +2,44 @@ use std::ops::{Deref, Range};
 
 use pulp::NullaryFnOnce;
 
-use crate::sparse::{Branch, LANES, Panel, Panels, Quad, Run, Shape, Stretch};
+use crate::sparse::{QUAD, Quad, RowRun, Subtree, Supernode, SupernodeShape, Supernodes, VectorSection};
 
-/// A vector as a branch sees it: its own positions, and the rows below its root, which are outside. The trunk sees all.
-pub(crate) struct View<'a, S> {
-    panels: &'a Panels,
-    /// The root of the branch.
+/// View of a vector for a subtree: its own positions, and the rows below its root, stored outside. The trunk sees all.
+pub(crate) struct SubtreeView<'a, S> {
+    supernodes: &'a Supernodes,
+    /// Root of the subtree.
     root: usize,
-    /// The first position.
+    /// First position of the subtree.
     first: usize,
     inside: S,
     outside: S,
 }
 
-impl<'a, S: Default> View<'a, S> {
-    pub(crate) fn whole(panels: &'a Panels, x: S) -> Self {
-        Self { panels, root: 0, first: 0, inside: x, outside: S::default() }
+impl<'a, S: Default> SubtreeView<'a, S> {
+    pub(crate) fn whole(supernodes: &'a Supernodes, x: S) -> Self {
+        Self { supernodes, root: 0, first: 0, inside: x, outside: S::default() }
     }
 }
 
-impl<'a> View<'a, &'a mut [f64]> {
-    pub(crate) fn of(panels: &'a Panels, branch: &Branch, x: Stretch<'a>, outside: &'a mut [f64]) -> Self {
-        let (root, first) = (branch.root(), branch.positions.start);
-        Self { panels, root, first, inside: x.into_of(branch.positions.clone()), outside }
+impl<'a> SubtreeView<'a, &'a mut [f64]> {
+    pub(crate) fn of(
+        supernodes: &'a Supernodes,
+        subtree: &Subtree,
+        x: VectorSection<'a>,
+        outside: &'a mut [f64],
+    ) -> Self {
+        let (root, first) = (subtree.root(), subtree.positions.start);
+        Self { supernodes, root, first, inside: x.into_slice(subtree.positions.clone()), outside }
     }
 
     #[inline(always)]
-    fn own_mut(&mut self, panel: &Panel) -> &mut [f64] {
-        let own = panel.own();
+    fn own_mut(&mut self, supernode: &Supernode) -> &mut [f64] {
+        let own = supernode.own();
         &mut self.inside[own.start - self.first..own.end - self.first]
     }
 
     #[inline(always)]
-    fn run_mut(&mut self, run: &Run) -> &mut [f64] {
+    fn run_mut(&mut self, run: &RowRun) -> &mut [f64] {
         match self.place(run) {
             (true, at) => &mut self.inside[at],
             (false, at) => &mut self.outside[at],
@@ -42,24 +47,24 @@ impl<'a> View<'a, &'a mut [f64]> {
     }
 }
 
-impl<S: Deref<Target = [f64]>> View<'_, S> {
+impl<S: Deref<Target = [f64]>> SubtreeView<'_, S> {
     #[inline(always)]
-    fn own(&self, panel: &Panel) -> &[f64] {
-        let own = panel.own();
+    fn own(&self, supernode: &Supernode) -> &[f64] {
+        let own = supernode.own();
         &self.inside[own.start - self.first..own.end - self.first]
     }
 
     #[inline(always)]
-    fn run(&self, run: &Run) -> &[f64] {
+    fn run(&self, run: &RowRun) -> &[f64] {
         match self.place(run) {
             (true, at) => &self.inside[at],
             (false, at) => &self.outside[at],
         }
     }
 
-    /// Whether a run is inside, and where it is there or outside.
+    /// Returns true if a run is inside, and its range inside or outside.
     #[inline(always)]
-    fn place(&self, run: &Run) -> (bool, Range<usize>) {
+    fn place(&self, run: &RowRun) -> (bool, Range<usize>) {
         let at = run.first as usize - self.first;
         let is_inside = at < self.inside.len();
         let at = if is_inside { at } else { self.row_outside(run.first) };
@@ -67,16 +72,17 @@ impl<S: Deref<Target = [f64]>> View<'_, S> {
     }
 
     fn row_outside(&self, position: u32) -> usize {
-        let row = self.panels.row(self.root, position as usize);
-        row.expect("a root has all rows of its subtree") - LANES * self.panels.panels[self.root].shape().own()
+        let row = self.supernodes.row(self.root, position as usize);
+        row.expect("a root contains all rows of its subtree")
+            - QUAD * self.supernodes.list[self.root].shape().own()
     }
 
-    /// Copies the rows of a panel, zeros in between.
+    /// Copies the rows of a supernode, with zeros for the padding.
     #[inline(always)]
-    fn gather(&self, part: &mut [Quad], panel: &Panel, runs: &[Run]) {
-        part.fill([0.0; LANES]);
-        let (own, below) = part.split_at_mut(panel.shape().own());
-        own.as_flattened_mut()[..panel.columns as usize].copy_from_slice(self.own(panel));
+    fn gather(&self, part: &mut [Quad], supernode: &Supernode, runs: &[RowRun]) {
+        part.fill([0.0; QUAD]);
+        let (own, below) = part.split_at_mut(supernode.shape().own());
+        own.as_flattened_mut()[..supernode.columns as usize].copy_from_slice(self.own(supernode));
         let mut below = below.as_flattened_mut();
         for run in runs {
             let (to, rest) = below.split_at_mut(run.length as usize);
@@ -86,24 +92,24 @@ impl<S: Deref<Target = [f64]>> View<'_, S> {
     }
 }
 
-/// Adds what a branch has collected outside.
-pub(crate) fn add_outside(panels: &Panels, branch: &Branch, outside: &[f64], x: &mut [f64]) {
-    let rows = panels.runs(branch.root()).iter().flat_map(Run::positions);
+/// Adds the outside rows of a subtree to a vector.
+pub(crate) fn add_outside(supernodes: &Supernodes, subtree: &Subtree, outside: &[f64], x: &mut [f64]) {
+    let rows = supernodes.runs(subtree.root()).iter().flat_map(RowRun::positions);
     rows.zip(outside).for_each(|(at, y)| x[at] += y);
 }
 
-/// Tells a branch what it needs from outside.
-pub(crate) fn copy_outside(panels: &Panels, branch: &Branch, x: &[f64], outside: &mut [f64]) {
-    let rows = panels.runs(branch.root()).iter().flat_map(Run::positions);
+/// Copies the outside rows of a subtree from a vector.
+pub(crate) fn copy_outside(supernodes: &Supernodes, subtree: &Subtree, x: &[f64], outside: &mut [f64]) {
+    let rows = supernodes.runs(subtree.root()).iter().flat_map(RowRun::positions);
     rows.zip(outside).for_each(|(at, y)| *y = x[at]);
 }
 
-/// Solves L y = x in place for some panels, and takes what they make of rows below.
+/// Forward substitution: solves L y = x in place for some supernodes and updates the rows below.
 pub(crate) struct Forward<'a> {
-    pub(crate) panels: &'a Panels,
+    pub(crate) supernodes: &'a Supernodes,
     pub(crate) range: Range<usize>,
     pub(crate) l: &'a [f64],
-    pub(crate) x: View<'a, &'a mut [f64]>,
+    pub(crate) x: SubtreeView<'a, &'a mut [f64]>,
     pub(crate) part: &'a mut [Quad],
 }
 
@@ -113,18 +119,18 @@ impl NullaryFnOnce for Forward<'_> {
     #[inline(always)]
     fn call(mut self) {
         for at in self.range {
-            let (panel, runs) = (&self.panels.panels[at], self.panels.runs(at));
-            let (shape, l) = (panel.shape(), self.l[panel.values()].as_chunks().0);
+            let (supernode, runs) = (&self.supernodes.list[at], self.supernodes.runs(at));
+            let (shape, l) = (supernode.shape(), self.l[supernode.values()].as_chunks().0);
             let part = &mut self.part[..shape.height];
-            self.x.gather(part, panel, runs);
+            self.x.gather(part, supernode, runs);
             match shape {
-                Shape { columns: 12, height: 6 } => {
-                    super::dense::forward(Shape { columns: 12, height: 6 }, l, part);
+                SupernodeShape { columns: 12, height: 6 } => {
+                    super::dense::forward(SupernodeShape { columns: 12, height: 6 }, l, part);
                 }
                 shape => super::dense::forward(shape, l, part),
             }
             let (own, below) = part.split_at(shape.own());
-            self.x.own_mut(panel).copy_from_slice(&own.as_flattened()[..shape.columns]);
+            self.x.own_mut(supernode).copy_from_slice(&own.as_flattened()[..shape.columns]);
             let mut below = below.as_flattened();
             for run in runs {
                 let (from, rest) = below.split_at(run.length as usize);
@@ -135,13 +141,13 @@ impl NullaryFnOnce for Forward<'_> {
     }
 }
 
-/// Solves D Lᵀ y = x in place for some panels; rows below are known.
+/// Backward substitution: solves D Lᵀ y = x in place for some supernodes with known rows below.
 pub(crate) struct Backward<'a> {
-    pub(crate) panels: &'a Panels,
+    pub(crate) supernodes: &'a Supernodes,
     pub(crate) range: Range<usize>,
     pub(crate) l: &'a [f64],
     pub(crate) inverse: &'a [f64],
-    pub(crate) x: View<'a, &'a mut [f64]>,
+    pub(crate) x: SubtreeView<'a, &'a mut [f64]>,
     pub(crate) part: &'a mut [Quad],
 }
 
@@ -151,30 +157,30 @@ impl NullaryFnOnce for Backward<'_> {
     #[inline(always)]
     fn call(mut self) {
         for at in self.range.rev() {
-            let (panel, runs) = (&self.panels.panels[at], self.panels.runs(at));
-            let (shape, l) = (panel.shape(), self.l[panel.values()].as_chunks().0);
-            let own = self.x.own_mut(panel).iter_mut();
-            own.zip(&self.inverse[panel.own()]).for_each(|(x, inverse)| *x *= inverse);
+            let (supernode, runs) = (&self.supernodes.list[at], self.supernodes.runs(at));
+            let (shape, l) = (supernode.shape(), self.l[supernode.values()].as_chunks().0);
+            let own = self.x.own_mut(supernode).iter_mut();
+            own.zip(&self.inverse[supernode.own()]).for_each(|(x, inverse)| *x *= inverse);
             let part = &mut self.part[..shape.height];
-            self.x.gather(part, panel, runs);
+            self.x.gather(part, supernode, runs);
             match shape {
-                Shape { columns: 12, height: 6 } => {
-                    super::dense::backward(Shape { columns: 12, height: 6 }, l, part);
+                SupernodeShape { columns: 12, height: 6 } => {
+                    super::dense::backward(SupernodeShape { columns: 12, height: 6 }, l, part);
                 }
                 shape => super::dense::backward(shape, l, part),
             }
-            self.x.own_mut(panel).copy_from_slice(&part.as_flattened()[..shape.columns]);
+            self.x.own_mut(supernode).copy_from_slice(&part.as_flattened()[..shape.columns]);
         }
     }
 }
 
-/// r −= K x for some panels.
+/// Product r −= K x for some supernodes.
 pub(crate) struct SubtractProduct<'a> {
-    pub(crate) panels: &'a Panels,
+    pub(crate) supernodes: &'a Supernodes,
     pub(crate) range: Range<usize>,
     pub(crate) k: &'a [f64],
-    pub(crate) x: View<'a, &'a [f64]>,
-    pub(crate) r: View<'a, &'a mut [f64]>,
+    pub(crate) x: SubtreeView<'a, &'a [f64]>,
+    pub(crate) r: SubtreeView<'a, &'a mut [f64]>,
     pub(crate) parts: (&'a mut [Quad], &'a mut [Quad]),
 }
 
@@ -184,20 +190,20 @@ impl NullaryFnOnce for SubtractProduct<'_> {
     #[inline(always)]
     fn call(mut self) {
         for at in self.range {
-            let (panel, runs) = (&self.panels.panels[at], self.panels.runs(at));
-            let (shape, k) = (panel.shape(), self.k[panel.values()].as_chunks().0);
+            let (supernode, runs) = (&self.supernodes.list[at], self.supernodes.runs(at));
+            let (shape, k) = (supernode.shape(), self.k[supernode.values()].as_chunks().0);
             let (part, product) = (&mut self.parts.0[..shape.height], &mut self.parts.1[..shape.height]);
-            self.x.gather(part, panel, runs);
-            product.fill([0.0; LANES]);
+            self.x.gather(part, supernode, runs);
+            product.fill([0.0; QUAD]);
             match shape {
-                Shape { columns: 12, height: 6 } => {
-                    super::dense::multiply(Shape { columns: 12, height: 6 }, k, part, product);
+                SupernodeShape { columns: 12, height: 6 } => {
+                    super::dense::multiply(SupernodeShape { columns: 12, height: 6 }, k, part, product);
                 }
                 shape => super::dense::multiply(shape, k, part, product),
             }
             let (own, below) = product.split_at(shape.own());
             let subtract = |r: &mut [f64], y: &[f64]| r.iter_mut().zip(y).for_each(|(r, y)| *r -= y);
-            subtract(self.r.own_mut(panel), own.as_flattened());
+            subtract(self.r.own_mut(supernode), own.as_flattened());
             let mut below = below.as_flattened();
             for run in runs {
                 subtract(self.r.run_mut(run), below);

@@ -1,26 +1,26 @@
 use std::ops::Deref;
 
-/// The equations of motion that an analysis was given, or those that have taken their place since.
+/// Equations of motion with the active set of terms: the given equations or their latest replacement.
 #[derive(Debug)]
-pub(crate) struct Current<'a, E: ?Sized> {
+pub(crate) struct ActiveSet<'a, E: ?Sized> {
     given: &'a E,
-    own: Option<Box<E>>,
+    replacement: Option<Box<E>>,
 }
 
-impl<'a, E> Current<'a, E> {
+impl<'a, E> ActiveSet<'a, E> {
     pub(crate) fn new(given: &'a E) -> Self {
-        Self { given, own: None }
+        Self { given, replacement: None }
     }
 
     pub(crate) fn replace(&mut self, by: E) {
-        self.own = Some(Box::new(by));
+        self.replacement = Some(Box::new(by));
     }
 }
 
-impl<E: ?Sized> Deref for Current<'_, E> {
+impl<E: ?Sized> Deref for ActiveSet<'_, E> {
     type Target = E;
 
     fn deref(&self) -> &E {
-        self.own.as_deref().unwrap_or(self.given)
+        self.replacement.as_deref().unwrap_or(self.given)
     }
 }

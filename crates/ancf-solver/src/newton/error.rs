@@ -1,65 +1,65 @@
 use thiserror::Error;
 
-use super::report::Report;
+use super::newton_report::Report;
 
-/// Why a Newton iteration failed.
+/// Cause of failure of a Newton iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum Failure {
     /// The iteration matrix has no usable factorisation.
     #[error("the iteration matrix is singular: a joint repeats another, or a motion is held by nothing")]
     Singular,
     /// The factors of the iteration matrix do not fit into memory.
-    #[error("the factors of the iteration matrix do not fit into memory")]
+    #[error("the memory does not suffice for the factors of the iteration matrix")]
     Memory,
-    /// Numbers became infinite or not a number.
-    #[error("the iteration diverged: numbers became infinite or not a number")]
+    /// A residual is infinite or not a number.
+    #[error("the iteration diverged: a residual is infinite or not a number")]
     Diverged,
-    /// Increments stopped to decrease above the rounding error.
+    /// The increments stopped decreasing above the rounding error.
     #[error("the iteration stagnated above the rounding error")]
     Stagnated,
-    /// The solution that was found is one that a term does not admit.
+    /// A term does not admit the solution.
     #[error(
-        "the solution turns an element inside out, or a slider leaves its beam, or ends of a spring meet"
+        "the solution is inadmissible: an element is inverted, a slider leaves its beam, or the ends of a spring coincide"
     )]
     Inverted,
-    /// The equilibrium that was found is not as stable as the one before it, and nothing between them tells why.
+    /// The equilibrium is less stable than the previous one, and no limit point was found between them.
     #[error("the stability changed within the step")]
     Unstable,
-    /// The path of equilibria turned too far within a step.
-    #[error("the path of equilibria turns too far within the step")]
+    /// The equilibrium path turns too far within a step.
+    #[error("the equilibrium path turns too far within the step")]
     Turned,
-    /// The permitted number of iterations was not enough.
-    #[error("the iteration did not converge in the iterations permitted")]
+    /// The iteration limit was reached.
+    #[error("the iteration did not converge within the iteration limit")]
     NotConverged,
-    /// The error of a step exceeds its share of the tolerance even in the smallest permitted step.
-    #[error("the step fell below the smallest permitted: the motion jumps, or the tolerance is too tight")]
+    /// The error of a step exceeds the tolerance even at the smallest permitted step size.
+    #[error("the step is below the smallest permitted step: the motion jumps, or the tolerance is too small")]
     StepTooSmall,
-    /// It was ended from outside.
+    /// The interrupt flag was set.
     #[error("the iteration was interrupted")]
     Interrupted,
 }
 
-/// A failed solution of the equations of motion, in the units of the solver.
+/// Failed solution of the equations of motion, in solver units.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("{failure}{}", told(*iterations, *residual, *increment))]
+#[error("{failure}{}", format_norms(*iterations, *residual, *increment))]
 pub struct SolveError {
-    /// Why.
+    /// Cause of failure.
     pub failure: Failure,
-    /// Time that was to be reached.
+    /// Time at the end of the step.
     pub t: f64,
-    /// Iterations done.
+    /// Number of iterations.
     pub iterations: u32,
     /// Euclidean norm of the last residual.
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
-    /// The equation whose residual exceeds its rounding error most: a coordinate, or a multiplier after all coordinates; none
-    /// if no iteration tells.
+    /// Equation with the largest ratio of residual to rounding error: a coordinate, or a multiplier numbered after all
+    /// coordinates. `None` if there was no iteration.
     pub worst: Option<usize>,
 }
 
-/// How an iteration went, if there was one.
-fn told(iterations: u32, residual: f64, increment: f64) -> String {
+/// Formats the iteration count and the norms, if there was an iteration.
+fn format_norms(iterations: u32, residual: f64, increment: f64) -> String {
     if iterations == 0 && residual == 0.0 {
         return String::new();
     }
@@ -67,29 +67,29 @@ fn told(iterations: u32, residual: f64, increment: f64) -> String {
 }
 
 impl SolveError {
-    /// Whether a smaller step is no help: somebody wants an end.
+    /// Returns true if a smaller step cannot help because the analysis was interrupted.
     pub(crate) fn is_final(&self) -> bool {
         self.failure == Failure::Interrupted
     }
 
-    /// A failure before any iteration.
+    /// Creates a failure before the first iteration.
     pub(crate) const fn at_start(failure: Failure) -> Self {
         Self::at(0.0, failure)
     }
 
-    /// The failure of an iteration that went as reported, whose worst equation is `worst`.
+    /// Creates a failure after an iteration with the given report and worst equation.
     pub(crate) const fn after(report: Report, t: f64, failure: Failure, worst: usize) -> Self {
         let Report { iterations, residual, increment, .. } = report;
         Self { failure, t, iterations, residual, increment, worst: Some(worst) }
     }
 
-    /// A failure at a time, outside any iteration.
+    /// Creates a failure at a time outside an iteration.
     pub(crate) const fn at(t: f64, failure: Failure) -> Self {
         Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: None }
     }
 }
 
-/// There is no equilibrium, or none that was found, beyond a load factor.
+/// No equilibrium was found beyond a load factor.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("no equilibrium found beyond load factor {reached}; at {load}: {cause}")]
 pub struct EquilibriumError {
@@ -97,7 +97,7 @@ pub struct EquilibriumError {
     pub reached: f64,
     /// Load factor of the last attempt.
     pub load: f64,
-    /// How the last attempt failed.
+    /// Failure of the last attempt.
     #[source]
     pub cause: SolveError,
 }

@@ -1,20 +1,20 @@
 use std::fmt;
 use std::sync::Arc;
 
-/// What may end an analysis from outside: asked before each Newton iteration and each solution in a
-/// search for eigenvalues, so that also a long step ends soon.
+/// Interrupt flag that stops an analysis.
 ///
-/// Once it has answered yes it should go on to do so.
+/// The flag is checked before each Newton iteration and before each solution of an eigenvalue search. Long steps
+/// therefore stop early too. Once set, the flag should remain set.
 ///
 /// ```
 /// use std::sync::Arc;
 /// use std::sync::atomic::{AtomicBool, Ordering};
 ///
-/// use ancf::analysis::Interrupt;
+/// use ancf_solver::newton::Interrupt;
 ///
 /// let stop = Arc::new(AtomicBool::new(false));
-/// let heard = Arc::clone(&stop);
-/// let interrupt = Interrupt::new(move || heard.load(Ordering::Relaxed));
+/// let flag = Arc::clone(&stop);
+/// let interrupt = Interrupt::new(move || flag.load(Ordering::Relaxed));
 /// assert!(!interrupt.is_set());
 /// stop.store(true, Ordering::Relaxed);
 /// assert!(interrupt.is_set());
@@ -23,12 +23,12 @@ use std::sync::Arc;
 pub struct Interrupt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
 
 impl Interrupt {
-    /// Asks `ask`.
+    /// Creates an interrupt flag that is read by `is_set`.
     pub fn new(ask: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Arc::new(ask)))
     }
 
-    /// Whether the analysis is to end. Never by default.
+    /// Returns true if the analysis must stop. The default flag is never set.
     pub fn is_set(&self) -> bool {
         self.0.as_ref().is_some_and(|ask| ask())
     }

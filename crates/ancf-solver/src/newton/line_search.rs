@@ -3,42 +3,44 @@ use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::sparse::SparseMatrix;
 
-/// A linear system that Newton's method has just solved: K z = −r.
-pub(crate) struct Linear<'a> {
+/// Solved linear system of a Newton iteration, K z = −r.
+pub(crate) struct LinearSolution<'a> {
     pub(crate) eom: &'a dyn EquationsOfMotion,
-    /// K.
+    /// Tangent K.
     pub(crate) matrix: &'a SparseMatrix,
-    /// Its factors.
+    /// Factors of K.
     pub(crate) factor: &'a mut Factor,
-    /// The residual r before the increment.
+    /// Residual r before the increment.
     pub(crate) r: &'a [f64],
-    /// The increment z.
+    /// Increment z.
     pub(crate) z: &'a mut [f64],
 }
 
-/// How Newton's method moves a state by an increment.
-pub(crate) trait Mover {
-    /// Moves the state; `z` stays what a whole increment would be, for the stopping rule to judge.
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure>;
+/// Update of a state by a Newton increment.
+pub(crate) trait StateUpdate {
+    /// Updates the state. On return `z` is the full increment, which the stopping rule evaluates.
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure>;
 }
 
-/// By the whole increment.
-pub(crate) struct Whole;
+/// Update by the full increment.
+pub(crate) struct FullUpdate;
 
-impl Mover for Whole {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for FullUpdate {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         s.add(at.z, w);
         Ok(())
     }
 }
 
-/// By the part α ≤ 1 of the increment to which a line search leads.
+/// Update by a fraction α ≤ 1 of the increment, found by a line search.
 ///
-/// G(α) = z·r(s + αz) vanishes where the energy is stationary along z. The increment is taken as a whole if
-/// |G(1)| ≤ ρ|G(0)|; if not, α follows from the model G(0)(1 − α + cα²), which has the slope of Newton's method at 0 and
-/// the work found at the last α. States that matter cannot be in, or whose residual is not finite, halve α.
+/// G(α) = z·r(s + αz) vanishes where the energy is stationary along z. The full increment is accepted if |G(1)| ≤
+/// ρ|G(0)|. Otherwise α follows from the model G(0)(1 − α + cα²). The model has the slope of Newton's method at 0 and
+/// matches the work at the last α. Inadmissible states (det J ≤ 0) and states with a residual that is not finite halve
+/// α.
 ///
-/// Source: Crisfield (1982); Bonet & Wood (2008), section 9.6.2, with ρ = 0.8 and 0.5. See [`RATIO`] for why not here.
+/// Source: Crisfield (1982); Bonet & Wood (2008), section 9.6.2, with ρ = 0.8 and 0.5. The larger ρ is explained at
+/// [`RATIO`].
 #[derive(Debug)]
 pub(crate) struct LineSearch {
     trial: State,
@@ -46,11 +48,14 @@ pub(crate) struct LineSearch {
     part: Vec<f64>,
 }
 
-/// ρ. The first increments of a slender beam bend it along straight tangents, which stretches its axis, and the next
-/// ones take the stretch back: G grows by (δ/L)² EA L²/EI and falls again. A search that forbids the detour pays for it:
-/// PL²/EI = 10 takes 19 iterations without it and 200 with ρ = 1. This one stops only what is beyond a wire of L/d = 1000.
+/// Acceptance ratio ρ of the line search.
+///
+/// The first increments of a slender beam bend it along straight tangents, which stretches its axis. The next
+/// increments remove the stretch: G grows by (δ/L)² EA L²/EI and decreases again. A strict search slows this down:
+/// PL²/EI = 10 takes 19 iterations without a search and 200 with ρ = 1. This value only affects beams more slender than
+/// L/d = 1000.
 const RATIO: f64 = 1e8;
-/// The most values of α.
+/// Maximum number of trial values of α.
 const TRIALS: u32 = 8;
 
 impl LineSearch {
@@ -68,7 +73,7 @@ impl LineSearch {
         self.trial.add(&self.part, w);
     }
 
-    /// The work z·r in the trial state, if matter can be in it.
+    /// Returns the work z·r in the trial state, or `None` if the state is inadmissible.
     fn work(&mut self, eom: &dyn EquationsOfMotion, z: &[f64]) -> Option<f64> {
         if eom.inadmissible(&self.trial).is_some() {
             return None;
@@ -78,8 +83,8 @@ impl LineSearch {
     }
 }
 
-impl Mover for LineSearch {
-    fn go(&mut self, at: Linear<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+impl StateUpdate for LineSearch {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
         let (start, mut alpha) = (dot(at.z, at.r), 1.0);
         self.try_part(alpha, at.z, s, w);
         for _ in 0..TRIALS {
@@ -95,13 +100,13 @@ impl Mover for LineSearch {
     }
 }
 
-/// Where 1 − α + cα² vanishes first, or is least if it does not, with c such that it is `ratio` at `alpha`.
+/// Returns the first zero of 1 − α + cα², or else its minimum. The coefficient c gives the value `ratio` at `alpha`.
 fn stationary(alpha: f64, ratio: f64) -> f64 {
     let c = (ratio - 1.0 + alpha) / (alpha * alpha);
     if c < 0.25 { 2.0 / (1.0 + (1.0 - 4.0 * c).sqrt()) } else { 0.5 / c }
 }
 
-/// x·y, in eight sums: one would wait for each addition.
+/// Returns x·y, accumulated in eight sums to avoid a dependence between additions.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     let ((x, of_x), (y, of_y)) = (x.as_chunks::<8>(), y.as_chunks::<8>());
     let mut sums = [0.0; 8];

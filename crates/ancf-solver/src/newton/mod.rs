@@ -3,16 +3,16 @@
 mod active_set;
 mod error;
 mod interrupt;
-mod iteration;
 mod line_search;
-mod report;
+mod newton_method;
+mod newton_report;
 mod rounding_floor;
 mod tangent;
 
-pub(crate) use active_set::Current;
+pub(crate) use active_set::ActiveSet;
 pub use error::{EquilibriumError, Failure, SolveError};
 pub use interrupt::Interrupt;
-pub(crate) use iteration::NewtonMemory;
-pub use iteration::{Newton, Stop};
-pub(crate) use line_search::{LineSearch, Linear, Mover, Whole, dot};
-pub use report::Report;
+pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot};
+pub(crate) use newton_method::NewtonMemory;
+pub use newton_method::{Newton, Stop};
+pub use newton_report::Report;

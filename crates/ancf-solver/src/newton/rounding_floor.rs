@@ -1,18 +1,18 @@
 use crate::equations::Weights;
 use crate::sparse::SparseMatrix;
 
-/// Raises the bounds of the constraints to what a solution of the linear equations can reach.
+/// Raises the rounding bounds of the constraints to the accuracy of the linear solution.
 ///
-/// A factorisation solves K z = b with an error of each row i of some ε maxₖ |zₖ|/dₖ / dᵢ, where D K D has entries of size
-/// one: the error of a small component is relative to the largest. Where a joint to the ground makes Φ a coordinate
-/// itself, that is far above the rounding error ε|q| of its evaluation. Coordinates have this noise from all
-/// steps so far, hence
+/// A factorisation solves K z = b with an error of about ε maxₖ |zₖ|/dₖ / dᵢ in row i, where D K D has entries of size
+/// one. The error of a small component is thus relative to the largest component. If a joint to the ground makes Φ a
+/// coordinate, this error far exceeds the rounding error ε|q| of its evaluation. Coordinates accumulate the error over
+/// all steps:
 ///
 /// |Φᵢ| ≲ ε maxⱼ(|Φ_q,ij| dⱼ) · maxₖ (|qₖ| + w_q |zₖ|)/dₖ,  dₖ = Kₖₖ^−½.
 ///
-/// The increments of multipliers are among the zₖ, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ): where nothing moves they are the largest.
+/// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest for a system at rest.
 ///
-/// Free of units, of slope lengths and of the frame.
+/// The bound is independent of units, slope lengths and the frame of reference.
 ///
 /// Source: Rigal & Gaches (1967) for the error of a linear solution.
 pub(crate) fn raise_to_achievable(k: &SparseMatrix, q: &[f64], z: &[f64], w: Weights, floor: &mut [f64]) {

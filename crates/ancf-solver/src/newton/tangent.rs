@@ -5,172 +5,176 @@ use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::{Course, Factor};
 use crate::sparse::SparseMatrix;
 
-/// The factorised tangent of Newton's method, and how long it is of use.
+/// Factorised tangent of Newton's method with the policy of its reuse.
 ///
-/// In steps of time it is used again, in further iterations and in further steps, as long as this is cheaper than a new
-/// one. An iteration with an old tangent is a fixed-point iteration whose increments fall by a rate θ each; θ tells how
-/// many iterations are left. A new tangent is made within a step if more than [`WORTH`] of them are, and before a step if those
-/// since the last new tangent would have made up for one. Where tangents age within a step, as in fast rotations, a number of
-/// steps begin with new ones before an old one is tried again, twice as many after each disappointment.
+/// In time integration the tangent is reused in later iterations and steps while this costs less than a new tangent.
+/// An iteration with an old tangent is a fixed-point iteration with the convergence rate θ. The rate predicts the
+/// number of remaining iterations.
+///
+/// * Within a step, a new tangent is computed if more than [`RENEWAL_COST`] iterations remain.
+/// * Before a step, a new tangent is computed if the extra iterations since the last one exceed its cost.
+/// * Tangents age within a step in fast rotations. A number of steps then starts with new tangents, and each further
+///   failure of an old tangent doubles this number.
 ///
 /// Source: Hairer & Wanner (1996), section IV.8; Deuflhard (2011), section 2.1, for the rate as a monitor.
 #[derive(Debug)]
-pub(crate) struct Tangent {
+pub(crate) struct NewtonTangent {
     pub(crate) matrix: SparseMatrix,
     pub(crate) factor: Factor,
-    usage: Usage,
-    /// As of the last step that was accepted.
-    kept: Usage,
-    /// If it may be used again.
-    made: Option<Box<Made>>,
+    usage: TangentUsage,
+    /// Usage as of the last accepted step.
+    saved: TangentUsage,
+    /// States of the computed tangents, if reuse is permitted.
+    made: Option<Box<TangentStates>>,
 }
 
-/// How a tangent was of use so far.
+/// Usage of a tangent so far.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct Usage {
-    policy: Policy,
-    /// What it was made for; none if it is of no further use.
+struct TangentUsage {
+    policy: TangentPolicy,
+    /// Weights of the tangent, or `None` if it is not reusable.
     weights: Option<Weights>,
-    /// Since when it is there.
-    age: Age,
-    /// Whether an iteration of the present solution did without a new one.
+    /// Age of the tangent.
+    age: TangentAge,
+    /// True if an iteration of the current solution used an old tangent.
     reused: bool,
-    /// θ of the last iteration that had the same tangent as the one before.
+    /// Rate θ of the last two iterations with the same tangent.
     rate: Option<f64>,
-    /// The fewest iterations of a solution since it was made, and those beyond in all solutions.
-    fewest: u32,
-    beyond: u32,
-    /// So many solutions begin with a new one; so many did after the last disappointment.
+    /// Fewest iterations of a solution with this tangent, and the sum of the iterations in excess of it.
+    fewest_iterations: u32,
+    extra_iterations: u32,
+    /// Number of next solutions that start with a new tangent, and the length of the last such pause.
     pause: u32,
     last_pause: u32,
-    /// What became of its factors until the last accepted step, if they are of further use.
+    /// History of the factors until the last accepted step, if they are reusable.
     factor: Course,
 }
 
-/// The states at which tangents were made.
+/// States at which tangents were computed.
 #[derive(Debug)]
-struct Made {
+struct TangentStates {
     now: State,
-    /// That of the last accepted step, if there is another now.
-    kept: State,
+    /// State of the tangent at the last accepted step, if there is a newer tangent.
+    saved: State,
     is_new: bool,
 }
 
-/// What the further use of a tangent depends on: factors are large, and made again.
+/// Saved state of a tangent. The factors are large, so they are not saved but computed again.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct TangentMemory {
-    usage: Usage,
-    /// Where it was made, if it is of further use.
+    usage: TangentUsage,
+    /// State at which the tangent was computed, if it is reusable.
     made: Option<State>,
 }
 
-/// When a new tangent is made.
+/// Policy for new tangents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum Policy {
-    /// In each iteration.
+enum TangentPolicy {
+    /// A new tangent in each iteration.
     Always,
-    /// When the old one is no longer worth while.
+    /// A new tangent when the old one no longer pays off.
     WhenDue,
-    /// In each iteration of this solution, when due in others.
-    AlwaysNow,
+    /// A new tangent in each iteration of the current solution, then `WhenDue`.
+    AlwaysInSolution,
 }
 
-/// Since when a tangent is there.
+/// Age of a tangent: computed for this iteration, for this solution or before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-enum Age {
+enum TangentAge {
     Iteration,
     Solution,
     Old,
 }
 
-/// A new factorised tangent costs about as much as so many iterations with an old one.
-const WORTH: u32 = 3;
-/// Weights of the tangent that differ by less than this part are alike.
-const ALIKE: f64 = 1e-2;
-/// The longest pause.
-const LONGEST: u32 = 64;
+/// Cost of a new factorised tangent, in iterations with an old one.
+const RENEWAL_COST: u32 = 3;
+/// Relative difference of weights up to which a tangent is reusable.
+const WEIGHT_TOLERANCE: f64 = 1e-2;
+/// Longest pause of the reuse.
+const MAX_PAUSE: u32 = 64;
 
-impl Tangent {
-    /// For tangents of the pattern of `matrix`, a new one in each iteration.
+impl NewtonTangent {
+    /// Creates storage for tangents with the pattern of `matrix`, with a new tangent in each iteration.
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, Failure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| Failure::Memory)?;
-        let usage = Usage::new();
-        Ok(Self { matrix, factor, usage, kept: usage, made: None })
+        let usage = TangentUsage::new();
+        Ok(Self { matrix, factor, usage, saved: usage, made: None })
     }
 
-    /// Takes a matrix of another pattern in the place of its own.
-    pub(crate) fn adopt(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
-        let Usage { policy, pause, last_pause, .. } = self.usage;
+    /// Replaces the matrix by one of another pattern.
+    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
+        let TangentUsage { policy, pause, last_pause, .. } = self.usage;
         let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
         (self.matrix, self.factor) = (matrix, factor);
-        self.usage = Usage { policy, pause, last_pause, ..usage };
+        self.usage = TangentUsage { policy, pause, last_pause, ..usage };
         Ok(())
     }
 
-    /// Lets tangents be used again, unless there are redundant constraints: these agree along the exact tangent only.
-    pub(crate) fn reuse(&mut self, s: &State) {
+    /// Permits the reuse of tangents, except with redundant constraints, which are consistent only along the exact
+    /// tangent.
+    pub(crate) fn permit_reuse(&mut self, s: &State) {
         if !self.matrix.pattern().is_sharing() {
-            self.usage.policy = Policy::WhenDue;
-            self.made = Some(Box::new(Made { now: s.clone(), kept: s.clone(), is_new: false }));
+            self.usage.policy = TangentPolicy::WhenDue;
+            self.made = Some(Box::new(TangentStates { now: s.clone(), saved: s.clone(), is_new: false }));
         }
     }
 
-    /// Whether they may be.
+    /// Returns true if the reuse of tangents is permitted.
     pub(crate) fn is_reusable(&self) -> bool {
-        self.usage.policy != Policy::Always
+        self.usage.policy != TangentPolicy::Always
     }
 
-    /// The next iteration needs a new one.
+    /// Requests a new tangent for the next iteration.
     pub(crate) fn renew(&mut self) {
         self.usage.weights = None;
     }
 
-    /// Whether a solution that failed may be found with newer tangents; the next one then has them.
-    pub(crate) fn improve(&mut self) -> bool {
+    /// Requests newer tangents after a failed solution. Returns true if a repetition may succeed.
+    pub(crate) fn request_newer(&mut self) -> bool {
         self.renew();
         match (self.usage.reused, self.usage.age) {
-            (true, Age::Old) => self.regret(),
-            (true, _) => self.usage.policy = Policy::AlwaysNow,
-            (false, _) => self.settle(),
+            (true, TangentAge::Old) => self.extend_pause(),
+            (true, _) => self.usage.policy = TangentPolicy::AlwaysInSolution,
+            (false, _) => self.reset_policy(),
         }
         self.usage.reused
     }
 
-    /// Matrix and factor for another use; the next iteration needs a new tangent.
+    /// Lends the matrix and the factor for another use. The next iteration needs a new tangent.
     pub(crate) fn lend(&mut self) -> (&mut SparseMatrix, &mut Factor) {
         self.renew();
         (&mut self.matrix, &mut self.factor)
     }
 
-    /// To be told at the start of a solution.
+    /// Starts a solution with the given weights.
     pub(crate) fn begin(&mut self, w: Weights) {
-        let alike = |own: f64, other: f64| (own - other).abs() <= ALIKE * other.abs();
+        let alike = |own: f64, other: f64| (own - other).abs() <= WEIGHT_TOLERANCE * other.abs();
         let fits = |own: Weights| alike(own.q, w.q) && alike(own.v, w.v) && alike(own.a, w.a);
-        let due = self.usage.beyond >= WORTH || self.usage.pause > 0;
+        let due = self.usage.extra_iterations >= RENEWAL_COST || self.usage.pause > 0;
         self.usage.pause = self.usage.pause.saturating_sub(1);
         self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
-        self.usage.age = Age::Old;
+        self.usage.age = TangentAge::Old;
         self.usage.reused = false;
     }
 
-    /// To be told at the end of a solution that was found.
+    /// Ends a converged solution.
     pub(crate) fn end(&mut self, iterations: u32) {
-        self.usage.fewest = self.usage.fewest.min(iterations);
-        self.usage.beyond += iterations - self.usage.fewest;
-        if self.usage.age == Age::Old {
+        self.usage.fewest_iterations = self.usage.fewest_iterations.min(iterations);
+        self.usage.extra_iterations += iterations - self.usage.fewest_iterations;
+        if self.usage.age == TangentAge::Old {
             self.usage.last_pause /= 2;
         }
-        self.settle();
+        self.reset_policy();
     }
 
-    /// What was for the present solution only is over.
-    fn settle(&mut self) {
-        if self.usage.policy == Policy::AlwaysNow {
-            self.usage.policy = Policy::WhenDue;
+    /// Resets the policy of the current solution.
+    fn reset_policy(&mut self) {
+        if self.usage.policy == TangentPolicy::AlwaysInSolution {
+            self.usage.policy = TangentPolicy::WhenDue;
         }
     }
 
-    /// Makes a new one at a state, unless there is one that is of use.
+    /// Computes and factorises the tangent at a state, unless an old one is reusable.
     pub(crate) fn prepare(
         &mut self,
         eom: &dyn EquationsOfMotion,
@@ -179,69 +183,71 @@ impl Tangent {
     ) -> Result<(), Failure> {
         if self.usage.weights.is_some() {
             self.usage.reused = true;
-            self.usage.age = if self.usage.age == Age::Old { Age::Old } else { Age::Solution };
+            self.usage.age =
+                if self.usage.age == TangentAge::Old { TangentAge::Old } else { TangentAge::Solution };
             return Ok(());
         }
         eom.tangent(s, w, &mut self.matrix);
-        self.made.iter_mut().for_each(|made| made.note(s));
+        self.made.iter_mut().for_each(|made| made.record(s));
         self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
-        self.usage.weights = Some(w).filter(|_| self.usage.policy == Policy::WhenDue);
-        self.usage.age = Age::Iteration;
-        (self.usage.rate, self.usage.fewest, self.usage.beyond) = (None, u32::MAX, 0);
+        self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
+        self.usage.age = TangentAge::Iteration;
+        (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);
         Ok(())
     }
 
-    /// Takes note of the rate θ by which the last increment was smaller than the one before it in its solution.
-    pub(crate) fn note(&mut self, rate: Option<f64>) {
-        if self.usage.age != Age::Iteration {
+    /// Records the rate θ of the last two increments of a solution.
+    pub(crate) fn record(&mut self, rate: Option<f64>) {
+        if self.usage.age != TangentAge::Iteration {
             self.usage.rate = rate.or(self.usage.rate);
         }
     }
 
-    /// What an increment of this size leaves: θ/(1 − θ) times it, nothing that counts if the tangent was new for it.
-    pub(crate) fn left(&self, size: f64) -> f64 {
+    /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
+    pub(crate) fn remainder(&self, size: f64) -> f64 {
         match self.usage.rate {
-            _ if self.usage.age == Age::Iteration => 0.0,
+            _ if self.usage.age == TangentAge::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
         }
     }
 
-    /// Decides on the next iteration: what is left is to fall to a part of the last increment. Returns false if the
-    /// present solution is better begun anew.
-    pub(crate) fn foresee(&mut self, part: f64) -> bool {
+    /// Chooses the tangent of the next iteration, given the target for the remainder relative to the last increment.
+    ///
+    /// Returns false if the current solution should be restarted.
+    pub(crate) fn plan_iteration(&mut self, part: f64) -> bool {
         let Some(rate) = self.usage.rate else { return true };
         let left = (part * (1.0 - rate)).ln() / rate.ln();
-        if rate < 1.0 && left <= f64::from(WORTH) {
+        if rate < 1.0 && left <= f64::from(RENEWAL_COST) {
             return true;
         }
         self.renew();
-        if self.usage.age != Age::Old {
+        if self.usage.age != TangentAge::Old {
             return true;
         }
         if rate < 1.0 {
-            self.regret();
+            self.extend_pause();
         }
         rate < 1.0
     }
 
-    /// An old tangent was of no use.
-    fn regret(&mut self) {
-        self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, LONGEST);
+    /// Extends the pause of the reuse: the reused tangent did not converge.
+    fn extend_pause(&mut self) {
+        self.usage.last_pause = (2 * self.usage.last_pause).clamp(1, MAX_PAUSE);
         self.usage.pause = self.usage.last_pause;
     }
 }
 
-impl Usage {
+impl TangentUsage {
     const fn new() -> Self {
         Self {
-            policy: Policy::Always,
+            policy: TangentPolicy::Always,
             weights: None,
-            age: Age::Iteration,
+            age: TangentAge::Iteration,
             reused: false,
             rate: None,
-            fewest: u32::MAX,
-            beyond: 0,
+            fewest_iterations: u32::MAX,
+            extra_iterations: 0,
             pause: 0,
             last_pause: 0,
             factor: Course::NEW,
@@ -249,32 +255,32 @@ impl Usage {
     }
 }
 
-impl Made {
-    fn note(&mut self, s: &State) {
+impl TangentStates {
+    fn record(&mut self, s: &State) {
         if !self.is_new {
-            std::mem::swap(&mut self.now, &mut self.kept);
+            std::mem::swap(&mut self.now, &mut self.saved);
         }
         self.is_new = true;
         self.now.copy_from(s);
     }
 }
 
-impl Tangent {
-    /// To be told after each accepted step: to this a run returns that breaks off in the next.
-    pub(crate) fn keep(&mut self) {
+impl NewtonTangent {
+    /// Saves the usage after an accepted step, to which a failed next step returns.
+    pub(crate) fn save(&mut self) {
         let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
-        self.kept = Usage { factor, ..self.usage };
+        self.saved = TangentUsage { factor, ..self.usage };
         self.made.iter_mut().for_each(|made| made.is_new = false);
     }
 
-    /// As of the last accepted step.
+    /// Returns the saved state as of the last accepted step.
     pub(crate) fn memory(&self) -> TangentMemory {
-        let at = |made: &Made| if made.is_new { made.kept.clone() } else { made.now.clone() };
-        let made = self.made.as_deref().filter(|_| self.kept.weights.is_some()).map(at);
-        TangentMemory { usage: self.kept, made }
+        let at = |made: &TangentStates| if made.is_new { made.saved.clone() } else { made.now.clone() };
+        let made = self.made.as_deref().filter(|_| self.saved.weights.is_some()).map(at);
+        TangentMemory { usage: self.saved, made }
     }
 
-    /// Goes on from a memory of this size: the tangent is made again where it was made.
+    /// Resumes from a saved state of this size. The tangent is computed again at its original state.
     pub(crate) fn recall(
         &mut self,
         eom: &dyn EquationsOfMotion,
@@ -287,20 +293,20 @@ impl Tangent {
             made.map_err(|_| Failure::Singular)?;
             self.made.iter_mut().for_each(|made| made.now.copy_from(s));
         }
-        self.keep();
+        self.save();
         Ok(())
     }
 
-    /// Whether a memory is one of such a tangent.
-    pub(crate) fn knows(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
+    /// Returns true if a saved state is valid for this tangent.
+    pub(crate) fn accepts(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
         let TangentMemory { usage, made } = memory;
         let finite = |w: Weights| [w.q, w.v, w.a].iter().all(|x| x.is_finite());
-        let is_reusable = |usage: &Usage| usage.policy != Policy::Always;
+        let is_reusable = |usage: &TangentUsage| usage.policy != TangentPolicy::Always;
         is_reusable(usage) == is_reusable(&self.usage)
             && usage.weights.is_some() == made.is_some()
             && usage.weights.is_none_or(finite)
             && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_sound(coordinates, multipliers))
-            && usage.beyond <= u32::MAX / 2
-            && usage.pause.max(usage.last_pause) <= LONGEST
+            && usage.extra_iterations <= u32::MAX / 2
+            && usage.pause.max(usage.last_pause) <= MAX_PAUSE
     }
 }

@@ -1,112 +1,114 @@
-use super::index_lists::Lists;
+use super::index_lists::IndexLists;
 use super::ordering::Ranks;
-use super::supernodes::{Panel, Panels, Run};
+use super::supernodes::{RowRun, Supernode, Supernodes};
 
-/// The unknowns in the order of elimination and the panels that it gives.
-pub(crate) struct Elimination {
-    /// The unknown at each position.
+/// Elimination order of the unknowns and the resulting supernodes.
+pub(crate) struct EliminationOrder {
+    /// Unknown at each position.
     pub(crate) order: Vec<u32>,
-    pub(crate) panels: Panels,
+    pub(crate) supernodes: Supernodes,
 }
 
-/// No parent.
-const NONE: u32 = u32::MAX;
+/// Marker of a missing parent.
+const NO_PARENT: u32 = u32::MAX;
 
-impl Elimination {
-    /// Eliminates ranks of unknowns from a sum of dense blocks, each rank at once. Panels are ordered such that a subtree of
-    /// the elimination tree is one piece.
+impl EliminationOrder {
+    /// Eliminates the unknowns of a sum of dense blocks rank by rank.
+    ///
+    /// The supernodes are ordered such that each subtree of the elimination tree is contiguous.
     ///
     /// Source: Liu (1990), the elimination tree and its postorder; Duff & Reid (1983), the multifrontal method.
-    pub(crate) fn new(ranks: &Ranks, blocks: &Lists) -> Self {
+    pub(crate) fn new(ranks: &Ranks, blocks: &IndexLists) -> Self {
         let segments = Segments::new(ranks);
         let (rows, parent) = fill(&segments, first_touched(&segments, blocks));
         let places = postorder(&parent);
         let mut turn = vec![0; parent.len()];
-        places.iter().enumerate().for_each(|(panel, place)| turn[place.at as usize] = panel as u32);
+        places.iter().enumerate().for_each(|(supernode, place)| turn[place.at as usize] = supernode as u32);
         let mut order = Vec::with_capacity(segments.order.len());
         let mut position = vec![0; segments.count()];
         for &old in &turn {
-            for segment in segments.of_panel(old) {
+            for segment in segments.of_supernode(old) {
                 position[segment as usize] = order.len() as u32;
                 order.extend_from_slice(segments.unknowns(segment));
             }
         }
-        let mut panels = Panels::default();
+        let mut supernodes = Supernodes::default();
         for (&old, new) in turn.iter().zip(0..) {
-            let own = segments.of_panel(old);
+            let own = segments.of_supernode(old);
             let below = &rows[old as usize];
-            let last = panels.panels.last();
-            let panel = Panel {
+            let last = supernodes.list.last();
+            let supernode = Supernode {
                 first: last.map_or(0, |last| last.first + last.columns),
                 columns: own.map(|segment| segments.length(segment)).sum(),
                 below: below.iter().map(|&segment| segments.length(segment)).sum(),
-                runs: panels.runs.len() as u32,
+                runs: supernodes.runs.len() as u32,
                 subtree: new + 1 - places[old as usize].subtree,
                 start: last.map_or(0, |last| last.values().end),
             };
-            panels.panels.push(panel);
+            supernodes.list.push(supernode);
             for (i, &segment) in below.iter().enumerate() {
                 let (first, length) = (position[segment as usize], segments.length(segment));
-                let follows =
-                    i > 0 && segments.panel[segment as usize] == segments.panel[below[i - 1] as usize];
-                match panels.runs.last_mut() {
+                let follows = i > 0
+                    && segments.supernode[segment as usize] == segments.supernode[below[i - 1] as usize];
+                match supernodes.runs.last_mut() {
                     Some(run) if follows && run.first + run.length == first => run.length += length,
-                    _ => panels.runs.push(Run { first, length, into: 0 }),
+                    _ => supernodes.runs.push(RowRun { first, length, parent_row: 0 }),
                 }
             }
         }
         let parents = turn.iter().map(|&old| parent[old as usize]);
-        let parents: Vec<_> = parents.map(|p| (p != NONE).then(|| places[p as usize].at)).collect();
-        tell_parents(&mut panels, &parents);
-        Self { order, panels }
+        let parents: Vec<_> = parents.map(|p| (p != NO_PARENT).then(|| places[p as usize].at)).collect();
+        set_parent_rows(&mut supernodes, &parents);
+        Self { order, supernodes }
     }
 }
 
-/// Says where in their parents the runs of all panels are: a parent has all rows of its children but its own.
-fn tell_parents(panels: &mut Panels, parents: &[Option<u32>]) {
+/// Sets the positions of all runs in the parents. A parent contains all rows of its children except its own.
+fn set_parent_rows(supernodes: &mut Supernodes, parents: &[Option<u32>]) {
     for (child, parent) in parents.iter().enumerate() {
-        let first = panels.panels[child].runs as usize;
-        for at in first..first + panels.runs(child).len() {
-            let row = parent.and_then(|parent| panels.row(parent as usize, panels.runs[at].first as usize));
-            panels.runs[at].into = row.unwrap_or_default() as u32;
+        let first = supernodes.list[child].runs as usize;
+        for at in first..first + supernodes.runs(child).len() {
+            let row =
+                parent.and_then(|parent| supernodes.row(parent as usize, supernodes.runs[at].first as usize));
+            supernodes.runs[at].parent_row = row.unwrap_or_default() as u32;
         }
     }
 }
 
-/// Unknowns of a rank that are adjacent to the same others: the rows of a panel consist of such.
+/// Segments: unknowns of one rank with equal adjacency. The rows of a supernode consist of segments.
 struct Segments {
     order: Vec<u32>,
-    /// Where each begins in the order, and the end.
+    /// Start of each segment in the order, and the end.
     starts: Vec<u32>,
-    /// The panel of each.
-    panel: Vec<u32>,
-    /// The first segment of each panel, and the end.
-    of_panels: Vec<u32>,
-    /// The segment of each unknown.
+    /// Supernode of each segment.
+    supernode: Vec<u32>,
+    /// First segment of each supernode, and the end.
+    of_supernodes: Vec<u32>,
+    /// Segment of each unknown.
     of: Vec<u32>,
 }
 
 impl Segments {
     fn new(ranks: &Ranks) -> Self {
         let mut order = Vec::with_capacity(ranks.labels.len());
-        let (mut starts, mut panel, mut of_panels) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut starts, mut supernode, mut of_supernodes) = (Vec::new(), Vec::new(), Vec::new());
         let mut of = vec![0; ranks.labels.len()];
         for unknowns in ranks.unknowns.iter().filter(|unknowns| !unknowns.is_empty()) {
-            of_panels.push(panel.len() as u32);
+            of_supernodes.push(supernode.len() as u32);
             for alike in unknowns.chunk_by(|&a, &b| ranks.labels[a as usize] == ranks.labels[b as usize]) {
-                alike.iter().for_each(|&unknown| of[unknown as usize] = panel.len() as u32);
+                alike.iter().for_each(|&unknown| of[unknown as usize] = supernode.len() as u32);
                 starts.push(order.len() as u32);
-                panel.push(of_panels.len() as u32 - 1);
+                supernode.push(of_supernodes.len() as u32 - 1);
                 order.extend_from_slice(alike);
             }
         }
         starts.push(order.len() as u32);
-        of_panels.push(panel.len() as u32);
-        Self { order, starts, panel, of_panels, of }
+        of_supernodes.push(supernode.len() as u32);
+        Self { order, starts, supernode, of_supernodes, of }
     }
 
     fn count(&self) -> usize {
-        self.panel.len()
+        self.supernode.len()
     }
 
     fn length(&self, segment: u32) -> u32 {
@@ -117,13 +119,15 @@ impl Segments {
         &self.order[self.starts[segment as usize] as usize..self.starts[segment as usize + 1] as usize]
     }
 
-    fn of_panel(&self, panel: u32) -> std::ops::Range<u32> {
-        self.of_panels[panel as usize]..self.of_panels[panel as usize + 1]
+    fn of_supernode(&self, supernode: u32) -> std::ops::Range<u32> {
+        self.of_supernodes[supernode as usize]..self.of_supernodes[supernode as usize + 1]
     }
 }
 
-/// For each panel the later segments of the blocks of which it is the first: what these tie besides, elimination ties too.
-fn first_touched(segments: &Segments, blocks: &Lists) -> Lists {
+/// Returns for each supernode the later segments of the blocks that it is the first to touch.
+///
+/// Elimination couples these segments.
+fn first_touched(segments: &Segments, blocks: &IndexLists) -> IndexLists {
     let mut pairs = Vec::new();
     let mut touched = Vec::new();
     for block in blocks.iter().filter(|block| !block.is_empty()) {
@@ -131,40 +135,42 @@ fn first_touched(segments: &Segments, blocks: &Lists) -> Lists {
         touched.extend(block.iter().map(|&unknown| segments.of[unknown as usize]));
         touched.sort_unstable();
         touched.dedup();
-        let first = segments.panel[touched[0] as usize];
-        let later = touched.iter().filter(|&&segment| segments.panel[segment as usize] != first);
+        let first = segments.supernode[touched[0] as usize];
+        let later = touched.iter().filter(|&&segment| segments.supernode[segment as usize] != first);
         pairs.extend(later.map(|&segment| (first, segment)));
     }
-    Lists::by_key(segments.of_panels.len() - 1, pairs.iter().copied())
+    IndexLists::by_key(segments.of_supernodes.len() - 1, pairs.iter().copied())
 }
 
-/// The rows of each panel in segments, ascending, those of its children included, and its parent: the panel of the first.
-fn fill(segments: &Segments, touched: Lists) -> (Lists, Vec<u32>) {
+/// Computes the rows of each supernode as ascending segments, including those of its children, and its parent.
+///
+/// The parent is the supernode of the first row.
+fn fill(segments: &Segments, touched: IndexLists) -> (IndexLists, Vec<u32>) {
     let count = touched.len();
-    let (mut rows, mut parent) = (Lists::new(), Vec::with_capacity(count));
-    // Children as linked lists: the first of each panel, the next of each child.
-    let (mut children, mut next) = (vec![NONE; count], vec![NONE; count]);
-    let mut seen = vec![NONE; segments.count()];
+    let (mut rows, mut parent) = (IndexLists::new(), Vec::with_capacity(count));
+    // Children as linked lists: the first child of each supernode, and the next sibling of each child.
+    let (mut children, mut next) = (vec![NO_PARENT; count], vec![NO_PARENT; count]);
+    let mut seen = vec![NO_PARENT; segments.count()];
     let mut own: Vec<u32> = Vec::new();
-    for panel in 0..count as u32 {
+    for supernode in 0..count as u32 {
         own.clear();
         let mut see = |segment: u32| {
-            if seen[segment as usize] != panel && segments.panel[segment as usize] != panel {
-                seen[segment as usize] = panel;
+            if seen[segment as usize] != supernode && segments.supernode[segment as usize] != supernode {
+                seen[segment as usize] = supernode;
                 own.push(segment);
             }
         };
-        touched[panel as usize].iter().for_each(|&segment| see(segment));
-        let mut child = children[panel as usize];
-        while child != NONE {
+        touched[supernode as usize].iter().for_each(|&segment| see(segment));
+        let mut child = children[supernode as usize];
+        while child != NO_PARENT {
             rows[child as usize].iter().for_each(|&segment| see(segment));
             child = next[child as usize];
         }
         own.sort_unstable();
-        let up = own.first().map_or(NONE, |&segment| segments.panel[segment as usize]);
-        if up != NONE {
-            next[panel as usize] = children[up as usize];
-            children[up as usize] = panel;
+        let up = own.first().map_or(NO_PARENT, |&segment| segments.supernode[segment as usize]);
+        if up != NO_PARENT {
+            next[supernode as usize] = children[up as usize];
+            children[up as usize] = supernode;
         }
         parent.push(up);
         rows.push(own.iter().copied());
@@ -172,28 +178,29 @@ fn fill(segments: &Segments, touched: Lists) -> (Lists, Vec<u32>) {
     (rows, parent)
 }
 
-/// Where a panel comes in the postorder, and of how many panels its subtree is.
-struct Place {
+/// Position of a supernode in the postorder, and the size of its subtree.
+struct PostorderPlace {
     at: u32,
     subtree: u32,
 }
 
-/// The postorder of a tree in which parents come after their children: each subtree becomes one piece.
-fn postorder(parent: &[u32]) -> Vec<Place> {
-    let mut places: Vec<Place> = parent.iter().map(|_| Place { at: 0, subtree: 1 }).collect();
-    for (child, &parent) in parent.iter().enumerate().filter(|(_, parent)| **parent != NONE) {
+/// Computes the postorder of a tree whose parents follow their children. Each subtree becomes contiguous.
+fn postorder(parent: &[u32]) -> Vec<PostorderPlace> {
+    let mut places: Vec<PostorderPlace> =
+        parent.iter().map(|_| PostorderPlace { at: 0, subtree: 1 }).collect();
+    for (child, &parent) in parent.iter().enumerate().filter(|(_, parent)| **parent != NO_PARENT) {
         places[parent as usize].subtree += places[child].subtree;
     }
-    // The end of what is still free, of each subtree and of the whole.
+    // End of the free positions of each subtree and of the whole tree.
     let (mut free, mut end) = (vec![0; parent.len()], parent.len() as u32);
-    for panel in (0..parent.len()).rev() {
-        let end = match parent[panel] {
-            NONE => &mut end,
+    for supernode in (0..parent.len()).rev() {
+        let end = match parent[supernode] {
+            NO_PARENT => &mut end,
             parent => &mut free[parent as usize],
         };
         let at = *end - 1;
-        *end -= places[panel].subtree;
-        (places[panel].at, free[panel]) = (at, at);
+        *end -= places[supernode].subtree;
+        (places[supernode].at, free[supernode]) = (at, at);
     }
     places
 }

@@ -1,25 +1,25 @@
 use std::ops::Index;
 
-/// Lists of numbers, one after the other in memory.
+/// Lists of indices in contiguous storage.
 #[derive(Clone, Debug)]
-pub(crate) struct Lists {
+pub(crate) struct IndexLists {
     starts: Vec<usize>,
     items: Vec<u32>,
 }
 
-impl Lists {
-    /// No list yet.
+impl IndexLists {
+    /// Creates an empty collection.
     pub(crate) fn new() -> Self {
         Self { starts: vec![0], items: Vec::new() }
     }
 
-    /// Adds a list at the end.
+    /// Appends a list.
     pub(crate) fn push(&mut self, list: impl IntoIterator<Item = u32>) {
         self.items.extend(list);
         self.starts.push(self.items.len());
     }
 
-    /// The items of each key, in the order in which they come.
+    /// Groups items by key and keeps their order.
     pub(crate) fn by_key(keys: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
         let mut starts = vec![0; keys + 1];
         pairs.clone().for_each(|(key, _)| starts[key as usize + 1] += 1);
@@ -32,18 +32,18 @@ impl Lists {
         Self { starts, items }
     }
 
-    /// Number of lists.
+    /// Returns the number of lists.
     pub(crate) fn len(&self) -> usize {
         self.starts.len() - 1
     }
 
-    /// The lists.
+    /// Returns an iterator over the lists.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &[u32]> + Clone {
         self.starts.windows(2).map(|range| &self.items[range[0]..range[1]])
     }
 }
 
-impl Index<usize> for Lists {
+impl Index<usize> for IndexLists {
     type Output = [u32];
 
     fn index(&self, i: usize) -> &[u32] {
@@ -51,7 +51,7 @@ impl Index<usize> for Lists {
     }
 }
 
-impl<L: IntoIterator<Item = u32>> FromIterator<L> for Lists {
+impl<L: IntoIterator<Item = u32>> FromIterator<L> for IndexLists {
     fn from_iter<T: IntoIterator<Item = L>>(lists: T) -> Self {
         let mut all = Self::new();
         lists.into_iter().for_each(|list| all.push(list));

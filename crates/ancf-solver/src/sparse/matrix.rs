@@ -1,9 +1,9 @@
 use std::sync::Arc;
 
 use super::pattern::Pattern;
-use super::supernodes::{LANES, Run};
+use super::supernodes::{QUAD, RowRun};
 
-/// A symmetric sparse matrix: the lower triangle in the panels of its pattern.
+/// Symmetric sparse matrix: the lower triangle in the supernodes of its pattern.
 #[derive(Clone, Debug)]
 pub struct SparseMatrix {
     pattern: Arc<Pattern>,
@@ -16,50 +16,50 @@ impl SparseMatrix {
         Self { pattern, values }
     }
 
-    /// Its pattern.
+    /// Returns the pattern.
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }
 
-    /// The values of the lower triangle, zeros that fill up panels included.
+    /// Returns the values of the lower triangle, including the padding of the supernodes.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// The values of the lower triangle, to be changed.
+    /// Returns the mutable values of the lower triangle.
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
 
-    /// Calls `visit(i, j, value)` for every entry of the lower triangle, in positions; entries may be zeros that fill up panels.
+    /// Calls `visit(i, j, value)` for every entry of the lower triangle by position, including the padding.
     pub(crate) fn visit(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        let panels = self.pattern.panels();
-        for (at, panel) in panels.panels.iter().enumerate() {
-            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
-            for (column, j) in panel.own().enumerate() {
+        let supernodes = self.pattern.supernodes();
+        for (at, supernode) in supernodes.list.iter().enumerate() {
+            let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
+            for (column, j) in supernode.own().enumerate() {
                 let own = shape.at(column, column);
-                panel.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
-                let below = panels.runs(at).iter().flat_map(Run::positions);
+                supernode.own().skip(column).zip(&values[own..]).for_each(|(i, &value)| visit(i, j, value));
+                let below = supernodes.runs(at).iter().flat_map(RowRun::positions);
                 below
-                    .zip(&values[shape.at(LANES * shape.own(), column)..])
+                    .zip(&values[shape.at(QUAD * shape.own(), column)..])
                     .for_each(|(i, &value)| visit(i, j, value));
             }
         }
     }
 
-    /// The entry of an unknown with itself.
+    /// Returns the diagonal entry of an unknown.
     pub fn diagonal_of(&self, unknown: usize) -> f64 {
         self.values[self.pattern.diagonal(self.pattern.position(unknown))]
     }
 
-    /// The entries of Φ_q: multiplier (counted after the coordinates), coordinate, value.
+    /// Returns the entries of Φ_q: multiplier (numbered after the coordinates), coordinate, value.
     pub fn constraints(&self) -> impl Iterator<Item = (usize, usize, f64)> {
         let unknown = |at: usize| self.pattern.unknown(at);
         let border = self.pattern.border().iter();
         border.map(move |b| (unknown(b.multiplier), unknown(b.coordinate), self.values[b.slot]))
     }
 
-    /// y = A x, in the order of the unknowns.
+    /// Computes y = A x, in the order of the unknowns.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
         y.fill(0.0);
         self.visit(|i, j, value| {
@@ -71,22 +71,22 @@ impl SparseMatrix {
         });
     }
 
-    /// The diagonal, in positions.
+    /// Returns the diagonal by position.
     pub(crate) fn diagonal(&self) -> impl Iterator<Item = f64> {
-        self.pattern.panels().panels.iter().flat_map(|panel| {
-            let (shape, values) = (panel.shape(), &self.values[panel.values()]);
+        self.pattern.supernodes().list.iter().flat_map(|supernode| {
+            let (shape, values) = (supernode.shape(), &self.values[supernode.values()]);
             (0..shape.columns).map(move |j| values[shape.at(j, j)])
         })
     }
 
-    /// A x, in the order of the unknowns.
+    /// Returns A x, in the order of the unknowns.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];
         self.multiply(x, &mut product);
         product
     }
 
-    /// |A| |x|, in the order of the unknowns: ε times this bounds the rounding errors of A x.
+    /// Returns |A| |x|, in the order of the unknowns. ε times this bounds the rounding errors of A x.
     pub fn magnitudes(&self, x: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; x.len()];
         self.visit(|i, j, value| {
@@ -99,12 +99,12 @@ impl SparseMatrix {
         sums
     }
 
-    /// |x|ᵀ |A| |x|: ε times this bounds the rounding error of xᵀ A x.
+    /// Returns |x|ᵀ |A| |x|. ε times this bounds the rounding error of xᵀ A x.
     pub fn magnitude(&self, x: &[f64]) -> f64 {
         self.magnitudes(x).iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()
     }
 
-    /// The matrix as dense rows in the order of the unknowns; for small systems and tests.
+    /// Returns dense rows in the order of the unknowns, for small systems and tests.
     pub fn dense(&self) -> Vec<Vec<f64>> {
         let size = self.pattern.size();
         let mut dense = vec![vec![0.0; size]; size];

@@ -1,4 +1,4 @@
-//! Sparse symmetric matrices: pattern, elimination order, supernodes.
+//! Sparse symmetric matrices: pattern, elimination order and supernodes.
 
 mod elimination;
 mod index_lists;
@@ -8,8 +8,8 @@ mod pattern;
 mod subtrees;
 mod supernodes;
 
-pub(crate) use index_lists::Lists;
+pub(crate) use index_lists::IndexLists;
 pub use matrix::SparseMatrix;
 pub use pattern::Pattern;
-pub(crate) use subtrees::{Branch, Branches, LEAST, Stretch, children, fork};
-pub(crate) use supernodes::{LANES, Panel, Panels, Quad, Run, Shape};
+pub(crate) use subtrees::{MIN_SUBTREE, Subtree, Subtrees, VectorSection, children, process_subtrees};
+pub(crate) use supernodes::{QUAD, Quad, RowRun, Supernode, SupernodeShape, Supernodes};

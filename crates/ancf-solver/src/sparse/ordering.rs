@@ -5,29 +5,35 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::index_lists::Lists;
+use super::index_lists::IndexLists;
 
-/// Coordinates without mass and the multipliers that determine them, of each term that has such.
+/// Massless coordinates of a term and the multipliers that determine them.
 pub(crate) type Massless = (Vec<usize>, std::ops::Range<usize>);
 
-/// The unknowns in ranks, the order of elimination: a group of coordinates, then what has to follow it.
+/// Unknowns in ranks, which define the order of elimination. A rank is a group of coordinates and its dependent
+/// unknowns.
 pub(crate) struct Ranks {
-    /// The unknowns of each rank, in order; multipliers count after coordinates.
-    pub(crate) unknowns: Lists,
-    /// A number for each unknown: those next to each other that have the same one are adjacent to the same others.
+    /// Unknowns of each rank in order. Multipliers are numbered after coordinates.
+    pub(crate) unknowns: IndexLists,
+    /// Label of each unknown. Neighbours with equal labels have equal adjacency.
     pub(crate) labels: Vec<u32>,
 }
 
 impl Ranks {
     /// Ranks the unknowns of a sum of dense blocks.
-    pub(crate) fn new(coordinates: usize, multipliers: usize, blocks: &Lists, massless: &[Massless]) -> Self {
+    pub(crate) fn new(
+        coordinates: usize,
+        multipliers: usize,
+        blocks: &IndexLists,
+        massless: &[Massless],
+    ) -> Self {
         let groups = ordered_groups(coordinates, blocks);
         let mut rank = vec![None; coordinates];
         groups.iter().flatten().zip(0..).for_each(|(&c, place)| rank[c as usize] = Some(place));
         let all_massless = || massless.iter().flat_map(|(late, _)| late.iter().copied());
         let mut is_massless = vec![false; coordinates];
         all_massless().for_each(|c| (is_massless[c], rank[c]) = (true, None));
-        // What touches nothing comes last.
+        // Unknowns without a block come last.
         let end = coordinates as u32;
         let before = last_coordinates(multipliers, blocks, &rank);
         let mut defines = vec![false; multipliers];
@@ -40,24 +46,24 @@ impl Ranks {
         let rank_of = |m: usize| if defines[m] { before[m] } else { after[m] };
         rank.extend((0..multipliers).map(rank_of));
         let of = |kind: bool| (0..multipliers).filter(move |&m| defines[m] == kind).map(|m| coordinates + m);
-        // What is at one rank comes in this order.
+        // Order of the unknowns within a rank.
         let (defining, other) = (of.clone()(true), of(false));
         let regular = (0..coordinates).filter(|&c| !is_massless[c]);
         let late = (0..coordinates).filter(|&c| is_massless[c]);
         let sequence = regular.chain(defining).chain(late).chain(other);
         let pairs = sequence.map(|unknown| (rank[unknown].unwrap_or(end), unknown as u32));
         let labels = labels(coordinates, multipliers, blocks, &is_massless);
-        let placed = Lists::by_key(coordinates + 1, pairs);
+        let placed = IndexLists::by_key(coordinates + 1, pairs);
         let mut places = placed.iter();
         let of_groups = groups.iter().map(|group| group.len()).chain(iter::once(1));
-        let mut unknowns = Lists::new();
+        let mut unknowns = IndexLists::new();
         of_groups.for_each(|places_of| unknowns.push(places.by_ref().take(places_of).flatten().copied()));
         Self { unknowns, labels }
     }
 }
 
-/// Zero for coordinates with mass, a number of the first block for whatever else.
-fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &[bool]) -> Vec<u32> {
+/// Labels coordinates with mass by zero and all other unknowns by the number of their first block.
+fn labels(coordinates: usize, multipliers: usize, blocks: &IndexLists, is_massless: &[bool]) -> Vec<u32> {
     let mut labels = vec![0; coordinates + multipliers];
     for (b, block) in blocks.iter().enumerate() {
         let special = |u: usize| u >= coordinates || is_massless[u];
@@ -70,8 +76,8 @@ fn labels(coordinates: usize, multipliers: usize, blocks: &Lists, is_massless: &
     labels
 }
 
-/// For each multiplier the last place among the coordinates that it touches, of those that have one.
-fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
+/// Returns for each multiplier the last rank among the coordinates of its blocks, for coordinates with a rank.
+fn last_coordinates(multipliers: usize, blocks: &IndexLists, rank: &[Option<u32>]) -> Vec<Option<u32>> {
     let mut last: Vec<Option<u32>> = vec![None; multipliers];
     let coordinates = rank.len();
     for block in blocks.iter().filter(|block| !is_free(block, coordinates)) {
@@ -85,28 +91,30 @@ fn last_coordinates(multipliers: usize, blocks: &Lists, rank: &[Option<u32>]) ->
     last
 }
 
-/// The groups of coordinates in the order of elimination.
-fn ordered_groups(coordinates: usize, blocks: &Lists) -> Lists {
+/// Computes the groups of coordinates in the order of elimination.
+fn ordered_groups(coordinates: usize, blocks: &IndexLists) -> IndexLists {
     let (group_of, count) = groups(coordinates, blocks);
     let mut turn = vec![0; count];
     for (group, at) in elimination(&graph(&group_of, count, blocks)).into_iter().zip(0..) {
         turn[group as usize] = at;
     }
-    Lists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
+    IndexLists::by_key(count, group_of.iter().zip(0..).map(|(&group, c)| (turn[group as usize], c)))
 }
 
-/// Whether a block has no multipliers.
+/// Returns true if a block has no multipliers.
 fn is_free(block: &[u32], coordinates: usize) -> bool {
     block.iter().all(|&u| (u as usize) < coordinates)
 }
 
-/// Coordinates grouped by the set of blocks that they belong to: group of each coordinate, number of groups.
+/// Groups coordinates by the set of blocks that contain them. Returns the group of each coordinate and the group count.
 ///
-/// Blocks with multipliers do not count, nor do those within another: a joint or a load does not part a node.
-fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
+/// Blocks with multipliers and blocks contained in another block are ignored, so joints and loads do not split a node.
+fn groups(coordinates: usize, blocks: &IndexLists) -> (Vec<u32>, usize) {
     let free = || blocks.iter().zip(0..).filter(|(block, _)| is_free(block, coordinates));
-    let of =
-        Lists::by_key(coordinates, free().flat_map(|(block, b)| block.iter().copied().zip(iter::repeat(b))));
+    let of = IndexLists::by_key(
+        coordinates,
+        free().flat_map(|(block, b)| block.iter().copied().zip(iter::repeat(b))),
+    );
     let is_within_another = |block: &[u32], b: u32| {
         let fewest = block.iter().map(|&c| &of[c as usize]).min_by_key(|of| of.len());
         fewest.into_iter().flatten().any(|&other| {
@@ -117,28 +125,28 @@ fn groups(coordinates: usize, blocks: &Lists) -> (Vec<u32>, usize) {
     };
     let mut classes = Classes { class: vec![0; coordinates], split: vec![(u32::MAX, 0)] };
     for (block, b) in free().filter(|(block, b)| !is_within_another(block, *b)) {
-        classes.part(b, block.iter().map(|&c| c as usize));
+        classes.split_block(b, block.iter().map(|&c| c as usize));
     }
-    // Coordinates of blocks with multipliers only.
+    // Coordinates that belong only to blocks with multipliers.
     let alone: Vec<bool> = classes.class.iter().map(|&class| class == 0).collect();
     for (block, b) in blocks.iter().zip(0..).filter(|(block, _)| !is_free(block, coordinates)) {
         let own = block.iter().map(|&c| c as usize);
-        classes.part(b, own.filter(|&c| c < coordinates && alone[c]));
+        classes.split_block(b, own.filter(|&c| c < coordinates && alone[c]));
     }
     classes.numbered()
 }
 
-/// A partition that blocks refine.
+/// Partition of the coordinates that is refined block by block.
 struct Classes {
-    /// Class of each coordinate; zero before any block.
+    /// Class of each coordinate. It is zero before the first block.
     class: Vec<u32>,
-    /// For each class, the block that split it last and the class that this made.
+    /// Last block that split each class, and the new class of this split.
     split: Vec<(u32, u32)>,
 }
 
 impl Classes {
-    /// Parts the members of a block from those that are not.
-    fn part(&mut self, block: u32, members: impl Iterator<Item = usize>) {
+    /// Separates the members of a block from the other coordinates of their classes.
+    fn split_block(&mut self, block: u32, members: impl Iterator<Item = usize>) {
         for c in members {
             let class = self.class[c] as usize;
             if self.split[class].0 != block {
@@ -149,7 +157,7 @@ impl Classes {
         }
     }
 
-    /// Classes numbered as they come, and their number; what no block has touched is a class of its own.
+    /// Numbers the classes in order of appearance. Each coordinate without a block forms a class of its own.
     fn numbered(mut self) -> (Vec<u32>, usize) {
         let mut number: Vec<Option<u32>> = vec![None; self.split.len()];
         let mut count = 0;
@@ -164,9 +172,9 @@ impl Classes {
     }
 }
 
-/// The other groups with which each group shares a block, ascending.
-fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
-    let clusters: Lists = blocks
+/// Returns the adjacent groups of each group in ascending order. Groups are adjacent if they share a block.
+fn graph(group_of: &[u32], count: usize, blocks: &IndexLists) -> IndexLists {
+    let clusters: IndexLists = blocks
         .iter()
         .map(|block| {
             let own = block.iter().filter_map(|&c| group_of.get(c as usize));
@@ -179,7 +187,7 @@ fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
     let pairs = clusters.iter().flat_map(|cluster| {
         cluster.iter().flat_map(move |&g| cluster.iter().filter(move |&&h| h != g).map(move |&h| (g, h)))
     });
-    let all = Lists::by_key(count, pairs);
+    let all = IndexLists::by_key(count, pairs);
     all.iter()
         .map(|others| {
             let mut others = others.to_vec();
@@ -190,9 +198,9 @@ fn graph(group_of: &[u32], count: usize, blocks: &Lists) -> Lists {
         .collect()
 }
 
-/// The order of elimination of a graph: leaves from all sides at once, so that trees end in their middle; what is left by
-/// minimum degree.
-fn elimination(graph: &Lists) -> Vec<u32> {
+/// Computes the elimination order of a graph: leaves from all sides, so that trees end at their centre, then minimum
+/// degree.
+fn elimination(graph: &IndexLists) -> Vec<u32> {
     let mut degree: Vec<usize> = graph.iter().map(<[u32]>::len).collect();
     let (mut order, mut is_out) = (Vec::with_capacity(graph.len()), vec![false; graph.len()]);
     let mut leaves: Vec<u32> = (0..graph.len() as u32).filter(|&g| degree[g as usize] <= 1).collect();
@@ -215,8 +223,8 @@ fn elimination(graph: &Lists) -> Vec<u32> {
     order
 }
 
-/// Approximate minimum degree order of a part of a graph.
-fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
+/// Computes the approximate minimum degree order of a part of a graph.
+fn minimum_degree(graph: &IndexLists, part: &[u32]) -> Vec<usize> {
     let count = part.len();
     if count == 0 {
         return Vec::new();
@@ -237,6 +245,6 @@ fn minimum_degree(graph: &Lists, part: &[u32]) -> Vec<usize> {
     let mut memory = MemBuffer::new(amd::order_scratch::<usize>(count, rows.len()));
     let done =
         amd::order(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory));
-    // AMD fails only when indices overflow; the natural order is then as good as any.
+    // AMD fails only on index overflow. The natural order is then used.
     if done.is_ok() { order } else { (0..count).collect() }
 }

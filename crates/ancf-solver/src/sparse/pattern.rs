@@ -1,35 +1,35 @@
-use super::elimination::Elimination;
-use super::index_lists::Lists;
+use super::elimination::EliminationOrder;
+use super::index_lists::IndexLists;
 use super::ordering::{Massless, Ranks};
-use super::supernodes::Panels;
+use super::supernodes::Supernodes;
 
-/// Where a symmetric matrix has entries, in an order fit for LDLᵀ without pivoting.
+/// Sparsity pattern of a symmetric matrix, ordered for LDLᵀ without pivoting.
 ///
-/// Coordinates are ordered on the graph of *groups*: coordinates that belong to the same terms, such as those of a node. Trees
-/// of groups are eliminated from their leaves, what is left by minimum degree. Each multiplier follows right after the last
-/// group that it touches, so that the Schur complement in its place is negative definite when it is eliminated. Coordinates
-/// without mass come after the multipliers that determine them, and positive there.
+/// Coordinates are ordered on the graph of *groups*. A group contains coordinates with the same terms, such as those of
+/// a node. Trees of groups are eliminated from their leaves, and the remainder by minimum degree. Each multiplier
+/// follows the last group that it touches. Its Schur complement is then negative definite. Massless coordinates follow
+/// the multipliers that determine them, and their Schur complement is positive.
 ///
-/// A group and what follows it make a *panel*, which is eliminated at once. Matrices and their factors are stored alike: each
-/// panel with all rows that its elimination fills, dense.
+/// A group with its followers forms a *supernode*, which is eliminated at once. Matrices and factors have the same
+/// storage: each supernode is dense with all rows of its fill-in.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     /// Position of each unknown.
     position: Vec<u32>,
-    /// The strict order: unknown at each position.
+    /// Unknown at each position.
     order: Vec<u32>,
-    /// The panel of each position.
-    panel_of: Vec<u32>,
-    panels: Panels,
-    /// Entries of multipliers with coordinates.
+    /// Supernode of each position.
+    supernode_of: Vec<u32>,
+    supernodes: Supernodes,
+    /// Entries that couple multipliers with coordinates.
     border: Vec<Border>,
-    /// Positions of coordinates without mass.
+    /// Positions of massless coordinates.
     massless: Vec<usize>,
-    /// Positions of multipliers that the equations leave undetermined, in order.
+    /// Positions of undetermined multipliers in ascending order.
     shared: Vec<usize>,
 }
 
-/// An entry of a multiplier with a coordinate.
+/// Entry that couples a multiplier with a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Border {
     /// Position of the coordinate.
@@ -41,26 +41,33 @@ pub(crate) struct Border {
 }
 
 impl Pattern {
-    /// The pattern of a sum of dense blocks, each over the given unknowns; multipliers count after coordinates. Coordinates
-    /// without mass come with the multipliers that determine them.
-    pub(crate) fn new(coordinates: usize, multipliers: usize, blocks: &Lists, massless: &[Massless]) -> Self {
+    /// Creates the pattern of a sum of dense blocks over the given unknowns. Multipliers are numbered after
+    /// coordinates.
+    ///
+    /// `massless` lists coordinates without mass and the multipliers that determine them.
+    pub(crate) fn new(
+        coordinates: usize,
+        multipliers: usize,
+        blocks: &IndexLists,
+        massless: &[Massless],
+    ) -> Self {
         let ranks = Ranks::new(coordinates, multipliers, blocks, massless);
-        let Elimination { order, panels } = Elimination::new(&ranks, blocks);
+        let EliminationOrder { order, supernodes } = EliminationOrder::new(&ranks, blocks);
         let mut position = vec![0; order.len()];
         for (&unknown, at) in order.iter().zip(0..) {
             position[unknown as usize] = at;
         }
-        let of = panels.panels.iter().zip(0..);
-        let panel_of = of.flat_map(|(panel, at)| panel.own().map(move |_| at)).collect();
+        let of = supernodes.list.iter().zip(0..);
+        let supernode_of = of.flat_map(|(supernode, at)| supernode.own().map(move |_| at)).collect();
         let late = massless.iter().flat_map(|(late, _)| late.iter());
         let massless = late.map(|&coordinate| position[coordinate] as usize).collect();
         let (border, shared) = (Vec::new(), Vec::new());
-        let pattern = Self { position, order, panel_of, panels, border, massless, shared };
+        let pattern = Self { position, order, supernode_of, supernodes, border, massless, shared };
         Self { border: pattern.borders(coordinates, blocks), ..pattern }
     }
 
-    /// The entries of the blocks of which one unknown is a multiplier and the other is not.
-    fn borders(&self, coordinates: usize, blocks: &Lists) -> Vec<Border> {
+    /// Returns the entries of the blocks that couple a multiplier with a coordinate.
+    fn borders(&self, coordinates: usize, blocks: &IndexLists) -> Vec<Border> {
         let mut borders = Vec::new();
         for block in blocks.iter() {
             let unknowns = || block.iter().map(|&unknown| unknown as usize);
@@ -79,84 +86,84 @@ impl Pattern {
         borders
     }
 
-    /// Says which unknowns are multipliers that the equations leave undetermined ([`Factor`](crate::factor::Factor)).
+    /// Marks unknowns as multipliers that the equations leave undetermined ([`Factor`](crate::factor::Factor)).
     pub(crate) fn share(&mut self, unknowns: impl Iterator<Item = usize>) {
         self.shared = unknowns.map(|unknown| self.position(unknown)).collect();
         self.shared.sort_unstable();
     }
 
-    /// The unknowns that were said to be such.
+    /// Returns the unknowns that are undetermined multipliers.
     pub(crate) fn sharing(&self) -> impl Iterator<Item = usize> {
         self.shared.iter().map(|&at| self.order[at] as usize)
     }
 
-    /// Positions of coordinates without mass.
+    /// Returns the positions of massless coordinates.
     pub(crate) fn massless(&self) -> &[usize] {
         &self.massless
     }
 
-    /// Whether there are multipliers that the equations leave undetermined.
+    /// Returns true if the equations leave some multipliers undetermined.
     pub fn is_sharing(&self) -> bool {
         !self.shared.is_empty()
     }
 
-    /// Positions of multipliers that the equations leave undetermined.
+    /// Returns the positions of undetermined multipliers.
     pub(crate) fn shared(&self) -> &[usize] {
         &self.shared
     }
 
-    /// Number of unknowns.
+    /// Returns the number of unknowns.
     pub fn size(&self) -> usize {
         self.order.len()
     }
 
-    /// Number of values of a matrix: its lower triangle, what elimination fills, and what fills up panels.
+    /// Returns the number of values of a matrix: lower triangle, fill-in and padding.
     pub fn entries(&self) -> usize {
-        self.panels.entries()
+        self.supernodes.entries()
     }
 
-    /// The panels.
-    pub(crate) fn panels(&self) -> &Panels {
-        &self.panels
+    /// Returns the supernodes.
+    pub(crate) fn supernodes(&self) -> &Supernodes {
+        &self.supernodes
     }
 
-    /// The panel of a position.
-    pub(crate) fn panel_of(&self, position: usize) -> usize {
-        self.panel_of[position] as usize
+    /// Returns the supernode of a position.
+    pub(crate) fn supernode_of(&self, position: usize) -> usize {
+        self.supernode_of[position] as usize
     }
 
-    /// Entries of multipliers with coordinates.
+    /// Returns the entries that couple multipliers with coordinates.
     pub(crate) fn border(&self) -> &[Border] {
         &self.border
     }
 
-    /// Position of an unknown in the order of elimination.
+    /// Returns the position of an unknown in the order of elimination.
     pub fn position(&self, unknown: usize) -> usize {
         self.position[unknown] as usize
     }
 
-    /// The unknown at a position.
+    /// Returns the unknown at a position.
     pub(crate) fn unknown(&self, position: usize) -> usize {
         self.order[position] as usize
     }
 
-    /// Index of the entry of two unknowns among the values of a matrix.
+    /// Returns the index of the entry of two unknowns among the values of a matrix.
     ///
     /// # Panics
-    /// If the two share no block.
+    /// If the unknowns share no block.
     pub(crate) fn slot(&self, i: usize, j: usize) -> usize {
         let (i, j) = (self.position(i), self.position(j));
         let (row, column) = (i.max(j), i.min(j));
-        let at = self.panel_of(column);
-        let panel = &self.panels.panels[at];
-        let row = self.panels.row(at, row).expect("both unknowns belong to one block");
-        panel.start + panel.shape().at(row, column - panel.first as usize)
+        let at = self.supernode_of(column);
+        let supernode = &self.supernodes.list[at];
+        let row = self.supernodes.row(at, row).expect("both unknowns belong to one block");
+        supernode.start + supernode.shape().at(row, column - supernode.first as usize)
     }
 
-    /// Index of the entry of a position with itself among the values of a matrix.
+    /// Returns the index of the diagonal entry of a position among the values of a matrix.
     pub(crate) fn diagonal(&self, position: usize) -> usize {
-        let panel = &self.panels.panels[self.panel_of(position)];
-        let at = position - panel.first as usize;
-        panel.start + panel.shape().at(at, at)
+        let supernode = &self.supernodes.list[self.supernode_of(position)];
+        let at = position - supernode.first as usize;
+        supernode.start + supernode.shape().at(at, at)
     }
 }

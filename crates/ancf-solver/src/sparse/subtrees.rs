@@ -1,146 +1,151 @@
 use std::ops::Range;
 
-use super::supernodes::{Panel, Panels};
+use super::supernodes::{Supernode, Supernodes};
 
-/// Panels that are eliminated at the same time by all threads: disjoint subtrees, and the *trunk*, which is all the rest.
+/// Partition of the supernodes into disjoint subtrees, processed in parallel, and the *trunk* of the remaining
+/// supernodes.
 ///
-/// They depend on the structure only, not on the threads: results are the same to the last digit with any number of threads.
+/// The partition depends on the structure only. Results are therefore identical to the last digit for any number of
+/// threads.
 #[derive(Debug)]
-pub(crate) struct Branches {
-    /// The branches, ascending.
-    pub(crate) branches: Vec<Branch>,
-    /// The panels of the trunk, ascending.
+pub(crate) struct Subtrees {
+    /// Subtrees in ascending order.
+    pub(crate) list: Vec<Subtree>,
+    /// Supernodes of the trunk in ascending order.
     pub(crate) trunk: Vec<Range<usize>>,
 }
 
-/// A subtree: its rows are its own positions and, outside, the rows below its root, which is its last panel.
+/// Subtree of the elimination tree. Its rows are its own positions, and outside it the rows below its root.
+///
+/// The root is the last supernode of the subtree.
 #[derive(Debug)]
-pub(crate) struct Branch {
-    pub(crate) panels: Range<usize>,
+pub(crate) struct Subtree {
+    pub(crate) supernodes: Range<usize>,
     pub(crate) positions: Range<usize>,
-    /// Where its values begin.
+    /// Index of its first value.
     pub(crate) start: usize,
 }
 
-impl Branch {
-    /// Its last panel.
+impl Subtree {
+    /// Returns the last supernode.
     pub(crate) fn root(&self) -> usize {
-        self.panels.end - 1
+        self.supernodes.end - 1
     }
 
-    fn new(panels: &Panels, root: usize) -> Self {
-        let (root, first) = (root + 1, panels.panels[root].subtree as usize);
-        let (one, last) = (panels.panels[first], panels.panels[root - 1]);
-        Self { panels: first..root, positions: one.first as usize..last.own().end, start: one.start }
+    fn new(supernodes: &Supernodes, root: usize) -> Self {
+        let (root, first) = (root + 1, supernodes.list[root].subtree as usize);
+        let (one, last) = (supernodes.list[first], supernodes.list[root - 1]);
+        Self { supernodes: first..root, positions: one.first as usize..last.own().end, start: one.start }
     }
 }
 
-/// The least number of panels of a branch. Measured: a panel takes some 0.3 to 0.8 μs, and a thread is woken in 5.
-pub(crate) const LEAST: usize = 256;
+/// Minimum number of supernodes of a subtree. Measured: 0.3 to 0.8 µs per supernode, and 5 µs to wake a thread.
+pub(crate) const MIN_SUBTREE: usize = 256;
 
-impl Branches {
-    /// Finds the branches of at least so many panels; a single one is none, but trunk.
-    pub(crate) fn new(panels: &Panels, least: usize) -> Self {
-        let mut branches = Vec::new();
-        let is_large = |&root: &usize| size(&panels.panels, root) >= least;
-        let large = |end, first| subtrees(panels, end, first).filter(is_large);
-        let mut open: Vec<usize> = large(panels.panels.len(), 0).collect();
+impl Subtrees {
+    /// Finds the subtrees with a minimum number of supernodes. A single subtree is assigned to the trunk.
+    pub(crate) fn new(supernodes: &Supernodes, least: usize) -> Self {
+        let mut subtrees = Vec::new();
+        let is_large = |&root: &usize| size(&supernodes.list, root) >= least;
+        let large = |end, first| subtree_roots(supernodes, end, first).filter(is_large);
+        let mut open: Vec<usize> = large(supernodes.list.len(), 0).collect();
         while let Some(root) = open.pop() {
-            let children = |of: usize| large(of, panels.panels[of].subtree as usize);
+            let children = |of: usize| large(of, supernodes.list[of].subtree as usize);
             let mut fork = root;
             while let (Some(child), None) = (children(fork).next(), children(fork).nth(1)) {
                 fork = child;
             }
-            // All that is on the way to a fork becomes trunk.
-            let way = size(&panels.panels, root) - size(&panels.panels, fork);
-            if children(fork).nth(1).is_some() && 8 * way < size(&panels.panels, root) {
+            // The supernodes between a root and its fork become part of the trunk.
+            let way = size(&supernodes.list, root) - size(&supernodes.list, fork);
+            if children(fork).nth(1).is_some() && 8 * way < size(&supernodes.list, root) {
                 open.extend(children(fork));
             } else {
-                branches.push(Branch::new(panels, root));
+                subtrees.push(Subtree::new(supernodes, root));
             }
         }
-        if branches.len() < 2 {
-            branches.clear();
+        if subtrees.len() < 2 {
+            subtrees.clear();
         }
-        branches.sort_unstable_by_key(Branch::root);
-        let mut trunk = Vec::with_capacity(branches.len() + 1);
-        let starts = branches.iter().map(|branch| branch.panels.start).chain([panels.panels.len()]);
-        let ends = [0].into_iter().chain(branches.iter().map(|branch| branch.panels.end));
+        subtrees.sort_unstable_by_key(Subtree::root);
+        let mut trunk = Vec::with_capacity(subtrees.len() + 1);
+        let starts = subtrees.iter().map(|subtree| subtree.supernodes.start).chain([supernodes.list.len()]);
+        let ends = [0].into_iter().chain(subtrees.iter().map(|subtree| subtree.supernodes.end));
         trunk.extend(ends.zip(starts).map(|(from, to)| from..to).filter(|range| !range.is_empty()));
-        Self { branches, trunk }
+        Self { list: subtrees, trunk }
     }
 }
 
-/// Number of panels of a subtree.
-fn size(panels: &[Panel], root: usize) -> usize {
-    root + 1 - panels[root].subtree as usize
+/// Returns the number of supernodes of a subtree.
+fn size(supernodes: &[Supernode], root: usize) -> usize {
+    root + 1 - supernodes[root].subtree as usize
 }
 
-/// The children of a panel, the last one first.
+/// Returns the children of a supernode in descending order.
 #[inline(always)]
-pub(crate) fn children(panels: &Panels, panel: usize) -> impl Iterator<Item = usize> {
-    subtrees(panels, panel, panels.panels[panel].subtree as usize)
+pub(crate) fn children(supernodes: &Supernodes, supernode: usize) -> impl Iterator<Item = usize> {
+    subtree_roots(supernodes, supernode, supernodes.list[supernode].subtree as usize)
 }
 
-/// The roots of the subtrees that end before a panel, from the last one down to that with panel `first`.
+/// Returns the roots of the subtrees that end before `end`, in descending order down to the supernode `first`.
 #[inline(always)]
-fn subtrees(panels: &Panels, end: usize, first: usize) -> impl Iterator<Item = usize> {
+fn subtree_roots(supernodes: &Supernodes, end: usize, first: usize) -> impl Iterator<Item = usize> {
     let mut end = end;
     std::iter::from_fn(move || {
         let root = end.checked_sub(1).filter(|&root| root >= first)?;
-        end = panels.panels[root].subtree as usize;
+        end = supernodes.list[root].subtree as usize;
         Some(root)
     })
 }
 
-/// The entries of a vector from one on.
-pub(crate) struct Stretch<'a> {
+/// Section of a vector that starts at an offset.
+pub(crate) struct VectorSection<'a> {
     first: usize,
     values: &'a mut [f64],
 }
 
-impl<'a> Stretch<'a> {
-    /// All of a vector.
-    pub(crate) fn whole(values: &'a mut [f64]) -> Self {
+impl<'a> VectorSection<'a> {
+    /// Creates the section of a full vector.
+    pub(crate) fn full(values: &'a mut [f64]) -> Self {
         Self { first: 0, values }
     }
 
-    /// What comes before an entry, and the rest.
-    pub(crate) fn cut(self, at: usize) -> (Self, Self) {
+    /// Splits the section at an entry.
+    pub(crate) fn split_at(self, at: usize) -> (Self, Self) {
         let (before, after) = self.values.split_at_mut(at - self.first);
         (Self { first: self.first, values: before }, Self { first: at, values: after })
     }
 
-    /// Some of the entries.
+    /// Returns some of the entries.
     #[inline(always)]
-    pub(crate) fn of(&mut self, entries: Range<usize>) -> &mut [f64] {
+    pub(crate) fn slice(&mut self, entries: Range<usize>) -> &mut [f64] {
         &mut self.values[entries.start - self.first..entries.end - self.first]
     }
 
-    /// The same.
-    pub(crate) fn into_of(self, entries: Range<usize>) -> &'a mut [f64] {
+    /// Returns some of the entries and consumes the section.
+    pub(crate) fn into_slice(self, entries: Range<usize>) -> &'a mut [f64] {
         &mut self.values[entries.start - self.first..entries.end - self.first]
     }
 }
 
-/// Does the branches at the same time, each with a space of its own and with its part of what `cut` parts before a branch.
-pub(crate) fn fork<S: Send, P: Send>(
-    branches: &[Branch],
+/// Processes the subtrees in parallel, each with its own working storage and data. `cut` splits the data before a
+/// subtree.
+pub(crate) fn process_subtrees<S: Send, P: Send>(
+    subtrees: &[Subtree],
     spaces: &mut [S],
-    parted: P,
-    cut: &(impl Fn(P, &Branch) -> (P, P) + Sync),
-    work: &(impl Fn(&Branch, &mut S, P) + Sync),
+    data: P,
+    cut: &(impl Fn(P, &Subtree) -> (P, P) + Sync),
+    work: &(impl Fn(&Subtree, &mut S, P) + Sync),
 ) {
-    match (branches, spaces) {
+    match (subtrees, spaces) {
         ([], _) | (_, []) => {}
-        ([branch], [space, ..]) => work(branch, space, parted),
+        ([subtree], [space, ..]) => work(subtree, space, data),
         (_, spaces) => {
-            let middle = branches.len() / 2;
-            let ((left, right), (here, there)) = (branches.split_at(middle), spaces.split_at_mut(middle));
-            let (before, after) = cut(parted, &right[0]);
-            let one = || fork(left, here, before, cut, work);
-            let other = || fork(right, there, after, cut, work);
-            // One thread need not wake another that is alone too.
+            let middle = subtrees.len() / 2;
+            let ((left, right), (here, there)) = (subtrees.split_at(middle), spaces.split_at_mut(middle));
+            let (before, after) = cut(data, &right[0]);
+            let one = || process_subtrees(left, here, before, cut, work);
+            let other = || process_subtrees(right, there, after, cut, work);
+            // With a single thread, waking another one has no benefit.
             if rayon::current_num_threads() > 1 {
                 rayon::join(one, other);
             } else {
@@ -153,36 +158,37 @@ pub(crate) fn fork<S: Send, P: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::index_lists::Lists;
+    use super::super::index_lists::IndexLists;
     use super::super::pattern::Pattern;
     use super::*;
 
-    /// Branches and trunk are all panels, once; nothing in a branch touches anything outside but rows of its root.
-    fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Branches {
-        let blocks: Lists = links.map(|(a, b)| vec![a, b]).collect();
+    /// Checks that subtrees and trunk partition all supernodes. Outside a subtree, only rows of its root may occur.
+    fn checked(links: impl Iterator<Item = (u32, u32)>, nodes: usize) -> Subtrees {
+        let blocks: IndexLists = links.map(|(a, b)| vec![a, b]).collect();
         let pattern = Pattern::new(nodes, 0, &blocks, &[]);
-        let panels = pattern.panels();
-        let found = Branches::new(panels, LEAST);
+        let supernodes = pattern.supernodes();
+        let found = Subtrees::new(supernodes, MIN_SUBTREE);
         let mut all: Vec<usize> = found.trunk.iter().cloned().flatten().collect();
-        all.extend(found.branches.iter().flat_map(|branch| branch.panels.clone()));
+        all.extend(found.list.iter().flat_map(|subtree| subtree.supernodes.clone()));
         all.sort_unstable();
-        assert!(all.into_iter().eq(0..panels.panels.len()));
-        for branch in &found.branches {
-            assert!(branch.panels.len() >= LEAST);
-            let rows = branch.panels.clone().flat_map(|at| panels.runs(at)).flat_map(|run| run.positions());
-            let outside = rows.filter(|row| !branch.positions.contains(row));
-            outside.for_each(|row| assert!(panels.row(branch.root(), row).is_some()));
+        assert!(all.into_iter().eq(0..supernodes.list.len()));
+        for subtree in &found.list {
+            assert!(subtree.supernodes.len() >= MIN_SUBTREE);
+            let rows =
+                subtree.supernodes.clone().flat_map(|at| supernodes.runs(at)).flat_map(|run| run.positions());
+            let outside = rows.filter(|row| !subtree.positions.contains(row));
+            outside.for_each(|row| assert!(supernodes.row(subtree.root(), row).is_some()));
         }
         found
     }
 
-    /// A chain has two halves, a tree more, a chain that is too short none.
+    /// A chain has two subtrees, a tree more, and a short chain none.
     #[test]
     fn chains_and_trees() {
         let chain = |nodes: u32| checked((1..nodes).map(|n| (n - 1, n)), nodes as usize);
-        assert_eq!(chain(3000).branches.len(), 2);
-        assert!(chain(500).branches.is_empty());
-        // Eight chains of 400 nodes, two by two at the ends of four chains of ten nodes, and these at one node.
+        assert_eq!(chain(3000).list.len(), 2);
+        assert!(chain(500).list.is_empty());
+        // Eight chains of 400 nodes, in pairs at the ends of four chains of ten nodes with a common node.
         let parent = |n: u32| match n {
             1..=40 => {
                 if n % 10 == 1 {
@@ -195,8 +201,8 @@ mod tests {
             _ => n - 1,
         };
         let tree = checked((1..3241).map(|n| (parent(n), n)), 3241);
-        assert_eq!(tree.branches.len(), 8);
-        // A ring, and a ladder.
+        assert_eq!(tree.list.len(), 8);
+        // A ring and a ladder.
         checked((0..3000).map(|n| (n, (n + 1) % 3000)), 3000);
         checked((0..4000).flat_map(|n| [(n, n + 2), (n - n % 2, n - n % 2 + 1)]), 4002);
     }

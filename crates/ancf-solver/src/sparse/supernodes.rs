@@ -1,161 +1,161 @@
 use std::ops::Range;
 
-/// Numbers of a panel that are handled at once.
-pub(crate) const LANES: usize = 4;
+/// Number of rows that are processed at once.
+pub(crate) const QUAD: usize = 4;
 
-/// Four numbers of a column, one below the other.
-pub(crate) type Quad = [f64; LANES];
+/// Four consecutive numbers of a column.
+pub(crate) type Quad = [f64; QUAD];
 
-/// The least number of quads that hold so many rows.
+/// Returns the number of quads that hold the given number of rows.
 pub(crate) const fn quads(rows: usize) -> usize {
-    rows.div_ceil(LANES)
+    rows.div_ceil(QUAD)
 }
 
-/// The form of a lower block column: its own rows, filled up to quads, then those below, filled up likewise.
+/// Shape of a lower block column: its own rows, padded to quads, then the rows below, padded to quads.
 ///
-/// Columns come in fours, which begin at the quad of their diagonal. So nothing has to be done one by one at the ends, and little
-/// is stored for nothing: 240 numbers for 12 columns and 12 rows below, where 222 have a meaning.
+/// Columns are stored in groups of four that start at the quad of their diagonal. No remainder loops are necessary, and
+/// the padding is small: 240 stored numbers for 12 columns and 12 rows below, of which 222 are entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Shape {
+pub(crate) struct SupernodeShape {
     /// Number of columns.
     pub(crate) columns: usize,
     /// Height in quads.
     pub(crate) height: usize,
 }
 
-impl Shape {
-    /// That of so many columns with so many rows below.
+impl SupernodeShape {
+    /// Creates the shape with the given numbers of columns and rows below.
     pub(crate) const fn new(columns: usize, below: usize) -> Self {
         Self { columns, height: quads(columns) + quads(below) }
     }
 
-    /// Quads of its own rows.
+    /// Returns the number of quads of its own rows.
     #[inline(always)]
     pub(crate) const fn own(self) -> usize {
         quads(self.columns)
     }
 
-    /// Quads of the rows below.
+    /// Returns the number of quads of the rows below.
     #[inline(always)]
     pub(crate) const fn below(self) -> usize {
         self.height - self.own()
     }
 
-    /// The quads of a column among all, from that of its diagonal on.
+    /// Returns the quads of a column, from the quad of its diagonal.
     #[inline(always)]
     pub(crate) fn column(self, j: usize) -> Range<usize> {
-        let four = j / LANES;
+        let four = j / QUAD;
         let length = self.height - four;
-        let start = LANES * four * self.height - 2 * four * four.saturating_sub(1) + (j % LANES) * length;
+        let start = QUAD * four * self.height - 2 * four * four.saturating_sub(1) + (j % QUAD) * length;
         start..start + length
     }
 
-    /// The quads of four columns, or of those that are left.
+    /// Returns the quads of a group of four columns, or of the last, incomplete group.
     #[inline(always)]
     pub(crate) fn columns_of(self, four: usize) -> Range<usize> {
-        let columns = LANES.min(self.columns - LANES * four);
-        let start = self.column(LANES * four).start;
+        let columns = QUAD.min(self.columns - QUAD * four);
+        let start = self.column(QUAD * four).start;
         start..start + columns * (self.height - four)
     }
 
-    /// Number of quads.
+    /// Returns the number of quads.
     #[inline(always)]
     pub(crate) fn size(self) -> usize {
         self.column(self.columns).start
     }
 
-    /// Where the number of a row and a column is, row ≥ column; rows below count from the first quad below.
+    /// Returns the index of the number at row ≥ column. Rows below are counted from the first quad below.
     pub(crate) fn at(self, row: usize, column: usize) -> usize {
-        LANES * self.column(column).start + row - (column - column % LANES)
+        QUAD * self.column(column).start + row - (column - column % QUAD)
     }
 }
 
-/// A block column of a matrix and of its factor: neighbours in the order of elimination that are eliminated together.
+/// Block column of a matrix and its factor: neighbouring unknowns that are eliminated together.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Panel {
+pub(crate) struct Supernode {
     /// Position of its first unknown.
     pub(crate) first: u32,
     /// Number of its unknowns.
     pub(crate) columns: u32,
     /// Number of rows below.
     pub(crate) below: u32,
-    /// The first of its runs among all.
+    /// Index of its first run.
     pub(crate) runs: u32,
-    /// The first panel of its subtree, whose panels are all from there to itself.
+    /// First supernode of its subtree, which ends at this supernode.
     pub(crate) subtree: u32,
-    /// Where its values begin.
+    /// Index of its first value.
     pub(crate) start: usize,
 }
 
-impl Panel {
+impl Supernode {
     #[inline(always)]
-    pub(crate) fn shape(&self) -> Shape {
-        Shape::new(self.columns as usize, self.below as usize)
+    pub(crate) fn shape(&self) -> SupernodeShape {
+        SupernodeShape::new(self.columns as usize, self.below as usize)
     }
 
-    /// The positions of its unknowns.
+    /// Returns the positions of its unknowns.
     #[inline(always)]
     pub(crate) fn own(&self) -> Range<usize> {
         self.first as usize..(self.first + self.columns) as usize
     }
 
-    /// Its values among all.
+    /// Returns the range of its values.
     #[inline(always)]
     pub(crate) fn values(&self) -> Range<usize> {
-        self.start..self.start + LANES * self.shape().size()
+        self.start..self.start + QUAD * self.shape().size()
     }
 
-    /// The form of what its elimination leaves to later panels.
+    /// Returns the shape of its update matrix.
     #[inline(always)]
-    pub(crate) fn update(&self) -> Shape {
-        Shape { columns: LANES * quads(self.below as usize), height: quads(self.below as usize) }
+    pub(crate) fn update(&self) -> SupernodeShape {
+        SupernodeShape { columns: QUAD * quads(self.below as usize), height: quads(self.below as usize) }
     }
 }
 
-/// Rows below a panel that follow each other and belong to one later panel.
+/// Run: consecutive rows below a supernode that belong to one later supernode.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    /// Position of the first.
+pub(crate) struct RowRun {
+    /// Position of the first row.
     pub(crate) first: u32,
     /// Number of rows.
     pub(crate) length: u32,
-    /// The first among the rows of the parent, its own or those below.
-    pub(crate) into: u32,
+    /// First row in the parent, counted over its own rows and the rows below.
+    pub(crate) parent_row: u32,
 }
 
-impl Run {
-    /// The positions.
+impl RowRun {
+    /// Returns the positions.
     #[inline(always)]
     pub(crate) fn positions(&self) -> Range<usize> {
         self.first as usize..(self.first + self.length) as usize
     }
 }
 
-/// The panels of a pattern in the order of elimination, and the runs of their rows.
+/// Supernodes of a pattern in the order of elimination, and the runs of their rows.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Panels {
-    /// The panels.
-    pub(crate) panels: Vec<Panel>,
-    /// The runs of all of them.
-    pub(crate) runs: Vec<Run>,
+pub(crate) struct Supernodes {
+    /// Supernodes.
+    pub(crate) list: Vec<Supernode>,
+    /// Runs of all supernodes.
+    pub(crate) runs: Vec<RowRun>,
 }
 
-impl Panels {
-    /// The runs of a panel, ascending.
+impl Supernodes {
+    /// Returns the runs of a supernode in ascending order.
     #[inline(always)]
-    pub(crate) fn runs(&self, panel: usize) -> &[Run] {
-        let end = self.panels.get(panel + 1).map_or(self.runs.len(), |next| next.runs as usize);
-        &self.runs[self.panels[panel].runs as usize..end]
+    pub(crate) fn runs(&self, supernode: usize) -> &[RowRun] {
+        let end = self.list.get(supernode + 1).map_or(self.runs.len(), |next| next.runs as usize);
+        &self.runs[self.list[supernode].runs as usize..end]
     }
 
-    /// The row of a position in a panel, of those that it has.
-    pub(crate) fn row(&self, panel: usize, position: usize) -> Option<usize> {
-        let own = self.panels[panel].own();
+    /// Returns the row of a position in a supernode, if the supernode has it.
+    pub(crate) fn row(&self, supernode: usize, position: usize) -> Option<usize> {
+        let own = self.list[supernode].own();
         if own.contains(&position) {
             return Some(position - own.start);
         }
-        let mut row = LANES * quads(own.len());
-        for run in self.runs(panel) {
+        let mut row = QUAD * quads(own.len());
+        for run in self.runs(supernode) {
             if run.positions().contains(&position) {
                 return Some(row + position - run.first as usize);
             }
@@ -164,8 +164,8 @@ impl Panels {
         None
     }
 
-    /// Number of values of a matrix.
+    /// Returns the number of values of a matrix.
     pub(crate) fn entries(&self) -> usize {
-        self.panels.last().map_or(0, |last| last.values().end)
+        self.list.last().map_or(0, |last| last.values().end)
     }
 }

@@ -1,39 +1,41 @@
 use crate::equations::{Energy, EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Mover, Newton, Report, SolveError};
+use crate::newton::{Failure, Newton, Report, SolveError, StateUpdate};
 
-/// How an equilibrium was found.
+/// Report of an equilibrium solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Equilibrium {
-    /// Newton iterations, those of failed attempts included.
+    /// Number of Newton iterations, including failed attempts.
     pub iterations: u32,
-    /// Increments that were tried, 1 unless some failed.
+    /// Number of attempted increments. It is 1 unless an attempt failed.
     pub attempts: u32,
     /// Euclidean norm of the last residual that was evaluated.
     pub residual: f64,
     /// Euclidean norm of the last increment of the coordinates.
     pub increment: f64,
-    /// Whether the rounding error of the residual ended the iteration.
+    /// True if the iteration ended at the rounding error of the residual.
     pub floor: bool,
-    /// Number of independent directions in which it is unstable: negative eigenvalues of the stiffness on the motions
-    /// that the constraints leave, of the last matrix that was factorised. `None` if its factors do not tell.
+    /// Number of unstable directions, from the last factorised matrix.
+    ///
+    /// These are the negative eigenvalues of the stiffness on the motions permitted by the constraints. `None` if the
+    /// factors do not provide the inertia.
     pub unstable: Option<usize>,
-    /// Its energies.
+    /// Energies of the equilibrium.
     pub energy: Energy,
 }
 
 impl Equilibrium {
-    /// Iterates a state to equilibrium and refuses one with an element inside out.
+    /// Iterates a state to equilibrium. Rejects inadmissible states.
     pub(crate) fn find(
         newton: &mut Newton,
-        mover: &mut dyn Mover,
+        update: &mut dyn StateUpdate,
         eom: &dyn EquationsOfMotion,
         s: &mut State,
     ) -> Result<Self, SolveError> {
-        let mut report = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
+        let mut report = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
         if report.iterations == 1 {
-            // A mechanism can fly off by an increment whose energy is nothing beside that of the state it leads to.
-            let again = newton.solve_by(mover, eom, s, Weights::STIFFNESS)?;
-            report = Report { iterations: 1 + again.iterations, ..again };
+            // The first increment of a mechanism may have negligible energy compared with the state that it leads to.
+            let repeated = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
+            report = Report { iterations: 1 + repeated.iterations, ..repeated };
         }
         if let Some(worst) = eom.inadmissible(s) {
             return Err(SolveError::after(report, s.t, Failure::Inverted, worst));
@@ -43,14 +45,14 @@ impl Equilibrium {
         Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
-    /// The error that refuses this equilibrium.
-    pub(crate) fn refuse(&self, failure: Failure, s: &State) -> SolveError {
+    /// Creates the error that rejects this equilibrium.
+    pub(crate) fn reject(&self, failure: Failure, s: &State) -> SolveError {
         let Self { iterations, residual, increment, floor, .. } = *self;
         SolveError::after(Report { iterations, residual, increment, floor }, s.t, failure, 0)
     }
 
-    /// Takes over the last attempt and adds up its cost.
-    pub(crate) fn after(&self, last: Self) -> Self {
+    /// Adds the cost of this attempt to that of the next one and returns the next one.
+    pub(crate) fn followed_by(&self, last: Self) -> Self {
         Self {
             iterations: self.iterations + last.iterations,
             attempts: self.attempts + last.attempts,
@@ -58,12 +60,12 @@ impl Equilibrium {
         }
     }
 
-    /// Takes over another solution of the same attempt and adds up its cost.
-    pub(crate) fn again(&self, last: Self) -> Self {
+    /// Adds the cost of this solution to that of a repetition within the same attempt.
+    pub(crate) fn repeated(&self, last: Self) -> Self {
         Self { iterations: self.iterations + last.iterations, ..last }
     }
 
-    /// Adds up the cost of an attempt that failed.
+    /// Adds the cost of a failed attempt.
     pub(crate) fn failed(&mut self, cause: &SolveError) {
         self.iterations += cause.iterations;
         self.attempts += 1;

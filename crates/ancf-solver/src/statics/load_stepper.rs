@@ -2,78 +2,80 @@ use std::ops::ControlFlow;
 
 use super::equilibrium::Equilibrium;
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{Current, EquilibriumError, Failure, LineSearch, Newton, SolveError};
+use crate::newton::{ActiveSet, EquilibriumError, Failure, LineSearch, Newton, SolveError};
 use crate::sparse::SparseMatrix;
 
-/// Sizes of load increments, as parts of the way from the first load factor to the last.
+/// Sizes of load increments, relative to the interval between the first and the last load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Increments {
-    /// What is tried first.
+    /// First increment.
     pub first: f64,
-    /// The least that is tried.
+    /// Smallest permitted increment.
     pub smallest: f64,
-    /// An increment that took at most so many iterations is followed by one twice as large.
+    /// Iteration count up to which the next increment is doubled.
     pub quick: u32,
-    /// An equilibrium less stable than the one before it is refused after any larger increment than this: Newton's
-    /// method finds unstable equilibria as readily as stable ones, the straight state of a buckling column first of all.
+    /// Largest increment after which a loss of stability is accepted.
+    ///
+    /// Newton's method also finds unstable equilibria, such as the straight state of a buckling column. After larger
+    /// increments they are rejected.
     pub trusted: f64,
 }
 
 impl Default for Increments {
-    /// All at once; at least 2⁻²⁰, trusted from 2⁻¹⁶ on.
+    /// A single increment, halved down to 2⁻²⁰, trusted from 2⁻¹⁶.
     fn default() -> Self {
         Self { first: 1.0, smallest: 0.5_f64.powi(20), quick: 12, trusted: 0.5_f64.powi(16) }
     }
 }
 
-/// Iterations without progress that are borne: a slender beam whose first increment stretched it takes about twenty.
-const PATIENCE: u32 = 30;
-/// Parts of the way closer than this to its end are its end.
-const CLOSE: f64 = 1e-12;
+/// Stagnation limit. A slender beam that the first increment stretched takes about twenty iterations.
+const STAGNATION_LIMIT: u32 = 30;
+/// Tolerance of the end of the interval, relative to its length.
+const END_TOLERANCE: f64 = 1e-12;
 
-/// Equilibrium under growing loads: r(q, λ, s) = 0 with v = a = 0, for load factors s from that of the start to a last one.
+/// Incremental-iterative solution of static equilibrium: r(q, λ, s) = 0 with v = a = 0 up to a final load factor s.
 ///
-/// Each increment of s starts from the line through the last two equilibria and is solved by Newton's method with a line
-/// search as a safeguard; one that fails is halved, quick ones are followed by larger ones. Past a load that has no
-/// equilibrium near by, [`Path`](super::path::Path) leads.
+/// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
+/// corrects it. Failed increments are halved, and increments follow that double after fast convergence. Beyond a limit
+/// point, use [`Path`](super::arc_length::Path).
 #[derive(Debug)]
 pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
-    eom: Current<'a, E>,
+    eom: ActiveSet<'a, E>,
     newton: Newton,
     increments: Increments,
     search: LineSearch,
     state: State,
     /// Number of unstable directions of the current state.
     unstable: Option<usize>,
-    /// The equilibrium before the current one, if there was any.
+    /// Previous equilibrium.
     before: Option<State>,
     trial: State,
 }
 
 impl<'a, E: EquationsOfMotion> Statics<'a, E> {
-    /// Starts from a state at or near equilibrium under its own load factor, such as that of rest with `load` = 0.
+    /// Starts from a state at or near equilibrium under its load factor, such as the state at rest with `load` = 0.
     ///
-    /// Velocities and accelerations are set to zero. The start is taken to be stable.
+    /// Velocities and accelerations are set to zero. The start is assumed to be stable.
     pub fn new(eom: &'a E, mut newton: Newton, increments: Increments, mut start: State) -> Self {
         start.v.fill(0.0);
         start.a.fill(0.0);
-        newton.bear(PATIENCE);
+        newton.set_stagnation_limit(STAGNATION_LIMIT);
         let search = LineSearch::new(&start);
         let (unstable, before, trial) = (Some(0), None, start.clone());
-        Self { eom: Current::new(eom), newton, increments, search, state: start, unstable, before, trial }
+        Self { eom: ActiveSet::new(eom), newton, increments, search, state: start, unstable, before, trial }
     }
 
-    /// The current state.
+    /// Returns the current state.
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// Moves on to the load factor `to`; `each` sees every equilibrium on the way and may break there.
+    /// Advances to the load factor `to`. `each` receives every equilibrium and may stop the analysis.
     ///
-    /// Reports the last equilibrium and the iterations and attempts of all.
+    /// Returns the last equilibrium with the iterations and attempts of all increments.
     ///
     /// # Errors
-    /// If the smallest permitted increment fails; the state is then that of the last equilibrium.
+    /// If the smallest permitted increment fails. The state is then the last equilibrium.
     pub fn advance(
         &mut self,
         to: f64,
@@ -83,11 +85,11 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         let (mut done, mut part) = (0.0, self.increments.first.max(self.increments.smallest));
         let (mut total, mut found) = (Equilibrium::default(), Equilibrium::default());
         loop {
-            let next = if done + part > 1.0 - CLOSE { 1.0 } else { done + part };
+            let next = if done + part > 1.0 - END_TOLERANCE { 1.0 } else { done + part };
             let load = if next == 1.0 { to } else { from + next * way };
             match self.attempt(load, next - done > self.increments.trusted) {
                 Ok(last) => {
-                    (total, found) = (total.after(last), found.after(last));
+                    (total, found) = (total.followed_by(last), found.followed_by(last));
                     done = next;
                     if each(&self.state, &found).is_break() || done == 1.0 {
                         return Ok(total);
@@ -107,21 +109,21 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         }
     }
 
-    /// Finds the equilibrium at a load factor and makes it the current state.
-    fn attempt(&mut self, load: f64, wary: bool) -> Result<Equilibrium, SolveError> {
+    /// Solves for the equilibrium at a load factor and makes it the current state.
+    fn attempt(&mut self, load: f64, check_stability: bool) -> Result<Equilibrium, SolveError> {
         self.take_in()?;
         let mut found = Equilibrium::default();
         loop {
             self.predict(load);
             let Self { newton, search, eom, trial, .. } = self;
-            found = found.again(Equilibrium::find(newton, search, &**eom, trial)?);
+            found = found.repeated(Equilibrium::find(newton, search, &**eom, trial)?);
             let Some((eom, matrix)) = eom.completed(trial) else { break };
-            // Something acts there that was not among the equations.
-            self.renew(eom, matrix)?;
+            // A term that is active there was not included.
+            self.replace_equations(eom, matrix)?;
         }
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
-        if wary && lost {
-            return Err(found.refuse(Failure::Unstable, &self.trial));
+        if check_stability && lost {
+            return Err(found.reject(Failure::Unstable, &self.trial));
         }
         self.newton.met(found.energy.largest());
         let before = self.before.get_or_insert_with(|| self.state.clone());
@@ -131,28 +133,30 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
         Ok(found)
     }
 
-    /// The energies of the current state.
+    /// Returns the energies of the current state.
     pub fn energy(&self) -> Energy {
         self.eom.energy(&self.state)
     }
 
-    /// Takes in the terms that may soon act. To be called before the first look at the energy; increments do it by themselves.
+    /// Includes the terms that may become active soon. Must be called before the first evaluation of the energy.
+    ///
+    /// Increments call it automatically.
     ///
     /// # Errors
-    /// If memory does not suffice.
+    /// If the memory does not suffice.
     pub fn take_in(&mut self) -> Result<(), SolveError> {
         match self.eom.ahead(&self.state) {
-            Some((eom, matrix)) => self.renew(eom, matrix),
+            Some((eom, matrix)) => self.replace_equations(eom, matrix),
             None => Ok(()),
         }
     }
 
-    fn renew(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         self.eom.replace(eom);
-        self.newton.adopt(matrix)
+        self.newton.replace_matrix(matrix)
     }
 
-    /// Sets the trial state on the line through the last two equilibria.
+    /// Predicts the trial state on the line through the last two equilibria.
     fn predict(&mut self, load: f64) {
         let Self { trial, state, before, .. } = self;
         trial.copy_from(state);

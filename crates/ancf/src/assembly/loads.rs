@@ -24,6 +24,7 @@ impl Model {
         let function = load.function(clock);
         match load {
             Load::Force { .. } | Load::Moment { .. } | Load::External { .. } => Terms::new(),
+            Load::Custom(load) => load.kind().terms(&self.attachment(bodies, load.kind().on()), function),
             Load::DistributedForce { .. } | Load::DistributedMoment { .. } => {
                 load.stretch().map_or_else(Terms::new, |on| self.along(load, &on, bodies, &function))
             }

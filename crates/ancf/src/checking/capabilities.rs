@@ -2,8 +2,9 @@
 
 use super::findings::{body, named, places_of};
 use crate::errors::{Finding, finding, quoted};
-use crate::joints::{Capability, End};
-use crate::model::{Body, Model, Quantity, joints_of, loads_of};
+use crate::joints::End;
+use crate::model::Capability;
+use crate::model::{Body, Load, Model, Quantity, joints_of, loads_of};
 
 pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
     let joints = joints_of(model).flat_map(|(path, joint)| {
@@ -18,17 +19,18 @@ pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
         .collect::<Vec<_>>()
     });
     let loads = loads_of(model).filter_map(|(path, load)| {
-        let what = match (load.is_moment(), load.is_follower()) {
-            (true, _) => "a moment",
-            (false, true) => "a follower",
-            (false, false) => return None,
+        let (capability, what) = match (load, load.is_moment(), load.is_follower()) {
+            (Load::Custom(load), ..) => load.kind().needs()?,
+            (_, true, _) => (Capability::Section, "a moment"),
+            (_, false, true) => (Capability::Section, "a follower"),
+            (_, false, false) => return None,
         };
         let (key, name) = match (load.on(), load.stretch()) {
             (Some(place), _) => ("on.body", place.body.as_str()),
             (None, Some(stretch)) => ("body", stretch.body),
             (None, None) => return None,
         };
-        rule(model, format!("{path}.{key}"), name, &Capability::Section, what)
+        rule(model, format!("{path}.{key}"), name, &capability, what)
     });
     let probes = model.probes.iter().enumerate().flat_map(|(i, probe)| {
         let path = format!("probes[{i}].on");

@@ -29,8 +29,8 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let of_joints = [
         super::joints::axes,
         super::joints::spans,
-        super::joints::kinds,
         super::joints::acting,
+        super::joints::kinds,
         super::joints::couplings,
     ];
     let special = of_times.iter().chain(&of_loads).chain(&of_joints);

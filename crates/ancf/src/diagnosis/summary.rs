@@ -95,6 +95,7 @@ impl Model {
             Load::BaseAcceleration { .. } => "base acceleration",
             Load::Fluid(_) => "fluid",
             Load::External { .. } => "external force",
+            Load::Custom(load) => load.kind().noun(),
         });
         let gravity = (self.gravity != [0.0; 3]).then_some("gravity");
         count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))

@@ -1,8 +1,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{Capability, Clamped, End, JointBuilder, JointKind};
-use crate::model::Place;
+use crate::joints::parts::{Clamped, End, JointBuilder, JointKind};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// A clamp: ties position and orientation.

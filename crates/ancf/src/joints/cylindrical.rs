@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularSpring, Capability, End, Freed, JointBuilder, JointKind, LinearDrive,
+    Acting, AngularDrive, AngularSpring, End, Freed, JointBuilder, JointKind, LinearDrive,
 };
-use crate::model::{Place, TimeFunction};
+use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// A pin in a sleeve: leaves rotation about an axis and displacement along it.

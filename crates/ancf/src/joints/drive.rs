@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding, number};
-use crate::joints::parts::{Capability, Clamped, End, JointBuilder, JointContext, JointKind};
-use crate::model::{Place, TimeFunction};
+use crate::joints::parts::{Clamped, End, JointBuilder, JointContext, JointKind};
+use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// A clamp to a frame that rotates about the place and moves as prescribed.

@@ -13,7 +13,7 @@ use super::slide::Slide;
 use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
-use crate::joints::parts::{Clamped, End, JointKind};
+use crate::joints::parts::{Clamped, CustomJoint, End, JointKind};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -28,6 +28,10 @@ macro_rules! joint_kinds {
         #[expect(missing_docs, reason = "the data of each kind are documented")]
         pub enum Joint {
             $($kind($data),)*
+            /// A joint of a kind that a program adds; model files have none.
+            #[serde(skip)]
+            #[schemars(skip)]
+            Custom(CustomJoint),
         }
 
         impl Joint {
@@ -35,6 +39,7 @@ macro_rules! joint_kinds {
             pub fn kind(&self) -> &dyn JointKind {
                 match self {
                     $(Self::$kind(joint) => joint,)*
+                    Self::Custom(joint) => joint.kind(),
                 }
             }
 
@@ -42,6 +47,7 @@ macro_rules! joint_kinds {
             pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
                 match self {
                     $(Self::$kind(joint) => joint,)*
+                    Self::Custom(joint) => joint.kind_mut(),
                 }
             }
         }

@@ -17,6 +17,7 @@ mod slide;
 mod spherical;
 mod universal;
 
+pub use crate::model::Capability;
 pub use clamp::Clamp;
 pub use cylindrical::Cylindrical;
 pub use distance::Distance;
@@ -24,9 +25,9 @@ pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
 pub use joint::Joint;
 pub use parts::{
-    Acting, AngularDrive, AngularFriction, AngularSpring, Capability, Clamped, Closed, Coupled, Coupling,
-    End, Freed, Freedom, Ground, JointBuilder, JointContext, JointKind, JointTerm, Led, LinearDrive,
-    LinearFriction, LinearSpring, Symbol,
+    Acting, AngularDrive, AngularFriction, AngularSpring, Clamped, Closed, Coupled, Coupling, CustomJoint,
+    End, Freed, Freedom, Ground, JointBuilder, JointContext, JointKind, JointObject, JointTerm, Led,
+    LinearDrive, LinearFriction, LinearSpring, Symbol,
 };
 pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
 pub use planar::Planar;

@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{Capability, End, JointBuilder, JointKind};
-use crate::model::Place;
+use crate::joints::parts::{End, JointBuilder, JointKind};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// A plate on a plane: leaves displacements in a plane and rotation about its normal.

@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{Acting, Capability, End, JointBuilder, JointKind};
-use crate::model::Place;
+use crate::joints::parts::{Acting, End, JointBuilder, JointKind};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// A point on a straight line: leaves displacement along it and all rotations.

@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, Capability, End, Freed, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    Acting, End, Freed, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
-use crate::model::{Place, TimeFunction};
+use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// A slider in a straight guide: leaves displacement along an axis.

@@ -3,9 +3,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularFriction, AngularSpring, Capability, End, Freed, JointBuilder, JointKind,
+    Acting, AngularDrive, AngularFriction, AngularSpring, End, Freed, JointBuilder, JointKind,
 };
-use crate::model::{Place, TimeFunction};
+use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// A hinge: ties the position and leaves rotation about one axis.

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding};
-use crate::joints::parts::{Capability, End, JointBuilder, JointContext, JointKind};
-use crate::model::Place;
+use crate::joints::parts::{End, JointBuilder, JointContext, JointKind};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// Sine of the angle below which two axes count as parallel.

@@ -11,7 +11,7 @@ mod sections;
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::units::Scaled;
 
@@ -20,15 +20,21 @@ pub use analyses::{
     Start, Statics, Step, Stop,
 };
 pub use bodies::{
-    At, Beam, Body, Cable, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape, Slopes,
+    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape,
+    Slopes,
 };
 pub use contacts::{Against, Contact};
 pub use functions::{TimeFunction, Varying};
+<<<<<<< HEAD
 pub use loads::{Fluid, Load};
 pub use sections::{
     Circle, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle, Section,
     SectionOutline, SectionShape, Tube,
 };
+=======
+pub use loads::{CustomLoad, Fluid, Load, LoadKind, LoadObject};
+pub use sections::{Damping, Material, MaterialLaw, Section};
+>>>>>>> main
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
@@ -53,6 +59,7 @@ pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
 /// All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...). A model is read from TOML or built in Rust.
 /// [`Model::scaled`] converts it to other units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[unit(partial)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     title = "ancf model",
@@ -79,13 +86,14 @@ pub struct Model {
     #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
     /// Joints between bodies, or between a body and the ground.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_joints")]
     pub joints: Vec<Joint>,
     /// Couplings of joints, such as gears, racks and belts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[unit(depends)]
     pub couplings: Vec<Coupling>,
     /// Loads besides gravity.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]
     pub loads: Vec<Load>,
     /// True to close gaps of joints before the analysis. Gaps are errors by default.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -111,4 +119,14 @@ impl Model {
     pub fn unit_names(&self) -> Units {
         self.units.clone().unwrap_or_else(Units::in_words)
     }
+}
+
+/// Writes the joints that a model file can state.
+fn stated_joints<S: Serializer>(joints: &[Joint], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(joints.iter().filter(|joint| !matches!(joint, Joint::Custom(_))))
+}
+
+/// Writes the loads that a model file can state.
+fn stated_loads<S: Serializer>(loads: &[Load], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(loads.iter().filter(|load| !matches!(load, Load::Custom(_))))
 }

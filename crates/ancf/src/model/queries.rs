@@ -11,6 +11,12 @@ use crate::model::loads::Load;
 use crate::model::sections::Section;
 
 impl Model {
+    /// True if the program added joints or loads of kinds that model files do not have.
+    pub fn is_extended(&self) -> bool {
+        self.joints.iter().any(|joint| matches!(joint, Joint::Custom(_)))
+            || self.loads.iter().any(|load| matches!(load, Load::Custom(_)))
+    }
+
     /// Total mass of all bodies.
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {

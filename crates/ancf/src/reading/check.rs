@@ -27,9 +27,14 @@ impl Model {
     pub fn check(&self) -> Result<(), ModelErrors> {
         let data = Value::try_from(self)
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
-        Self::from_value(&data)?;
-        // Data have no functions: with what is supplied the rules may be broken yet.
-        let findings = if self.has_functions(true) { broken(self) } else { Vec::new() };
+        // The data have neither added parts nor supplied functions: the rules are checked on the model itself.
+        let findings = if self.is_extended() {
+            let (survey, _) = Survey::of(&SCHEMA, &data);
+            if survey.findings.is_empty() { broken(self) } else { survey.findings }
+        } else {
+            Self::from_value(&data)?;
+            if self.has_functions(true) { broken(self) } else { Vec::new() }
+        };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
 

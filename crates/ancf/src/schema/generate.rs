@@ -11,7 +11,6 @@ use toml::Value;
 use super::units::add_units;
 use crate::errors::{listed, quoted};
 use crate::model::Model;
-use crate::units::Scaled;
 
 /// The schema as the reader of models uses it.
 pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| schema().to_value());

@@ -1,4 +1,4 @@
-use std::io;
+use std::io::{self, Write as _};
 
 use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
@@ -151,6 +151,10 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     // It never fails: the model is plain data, and the hash takes everything.
     let _ = serde_json::to_writer(&mut hash, &(&simulation.scaled, &simulation.scales()));
+    if simulation.scaled.is_extended() {
+        // Parts of a program's own kinds are not data of the model.
+        let _ = write!(hash, "{:?} {:?}", simulation.scaled.joints, simulation.scaled.loads);
+    }
     hash.0
 }
 

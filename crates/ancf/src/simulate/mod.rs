@@ -17,5 +17,5 @@ pub use checkpoint::{Checkpoint, Mismatch};
 pub use error::Error;
 pub use execute::simulate;
 pub use observer::Observer;
-pub use simulation::Simulation;
+pub use simulation::{Extension, Simulation, SimulationBuilder};
 pub use summary::{Outcome, Summary};

@@ -1,3 +1,9 @@
+use crate::joints::CustomJoint;
+use crate::joints::Joint;
+use crate::joints::JointKind;
+use crate::model::CustomLoad;
+use crate::model::Load;
+use crate::model::LoadKind;
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
@@ -42,5 +48,75 @@ impl Simulation {
     /// The units in which the equations are solved.
     pub fn scales(&self) -> Scales {
         self.chosen.scales
+    }
+}
+
+/// Part of a kind of its own that a program adds to a model.
+#[derive(Clone, Debug)]
+pub enum Extension {
+    /// A joint.
+    Joint(CustomJoint),
+    /// A load.
+    Load(CustomLoad),
+}
+
+impl Extension {
+    /// A joint of a kind of the program's own.
+    pub fn joint(joint: impl JointKind + 'static) -> Self {
+        Self::Joint(CustomJoint::new(joint))
+    }
+
+    /// A load of a kind of the program's own.
+    pub fn load(load: impl LoadKind + 'static) -> Self {
+        Self::Load(CustomLoad::new(load))
+    }
+}
+
+/// Builder of a [`Simulation`] with parts that model files do not have.
+///
+/// Added parts are checked, converted into solver units and assembled like those of the model, after them. The model file in a
+/// run folder does not contain them.
+#[derive(Clone, Debug)]
+pub struct SimulationBuilder {
+    model: Model,
+    interrupt: Interrupt,
+}
+
+impl SimulationBuilder {
+    /// A builder for a model.
+    pub fn new(model: &Model) -> Self {
+        Self { model: model.clone(), interrupt: Interrupt::default() }
+    }
+
+    /// Adds a part.
+    #[must_use]
+    pub fn with(mut self, extension: Extension) -> Self {
+        match extension {
+            Extension::Joint(joint) => self.model.joints.push(Joint::Custom(joint)),
+            Extension::Load(load) => self.model.loads.push(Load::Custom(load)),
+        }
+        self
+    }
+
+    /// Sets the flag that stops a run.
+    #[must_use]
+    pub fn with_interrupt(mut self, interrupt: Interrupt) -> Self {
+        self.interrupt = interrupt;
+        self
+    }
+
+    /// Checks, scales and assembles the model.
+    ///
+    /// # Errors
+    /// All errors of the model and of its added parts.
+    pub fn build(self) -> Result<Simulation, ModelErrors> {
+        Ok(Simulation::new(&self.model)?.heeding(self.interrupt))
+    }
+}
+
+impl Simulation {
+    /// A builder for a model with parts that model files do not have.
+    pub fn builder(model: &Model) -> SimulationBuilder {
+        SimulationBuilder::new(model)
     }
 }

@@ -11,6 +11,6 @@ pub(crate) use ancf_derive::Scaled;
 pub use choice::{Chosen, ScaleChoice};
 pub(crate) use convert::{Convert, number};
 pub use names::Units;
-pub(crate) use scaled::Scaled;
+pub use scaled::Scaled;
 pub use scales::{Dimension, Scales};
-pub(crate) use unit_tree::UnitTree;
+pub use unit_tree::UnitTree;

@@ -10,7 +10,7 @@ use super::unit_tree::UnitTree;
     message = "`{Self}` has no unit",
     note = "numbers state a unit: `#[unit(force / length)]`, `#[unit(number)]`; other types derive `Scaled`"
 )]
-pub(crate) trait Scaled: Sized {
+pub trait Scaled: Sized {
     /// Converts all quantities into the units of `scales`.
     fn scaled(self, scales: &Scales) -> Self;
 
@@ -78,7 +78,10 @@ impl Scaled for Scales {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{Convert, Dimension};
+    use ancf_derive::Scaled;
+
+    use super::super::convert::Convert;
+    use super::super::scales::Dimension;
 
     #[derive(Clone, Debug, PartialEq, Scaled)]
     struct Mount {
@@ -131,8 +134,9 @@ mod tests {
         let UnitTree::Keys(keys) = Mount::unit_tree() else { panic!("a struct has keys") };
         let (names, units): (Vec<_>, Vec<_>) = keys.into_iter().unzip();
         assert_eq!(names, ["name", "stiffness", "times", "angle", "part"]);
-        let (force, moment) = ("force/length", "force*length");
-        assert_eq!(units[1], UnitTree::Components(&[force, force, force, moment, moment, moment]));
+        const UNITS: [&str; 6] =
+            ["force/length", "force/length", "force/length", "force*length", "force*length", "force*length"];
+        assert_eq!(units[1], UnitTree::Components(&UNITS));
         assert_eq!((&units[2], &units[3]), (&UnitTree::Unit("time"), &UnitTree::Unit("radian")));
         let UnitTree::Forms(forms) = &units[4] else { panic!("an enum has forms") };
         assert_eq!(forms[0], ("absent", UnitTree::None));

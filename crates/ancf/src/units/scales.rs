@@ -57,8 +57,9 @@ impl Dimension {
 
 /// Units of length, time and force in which a model is rewritten.
 ///
-/// A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units. Scales form a group with the
-/// identity [`Scales::UNIT`], the composition [`Scales::then`] and the inverse [`Scales::inverse`].
+/// A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units.
+///
+/// Scales form a group: identity [`Scales::UNIT`], composition [`Scales::then`], inverse [`Scales::inverse`].
 ///
 /// Scales are measured in the units of the model, any coherent system.
 /// Source: Kim et al. (2017), eqs (7), (8), (26), (33).

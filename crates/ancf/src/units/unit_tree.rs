@@ -1,6 +1,6 @@
 /// Units of the keys of a type, nested as the type is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum UnitTree {
+pub enum UnitTree {
     /// No unit.
     None,
     /// Unit of a number or of all numbers of an array, such as `force/length^2`.

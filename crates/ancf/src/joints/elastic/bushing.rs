@@ -1,8 +1,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{Capability, End, JointBuilder, JointKind, Symbol, measures};
-use crate::model::Place;
+use crate::joints::parts::{End, JointBuilder, JointKind, Symbol, measures};
+use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
 /// An elastic mount: springs and dampers between two places that coincide, three along and three about the axes.

@@ -114,21 +114,22 @@ pub struct LinearFriction {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Acting<'a> {
     /// Table that states the drive: `"drive"` or `"feed"`.
-    pub(crate) table: &'static str,
+    pub table: &'static str,
     /// Prescribed motion.
-    pub(crate) drive: Option<Led<'a>>,
+    pub drive: Option<Led<'a>>,
     /// Stiffness, damping and position without spring force.
-    pub(crate) spring: Option<[f64; 3]>,
+    pub spring: Option<[f64; 3]>,
     /// Magnitude, and velocity below which friction is viscous.
-    pub(crate) friction: Option<[f64; 2]>,
+    pub friction: Option<[f64; 2]>,
 }
 
 /// Prescribed angle or displacement.
 #[derive(Clone, Copy, Debug)]
 pub struct Led<'a> {
     /// Factor of the coordinate, or of its rate.
-    pub(crate) amounts: [Option<f64>; 2],
-    pub(crate) time: &'a TimeFunction,
+    pub amounts: [Option<f64>; 2],
+    /// Function of time.
+    pub time: &'a TimeFunction,
 }
 
 impl Acting<'_> {

@@ -147,8 +147,9 @@ impl<'a> JointBuilder<'a> {
         self.add(if let Some(name) = name { angle.named(name) } else { angle });
     }
 
-    /// Constrains an axis of the first end to stay parallel to that of the second one.
-    pub fn parallel(&mut self, axis: Vector3<f64>, name: &'static str) {
+    /// Constrains an axis of unit length of the first end to stay parallel to that of the second one.
+    pub fn parallel(&mut self, axis: impl Into<Vector3<f64>>, name: &'static str) {
+        let axis = axis.into();
         for normal in across(axis) {
             self.keep_angle(&self.a().direction(axis), &self.b().direction(normal), Some(name));
         }
@@ -175,9 +176,9 @@ impl<'a> JointBuilder<'a> {
         names.zip(measures).for_each(|(name, measure)| self.prescribe(name, measure, Target::NONE));
     }
 
-    /// Records the angle about an axis, and adds the actions along it.
-    pub fn angle(&mut self, axis: Vector3<f64>, acting: &Acting<'_>) {
-        let markers = measures::hinge(self.a(), self.b(), axis);
+    /// Records the angle about an axis of unit length, and adds the actions along it.
+    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, acting: &Acting<'_>) {
+        let markers = measures::hinge(self.a(), self.b(), axis.into());
         let mut coordinate = None;
         if (self.coupled)(Freed::Angle) || acting.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
@@ -190,8 +191,8 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.
-    pub fn displacement(&mut self, axis: Vector3<f64>, acting: &Acting<'_>) {
-        let measure = measures::along(self.a(), self.b(), axis);
+    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, acting: &Acting<'_>) {
+        let measure = measures::along(self.a(), self.b(), axis.into());
         let mut coordinate = None;
         if (self.coupled)(Freed::Displacement) || acting.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));

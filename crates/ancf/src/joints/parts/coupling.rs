@@ -1,12 +1,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::units::Scaled;
-
 /// Coupled joints, such as gears, racks, belts and screws.
 ///
 /// The sum of the angles and displacements of the joints, multiplied by their factors, is zero.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Coupling {
     /// Name in messages.
@@ -18,13 +16,12 @@ pub struct Coupling {
 }
 
 /// Joint of a coupling.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Coupled {
     /// Name of the joint.
     pub joint: String,
     /// Factor, not zero: a number for an angle, 1/length for a displacement.
-    #[unit(depends)]
     pub factor: f64,
     /// Coupled coordinate of the joint; by default the angle, if the joint has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -32,7 +29,7 @@ pub struct Coupled {
 }
 
 /// Free coordinate of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Freed {
     /// Angle about the axis.

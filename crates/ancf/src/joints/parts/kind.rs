@@ -7,14 +7,15 @@ use super::builder::JointBuilder;
 use super::coupling::Freed;
 use super::end::End;
 use crate::errors::Finding;
-use crate::model::{Body, Place, TimeFunction};
+use crate::model::{Body, Capability, Place, TimeFunction};
+use crate::units::{Scaled, Scales};
 
 /// A kind of joint between a body and the ground or another body.
 ///
 /// An implementation states the data of the joint, its demands on the two ends, its checks, its equations and its symbol in
 /// drawings. Kinds of model files are registered in `joints/joint.rs`; a program adds its own by
 /// [`SimulationBuilder::with`](crate::SimulationBuilder::with).
-pub trait JointKind: fmt::Debug + Send + Sync {
+pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     /// Word of the kind in model files.
     fn word(&self) -> &'static str;
 
@@ -96,6 +97,25 @@ pub trait JointKind: fmt::Debug + Send + Sync {
     }
 }
 
+/// Copies and conversions of joints as trait objects; implemented for every [`JointKind`] that is `Clone` and [`Scaled`].
+pub trait JointObject {
+    /// Copies the joint.
+    fn boxed(&self) -> Box<dyn JointKind>;
+
+    /// Copies the joint into other units.
+    fn boxed_in(&self, scales: &Scales) -> Box<dyn JointKind>;
+}
+
+impl<J: JointKind + Scaled + Clone + 'static> JointObject for J {
+    fn boxed(&self) -> Box<dyn JointKind> {
+        Box::new(self.clone())
+    }
+
+    fn boxed_in(&self, scales: &Scales) -> Box<dyn JointKind> {
+        Box::new(self.clone().scaled(scales))
+    }
+}
+
 /// Properties of the model on which the checks of a joint depend.
 pub trait JointContext {
     /// Body of a place.
@@ -109,19 +129,6 @@ pub trait JointContext {
 
     /// True if the analysis is a motion.
     fn is_dynamic(&self) -> bool;
-}
-
-/// Capability that a joint, a load or a probe requires of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Capability {
-    /// Directions to constrain: all bodies but point masses.
-    Direction,
-    /// A section or a frame that rotates about any axis: beams and rigid bodies.
-    Section,
-    /// A section whose rotation is prescribed by a clamp: beams.
-    DrivenSection,
-    /// Section forces, strain and stress: beams and cables.
-    Strain,
 }
 
 /// Symbol of a joint in drawings.

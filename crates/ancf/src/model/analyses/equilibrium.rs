@@ -34,7 +34,7 @@ impl Default for Statics {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Path {
-    /// Load factor at which the path ends.
+    /// Load factor at which the path ends when first reached.
     #[unit(number)]
     pub load: f64,
     /// Maximum number of points.
@@ -44,7 +44,7 @@ pub struct Path {
     #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub first: f64,
-    /// Largest step of arc length, scaled by the change of the load factor in a first step of equal length.
+    /// Largest step of arc length, as the change of the load factor by a step of this length at the start of the path.
     #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub largest: f64,

@@ -1,12 +1,14 @@
 //! Bodies of a model: beams, cables, rigid bodies, their shape and initial motion.
 
 mod body;
+mod capability;
 mod motion;
 mod rigid;
 mod shape;
 
 pub(crate) use body::ON_AXIS;
 pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
+pub use capability::Capability;
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;

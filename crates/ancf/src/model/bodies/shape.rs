@@ -50,7 +50,7 @@ impl Shape {
 
     /// Curve from start to end, relative to the start.
     ///
-    /// `None` if points coincide, if points of an arc lie on a line, or if the radius of a helix is zero.
+    /// `None` if points coincide, points of an arc are collinear, or the radius of a helix is zero.
     pub fn curve(&self, start: Vector3<f64>, end: Vector3<f64>) -> Option<Curve> {
         let (from, to) = (Vector3::zeros(), end - start);
         let seen = |point: &[f64; 3]| Vector3::from(*point) - start;

@@ -2,6 +2,7 @@ use ancf_mechanics::functions::ForceFunction;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::custom::CustomLoad;
 use super::fluid::Fluid;
 use crate::model::bodies::{At, Named, Place};
 use crate::model::functions::TimeFunction;
@@ -117,6 +118,10 @@ pub enum Load {
         #[schemars(skip)]
         supplied: Option<ForceFunction>,
     },
+    /// A load of a kind that a program adds; model files have none.
+    #[serde(skip)]
+    #[schemars(skip)]
+    Custom(CustomLoad),
 }
 
 fn own() -> Scales {
@@ -157,9 +162,10 @@ impl Load {
     }
 
     /// Point of application of a concentrated load.
-    pub const fn on(&self) -> Option<&Place> {
+    pub fn on(&self) -> Option<&Place> {
         match self {
             Self::Force { on, .. } | Self::Moment { on, .. } | Self::External { on, .. } => Some(on),
+            Self::Custom(load) => Some(load.kind().on()),
             _ => None,
         }
     }
@@ -182,7 +188,7 @@ impl Load {
             | Self::Moment { follower, .. }
             | Self::DistributedForce { follower, .. }
             | Self::DistributedMoment { follower, .. } => *follower,
-            Self::BaseAcceleration { .. } | Self::Fluid(_) | Self::External { .. } => false,
+            Self::BaseAcceleration { .. } | Self::Fluid(_) | Self::External { .. } | Self::Custom(_) => false,
         }
     }
 
@@ -192,7 +198,7 @@ impl Load {
     }
 
     /// Function of time, if the load has one.
-    pub const fn time(&self) -> Option<&TimeFunction> {
+    pub fn time(&self) -> Option<&TimeFunction> {
         match self {
             Self::Force { time, .. }
             | Self::Moment { time, .. }
@@ -201,6 +207,7 @@ impl Load {
             | Self::BaseAcceleration { time, .. }
             | Self::Fluid(Fluid { time, .. }) => Some(time),
             Self::External { .. } => None,
+            Self::Custom(load) => load.kind().time(),
         }
     }
 
@@ -213,7 +220,7 @@ impl Load {
             | Self::DistributedMoment { time, .. }
             | Self::BaseAcceleration { time, .. }
             | Self::Fluid(Fluid { time, .. }) => Some(time),
-            Self::External { .. } => None,
+            Self::External { .. } | Self::Custom(_) => None,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Runs of models: observers, checkpoints, failures.
 
 mod checkpoints;
+mod extensions;
 mod failures;
 mod observers;
 mod recorder;

@@ -1,0 +1,11 @@
+//! Table of costs per element: measured values with targets, other programs and lower bounds.
+
+pub mod lower_bounds;
+pub mod process;
+mod row;
+mod rows;
+mod table_report;
+
+pub use row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
+pub use rows::{RowMeasurements, SMALL, STEPS};
+pub use table_report::TableReport;

@@ -1,0 +1,111 @@
+//! Measurements in separate processes: memory, threads, and the program `ancf`.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Result;
+use crate::measure::{clock, median};
+use crate::subjects::{CantileverKind, Plant, cantilever, step};
+
+/// Cost of a number of steps of a beam.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct StepCost {
+    /// CPU time per element and step, summed over all threads, in seconds.
+    pub processor: f64,
+    /// Wall-clock time per element and step in seconds.
+    pub wall: f64,
+    /// Newton iterations per step.
+    pub iterations: f64,
+    /// Maximum resident memory of the process in bytes.
+    pub memory: f64,
+}
+
+/// Measures steps of a beam in a separate process.
+///
+/// # Errors
+/// If the process fails.
+pub fn step_cost(elements: u32, steps: u32, threads: usize) -> Result<StepCost> {
+    let own = std::env::current_exe().map_err(|error| error.to_string())?;
+    let output = Command::new(own)
+        .args(["steps", &elements.to_string(), &steps.to_string()])
+        .env("RAYON_NUM_THREADS", threads.to_string())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(format!("{elements} elements: {}", output.status));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|error| error.to_string())
+}
+
+/// Measures steps of a beam in this process.
+///
+/// # Errors
+/// If a step fails.
+pub fn step_cost_here(elements: u32, steps: u32) -> Result<StepCost> {
+    let plant = Plant::new(CantileverKind::Beam, elements)?;
+    let mut motion = plant.motion()?;
+    // The first step is not measured, because memory is touched for the first time.
+    step(&mut motion)?;
+    let (start, wall, mut iterations) = (clock::own(), Instant::now(), 0);
+    for _ in 0..steps {
+        iterations += step(&mut motion)?.iterations;
+    }
+    let count = f64::from(elements) * f64::from(steps);
+    Ok(StepCost {
+        processor: (clock::own() - start) / count,
+        wall: wall.elapsed().as_secs_f64() / count,
+        iterations: f64::from(iterations) / f64::from(steps),
+        memory: kilobytes("/proc/self/status", "VmHWM:"),
+    })
+}
+
+/// Available memory in bytes; NaN if the system does not report it.
+pub fn available() -> f64 {
+    kilobytes("/proc/meminfo", "MemAvailable:")
+}
+
+/// Reads a line `name number kB` of a file; the number in bytes.
+fn kilobytes(file: &str, name: &str) -> f64 {
+    let text = fs::read_to_string(file).unwrap_or_default();
+    let line = text.lines().find_map(|line| line.strip_prefix(name));
+    let number = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    number.map_or(f64::NAN, |number| 1024.0 * number)
+}
+
+/// Measures the CPU time of the program `ancf` for a cantilever, output files included, in seconds: the median of `runs` runs.
+///
+/// # Errors
+/// If the program is not in the folder of this program, or fails.
+pub fn program_cost(kind: CantileverKind, elements: u32, steps: u32, runs: usize) -> Result<f64> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let (model, out) = (folder.path().join("model.toml"), folder.path().join("out"));
+    fs::write(&model, cantilever(kind, elements, steps)).map_err(|error| error.to_string())?;
+    let program = program()?;
+    let one = |_| {
+        let start = clock::of_children();
+        let mut command = Command::new(&program);
+        let command = command.arg("run").arg(&model).arg("--output").arg(&out).arg("--quiet");
+        let output = command.output().map_err(|error| format!("{}: {error}", program.display()))?;
+        if !output.status.success() {
+            return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+        }
+        Ok(clock::of_children() - start)
+    };
+    (0..runs).map(one).collect::<Result<_>>().map(median)
+}
+
+/// Path of the program `ancf`, built together with this program.
+fn program() -> Result<PathBuf> {
+    let own = std::env::current_exe().map_err(|error| error.to_string())?;
+    let path = own.with_file_name(format!("ancf{}", std::env::consts::EXE_SUFFIX));
+    if path.exists() {
+        Ok(path)
+    } else {
+        Err(format!("{} does not exist; use cargo xtask bench", path.display()))
+    }
+}

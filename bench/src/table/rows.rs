@@ -1,0 +1,230 @@
+use std::collections::BTreeMap;
+
+use super::lower_bounds;
+use super::process::{self, StepCost};
+use super::row::RowUnit::{Factor, Gain, Kilobytes, Microseconds, Seconds};
+use super::row::{LimitingResource, LowerBound, MeasuredValue, RowSpec, RowUnit, TableRow};
+use crate::Result;
+use crate::measure::{Machine, SampleSize, median, sample, samples};
+use crate::subjects::{
+    CantileverKind, ElementEvaluation, Evaluation, LinearSolution, Subject, SystemEvaluation, TimeSteps,
+};
+
+/// Number of elements of small models.
+pub const SMALL: u32 = 100;
+/// Number of elements of large models.
+const LARGE: u32 = 100_000;
+/// Number of elements of the largest model.
+const LARGEST: u32 = 1_000_000;
+/// Number of time steps from rest.
+pub const STEPS: u32 = 100;
+
+type Measure = fn(&mut RowMeasurements) -> Result<MeasuredValue>;
+
+const fn row(name: &'static str, unit: RowUnit, goal: f64) -> RowSpec {
+    RowSpec { name, unit, goal, peer: None, large: false }
+}
+
+impl RowSpec {
+    const fn against(self, peer: &'static str, theirs: f64) -> Self {
+        Self { peer: Some((peer, theirs)), ..self }
+    }
+
+    const fn large(self) -> Self {
+        Self { large: true, ..self }
+    }
+}
+
+/// All rows.
+const ROWS: [(RowSpec, Measure); 13] = [
+    (row("elastic force", Microseconds, 0.30).against("Chrono", 1.02), RowMeasurements::force),
+    (row("force and tangent", Microseconds, 1.2).against("Chrono", 8.8), RowMeasurements::force_and_tangent),
+    (row("scatter", Microseconds, 0.25).against("Chrono", 4.8), RowMeasurements::scatter),
+    (
+        row("factorise and solve, n = 1e3", Microseconds, 0.8).against("Chrono, n = 100", 9.8),
+        RowMeasurements::equations,
+    ),
+    (row("factorise and solve, n = 1e5", Microseconds, 1.2).large(), RowMeasurements::many_equations),
+    (row("step, n = 100", Microseconds, 3.0).against("Chrono", 36.0), RowMeasurements::step),
+    (
+        row("step, n = 1e5", Microseconds, 4.0).against("Chrono, n = 1e4", 51.0).large(),
+        RowMeasurements::many_steps,
+    ),
+    (
+        row("process, beam of 20, 2000 steps", Seconds, 0.12).against("Chrono", 1.35),
+        RowMeasurements::whole_beam,
+    ),
+    (
+        row("process, cable of 20, 2000 steps", Seconds, 0.04).against("EXUDYN", 0.106),
+        RowMeasurements::whole_cable,
+    ),
+    (
+        row("memory per element, n = 1e5", Kilobytes, 4.0).against("Chrono", 40.0).large(),
+        RowMeasurements::memory,
+    ),
+    (row("2 threads, n = 1e5", Gain, 1.7).large(), RowMeasurements::threads),
+    (row("step, n = 1e6", Microseconds, 5.2).large(), RowMeasurements::most_steps),
+    (row("step, n = 1e6 against n = 1e4", Factor, 1.3).large(), RowMeasurements::growth),
+];
+
+/// Measurements of the rows of a table.
+#[derive(Debug)]
+pub struct RowMeasurements {
+    machine: Machine,
+    /// Costs of steps by number of elements and threads.
+    step_costs: BTreeMap<(u32, usize), Result<StepCost>>,
+}
+
+impl RowMeasurements {
+    /// Measurements on a machine.
+    pub fn new(machine: Machine) -> Self {
+        Self { machine, step_costs: BTreeMap::new() }
+    }
+
+    /// Measures selected rows. `report` is called with the name of each row.
+    pub fn rows(
+        &mut self,
+        selected: impl Fn(&RowSpec) -> bool,
+        mut report: impl FnMut(&str),
+    ) -> Vec<TableRow> {
+        let rows = ROWS.iter().filter(|(spec, _)| selected(spec));
+        let measure = |(spec, measure): &(RowSpec, Measure)| {
+            report(spec.name);
+            TableRow::new(spec, measure(self))
+        };
+        rows.map(measure).collect()
+    }
+
+    /// Minimum time of operations in microseconds.
+    fn operations(&self, count: f64) -> Option<LowerBound> {
+        Some(LowerBound { value: 1e6 * count / self.machine.flops, resource: LimitingResource::Operations })
+    }
+
+    /// Minimum time of bytes from memory in microseconds.
+    fn bytes(&self, count: f64) -> Option<LowerBound> {
+        Some(LowerBound { value: 1e6 * count / self.machine.bytes, resource: LimitingResource::Bytes })
+    }
+
+    /// Minimum time of bytes from the cache in microseconds.
+    fn cached(&self, count: f64) -> Option<LowerBound> {
+        Some(LowerBound { value: 1e6 * count / self.machine.cached, resource: LimitingResource::CachedBytes })
+    }
+
+    fn small(subject: &mut dyn Subject) -> Result<f64> {
+        Ok(1e6 * median(samples(subject, SampleSize::SMALL)?))
+    }
+
+    fn force(&mut self) -> Result<MeasuredValue> {
+        let value =
+            Self::small(&mut ElementEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Residual)?)?;
+        let note = "with inertia and weight".to_owned();
+        Ok(MeasuredValue { value, note, bound: self.operations(lower_bounds::force()) })
+    }
+
+    fn force_and_tangent(&mut self) -> Result<MeasuredValue> {
+        let value = Self::small(&mut ElementEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Both)?)?;
+        let note = String::new();
+        Ok(MeasuredValue { value, note, bound: self.operations(lower_bounds::force_and_tangent()) })
+    }
+
+    /// Cost of the tangent of the system minus that of its elements, measured in alternation.
+    fn scatter(&mut self) -> Result<MeasuredValue> {
+        let mut all = SystemEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Tangent)?;
+        let mut kernels = ElementEvaluation::new(CantileverKind::Beam, SMALL, Evaluation::Tangent)?;
+        let mut excess = Vec::new();
+        for _ in 0..101 {
+            excess.push(1e6 * (sample(&mut all)? - sample(&mut kernels)?));
+        }
+        let note = "tangent of the system minus that of its elements".to_owned();
+        Ok(MeasuredValue { value: median(excess), note, bound: self.cached(lower_bounds::scattered()) })
+    }
+
+    fn equations(&mut self) -> Result<MeasuredValue> {
+        let value = Self::small(&mut LinearSolution::new(CantileverKind::Beam, 1000, 10)?)?;
+        Ok(MeasuredValue { value, note: String::new(), bound: self.operations(lower_bounds::equations()) })
+    }
+
+    fn many_equations(&mut self) -> Result<MeasuredValue> {
+        let mut equations = LinearSolution::new(CantileverKind::Beam, LARGE, 1)?;
+        let value = 1e6 * median(samples(&mut equations, SampleSize::LARGE)?);
+        Ok(MeasuredValue { value, note: String::new(), bound: self.bytes(lower_bounds::factorised()) })
+    }
+
+    fn step(&mut self) -> Result<MeasuredValue> {
+        let mut steps = TimeSteps::new(CantileverKind::Beam, SMALL, STEPS)?;
+        let value = Self::small(&mut steps)?;
+        let iterations = steps.iterations();
+        let note = format!("{STEPS} steps from rest, {iterations:.2} iterations per step");
+        Ok(MeasuredValue { value, note, bound: self.operations(lower_bounds::step(iterations)) })
+    }
+
+    /// Cost of steps of a beam, measured once.
+    fn step_cost(&mut self, elements: u32, threads: usize) -> Result<StepCost> {
+        let steps = if elements == LARGE { 5 } else { 20 };
+        let run = || process::step_cost(elements, steps, threads);
+        self.step_costs.entry((elements, threads)).or_insert_with(run).clone()
+    }
+
+    fn many_steps(&mut self) -> Result<MeasuredValue> {
+        let StepCost { processor, iterations, .. } = self.step_cost(LARGE, 1)?;
+        let note = format!("5 steps, {iterations:.2} iterations per step");
+        Ok(MeasuredValue {
+            value: 1e6 * processor,
+            note,
+            bound: self.bytes(lower_bounds::step_bytes(iterations)),
+        })
+    }
+
+    fn whole_beam(&mut self) -> Result<MeasuredValue> {
+        let value = process::program_cost(CantileverKind::Beam, 20, 2000, 5)?;
+        Ok(MeasuredValue { value, note: "with output files; Chrono without".to_owned(), bound: None })
+    }
+
+    fn whole_cable(&mut self) -> Result<MeasuredValue> {
+        let value = process::program_cost(CantileverKind::Cable, 20, 2000, 5)?;
+        Ok(MeasuredValue { value, note: "with output files; EXUDYN without".to_owned(), bound: None })
+    }
+
+    fn bytes_per_element(&mut self) -> Result<f64> {
+        let base = process::step_cost(SMALL, 1, 1)?.memory;
+        Ok((self.step_cost(LARGE, 1)?.memory - base) / f64::from(LARGE - SMALL))
+    }
+
+    fn memory(&mut self) -> Result<MeasuredValue> {
+        let value = 1e-3 * self.bytes_per_element()?;
+        Ok(MeasuredValue { value, note: "maximum resident memory of the process".to_owned(), bound: None })
+    }
+
+    fn threads(&mut self) -> Result<MeasuredValue> {
+        let (one, two) = (self.step_cost(LARGE, 1)?, self.step_cost(LARGE, 2)?);
+        let note = "wall-clock time: valid on an idle machine only".to_owned();
+        Ok(MeasuredValue { value: one.wall / two.wall, note, bound: None })
+    }
+
+    /// Cost of steps of the largest beam, if memory suffices.
+    fn largest(&mut self) -> Result<StepCost> {
+        let (needed, available) = (self.bytes_per_element()? * f64::from(LARGEST), process::available());
+        if needed > 0.9 * available {
+            let [needed, available] = [needed, available].map(|bytes| 1e-9 * bytes);
+            return Err(format!("needs {needed:.1} GB of memory, {available:.1} GB are available"));
+        }
+        self.step_cost(LARGEST, 1)
+    }
+
+    fn most_steps(&mut self) -> Result<MeasuredValue> {
+        let StepCost { processor, iterations, .. } = self.largest()?;
+        let note = format!("20 steps, {iterations:.2} iterations per step");
+        Ok(MeasuredValue {
+            value: 1e6 * processor,
+            note,
+            bound: self.bytes(lower_bounds::step_bytes(iterations)),
+        })
+    }
+
+    fn growth(&mut self) -> Result<MeasuredValue> {
+        let (most, some) = (self.largest()?, self.step_cost(10_000, 1)?);
+        let per = 1e6 * some.processor;
+        let note = format!("20 steps; {per:.2} us at 1e4, {:.2} iterations per step", some.iterations);
+        Ok(MeasuredValue { value: most.processor / some.processor, note, bound: None })
+    }
+}

@@ -1,0 +1,11 @@
+//! Commands about model files: `ancf new`, `check`, `scaled`, `schema`.
+
+mod check;
+mod new;
+mod scaled;
+mod schema;
+
+pub use check::{CHECK_EXAMPLES, CheckArguments};
+pub use new::{NEW_EXAMPLES, NewArguments};
+pub use scaled::{SCALED_EXAMPLES, ScaledArguments};
+pub use schema::{SCHEMA_EXAMPLES, print_schema};

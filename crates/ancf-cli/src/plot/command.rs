@@ -1,0 +1,122 @@
+//! `ancf plot`: arguments and execution.
+
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+use clap::Args;
+use terminal_size::{Width, terminal_size};
+
+use super::chart::{self, ChartStyle};
+#[cfg(feature = "figures")]
+use super::figure_file;
+use super::figure_format::FigureFormat;
+use super::listing::ColumnListing;
+use super::panel::PlotPanel;
+use super::selection::ColumnSelection;
+use crate::results::open_run;
+use crate::terminal::{
+    Ended, is_stdout_coloured, is_unicode, print, print_json, print_output, print_status, reject,
+};
+
+/// Arguments of `ancf plot`.
+#[derive(Debug, Args)]
+pub struct PlotArguments {
+    /// Folder of a run, which may still be running.
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// Names of columns, probes or joints (`tip` for tip.x, tip.y and tip.z), or patterns (`*.y`); without names, all columns are listed.
+    #[arg(value_name = "COLUMN")]
+    columns: Vec<String>,
+    /// Column of the horizontal axis; the first by default: time, load factor or mode number.
+    #[arg(short, long, value_name = "COLUMN")]
+    against: Option<String>,
+    /// Write a figure into this SVG or PNG file instead of a chart in the terminal.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// First time, load factor or mode number.
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// Last time, load factor or mode number.
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    to: Option<f64>,
+    /// Print the list of columns as one JSON object and nothing else.
+    #[arg(long, conflicts_with = "columns")]
+    pub json: bool,
+}
+
+/// Examples of the help.
+pub const PLOT_EXAMPLES: &str = "\
+Examples:
+  ancf plot out                                 columns with unit, smallest and largest value
+  ancf plot out tip.y                           a chart in the terminal
+  ancf plot out tip 'root.f*'                   one chart per unit
+  ancf plot out tip.y --against tip.x           the path of the tip
+  ancf plot out kinetic strain --from 0.5 --to 1
+  ancf plot out tip.y -o tip.png                a figure; also .svg
+
+Curves are interrupted at values that are not finite. Without colours several curves have different
+markers. Exit code 2 for a folder without a run, or an unknown column.";
+
+impl PlotArguments {
+    /// Plots, or lists the columns.
+    pub fn run(&self) -> Result<Ended> {
+        let results = match open_run(&self.folder)? {
+            Ok(results) => results,
+            Err(ended) => return Ok(ended),
+        };
+        let series = results.columns()?;
+        if self.columns.is_empty() && self.output.is_none() && self.against.is_none() {
+            let listing = ColumnListing::new(&results, &series);
+            print(&listing.text());
+            print_json(&listing);
+            return Ok(Ended::Done);
+        }
+        let format =
+            match self.output.as_ref().map(|file| FigureFormat::from_path(file).map(|format| (file, format)))
+            {
+                Some(Err(message)) => return Ok(reject(&message)),
+                Some(Ok(chosen)) => Some(chosen),
+                None => None,
+            };
+        let selection = match ColumnSelection::new(&results, &self.columns, self.against.as_deref()) {
+            Ok(selection) => selection,
+            Err(message) => return Ok(reject(&message)),
+        };
+        let range = [self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY)];
+        let panels = selection.panels(&series, range);
+        if !panels.iter().any(PlotPanel::has_points) {
+            let message = format!("{}: no values to plot in this range", self.folder.display());
+            return Ok(reject(&message));
+        }
+        match format {
+            Some((file, format)) => return write_figure(&panels, file, format),
+            None => print_output(&chart::text(&panels, chart_style())),
+        }
+        Ok(Ended::Done)
+    }
+}
+
+/// Writes the panels as a figure.
+#[cfg(feature = "figures")]
+fn write_figure(panels: &[PlotPanel], file: &Path, format: FigureFormat) -> Result<Ended> {
+    figure_file::write(panels, file, format)?;
+    print_status(&format!("done: {}", file.display()));
+    Ok(Ended::Done)
+}
+
+/// Rejects the command: this program has no figures.
+#[cfg(not(feature = "figures"))]
+fn write_figure(_: &[PlotPanel], _: &Path, _: FigureFormat) -> Result<Ended> {
+    Ok(crate::terminal::reject_figures())
+}
+
+/// Returns the chart style of the terminal.
+fn chart_style() -> ChartStyle {
+    let width = terminal_size().filter(|_| io::stdout().is_terminal()).map_or(80, |(Width(width), _)| width);
+    ChartStyle {
+        width: usize::from(width).clamp(40, 240),
+        is_unicode: is_unicode(),
+        is_coloured: is_stdout_coloured(),
+    }
+}

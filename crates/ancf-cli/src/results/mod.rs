@@ -1,0 +1,12 @@
+//! Commands about the results of a run: `ancf report`, `view`, `paraview`.
+
+mod paraview;
+mod report;
+mod run_folder;
+mod scene;
+mod view;
+
+pub use paraview::{PARAVIEW_EXAMPLES, ParaviewArguments};
+pub use report::{REPORT_EXAMPLES, ReportArguments};
+pub use run_folder::open_run;
+pub use view::{VIEW_EXAMPLES, ViewArguments};

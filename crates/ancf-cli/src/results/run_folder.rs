@@ -1,0 +1,51 @@
+//! Folder of a run.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use ancf::record::Series;
+use ancf_report::{Ending, Recording};
+use ancf_results::{OpenError, Results};
+use anyhow::Result;
+
+use crate::terminal::{Ended, refuse, reject};
+
+/// Opens the folder of a run. Reports a folder without a run.
+///
+/// # Errors
+/// If a file cannot be read.
+pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
+    match Results::open(folder) {
+        Ok(results) if results.folder().has_run() => Ok(Ok(results)),
+        Ok(_) => Ok(Err(reject(&format!(
+            "{} holds no run: there is a model.toml and no results",
+            folder.display()
+        )))),
+        Err(OpenError::Model { path, errors }) => Ok(Err(refuse(&errors, &path))),
+        Err(error @ OpenError::NoRun(_)) => Ok(Err(reject(&error.to_string()))),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Returns the title of a run: the title of its model, or the name of its folder.
+pub fn title(results: &Results) -> Cow<'_, str> {
+    let folder = results.folder().path();
+    let name = || folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+    results.model().title.as_deref().map_or_else(name, Cow::Borrowed)
+}
+
+/// Returns a recording with the columns of a run, without frames, summary and outcome.
+pub fn recording<'a>(results: &'a Results, title: &'a str, series: &'a Series) -> Recording<'a> {
+    Recording {
+        simulation: results.simulation(),
+        model: results.model(),
+        text: results.text(),
+        title,
+        frames: Vec::new(),
+        series,
+        summary: Vec::new(),
+        ending: Ending::Running,
+        messages: Vec::new(),
+        live: false,
+    }
+}

@@ -1,0 +1,12 @@
+//! Commands that run models: `ancf run`, `resume`, `study`.
+
+mod recording;
+mod resume;
+mod run;
+mod run_summary;
+mod study;
+mod study_summary;
+
+pub use resume::{RESUME_EXAMPLES, ResumeArguments};
+pub use run::{RUN_EXAMPLES, RunArguments};
+pub use study::{STUDY_EXAMPLES, StudyArguments};

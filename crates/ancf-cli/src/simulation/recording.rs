@@ -1,0 +1,140 @@
+//! Execution of a run with recorder, progress bar and summary.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use ancf::record::Sink;
+use ancf::system::State;
+use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
+use ancf_results::{CheckpointInterval, Recorder};
+use anyhow::Result;
+use serde::Serialize;
+
+use super::run_summary::RunSummary;
+use crate::terminal::{Ended, RunProgress, is_quiet, print, print_error, print_json, print_status, reject};
+
+/// Parses the interval of checkpoints: `1000` steps, or `10min`.
+pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {
+    let expected = || "expected a number of steps, such as 1000, or a time, such as 30s or 10min".to_owned();
+    match text.parse::<u64>() {
+        Ok(0) => Err(expected()),
+        Ok(steps) => Ok(CheckpointInterval::Steps(steps)),
+        Err(_) => humantime::parse_duration(text).map(CheckpointInterval::Time).map_err(|_| expected()),
+    }
+}
+
+/// Runs and records a simulation, and reports its outcome.
+pub fn record(
+    model: &Model,
+    recorder: Recorder,
+    run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
+) -> Result<Ended> {
+    let clock = Instant::now();
+    let progress = match model.analysis.dynamics() {
+        Some(settings) if !is_quiet() => RunProgress::until(settings.duration),
+        _ => RunProgress::hidden(),
+    };
+    let values = RunSummary::new(&model.analysis);
+    let mut observer = RunObserver { recorder, values, progress, is_begun: false };
+    let summary = run(&mut observer);
+    let RunObserver { mut recorder, values, is_begun, .. } = observer;
+    let folder = recorder.folder().path().display().to_string();
+    if let Err(ancf::Error::Checkpoint(mismatch)) = &summary {
+        let path = recorder.folder().checkpoint();
+        return Ok(reject(&format!(
+            "{}: {mismatch}; without this file the run starts from the beginning",
+            path.display()
+        )));
+    }
+    let summary = summary.map_err(|error| with_folder(error, is_begun.then_some(&folder)))?;
+    let seconds = clock.elapsed().as_secs_f64();
+    recorder.write_summary(&summary, seconds)?;
+    let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
+    // Warnings are printed even with `--quiet`.
+    redundant.chain(summary.warnings.iter().cloned()).for_each(|one| print_error(&format!("warning: {one}")));
+    print(&values.table());
+    let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
+    let model = recorder.name();
+    print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
+    Ok(match summary.outcome {
+        Outcome::Finished => {
+            print_status(&sentence);
+            Ended::Done
+        }
+        Outcome::Stopped => {
+            print_status(&sentence);
+            Ended::Stopped
+        }
+        Outcome::Failed { .. } => {
+            print_error(&sentence);
+            Ended::Failed
+        }
+    })
+}
+
+/// Adds the folder of the results so far, if any, to an error.
+fn with_folder(error: ancf::Error, folder: Option<&String>) -> anyhow::Error {
+    let error = anyhow::Error::from(error);
+    match folder {
+        Some(folder) => error.context(format!("the run failed; results so far in {folder}")),
+        None => error,
+    }
+}
+
+/// JSON output of a run: `summary.json` and the printed table.
+#[derive(Serialize)]
+pub struct RunJson<'a> {
+    /// Folder of the results.
+    pub folder: String,
+    /// Model file.
+    pub model: &'a str,
+    /// Wall-clock time, s.
+    pub wall_seconds: f64,
+    /// Summary of the run.
+    #[serde(flatten)]
+    pub summary: &'a Summary,
+    /// Columns of modes and critical loads.
+    #[serde(flatten)]
+    pub columns: BTreeMap<&'static str, Vec<f64>>,
+}
+
+/// Recorder, summary and progress bar of a run.
+struct RunObserver<'a> {
+    recorder: Recorder,
+    values: RunSummary<'a>,
+    progress: RunProgress,
+    /// True if files were created.
+    is_begun: bool,
+}
+
+impl Observer for RunObserver<'_> {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        Sink::begin(&mut self.values, columns)?;
+        Sink::begin(&mut self.progress, columns)?;
+        self.recorder.begin(columns)?;
+        self.is_begun = true;
+        Ok(())
+    }
+
+    fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
+        // Neither of these stops a run.
+        let _ = Sink::record(&mut self.values, row)?;
+        let _ = Sink::record(&mut self.progress, row)?;
+        self.recorder.record(row, state)
+    }
+
+    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.recorder.checkpoint(take)
+    }
+
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.recorder.last_checkpoint(take)
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        Sink::finish(&mut self.progress)?;
+        self.recorder.finish()
+    }
+}

@@ -1,0 +1,65 @@
+//! `ancf run`: runs a model file and writes its results into a folder.
+
+use std::path::PathBuf;
+
+use ancf::{Model, Simulation};
+use ancf_results::{CheckpointInterval, Folder, Recorder};
+use anyhow::Result;
+use clap::Args;
+
+use super::recording::{checkpoint_interval, record};
+use crate::terminal::{Ended, interrupt, refuse, reject};
+
+/// Arguments of `ancf run`.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// Model file (TOML).
+    file: PathBuf,
+    /// Folder for results.parquet, states.parquet, probes.csv and summary.json.
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Interval of checkpoints for `ancf resume`: a number of steps (1000) or a time (30s, 10min).
+    #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = checkpoint_interval)]
+    checkpoint: CheckpointInterval,
+    /// Print one JSON object on standard output and nothing else.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Examples of the help.
+pub const RUN_EXAMPLES: &str = "\
+Examples:
+  ancf run models/cantilever.toml -o out          a motion
+  ancf run models/elastica.toml -o out            an equilibrium
+  ancf run models/lees_frame.toml -o out          an equilibrium path with snap-through
+  ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
+  ancf run models/column.toml -o out              critical loads, also printed
+  ancf run models/bow.toml -o out --json          summary for scripts
+
+Ctrl-C or SIGTERM stops the run with exit code 130 or 143; `ancf resume` resumes it.";
+
+impl RunArguments {
+    /// Runs the model.
+    pub fn run(&self) -> Result<Ended> {
+        if self.output.exists() && !self.output.is_dir() {
+            return Ok(reject(&format!(
+                "{} is a file, expected a folder for the results",
+                self.output.display()
+            )));
+        }
+        let read = Model::read_text(&self.file).and_then(|text| {
+            let model = Model::parse(&text)?;
+            let simulation = Simulation::new(&model)?;
+            Ok((text, model, simulation))
+        });
+        let (text, model, simulation) = match read {
+            Ok(read) => read,
+            Err(errors) => return Ok(refuse(&errors, &self.file)),
+        };
+        let simulation = simulation.heeding(interrupt()?);
+        let name = self.file.display().to_string();
+        let recorder = Recorder::new(Folder::new(&self.output), &name, &text, &model, &simulation);
+        let recorder = recorder.with_checkpoints(self.checkpoint);
+        record(&model, recorder, |observer| Ok(simulation.run(observer)?))
+    }
+}

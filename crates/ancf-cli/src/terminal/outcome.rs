@@ -1,0 +1,45 @@
+//! Outcome of a command, and the rejection of bad input.
+
+use std::fs;
+use std::path::Path;
+
+use ancf::ModelError;
+
+use super::json_errors::JsonErrors;
+use super::model_errors;
+use super::output_mode::{print_error, print_json};
+
+/// Outcome of a command, for the exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// Done.
+    Done,
+    /// The analysis failed. The results so far are written.
+    Failed,
+    /// The input is invalid. Nothing is written.
+    BadInput,
+    /// Stopped by a signal. The results so far are written.
+    Stopped,
+}
+
+/// Reports the errors of a file.
+pub fn refuse(errors: &[ModelError], file: &Path) -> Ended {
+    let text = fs::read(file).unwrap_or_default();
+    let text = String::from_utf8_lossy(&text);
+    print_error(model_errors::render(errors, &file.display().to_string(), &text).trim_end());
+    print_json(&JsonErrors::from_errors(errors, file));
+    Ended::BadInput
+}
+
+/// Reports an error of the arguments.
+pub fn reject(message: &str) -> Ended {
+    print_error(&format!("error: {message}"));
+    print_json(&JsonErrors::from_message(message));
+    Ended::BadInput
+}
+
+/// Rejects a command that needs figures.
+#[cfg(not(feature = "figures"))]
+pub fn reject_figures() -> Ended {
+    reject("this program was built without figures; build it with the cargo feature `figures`")
+}

@@ -1,0 +1,16 @@
+//! Integration tests of the program `ancf`: commands, files, messages, exit codes.
+#![cfg(test)]
+
+mod folder;
+#[cfg(target_os = "linux")]
+mod full_disk;
+mod numerics;
+mod output;
+#[cfg(feature = "figures")]
+mod paper;
+#[cfg(unix)]
+mod resume;
+mod runs;
+mod study;
+#[cfg(feature = "figures")]
+mod verify;

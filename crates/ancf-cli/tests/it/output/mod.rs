@@ -1,0 +1,6 @@
+//! Output of the program: templates, help, plots, JSON, colours, messages.
+
+mod json;
+mod messages;
+mod plot;
+mod start;

@@ -1,0 +1,103 @@
+use ancf_solver::equations::{Batch, State, Term};
+use nalgebra::Vector3;
+
+use super::mesh::BeamMesh;
+use crate::elements::{RigidBody, StrainEnergy};
+use crate::kinematics::{Attachment, Kind, Marker, NodalVector};
+
+/// Body as coordinates and terms.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// Beam or cable mesh.
+    Flexible(BeamMesh),
+    /// Rigid body or point mass.
+    Rigid(RigidBody),
+}
+
+impl Body {
+    /// Returns the mesh of a flexible body.
+    pub const fn mesh(&self) -> Option<&BeamMesh> {
+        match self {
+            Self::Flexible(mesh) => Some(mesh),
+            Self::Rigid(_) => None,
+        }
+    }
+
+    /// Returns the number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        match self {
+            Self::Flexible(mesh) => mesh.coordinates(),
+            Self::Rigid(body) => body.coordinates(),
+        }
+    }
+
+    /// Returns the number of multipliers of the body.
+    pub const fn multipliers(&self) -> usize {
+        match self {
+            Self::Flexible(_) => 0,
+            Self::Rigid(body) => body.multipliers(),
+        }
+    }
+
+    /// Returns the terms of the body.
+    pub fn terms(&self) -> Vec<Box<dyn Term>> {
+        match self {
+            Self::Flexible(mesh) => mesh.terms(),
+            Self::Rigid(body) => body.terms(),
+        }
+    }
+
+    /// Returns batches of the terms, each with the index of its first term.
+    pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
+        self.mesh().map_or_else(Vec::new, BeamMesh::batches)
+    }
+
+    /// Returns the sums Σ m x over parts of the body.
+    ///
+    /// Multiplied by an acceleration they give the forces of a uniform field.
+    pub fn mass_markers(&self) -> Vec<Marker> {
+        match self {
+            Self::Flexible(mesh) => mesh.mass_markers().collect(),
+            Self::Rigid(body) => vec![body.mass_marker()],
+        }
+    }
+
+    /// Returns the attachment of joints, loads and probes.
+    ///
+    /// A flexible body is attached at an arc length, and a rigid body at a point of the reference state.
+    pub fn attachment(&self, s: f64, point: Vector3<f64>) -> Attachment {
+        match self {
+            Self::Flexible(mesh) => mesh.attachment(s),
+            Self::Rigid(body) => body.attachment(point),
+        }
+    }
+
+    /// Returns all nodal vectors in a state, in the order of the coordinates.
+    pub fn vectors(&self, s: &State) -> Vec<NodalVector> {
+        match self {
+            Self::Flexible(mesh) => mesh.vectors(s).collect(),
+            Self::Rigid(body) => body.vectors(s).collect(),
+        }
+    }
+
+    /// Returns the node, if any, and the kind of vector to which a coordinate of this body belongs.
+    pub fn place_of(&self, coordinate: usize) -> Option<(Option<usize>, Kind)> {
+        match self {
+            Self::Flexible(mesh) => mesh.place_of(coordinate).map(|(node, kind)| (Some(node), kind)),
+            Self::Rigid(body) => body.place_of(coordinate).map(|kind| (None, kind)),
+        }
+    }
+
+    /// Returns the arc length of a node in the reference state. It is 0 for a body without nodes.
+    pub fn arc_length(&self, node: usize) -> f64 {
+        self.mesh().map_or(0.0, |mesh| {
+            let nodes = mesh.coordinates() / (3 * mesh.node_kinds().len());
+            mesh.length() * node as f64 / (nodes - 1).max(1) as f64
+        })
+    }
+
+    /// Returns the strain energy by part.
+    pub fn strain_energy(&self, state: &State) -> StrainEnergy {
+        self.mesh().map_or_else(StrainEnergy::default, |mesh| mesh.strain_energy(state))
+    }
+}

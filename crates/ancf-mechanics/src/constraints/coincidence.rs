@@ -1,0 +1,266 @@
+use std::ops::Range;
+
+use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::kinematics::Marker;
+
+/// Force and moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Force.
+    pub force: Vector3<f64>,
+    /// Moment about the point of the joint.
+    pub moment: Vector3<f64>,
+}
+
+/// Names of the global axes.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Describes a body-fixed direction by its reference value.
+pub(crate) fn direction(reference: Vector3<f64>) -> String {
+    let unit = reference.try_normalize(0.0).unwrap_or(reference);
+    let along = (0..3).find(|&k| unit[k].abs() > 1.0 - 1e-9);
+    match along {
+        Some(k) => format!("direction {}", AXES[k]),
+        None => format!("direction ({:.3}, {:.3}, {:.3})", unit.x, unit.y, unit.z),
+    }
+}
+
+/// Three linear equations that keep a − b at its reference value, for two points or two directions.
+///
+/// Φ = (a − a₀) − (b − b₀), and Φ_qᵀ λ applies λ to a and −λ to b. Points may have a gap g = b₀ − a₀ in the reference
+/// state. The gap is kept, or closed by Φ = a − b, or closed with the load factor s by Φ = (a − a₀) − (b − b₀) − s g.
+///
+/// Units: those of the markers; λ is a force for points and a moment for directions.
+#[derive(Clone, Debug)]
+pub struct Coincide {
+    global: Marker,
+    a: Marker,
+    b: Marker,
+    coordinates: Vec<usize>,
+    first: usize,
+    direction: bool,
+    /// Removed part of the reference gap.
+    gap: Vector3<f64>,
+    /// True if the gap is multiplied by the load factor.
+    by_load: bool,
+}
+
+impl Coincide {
+    /// Constrains two points. Uses the three multipliers from `first`.
+    pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
+        Self::new(a, b, first, false)
+    }
+
+    /// Moves a point to a ground point with the load factor. Uses the three multipliers from `first`.
+    pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
+        Self::points(a, &Marker::fixed(target), first).drawn()
+    }
+
+    /// Closes the reference gap of the points.
+    #[must_use]
+    pub fn closed(self) -> Self {
+        Self { gap: self.gap(), by_load: false, ..self }
+    }
+
+    /// Keeps the reference gap of the points.
+    #[must_use]
+    pub fn kept(self) -> Self {
+        Self { gap: Vector3::zeros(), by_load: false, ..self }
+    }
+
+    /// Returns the reference gap b₀ − a₀.
+    pub fn gap(&self) -> Vector3<f64> {
+        self.b.reference() - self.a.reference()
+    }
+
+    /// Closes the reference gap in proportion to the load factor.
+    #[must_use]
+    pub fn drawn(self) -> Self {
+        Self { gap: self.gap(), by_load: true, ..self }
+    }
+
+    /// Constrains two directions. Uses the three multipliers from `first`.
+    pub fn directions(a: &Marker, b: &Marker, first: usize) -> Self {
+        Self::new(a, b, first, true)
+    }
+
+    /// Returns true for points and false for directions.
+    pub const fn is_of_points(&self) -> bool {
+        !self.direction
+    }
+
+    fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
+        let coordinates = Marker::union_coordinates([a, b]);
+        let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
+        let (gap, by_load) = (Vector3::zeros(), false);
+        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
+    }
+
+    /// Returns the removed part of the gap at a load factor.
+    fn removed_gap(&self, load: f64) -> Vector3<f64> {
+        if self.by_load { self.gap * load } else { self.gap }
+    }
+
+    /// Returns the contribution to the joint reaction on the body of marker a.
+    ///
+    /// It is the force −λ for a point, or the moment a × (−λ) for a direction.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
+        if self.direction {
+            Wrench { moment: self.global.value(s).cross(&force), ..Wrench::default() }
+        } else {
+            Wrench { force, ..Wrench::default() }
+        }
+    }
+}
+
+impl Term for Coincide {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.first..self.first + 3
+    }
+
+    fn tie(&self, k: usize) -> String {
+        let what = if self.direction { direction(self.a.reference()) } else { "position".to_owned() };
+        format!("{what} along {}", AXES[k])
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let (rows, equations) = r.split_at_mut(at.q.len());
+        let lambda = Vector3::from_column_slice(at.lambda);
+        self.a.add(lambda, rows);
+        self.b.add(-lambda, rows);
+        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.removed_gap(at.load);
+        for (row, apart) in equations.iter_mut().zip(&apart) {
+            *row += apart;
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (rows, equations) = floor.split_at_mut(at.q.len());
+        for (row, gap) in equations.iter_mut().zip(&self.removed_gap(at.load)) {
+            *row += f64::EPSILON * gap.abs();
+        }
+        for marker in [&self.a, &self.b] {
+            for &(first, w) in marker.parts() {
+                for k in 0..3 {
+                    rows[first + k] += f64::EPSILON * (w * at.lambda[k]).abs();
+                    equations[k] += f64::EPSILON * (w * at.q[first + k]).abs();
+                }
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, _: Weights, k: &mut LocalMatrix<'_>) {
+        let n = at.q.len();
+        for (marker, sign) in [(&self.a, 1.0), (&self.b, -1.0)] {
+            for &(first, w) in marker.parts() {
+                for i in 0..3 {
+                    k.add(n + i, first + i, sign * w);
+                }
+            }
+        }
+    }
+}
+
+/// Bilinear equation that keeps the angle of the directions a and b: a·b = a₀·b₀.
+///
+/// Φ = a·b − a₀·b₀, evaluated without cancellation. Φ_qᵀ λ applies λ b to a and λ a to b.
+///
+/// Units: none for directions; λ is a moment.
+#[derive(Clone, Debug)]
+pub struct Perpendicular {
+    global: [Marker; 2],
+    a: Marker,
+    b: Marker,
+    coordinates: Vec<usize>,
+    multiplier: usize,
+    tie: &'static str,
+}
+
+impl Perpendicular {
+    /// Keeps the angle of two directions with the given multiplier.
+    pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
+        let coordinates = Marker::union_coordinates([a, b]);
+        let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
+        let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
+        Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }
+    }
+
+    /// Sets the description of the constraint.
+    #[must_use]
+    pub fn named(self, tie: &'static str) -> Self {
+        Self { tie, ..self }
+    }
+
+    /// Returns the contribution to the joint reaction on the body of marker a: the moment a × (−λ b).
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let [a, b] = self.global.each_ref().map(|marker| marker.value(s));
+        Wrench { moment: a.cross(&(b * -s.lambda[self.multiplier])), ..Wrench::default() }
+    }
+
+    fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {
+        [self.a.reference() + self.a.sum(q), self.b.reference() + self.b.sum(q)]
+    }
+}
+
+impl Term for Perpendicular {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.multiplier..self.multiplier + 1
+    }
+
+    fn tie(&self, _: usize) -> String {
+        self.tie.to_owned()
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let n = at.q.len();
+        let [a, b] = self.values(at.q);
+        self.a.add(b * at.lambda[0], &mut r[..n]);
+        self.b.add(a * at.lambda[0], &mut r[..n]);
+        let (ua, ub) = (self.a.sum(at.q), self.b.sum(at.q));
+        r[n] += self.a.reference().dot(&ub) + ua.dot(&self.b.reference()) + ua.dot(&ub);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let n = at.q.len();
+        let sizes = [self.a.size(at.q), self.b.size(at.q)];
+        for (marker, other) in [(&self.a, sizes[1]), (&self.b, sizes[0])] {
+            for &(first, w) in marker.parts() {
+                for k in 0..3 {
+                    floor[first + k] += f64::EPSILON * (w * at.lambda[0]).abs() * other;
+                    floor[n] += f64::EPSILON * (w * at.q[first + k]).abs() * other;
+                }
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let n = at.q.len();
+        let [a, b] = self.values(at.q);
+        for (marker, other) in [(&self.a, b), (&self.b, a)] {
+            for &(first, weight) in marker.parts() {
+                for i in 0..3 {
+                    k.add(n, first + i, weight * other[i]);
+                }
+            }
+        }
+        let curvature = Matrix3::from_diagonal_element(w.q * at.lambda[0]);
+        let mut add = |i: usize, j: usize, value: f64| {
+            if i >= j {
+                k.add(i, j, value);
+            }
+        };
+        self.a.product(&self.b, &curvature, &mut add);
+        self.b.product(&self.a, &curvature, &mut add);
+    }
+}

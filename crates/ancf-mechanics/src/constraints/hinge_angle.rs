@@ -1,0 +1,157 @@
+use std::ops::Range;
+
+use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use nalgebra::{Matrix3, Vector3};
+
+use super::coincidence::Wrench;
+use crate::kinematics::Marker;
+
+/// Angle of a revolute joint as a massless coordinate θ, defined by one equation.
+///
+/// A direction p of the first body remains in the plane through the axis that is rotated by θ:
+/// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground normal to the axis and v = axis
+/// × u. u is parallel to p in the reference state. θ counts full turns, since it is continuous in time. Φ also vanishes
+/// at θ + π, where p is opposite to u. That state is inadmissible. A step must turn by less than half a turn.
+///
+/// Units: none; λ is the moment about the axis.
+#[derive(Clone, Debug)]
+pub struct Angle {
+    global: [Marker; 3],
+    /// Directions p, u, v.
+    markers: [Marker; 3],
+    /// Coordinates, θ first.
+    coordinates: Vec<usize>,
+    multiplier: usize,
+}
+
+/// Position of θ among the coordinates.
+const THETA: usize = 0;
+
+/// Quantities in Φ.
+struct AngleValues {
+    p: Vector3<f64>,
+    sin: f64,
+    cos: f64,
+    /// w = cos θ v − sin θ u, and −∂w/∂θ = sin θ v + cos θ u.
+    w: Vector3<f64>,
+    along: Vector3<f64>,
+}
+
+impl Angle {
+    /// Defines the angle from u to p about u × v as a coordinate.
+    pub fn new(coordinate: usize, p: &Marker, [u, v]: [&Marker; 2], multiplier: usize) -> Self {
+        let global = [p, u, v].map(Marker::clone);
+        let mut others: Vec<usize> = global.iter().flat_map(Marker::coordinates).collect();
+        others.sort_unstable();
+        others.dedup();
+        let coordinates: Vec<usize> = [coordinate].into_iter().chain(others).collect();
+        let markers = global.each_ref().map(|marker| marker.within(&coordinates));
+        Self { global, markers, coordinates, multiplier }
+    }
+
+    /// Returns the contribution to the joint reaction on the first body: the moment p × (−λ w).
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let [p, u, v] = self.global.each_ref().map(|marker| marker.value(s));
+        let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();
+        let moment = p.cross(&((v * cos - u * sin) * -s.lambda[self.multiplier]));
+        Wrench { moment, ..Wrench::default() }
+    }
+
+    fn values(&self, q: &[f64]) -> AngleValues {
+        let [p, u, v] = self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q));
+        let (sin, cos) = q[THETA].sin_cos();
+        AngleValues { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
+    }
+}
+
+impl Term for Angle {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.multiplier..self.multiplier + 1
+    }
+
+    fn tie(&self, _: usize) -> String {
+        "definition of the angle".to_owned()
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let (n, lambda) = (at.q.len(), at.lambda[0]);
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
+        let [of_p, of_u, of_v] = &self.markers;
+        of_p.add(w * lambda, r);
+        of_u.add(p * (-sin * lambda), r);
+        of_v.add(p * (cos * lambda), r);
+        r[THETA] -= lambda * p.dot(&along);
+        r[n] += p.dot(&w);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (n, lambda) = (at.q.len(), at.lambda[0].abs());
+        let [p, u, v] = self.markers.each_ref().map(|marker| marker.size(at.q));
+        // The rounding error of an angle of many turns is ε times its value.
+        let turn = f64::EPSILON * (2.0 + at.q[THETA].abs());
+        for (marker, size) in self.markers.iter().zip([u + v, p, p]) {
+            for &(first, w) in marker.parts() {
+                floor[first..first + 3].iter_mut().for_each(|row| *row += turn * lambda * size * w.abs());
+            }
+        }
+        floor[THETA] += turn * lambda * p * (u + v);
+        floor[n] += turn * p * (u + v);
+    }
+
+    fn tangent(&self, at: &Local<'_>, weights: Weights, k: &mut LocalMatrix<'_>) {
+        let n = at.q.len();
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
+        let f = weights.q * at.lambda[0];
+        let [of_p, of_u, of_v] = &self.markers;
+        k.add(n, THETA, -p.dot(&along));
+        k.add(THETA, THETA, -f * p.dot(&w));
+        for (marker, slope, turned) in
+            [(of_p, w, -along), (of_u, p * -sin, p * -cos), (of_v, p * cos, p * -sin)]
+        {
+            for &(first, weight) in marker.parts() {
+                for i in 0..3 {
+                    k.add(n, first + i, weight * slope[i]);
+                    k.add(first + i, THETA, f * weight * turned[i]);
+                }
+            }
+        }
+        let mut add = |i: usize, j: usize, value: f64| {
+            if i >= j {
+                k.add(i, j, value);
+            }
+        };
+        for (marker, factor) in [(of_u, -sin), (of_v, cos)] {
+            let h = Matrix3::from_diagonal_element(f * factor);
+            of_p.product(marker, &h, &mut add);
+            marker.product(of_p, &h, &mut add);
+        }
+    }
+
+    fn massless(&self) -> &[usize] {
+        &self.coordinates[..=THETA]
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let AngleValues { p, along, .. } = self.values(at.q);
+        p.dot(&along) > 0.0
+    }
+
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        let AngleValues { p, sin, cos, w, along } = self.values(at.q);
+        let [dp, du, dv] = self.markers.each_ref().map(|marker| marker.sum(at.v));
+        let (rate, carried) = (at.v[THETA], dv * cos - du * sin);
+        phi[0] += match level {
+            Level::Position => p.dot(&w),
+            Level::Velocity => dp.dot(&w) + p.dot(&carried) - rate * p.dot(&along),
+            Level::Acceleration => {
+                2.0 * dp.dot(&carried)
+                    - 2.0 * rate * (dp.dot(&along) + p.dot(&(dv * sin + du * cos)))
+                    - rate * rate * p.dot(&w)
+            }
+        };
+    }
+}

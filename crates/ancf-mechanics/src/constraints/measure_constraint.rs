@@ -1,0 +1,96 @@
+use std::ops::Range;
+
+use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
+
+use super::bilinear_measure::Measure;
+use super::coincidence::Wrench;
+use super::measure_target::Target;
+
+/// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
+///
+/// Φ = g(q) − g₀ − c(t); Φ_qᵀ λ = λ ∂g/∂q.
+///
+/// Units: those of the measure; λ is energy per unit of the measure.
+#[derive(Clone, Debug)]
+pub struct Tie {
+    global: Measure,
+    measure: Measure,
+    target: Target,
+    coordinates: Vec<usize>,
+    massless: Vec<usize>,
+    multiplier: usize,
+    tie: &'static str,
+}
+
+impl Tie {
+    /// Keeps a measure at its reference value with the given multiplier.
+    pub fn new(measure: Measure, multiplier: usize) -> Self {
+        Self::driven(measure, Target::NONE, multiplier)
+    }
+
+    /// Drives a measure to a target.
+    pub fn driven(measure: Measure, target: Target, multiplier: usize) -> Self {
+        let coordinates = measure.coordinates();
+        let (local, massless) = (measure.within(&coordinates), Vec::new());
+        Self { global: measure, measure: local, target, coordinates, massless, multiplier, tie: "guide" }
+    }
+
+    /// Sets the description of the constraint.
+    #[must_use]
+    pub fn named(self, tie: &'static str) -> Self {
+        Self { tie, ..self }
+    }
+
+    /// Defines the change of a measure as a massless coordinate: Φ = g(q) − g₀ − q_c.
+    pub fn defining(coordinate: usize, measure: Measure, multiplier: usize) -> Self {
+        Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
+    }
+
+    /// Returns the contribution to the joint reaction on the first body.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        self.global.wrench(s, -s.lambda[self.multiplier])
+    }
+}
+
+impl Term for Tie {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.multiplier..self.multiplier + 1
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let n = at.q.len();
+        self.measure.add_gradient(at.q, at.lambda[0], &mut r[..n]);
+        r[n] += self.measure.change(at.q) - self.target.value(at);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let n = at.q.len();
+        let of_change = self.measure.add_rounding(at.q, at.lambda[0], &mut floor[..n]);
+        floor[n] += of_change + f64::EPSILON * self.target.size(at);
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (n, mut gradient) = (at.q.len(), [0.0; LOCAL]);
+        self.measure.add_gradient(at.q, 1.0, &mut gradient[..n]);
+        gradient[..n].iter().enumerate().for_each(|(i, x)| k.add(n, i, *x));
+        self.measure.add_curvature(w.q * at.lambda[0], k);
+    }
+
+    fn tie(&self, _: usize) -> String {
+        self.tie.to_owned()
+    }
+
+    fn massless(&self) -> &[usize] {
+        &self.massless
+    }
+
+    fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {
+        let [rate, acceleration] = self.target.rates(t);
+        rates[0] -= rate;
+        accelerations[0] -= acceleration;
+    }
+}

@@ -1,0 +1,170 @@
+use std::ops::Range;
+
+use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use nalgebra::Vector3;
+
+use super::coincidence::{AXES, Wrench};
+use crate::kinematics::{ElementAxis, Marker};
+
+/// Sliding joint of a point on the axis of a beam: r_a = r_b(s), with the undeformed arc length s as a massless
+/// coordinate.
+///
+/// Φ = r_a − r_b(s), and Φ_qᵀ λ applies λ to the point, −λ N to the beam and −λ·r_b′(s) to s. The latter is the
+/// tangential component. It vanishes unless a drive or a constraint acts on s, so the joint is frictionless.
+///
+/// Each element of the beam has one term. All terms share the three multipliers and s. The term of the element that
+/// contains s is active, so the point passes from element to element. Only two-node elements have a continuous tangent.
+/// A point beyond the ends of the beam is inadmissible.
+///
+/// Units: length; λ is a force.
+/// Source: Sugiyama, Escalona & Shabana (2003), sliding joints of the absolute nodal coordinate formulation.
+#[derive(Clone, Debug)]
+pub struct Slide {
+    point: Marker,
+    axis: ElementAxis,
+    /// Coordinates, s minus its reference value first.
+    coordinates: Vec<usize>,
+    first: usize,
+    start: f64,
+    /// True if the beam ends at the start or at the end of the element.
+    ends: [bool; 2],
+}
+
+/// Position of s among the coordinates.
+const S: usize = 0;
+
+impl Slide {
+    /// Creates the terms of a sliding joint along the elements of a beam, starting at the arc length `start`.
+    ///
+    /// Uses the three multipliers from `first`.
+    pub fn along(
+        axes: impl IntoIterator<Item = ElementAxis>,
+        point: &Marker,
+        coordinate: usize,
+        start: f64,
+        first: usize,
+    ) -> Vec<Self> {
+        let mut slides: Vec<Self> =
+            axes.into_iter().map(|axis| Self::new(&axis, point, coordinate, start, first)).collect();
+        if let Some(slide) = slides.first_mut() {
+            slide.ends[0] = true;
+        }
+        if let Some(slide) = slides.last_mut() {
+            slide.ends[1] = true;
+        }
+        slides
+    }
+
+    fn new(axis: &ElementAxis, point: &Marker, coordinate: usize, start: f64, first: usize) -> Self {
+        let mut others: Vec<usize> = point.coordinates().chain(axis.coordinates()).collect();
+        others.sort_unstable();
+        others.dedup();
+        let coordinates: Vec<usize> = [coordinate].into_iter().chain(others).collect();
+        let (point, axis) = (point.within(&coordinates), axis.within(&coordinates));
+        Self { point, axis, coordinates, first, start, ends: [false; 2] }
+    }
+
+    /// Returns the reaction of the beam on the point: −λ.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let force = -Vector3::from_column_slice(&s.lambda[self.first..self.first + 3]);
+        Wrench { force, ..Wrench::default() }
+    }
+
+    /// Returns the arc length s if it is in this element. The first and the last element extend beyond the ends of the
+    /// beam.
+    fn local_arc_length(&self, q: &[f64]) -> Option<f64> {
+        let (s, span) = (self.start + q[S], self.axis.span());
+        let within = (self.ends[0] || s >= span.start) && (self.ends[1] || s < span.end);
+        within.then_some(s)
+    }
+}
+
+impl Term for Slide {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn multipliers(&self) -> Range<usize> {
+        self.first..self.first + 3
+    }
+
+    fn tie(&self, k: usize) -> String {
+        format!("position along {}", AXES[k])
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        let Some(s) = self.local_arc_length(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [r_b, tangent, _] = self.axis.at(at.q, s);
+        let [weights, ..] = self.axis.weights(s);
+        self.point.add(lambda, &mut r[..n]);
+        for (&first, weight) in self.axis.vectors().iter().zip(weights) {
+            (0..3).for_each(|k| r[first + k] -= weight * lambda[k]);
+        }
+        r[S] -= lambda.dot(&tangent);
+        let apart = self.point.reference() + self.point.sum(at.q) - r_b;
+        (0..3).for_each(|k| r[n + k] += apart[k]);
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let Some(s) = self.local_arc_length(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [values, slopes, curvatures] = self.axis.weights(s);
+        // The weights are cubic in s.
+        let turn = f64::EPSILON * (self.start.abs() + at.q[S].abs());
+        let of_value = |i: usize| 4.0 * (f64::EPSILON * values[i].abs() + turn * slopes[i].abs());
+        let of_slope = |i: usize| 8.0 * (f64::EPSILON * slopes[i].abs() + turn * curvatures[i].abs());
+        let mut apart = f64::EPSILON * self.point.size(at.q);
+        for (i, &first) in self.axis.vectors().iter().enumerate() {
+            let size = self.axis.size(i, at.q);
+            apart += of_value(i) * size;
+            floor[S] += of_slope(i) * size * lambda.norm();
+            (0..3).for_each(|k| floor[first + k] += of_value(i) * lambda[k].abs());
+        }
+        for &(first, w) in self.point.parts() {
+            (0..3).for_each(|k| floor[first + k] += f64::EPSILON * (w * lambda[k]).abs());
+        }
+        floor[n..n + 3].iter_mut().for_each(|row| *row += apart);
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let Some(s) = self.local_arc_length(at.q) else { return };
+        let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
+        let [_, tangent, curvature] = self.axis.at(at.q, s);
+        let [values, slopes, _] = self.axis.weights(s);
+        for i in 0..3 {
+            k.add(n + i, S, -tangent[i]);
+            for &(first, weight) in self.point.parts() {
+                k.add(n + i, first + i, weight);
+            }
+            for (j, &first) in self.axis.vectors().iter().enumerate() {
+                k.add(n + i, first + i, -values[j]);
+                k.add(first + i, S, -w.q * slopes[j] * lambda[i]);
+            }
+        }
+        k.add(S, S, -w.q * lambda.dot(&curvature));
+    }
+
+    fn massless(&self) -> &[usize] {
+        &self.coordinates[..=S]
+    }
+
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        let Some(s) = self.local_arc_length(at.q) else { return };
+        let [r_b, tangent, curvature] = self.axis.at(at.q, s);
+        let [velocity, turning, _] = self.axis.sum(at.v, s);
+        let rate = at.v[S];
+        let row = match level {
+            Level::Position => self.point.reference() + self.point.sum(at.q) - r_b,
+            Level::Velocity => self.point.sum(at.v) - velocity - tangent * rate,
+            Level::Acceleration => -(turning * (2.0 * rate) + curvature * (rate * rate)),
+        };
+        (0..3).for_each(|k| phi[k] += row[k]);
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let (s, span) = (self.start + at.q[S], self.axis.span());
+        let slack = 1e-9 * (span.end - span.start);
+        !(self.ends[0] && s < span.start - slack || self.ends[1] && s > span.end + slack)
+    }
+}

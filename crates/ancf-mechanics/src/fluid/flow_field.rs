@@ -1,0 +1,153 @@
+use nalgebra::{Matrix3, Vector3};
+
+use crate::functions::Function;
+
+/// Unbounded fluid with a uniform current u = U f(t).
+#[derive(Clone, Debug)]
+pub struct Fluid {
+    /// Density ρ, mass/volume.
+    pub density: f64,
+    /// Acceleration of gravity g.
+    pub gravity: Vector3<f64>,
+    /// Velocity U.
+    pub current: Vector3<f64>,
+    /// Function of time f that scales the velocity.
+    pub function: Function,
+}
+
+impl Fluid {
+    /// Returns the velocity u.
+    pub(crate) fn velocity(&self, t: f64) -> Vector3<f64> {
+        self.current * self.function.value(t)
+    }
+
+    /// Returns the acceleration u̇.
+    pub(crate) fn acceleration(&self, t: f64) -> Vector3<f64> {
+        self.current * self.function.at(t).rate
+    }
+}
+
+/// Hydrodynamic properties of a section.
+///
+/// Coefficients are given for the normal and for the tangential direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hull {
+    /// Diameter d exposed to the flow.
+    pub diameter: f64,
+    /// Displaced area A.
+    pub area: f64,
+    /// Drag coefficients: C_n with the diameter, and C_t with the circumference.
+    pub drag: [f64; 2],
+    /// Added mass coefficients, relative to the displaced fluid.
+    pub added_mass: [f64; 2],
+}
+
+/// Hydrodynamic coefficients of a point of the line, integrated over the length that belongs to the point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HydroCoefficients {
+    /// ½ρ d C_n and ½ρ π d C_t, times the length.
+    drag: [f64; 2],
+    /// ρ A C_a for the normal and the tangential direction, times the length.
+    added: [f64; 2],
+    /// ρ A times the length.
+    displaced: f64,
+}
+
+/// Motion of line and fluid at a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RelativeFlow {
+    /// Tangent p/|p|.
+    pub tangent: Vector3<f64>,
+    /// Stretch |p|, p = dr/ds.
+    pub stretch: f64,
+    /// Velocity of the fluid relative to the line.
+    pub relative: Vector3<f64>,
+    /// Acceleration of the fluid relative to the line, which the added mass multiplies.
+    pub relative_acceleration: Vector3<f64>,
+    /// Load factor, which multiplies the drag.
+    pub load: f64,
+}
+
+/// Derivatives ∂F/∂p, ∂F/∂w and ∂F/∂b of a force F, for a relative velocity w and a relative acceleration b.
+pub(crate) struct ForceDerivatives {
+    pub gradient: Matrix3<f64>,
+    pub velocity: Matrix3<f64>,
+    pub acceleration: Matrix3<f64>,
+}
+
+impl HydroCoefficients {
+    pub(crate) fn new(fluid: &Fluid, hull: &Hull, length: f64) -> Self {
+        let (dynamic_pressure, displaced) =
+            (0.5 * fluid.density * hull.diameter * length, fluid.density * hull.area * length);
+        let [normal, tangential] = hull.drag;
+        Self {
+            drag: [dynamic_pressure * normal, dynamic_pressure * std::f64::consts::PI * tangential],
+            added: hull.added_mass.map(|c| c * displaced),
+            displaced,
+        }
+    }
+
+    /// Returns ρ A times the length.
+    pub(crate) fn displaced(&self) -> f64 {
+        self.displaced
+    }
+
+    /// Returns the drag ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t.
+    pub(crate) fn drag(&self, flow: &RelativeFlow) -> Vector3<f64> {
+        let (along, across) = flow.parts(&flow.relative);
+        let [normal, tangential] = self.drag;
+        let drag = across * (normal * across.norm()) + flow.tangent * (tangential * along.abs() * along);
+        drag * flow.load
+    }
+
+    /// Multiplies a vector by the added mass.
+    pub(crate) fn added(&self, flow: &RelativeFlow, x: &Vector3<f64>) -> Vector3<f64> {
+        let (along, across) = flow.parts(x);
+        across * self.added[0] + flow.tangent * (along * self.added[1])
+    }
+
+    /// Returns ½ v·Ṁv of the added mass M on a line whose gradient changes at the rate ṗ.
+    pub(crate) fn rotation_power(&self, flow: &RelativeFlow, v: &Vector3<f64>, rate: &Vector3<f64>) -> f64 {
+        let (_, turn) = flow.parts(rate);
+        (self.added[1] - self.added[0]) * v.dot(&turn) * v.dot(&flow.tangent) / flow.stretch
+    }
+
+    /// Computes the derivatives of drag and added mass.
+    pub(crate) fn derivatives(&self, flow: &RelativeFlow) -> ForceDerivatives {
+        let (t, w, b) = (&flow.tangent, &flow.relative, &flow.relative_acceleration);
+        let (along, across) = flow.parts(w);
+        let speed = across.norm();
+        let [normal, tangential] = self.drag.map(|c| c * flow.load);
+        let projector = Matrix3::identity() - t * t.transpose();
+        // |w| w has no second derivative at w = 0; its first derivative is zero there.
+        let flat = if speed > 0.0 { across * across.transpose() / speed } else { Matrix3::zeros() };
+        let velocity =
+            (projector * speed + flat) * normal + t * t.transpose() * (2.0 * tangential * along.abs());
+        let identity = Matrix3::identity();
+        // Derivatives by the tangent t: of w_n = w − t (t·w), of t·w, and of (M_t − M_n) t (t·b).
+        let sideways = identity * along + t * w.transpose();
+        let of_speed = if speed > 0.0 { across * across.transpose() * (along / speed) } else { flat };
+        let turned = sideways * (-normal * speed) - of_speed * normal
+            + (t * w.transpose() * 2.0 + identity * along) * (tangential * along.abs())
+            + (identity * t.dot(b) + t * b.transpose()) * (self.added[1] - self.added[0]);
+        let acceleration = projector * self.added[0] + t * t.transpose() * self.added[1];
+        ForceDerivatives { gradient: turned * projector / flow.stretch, velocity, acceleration }
+    }
+
+    /// Bounds the rounding error of the force, given the error of p and the magnitudes in w and b.
+    pub(crate) fn rounding(&self, flow: &RelativeFlow, [p, w, b]: [f64; 3]) -> f64 {
+        let (drag, added) = (self.drag[0] + self.drag[1], self.added[0] + self.added[1]);
+        let turn = p / flow.stretch;
+        let (speed, rate) = (flow.relative.norm(), flow.relative_acceleration.norm());
+        let of_drag = (drag * flow.load).abs() * speed * (2.0 * w + 3.0 * speed * (1.0 + turn));
+        f64::EPSILON * (of_drag + added * (b + 2.0 * rate * (1.0 + turn)))
+    }
+}
+
+impl RelativeFlow {
+    /// Returns x·t and x − t (t·x).
+    fn parts(&self, x: &Vector3<f64>) -> (f64, Vector3<f64>) {
+        let along = self.tangent.dot(x);
+        (along, x - self.tangent * along)
+    }
+}

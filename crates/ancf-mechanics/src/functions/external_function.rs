@@ -1,0 +1,56 @@
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::function_value::Instant;
+
+/// User-defined function of time.
+///
+/// The last time and its result are stored, so all terms together call the user function once per time. Calls come from
+/// any thread, one at a time, for times in any order: failed iterations restart at an earlier time. The result must
+/// depend on t alone. Between steps, however, the function may change for future times, for example by a controller. It
+/// must not be evaluated recursively. A result that is not a number ends the analysis as divergence.
+///
+/// Clones are the same function and compare equal. Separately created functions differ.
+#[derive(Clone)]
+pub struct External(Arc<UserFunction>);
+
+struct UserFunction {
+    function: Box<dyn Fn(f64) -> Instant + Send + Sync>,
+    last: Mutex<Option<(f64, Instant)>>,
+}
+
+impl External {
+    /// Creates a function from a user function that returns value and rates at a time.
+    ///
+    /// Loads use the value, currents of fluids also the first rate, and drives both rates. There the rates must be the
+    /// derivatives of the value.
+    pub fn new(f: impl Fn(f64) -> Instant + Send + Sync + 'static) -> Self {
+        Self(Arc::new(UserFunction { function: Box::new(f), last: Mutex::new(None) }))
+    }
+
+    /// Returns value and rates.
+    pub fn at(&self, t: f64) -> Instant {
+        // The stored result is valid even after a panic in the user function.
+        let mut last = self.0.last.lock().unwrap_or_else(PoisonError::into_inner);
+        match *last {
+            Some((then, instant)) if then == t => instant,
+            _ => {
+                let instant = (self.0.function)(t);
+                *last = Some((t, instant));
+                instant
+            }
+        }
+    }
+}
+
+impl PartialEq for External {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl fmt::Debug for External {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("External").finish_non_exhaustive()
+    }
+}

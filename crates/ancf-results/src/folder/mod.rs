@@ -1,0 +1,13 @@
+//! Folder of a run: paths, lock, summary, and writing of whole files.
+
+mod checksum;
+mod run_folder;
+mod summary_file;
+mod whole_file;
+
+pub(crate) use checksum::sha256;
+pub use run_folder::Folder;
+pub(crate) use run_folder::sign;
+pub use summary_file::SummaryFile;
+pub use whole_file::write_atomically;
+pub(crate) use whole_file::{part_path, remove, remove_all, replace, with_path};

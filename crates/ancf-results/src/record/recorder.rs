@@ -1,0 +1,252 @@
+use std::fs::{self, File};
+use std::io;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use ancf::system::State;
+use ancf::{Checkpoint, Model, Observer, Simulation, Summary};
+use serde::{Deserialize, Serialize};
+
+use super::checkpoint::{self, CheckpointError, CheckpointInterval};
+use super::row_selection::RowSelection;
+use super::run_files::{FileLengths, FileSpec, RunFiles};
+use super::state_selection::StateSelection;
+use crate::folder::{Folder, SummaryFile, remove, replace, sign, with_path};
+use crate::table::{Layout, PROGRAM, Provenance, state_layout};
+
+/// Writes a run into its folder.
+///
+/// The folder is created when the run begins, so that invalid input leaves no folder behind.
+#[derive(Debug)]
+pub struct Recorder {
+    spec: FileSpec,
+    /// Name of the model file.
+    name: String,
+    /// Text of the model file.
+    text: String,
+    selection: Selection,
+    interval: Option<CheckpointInterval>,
+    /// Time of the last flush.
+    flushed: Instant,
+    /// Time of the last checkpoint.
+    saved: Instant,
+    /// Steps since the last checkpoint.
+    steps: u64,
+    /// Checkpoint from which the run is resumed.
+    resumed: Option<RecorderCheckpoint>,
+    files: Option<RunFiles>,
+    /// Lock of the folder until the summary is written.
+    lock: Option<File>,
+}
+
+/// Selection of rows and states, with their counters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Selection {
+    rows: RowSelection,
+    states: StateSelection,
+    /// Last state, if it was not selected.
+    last: Option<(f64, State)>,
+}
+
+/// State of a recorder at a checkpoint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct RecorderCheckpoint {
+    name: String,
+    selection: Selection,
+    lengths: FileLengths,
+}
+
+/// Time between two flushes.
+const FLUSH_INTERVAL: Duration = Duration::from_secs(1);
+
+impl Recorder {
+    /// Recorder of a run into a folder. `name` is the name of the model in `summary.json`, `text` is its model file.
+    pub fn new(folder: Folder, name: &str, text: &str, model: &Model, simulation: &Simulation) -> Self {
+        let columns = simulation.columns();
+        let provenance = Provenance::new(text, &model.unit_names(), &columns);
+        let columns = Layout::new(columns.into_iter().map(|column| column.name).collect(), Vec::new());
+        let now = Instant::now();
+        Self {
+            spec: FileSpec {
+                folder,
+                output: model.output,
+                provenance,
+                columns,
+                states: state_layout(simulation),
+            },
+            name: name.to_owned(),
+            text: text.to_owned(),
+            selection: Selection {
+                rows: RowSelection::new(model.output.every),
+                states: StateSelection::new(simulation, &model.analysis, model.output.states),
+                last: None,
+            },
+            interval: None,
+            flushed: now,
+            saved: now,
+            steps: 0,
+            resumed: None,
+            files: None,
+            lock: None,
+        }
+    }
+
+    /// Returns a recorder that resumes the run in a folder, and the checkpoint of the simulation; `None` without a checkpoint.
+    ///
+    /// # Errors
+    /// If the checkpoint is damaged.
+    pub fn resume(
+        folder: Folder,
+        text: &str,
+        model: &Model,
+        simulation: &Simulation,
+    ) -> Result<Option<(Self, Checkpoint)>, CheckpointError> {
+        let read = checkpoint::read::<(RecorderCheckpoint, Checkpoint)>(&folder.checkpoint())?;
+        let Some((resumed, from)) = read else { return Ok(None) };
+        let recorder = Self::new(folder, &resumed.name, text, model, simulation);
+        let selection = resumed.selection.clone();
+        Ok(Some((Self { selection, resumed: Some(resumed), ..recorder }, from)))
+    }
+
+    /// Enables checkpoints.
+    #[must_use]
+    pub fn with_checkpoints(self, interval: CheckpointInterval) -> Self {
+        Self { interval: Some(interval), ..self }
+    }
+
+    /// Name of the model.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Folder of the run.
+    pub fn folder(&self) -> &Folder {
+        &self.spec.folder
+    }
+
+    /// Writes `summary.json` and unlocks the folder. The checkpoint of a finished run is removed.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write_summary(&mut self, summary: &Summary, wall_seconds: f64) -> io::Result<()> {
+        let (program, model, summary) = (PROGRAM.to_owned(), self.name.clone(), summary.clone());
+        let contents = SummaryFile { program, model, wall_seconds, summary };
+        let text = serde_json::to_string_pretty(&contents).map_err(io::Error::other)? + "\n";
+        replace(&self.folder().summary(), text.as_bytes())?;
+        if contents.summary.outcome.is_finished() {
+            remove(&self.folder().checkpoint())?;
+        }
+        self.lock = None;
+        Ok(())
+    }
+
+    /// Creates new files in place of those of an earlier run.
+    fn create(&mut self) -> io::Result<RunFiles> {
+        let folder = &self.spec.folder;
+        fs::create_dir_all(folder.path()).map_err(|error| with_path(&error, folder.path()))?;
+        let mut lock = folder.lock()?;
+        folder.check_overwrite(&lock, &self.text)?;
+        folder.clear()?;
+        replace(&folder.model(), self.text.as_bytes())?;
+        sign(&mut lock, &self.text).map_err(|error| with_path(&error, folder.path()))?;
+        let files = self.spec.create()?;
+        self.lock = Some(lock);
+        Ok(files)
+    }
+
+    /// Reopens the files as they were at a checkpoint.
+    fn reopen(&mut self, lengths: &FileLengths) -> io::Result<RunFiles> {
+        let folder = &self.spec.folder;
+        let lock = folder.lock()?;
+        // The summary of the interrupted part is obsolete.
+        remove(&folder.summary())?;
+        folder.remove_incomplete()?;
+        let files = self.spec.reopen(lengths)?;
+        self.lock = Some(lock);
+        Ok(files)
+    }
+
+    fn write_row(&mut self, row: &[f64]) -> io::Result<()> {
+        self.files.as_mut().map_or(Ok(()), |files| files.write_row(row))
+    }
+
+    fn write_state(&mut self, first: f64, state: &State) -> io::Result<()> {
+        let row = self.selection.states.row();
+        self.files.as_mut().map_or(Ok(()), |files| files.write_state(row, first, state))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.flushed = Instant::now();
+        self.files.as_mut().map_or(Ok(()), RunFiles::flush)
+    }
+
+    /// Writes a checkpoint, after all rows before it.
+    fn save(&mut self, checkpoint: &Checkpoint) -> io::Result<()> {
+        (self.saved, self.steps) = (Instant::now(), 0);
+        self.flush()?;
+        let Some(files) = &self.files else { return Ok(()) };
+        let lengths = files.lengths()?;
+        let own = RecorderCheckpoint { name: self.name.clone(), selection: self.selection.clone(), lengths };
+        checkpoint::write(&self.folder().checkpoint(), &(own, checkpoint))
+    }
+
+    /// Writes the last row and state and merges the tables. An error does not prevent the subsequent steps.
+    fn complete(&mut self) -> io::Result<()> {
+        let row = self.selection.rows.take_last().map_or(Ok(()), |row| self.write_row(&row));
+        let last = self.selection.last.take().filter(|_| self.selection.states.lacks_last());
+        let state = last.map_or(Ok(()), |(first, state)| self.write_state(first, &state));
+        let flushed = self.flush();
+        let finished = self.files.take().map_or(Ok(()), RunFiles::finish);
+        row.and(state).and(flushed).and(finished)
+    }
+}
+
+impl Observer for Recorder {
+    fn begin(&mut self, _: &[String]) -> io::Result<()> {
+        self.files = Some(match self.resumed.take() {
+            Some(resumed) => self.reopen(&resumed.lengths)?,
+            None => self.create()?,
+        });
+        self.flush()
+    }
+
+    fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
+        if self.selection.rows.is_due(row) {
+            self.write_row(row)?;
+        }
+        let first = row.first().copied().unwrap_or_default();
+        if self.selection.states.is_due(first) {
+            self.write_state(first, state)?;
+        } else {
+            match &mut self.selection.last {
+                Some((value, last)) => {
+                    *value = first;
+                    last.copy_from(state);
+                }
+                None => self.selection.last = Some((first, state.clone())),
+            }
+        }
+        if self.flushed.elapsed() >= FLUSH_INTERVAL {
+            self.flush()?;
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.steps += 1;
+        let due = match self.interval {
+            None => false,
+            Some(CheckpointInterval::Steps(steps)) => self.steps >= steps,
+            Some(CheckpointInterval::Time(time)) => self.saved.elapsed() >= time,
+        };
+        if due { self.save(&take()) } else { Ok(()) }
+    }
+
+    fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
+        self.save(&take())
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        self.complete()
+    }
+}

@@ -1,0 +1,57 @@
+use ancf::Simulation;
+use ancf::model::Analysis;
+use serde::{Deserialize, Serialize};
+
+use crate::table::state_layout;
+
+/// Selects the states that are written.
+///
+/// In dynamics, these are the first state of each of a number of equal intervals, and the last state. In other analyses, all
+/// states are selected.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct StateSelection {
+    /// Time between two states; `None` selects all.
+    interval: Option<f64>,
+    /// Number of the next interval without a state.
+    next: u64,
+    /// Number of rows.
+    rows: u64,
+    /// True if the state of the last row was selected.
+    has_last: bool,
+}
+
+/// Maximum number of values of all states of a motion: 1 GB.
+const MAX_VALUES: usize = 1 << 27;
+
+impl StateSelection {
+    /// Selection of about `count` states; fewer if the states are large.
+    pub(super) fn new(simulation: &Simulation, analysis: &Analysis, count: u32) -> Self {
+        let most = (MAX_VALUES / state_layout(simulation).width()).max(2);
+        let count = usize::try_from(count).unwrap_or(usize::MAX).min(most);
+        let interval = analysis.dynamics().map(|dynamics| dynamics.duration / (count.max(2) - 1) as f64);
+        let interval = interval.filter(|interval| *interval > 0.0);
+        Self { interval, next: 0, rows: 0, has_last: false }
+    }
+
+    /// Counts a row, given its first number. Returns true if its state is selected.
+    pub(super) fn is_due(&mut self, first: f64) -> bool {
+        // The tolerance selects instants that are at the limit of an interval except for rounding.
+        let intervals = self.interval.map(|h| first / h + 1e-6);
+        self.has_last = intervals.is_none_or(|intervals| intervals >= self.next as f64);
+        if let (true, Some(intervals)) = (self.has_last, intervals) {
+            self.next = intervals as u64 + 1;
+        }
+        self.rows += 1;
+        self.has_last
+    }
+
+    /// Number of the last row.
+    pub(super) fn row(&self) -> u64 {
+        self.rows.saturating_sub(1)
+    }
+
+    /// True if the state of the last row was not selected.
+    pub(super) fn lacks_last(&self) -> bool {
+        self.rows > 0 && !self.has_last
+    }
+}

@@ -1,0 +1,95 @@
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use parquet::column::writer::ColumnCloseResult;
+use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader};
+use parquet::file::properties::WriterPropertiesPtr;
+use parquet::file::writer::SerializedFileWriter;
+
+use super::layout::Layout;
+use super::parts::part;
+use super::reader::is_sound;
+use crate::folder::{part_path, with_path, write_atomically};
+
+/// Merges files into one by copying their row groups in order.
+pub(crate) fn merge(
+    from: &[PathBuf],
+    to: &Path,
+    layout: &Layout,
+    properties: &WriterPropertiesPtr,
+) -> io::Result<()> {
+    let write = |file: &File| {
+        let mut writer = SerializedFileWriter::new(file, layout.schema()?, Arc::clone(properties))?;
+        for path in from {
+            let (file, metadata) = open(path)?;
+            for group in 0..metadata.num_row_groups() {
+                copy(&file, &metadata, group, &mut writer)?;
+            }
+        }
+        writer.close()?;
+        Ok(())
+    };
+    write_atomically(to, write).map_err(|error| with_path(&error, to))
+}
+
+/// Splits a merged file into its parts.
+pub(crate) fn split(
+    from: &Path,
+    to: &Path,
+    layout: &Layout,
+    properties: &WriterPropertiesPtr,
+) -> io::Result<()> {
+    // The folder gets its name when it is complete.
+    let unfinished = part_path(to);
+    let _ = fs::remove_dir_all(&unfinished);
+    let write = || {
+        fs::create_dir_all(&unfinished)?;
+        let (file, metadata) = open(from)?;
+        for group in 0..metadata.num_row_groups() {
+            let name = part(from, group).file_name().map(PathBuf::from).unwrap_or_default();
+            let own = File::create(unfinished.join(name))?;
+            let mut writer = SerializedFileWriter::new(&own, layout.schema()?, Arc::clone(properties))?;
+            copy(&file, &metadata, group, &mut writer)?;
+            writer.close()?;
+        }
+        fs::rename(&unfinished, to)
+    };
+    write().map_err(|error| with_path(&error, from))
+}
+
+fn open(path: &Path) -> io::Result<(File, ParquetMetaData)> {
+    let file = File::open(path)?;
+    let reader = ParquetMetaDataReader::new().with_page_index_policy(PageIndexPolicy::Optional);
+    let metadata = reader.parse_and_finish(&file)?;
+    Ok((file, metadata))
+}
+
+/// Copies a row group without decoding it.
+fn copy(
+    file: &File,
+    metadata: &ParquetMetaData,
+    group: usize,
+    writer: &mut SerializedFileWriter<&File>,
+) -> io::Result<()> {
+    let from = metadata.row_group(group);
+    let index = metadata.page_index();
+    let mut to = writer.next_row_group()?;
+    for (place, column) in from.columns().iter().enumerate() {
+        if !is_sound(column) {
+            return Err(io::Error::new(io::ErrorKind::InvalidData, "invalid offset of a column"));
+        }
+        let close = ColumnCloseResult {
+            bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),
+            rows_written: u64::try_from(from.num_rows()).unwrap_or_default(),
+            metadata: column.clone(),
+            bloom_filter: None,
+            column_index: index.and_then(|index| index.column_index(group, place)).cloned(),
+            offset_index: index.and_then(|index| index.offset_index(group, place)).cloned(),
+        };
+        to.append_column(file, close)?;
+    }
+    to.close()?;
+    Ok(())
+}

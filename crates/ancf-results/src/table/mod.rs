@@ -1,0 +1,15 @@
+//! Tables of a run as Parquet files: written in parts, merged at the end, and read at any time.
+
+mod growing_table;
+mod layout;
+mod merge;
+mod parts;
+mod provenance;
+mod reader;
+mod state_layout;
+
+pub(crate) use growing_table::GrowingTable;
+pub(crate) use layout::Layout;
+pub(crate) use provenance::{PROGRAM, Provenance};
+pub(crate) use reader::{metadata_of_table, rows_of_part};
+pub(crate) use state_layout::{numbers_of_state, state_layout};

@@ -1,0 +1,6 @@
+//! Tests of the folder of a run: recording, reading, and damaged files.
+#![cfg(test)]
+
+mod common;
+mod corpus;
+mod recording;

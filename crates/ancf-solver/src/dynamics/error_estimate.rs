@@ -1,0 +1,141 @@
+use serde::{Deserialize, Serialize};
+
+use super::initial_conditions::solve;
+use super::time_stepper::Dynamics;
+use crate::equations::{EquationsOfMotion, Weights};
+use crate::newton::{Failure, Report, SolveError};
+use crate::sparse::SparseMatrix;
+
+/// Error estimate of a step of a second-order scheme, as a mass-weighted root mean square displacement.
+///
+/// A step shifts the phase of a vibration by κ ω³h³. With ε = κ v̈ from the accelerations of the scheme, the error is
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (ε, ·) = (κ M (aₙ₊₁ − aₙ)/h, 0),   h³ √(‖ε‖² + τ²‖ε̇‖²),   ‖x‖² = xᵀ M x / m.
+///
+/// The iteration matrix S filters vibrations that the step does not resolve and need not resolve. The second term is
+/// the error in v. The factor τ² = ∫‖ε‖²/∫‖ε̇‖² makes both terms equal on average. The sum then does not vanish twice
+/// in every period. For a harmonic motion it is the exact phase error.
+///
+/// Source: Shampine & Baca (1984) for the filter; κ by inserting exp(iωt) into the scheme.
+#[derive(Debug)]
+pub(crate) struct ErrorEstimate {
+    /// Constant mass matrix, and the total mass m.
+    matrix: SparseMatrix,
+    mass: f64,
+    /// Error ε of the attempt, its rate, and a product of M with a vector.
+    now: Vec<f64>,
+    rate: Vec<f64>,
+    force: Vec<f64>,
+    /// Squares ‖ε‖² and ‖ε̇‖² of the attempt.
+    squares: [f64; 2],
+    pub(crate) history: ErrorHistory,
+}
+
+/// Error history of the accepted steps.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct ErrorHistory {
+    /// Error ε and step size of the last accepted step.
+    error: Vec<f64>,
+    h: Option<f64>,
+    /// Integrals of ‖ε‖² and ‖ε̇‖².
+    integrals: [f64; 2],
+}
+
+impl ErrorHistory {
+    /// Returns the number of unknowns.
+    pub(crate) fn size(&self) -> usize {
+        self.error.len()
+    }
+
+    /// Returns true if the history has the given number of unknowns and is finite.
+    pub(crate) fn is_sound(&self, size: usize) -> bool {
+        let mut numbers = self.error.iter().chain(&self.h).chain(&self.integrals);
+        self.error.len() == size && numbers.all(|x| x.is_finite())
+    }
+}
+
+impl ErrorEstimate {
+    pub(crate) fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, mass: f64) -> Self {
+        let mut matrix = dynamics.newton.tangent.matrix.clone();
+        dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
+        let zeros = vec![0.0; matrix.pattern().size()];
+        let history = ErrorHistory { error: zeros.clone(), h: None, integrals: [0.0; 2] };
+        let (now, rate) = (zeros.clone(), zeros.clone());
+        Self { matrix, mass, now, rate, force: zeros, squares: [0.0; 2], history }
+    }
+
+    /// Clears the history.
+    pub(crate) fn restart(&mut self) {
+        (self.history.h, self.history.integrals) = (None, [0.0; 2]);
+    }
+
+    /// Computes the norm ‖x‖ of a vector over the coordinates.
+    pub(crate) fn norm(&mut self, x: &[f64]) -> f64 {
+        self.now[..x.len()].copy_from_slice(x);
+        self.now[x.len()..].fill(0.0);
+        square(&self.matrix, &self.now, &mut self.force, self.mass).sqrt()
+    }
+
+    /// Estimates the error of the attempted step.
+    pub(crate) fn error<E: EquationsOfMotion>(
+        &mut self,
+        dynamics: &mut Dynamics<'_, E>,
+        done: &Report,
+        h: f64,
+    ) -> Result<f64, SolveError> {
+        let n = dynamics.motion.state.q.len();
+        let [a, b] = &dynamics.attempted;
+        let factor = dynamics.scheme.phase_constant() / h;
+        for i in 0..n {
+            self.force[i] = factor * (b[i] - a[i]);
+        }
+        self.force[n..].fill(0.0);
+        self.matrix.multiply(&self.force, &mut self.now);
+        self.now[n..].fill(0.0);
+        let (newton, s) = (&mut dynamics.newton, &dynamics.motion.state);
+        if done.iterations == 0 {
+            let w = dynamics.scheme.weights(h);
+            let (matrix, factor) = newton.tangent.lend();
+            solve(&*dynamics.eom, matrix, factor, s, w, &mut self.now)?;
+        } else {
+            let solved = newton.tangent.factor.solve(&newton.tangent.matrix, &mut self.now);
+            solved.map_err(|_| SolveError::at(s.t, Failure::Singular))?;
+        }
+        self.now[n..].fill(0.0);
+        self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];
+        if let Some(before) = self.history.h {
+            let between = 0.5 * (h + before);
+            for i in 0..n {
+                self.rate[i] = (self.now[i] - self.history.error[i]) / between;
+            }
+            self.squares[1] = square(&self.matrix, &self.rate, &mut self.force, self.mass);
+        }
+        let [over, under] = self.integrals(h);
+        let second = if under > 0.0 { over / under * self.squares[1] } else { 0.0 };
+        Ok(h.powi(3) * (self.squares[0] + second).sqrt())
+    }
+
+    /// Returns the coordinate with the largest contribution to the error of the attempt, measured as energy.
+    pub(crate) fn worst(&self) -> Option<usize> {
+        let parts = self.now.iter().zip(&self.force).map(|(x, f)| (x * f).abs()).enumerate();
+        parts.max_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(i, _)| i)
+    }
+
+    /// Returns ∫‖ε‖² and ∫‖ε̇‖² including the attempt.
+    fn integrals(&self, h: f64) -> [f64; 2] {
+        std::array::from_fn(|i| self.history.integrals[i] + h * self.squares[i])
+    }
+
+    /// Adds the attempt to the history.
+    pub(crate) fn accept(&mut self, h: f64) {
+        self.history.integrals = self.integrals(h);
+        std::mem::swap(&mut self.now, &mut self.history.error);
+        self.history.h = Some(h);
+    }
+}
+
+/// Computes ‖x‖².
+fn square(matrix: &SparseMatrix, x: &[f64], force: &mut [f64], mass: f64) -> f64 {
+    matrix.multiply(x, force);
+    x.iter().zip(force).map(|(x, f)| x * *f).sum::<f64>().max(0.0) / mass
+}

@@ -1,0 +1,117 @@
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::predictor::Predictor;
+use super::step_report::StepReport;
+use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
+use crate::newton::NewtonMemory;
+
+/// Integration state that each accepted step advances.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct IntegrationState {
+    pub(crate) state: State,
+    /// Auxiliary acceleration aₙ of the scheme, for the last step size `h`.
+    pub(crate) auxiliary: Vec<f64>,
+    pub(crate) h: f64,
+    /// True if the accelerations are consistent and there is no previous step.
+    pub(crate) at_start: bool,
+    /// Number of halvings at the start of the next step: one less than in the last step.
+    pub(crate) halvings: u32,
+    /// Divided step that is not complete.
+    pub(crate) divided: Option<DividedStep>,
+    pub(crate) predictor: Predictor,
+    /// Energy and power of the state.
+    pub(crate) energy: Energy,
+    pub(crate) power: Power,
+    pub(crate) exchanged: Power,
+}
+
+/// Remainder of a divided step: a number of substeps h up to a time.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct DividedStep {
+    pub(crate) to: f64,
+    pub(crate) h: f64,
+    pub(crate) left: u64,
+    pub(crate) halvings: u32,
+    /// Report of the completed substeps.
+    pub(crate) report: StepReport,
+}
+
+/// Saved state of [`Dynamics`](super::time_stepper::Dynamics), without equations, scheme and rules.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct DynamicsMemory {
+    pub(crate) motion: IntegrationState,
+    /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
+    pub(crate) met: Vec<Met>,
+    pub(crate) newton: NewtonMemory,
+}
+
+/// The saved state does not belong to this integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("the saved state is damaged or belongs to other equations or rules")]
+pub struct Unknown;
+
+/// Largest plausible count in a report. Larger counts indicate damaged data.
+const MAX_COUNT: u32 = u32::MAX / 4;
+
+impl IntegrationState {
+    pub(crate) fn new(start: State, eom: &impl EquationsOfMotion) -> Self {
+        Self {
+            auxiliary: start.a.clone(),
+            h: 0.0,
+            at_start: false,
+            halvings: 0,
+            divided: None,
+            predictor: Predictor::new(start.q.len() + start.lambda.len()),
+            energy: eom.energy(&start),
+            power: eom.power(&start),
+            exchanged: Power::default(),
+            state: start,
+        }
+    }
+
+    /// Returns true if the state has the given sizes and is plausible.
+    pub(crate) fn is_sound(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
+        let Self { energy, power, exchanged, h, .. } = self;
+        let energies = [energy.kinetic, energy.strain, energy.potential];
+        let powers = [power.work, power.dissipation, exchanged.work, exchanged.dissipation];
+        self.state.is_sound(coordinates, multipliers)
+            && self.auxiliary.len() == coordinates
+            && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
+            && h.is_finite()
+            && *h >= 0.0
+            && self.halvings <= max_halvings
+            && self.divided.is_none_or(|divided| divided.is_sound(self.state.t, max_halvings))
+            && self.predictor.is_sound(coordinates + multipliers)
+    }
+}
+
+impl DividedStep {
+    fn is_sound(&self, t: f64, max_halvings: u32) -> bool {
+        let Self { to, h, left, halvings, report } = *self;
+        halvings <= max_halvings
+            && (1..1_u64 << halvings).contains(&left)
+            && t < to
+            && (0.0..=to).contains(&h)
+            && report.is_sound()
+    }
+}
+
+impl StepReport {
+    /// Returns true if the counts can be summed without overflow.
+    pub fn is_sound(&self) -> bool {
+        [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MAX_COUNT)
+    }
+}
+
+impl DynamicsMemory {
+    /// Returns the time of the state.
+    pub fn time(&self) -> f64 {
+        self.motion.state.t
+    }
+
+    /// Returns the end time of a divided step that is not complete.
+    pub fn under_way(&self) -> Option<f64> {
+        self.motion.divided.map(|divided| divided.to)
+    }
+}

@@ -1,0 +1,336 @@
+use std::ops::ControlFlow;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::{Failure, SolveError};
+use super::interrupt::Interrupt;
+use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
+use super::newton_report::Report;
+use super::rounding_floor::raise_to_achievable;
+use super::tangent::{NewtonTangent, TangentMemory};
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::sparse::SparseMatrix;
+
+/// Stopping rule of a Newton iteration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop {
+    /// Energy of the increment: |Δq·r| + |Δλ·Φ| ≤ tolerance² × the largest energy so far, or residual at its rounding
+    /// error.
+    ///
+    /// The products are independent of units, slope coordinates and frame of reference, and so is the number of
+    /// iterations. Newton's method converges quadratically, so the remaining error is far below the tolerance. The
+    /// tolerance is relative to the size of the motion in the energy norm. With a reused tangent the increments
+    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most a
+    /// thousandth of the tolerance.
+    Energy(f64),
+    /// Residual: |r|₂ is at most this number, with forces and constraints in one norm. Depends on units.
+    Residual(f64),
+    /// Increment: |Δq|₂ is at most this number. Depends on units.
+    Increment(f64),
+}
+
+/// Newton's method with the exact tangent of the equations of motion, with its working storage.
+///
+/// [`Dynamics`](crate::dynamics::Dynamics) with the rule [`Stop::Energy`] reuses a tangent while this costs less than a
+/// new one. The absolute rules serve comparisons with other programs and use a new tangent in each iteration.
+#[derive(Debug)]
+pub struct Newton {
+    stop: Stop,
+    max_iterations: u32,
+    stagnation_limit: u32,
+    full: bool,
+    interrupt: Interrupt,
+    pub(crate) tangent: NewtonTangent,
+    pub(crate) r: Vec<f64>,
+    pub(crate) z: Vec<f64>,
+    floor: Vec<f64>,
+    weights: Weights,
+    /// Largest energy of the converged states so far.
+    energy: f64,
+}
+
+/// State of [`Newton`] on which later iterations depend.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct NewtonMemory {
+    energy: f64,
+    tangent: TangentMemory,
+}
+
+/// Multiple of the rounding bound below which a residual counts as zero.
+const FLOOR: f64 = 8.0;
+/// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
+const REMAINDER: f64 = 1e-3;
+/// Default number of iterations without progress that counts as stagnation.
+const STAGNATION_LIMIT: u32 = 3;
+
+impl Newton {
+    /// Creates a solver for equations whose tangents have the pattern of `matrix`.
+    ///
+    /// # Errors
+    /// If the memory does not suffice for the factorisation.
+    pub fn new(matrix: SparseMatrix, stop: Stop, max_iterations: u32) -> Result<Self, SolveError> {
+        let zeros = vec![0.0; matrix.pattern().size()];
+        Ok(Self {
+            stop,
+            max_iterations,
+            stagnation_limit: STAGNATION_LIMIT,
+            full: false,
+            interrupt: Interrupt::default(),
+            tangent: NewtonTangent::new(matrix).map_err(SolveError::at_start)?,
+            r: zeros.clone(),
+            z: zeros.clone(),
+            floor: zeros,
+            weights: Weights::STIFFNESS,
+            energy: 0.0,
+        })
+    }
+
+    /// Replaces the matrix by one of another pattern.
+    ///
+    /// # Errors
+    /// If the memory does not suffice for the factorisation.
+    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), SolveError> {
+        self.tangent.replace_matrix(matrix).map_err(SolveError::at_start)
+    }
+
+    /// Uses a new tangent in each iteration, also in time steps.
+    #[must_use]
+    pub fn full(self) -> Self {
+        Self { full: true, ..self }
+    }
+
+    /// Sets the interrupt flag that stops the iteration.
+    #[must_use]
+    pub fn heeding(self, interrupt: Interrupt) -> Self {
+        Self { interrupt, ..self }
+    }
+
+    /// Permits the reuse of tangents, if the stopping rule estimates the remaining error.
+    pub(crate) fn permit_reuse(&mut self, s: &State) {
+        if matches!(self.stop, Stop::Energy(_)) && !self.full {
+            self.tangent.permit_reuse(s);
+        }
+    }
+
+    /// Adds the energy of a converged state to the reference energy of the energy rule.
+    ///
+    /// Before the first call the rule uses the energy of the current iterate.
+    pub fn met(&mut self, energy: f64) {
+        self.energy = self.energy.max(energy);
+    }
+
+    /// Returns the state on which later iterations depend, as of the last accepted step.
+    pub(crate) fn memory(&self) -> NewtonMemory {
+        NewtonMemory { energy: self.energy, tangent: self.tangent.memory() }
+    }
+
+    /// Resumes from a saved state.
+    pub(crate) fn recall(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        memory: &NewtonMemory,
+    ) -> Result<(), SolveError> {
+        self.energy = memory.energy;
+        self.tangent.recall(eom, &memory.tangent).map_err(SolveError::at_start)
+    }
+
+    /// Returns true if a saved state is valid for this solver.
+    pub(crate) fn accepts(&self, memory: &NewtonMemory, coordinates: usize, multipliers: usize) -> bool {
+        let NewtonMemory { energy, tangent } = memory;
+        energy.is_finite() && self.tangent.accepts(tangent, coordinates, multipliers)
+    }
+
+    /// Sets the number of iterations without progress that counts as stagnation.
+    pub(crate) fn set_stagnation_limit(&mut self, stagnation_limit: u32) {
+        self.stagnation_limit = stagnation_limit;
+    }
+
+    /// Iterates a state until r(s) = 0. The weights `w` map increments to the state.
+    ///
+    /// Each iteration solves [w_q ∂r/∂q + .. + w_a M, Φ_qᵀ; Φ_q, 0] (dz, dλ) = −(r, Φ/w_q). The constraints are those
+    /// of Kim et al. (2017), eq. (38), divided by w_q. The matrix is then symmetric and its condition bounded as h → 0.
+    ///
+    /// # Errors
+    /// If the matrix is singular or the iteration does not converge. The state is then undefined.
+    pub fn solve(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+    ) -> Result<Report, SolveError> {
+        self.solve_with(&mut FullUpdate, eom, s, w)
+    }
+
+    /// Iterates a state until r(s) = 0, with a given update rule.
+    pub(crate) fn solve_with(
+        &mut self,
+        update: &mut dyn StateUpdate,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+    ) -> Result<Report, SolveError> {
+        let mut progress = IterationProgress::default();
+        self.weights = w;
+        self.z.fill(0.0);
+        self.tangent.begin(w);
+        loop {
+            eom.residual(s, &mut self.r);
+            progress.report.residual = norm(&self.r);
+            if let ControlFlow::Break(end) = self.check_residual(eom, s, &progress) {
+                return end.map_err(|failure| self.error(failure, eom, s, progress.report));
+            }
+            let energy = self
+                .increment(update, eom, s, w, &mut progress.report)
+                .map_err(|failure| self.error(failure, eom, s, progress.report))?;
+            if let ControlFlow::Break(end) = self.check_increment(eom, s, energy, &mut progress) {
+                end.iter().for_each(|done| self.tangent.end(done.iterations));
+                return end.map_err(|failure| self.error(failure, eom, s, progress.report));
+            }
+        }
+    }
+
+    /// Applies one Newton increment to the state. Returns its energy |Δq·r| + |Δλ·Φ|.
+    fn increment(
+        &mut self,
+        update: &mut dyn StateUpdate,
+        eom: &dyn EquationsOfMotion,
+        s: &mut State,
+        w: Weights,
+        report: &mut Report,
+    ) -> Result<f64, Failure> {
+        let n = s.q.len();
+        self.tangent.prepare(eom, s, w)?;
+        for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
+            *z = if i < n { -r } else { -r / w.q };
+        }
+        let Self { tangent: NewtonTangent { matrix, factor, .. }, r, z, .. } = self;
+        factor.solve_increment(matrix, z, &s.lambda).map_err(|_| Failure::Singular)?;
+        update.apply(LinearSolution { eom, matrix, factor, r, z }, s, w)?;
+        report.iterations += 1;
+        report.increment = w.q * norm(&self.z[..n]);
+        Ok(w.q * dot(&self.z[..n], &self.r[..n]).abs() + dot(&self.z[n..], &self.r[n..]).abs())
+    }
+
+    /// Returns the number of negative eigenvalues of the last factorised matrix in excess of the number of multipliers.
+    ///
+    /// In statics this is the number of unstable directions. Returns `None` if the factors do not provide the inertia.
+    pub(crate) fn unstable(&self, eom: &dyn EquationsOfMotion) -> Option<usize> {
+        self.tangent.factor.negative_pivots()?.checked_sub(eom.multipliers())
+    }
+
+    /// Ends the iteration if the residual is small enough, at its rounding floor or not finite, or on interrupt.
+    fn check_residual(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        progress: &IterationProgress,
+    ) -> ControlFlow<Result<Report, Failure>> {
+        let report = progress.report;
+        if self.interrupt.is_set() {
+            return ControlFlow::Break(Err(Failure::Interrupted));
+        }
+        if !report.residual.is_finite() {
+            return ControlFlow::Break(Err(Failure::Diverged));
+        }
+        if matches!(self.stop, Stop::Residual(tolerance) if report.residual <= tolerance) {
+            return ControlFlow::Break(Ok(report));
+        }
+        if progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR {
+            return ControlFlow::Break(Ok(Report { floor: true, ..report }));
+        }
+        if progress.stagnant >= self.stagnation_limit {
+            return ControlFlow::Break(Err(Failure::Stagnated));
+        }
+        if report.iterations >= self.max_iterations {
+            return ControlFlow::Break(Err(Failure::NotConverged));
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Ends the iteration if the increment is small enough, and counts iterations without progress.
+    fn check_increment(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        energy: f64,
+        progress: &mut IterationProgress,
+    ) -> ControlFlow<Result<Report, Failure>> {
+        match self.stop {
+            Stop::Energy(tolerance) => {
+                // The energy of an increment is no reference: in large steps of stiff beams it far exceeds the energy
+                // of the motion.
+                let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
+                let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
+                self.tangent.record(progress.rate(energy));
+                if size <= wanted && self.tangent.remainder(size) <= REMAINDER * wanted {
+                    return ControlFlow::Break(Ok(progress.report));
+                }
+                if !self.tangent.plan_iteration(REMAINDER * wanted / size) {
+                    return ControlFlow::Break(Err(Failure::Stagnated));
+                }
+                progress.record(energy);
+            }
+            Stop::Increment(tolerance) if progress.report.increment <= tolerance => {
+                return ControlFlow::Break(Ok(progress.report));
+            }
+            // The absolute rules have no rounding floor. Near the rounding error the iterates vary randomly until a
+            // residual is small enough, as in Kim et al. (2017), fig. 7.
+            Stop::Increment(_) | Stop::Residual(_) => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.
+    fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
+        eom.rounding(s, &mut self.floor);
+        raise_to_achievable(&self.tangent.matrix, &s.q, &self.z, self.weights, &mut self.floor);
+        let mut worst = (0, 0.0);
+        for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
+            let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };
+            if excess > worst.1 || excess.is_nan() {
+                worst = (i, excess);
+            }
+        }
+        worst
+    }
+
+    fn error(
+        &mut self,
+        failure: Failure,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        last: Report,
+    ) -> SolveError {
+        SolveError::after(last, s.t, failure, self.excess(eom, s).0)
+    }
+}
+
+/// Progress of one iteration.
+#[derive(Default)]
+struct IterationProgress {
+    report: Report,
+    /// Smallest energy of an increment so far.
+    least: Option<f64>,
+    /// Energy of the last increment.
+    last: Option<f64>,
+    /// Number of consecutive iterations that did not halve the energy.
+    stagnant: u32,
+}
+
+impl IterationProgress {
+    /// Returns the rate θ of the last two increments in the norm whose square is the energy.
+    fn rate(&self, energy: f64) -> Option<f64> {
+        self.last.map(|last| (energy / last).sqrt())
+    }
+
+    fn record(&mut self, energy: f64) {
+        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
+        self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
+        self.last = Some(energy);
+        self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
+    }
+}
+
+fn norm(x: &[f64]) -> f64 {
+    dot(x, x).sqrt()
+}

@@ -1,0 +1,151 @@
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::newton::{Failure, LinearSolution, Newton, StateUpdate, dot};
+use crate::sparse::SparseMatrix;
+
+/// Direction in the space of states and load factors, with its dual in the metric of the path.
+#[derive(Clone, Debug)]
+pub(crate) struct PathTangent {
+    /// Derivative dz/dσ of coordinates and multipliers.
+    pub(crate) z: Vec<f64>,
+    /// Derivative ds/dσ of the load factor s.
+    pub(crate) load: f64,
+    /// Dual ½ w M dq/dσ.
+    dual: Vec<f64>,
+}
+
+impl PathTangent {
+    pub(crate) fn zero(size: usize) -> Self {
+        Self { z: vec![0.0; size], load: 0.0, dual: Vec::new() }
+    }
+
+    /// Returns the inner product with another direction in the metric.
+    pub(crate) fn product(&self, other: &Self) -> f64 {
+        dot(&self.dual, &other.z) + 0.5 * self.load * other.load
+    }
+
+    /// Returns the distance between two states along this direction.
+    pub(crate) fn length(&self, from: &State, to: &State) -> f64 {
+        let moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
+        dot(&self.dual, &moved) + 0.5 * self.load * (to.load - from.load)
+    }
+
+    /// Moves a state by a length along this direction.
+    pub(crate) fn move_by(&self, length: f64, s: &mut State) {
+        let (q, lambda) = self.z.split_at(s.q.len());
+        s.q.iter_mut().zip(q).for_each(|(q, z)| *q += length * z);
+        s.lambda.iter_mut().zip(lambda).for_each(|(lambda, z)| *lambda += length * z);
+        s.load += length * self.load;
+    }
+}
+
+/// Metric of the arc length of an equilibrium path, dσ² = ½ (w dqᵀ M dq + ds²).
+///
+/// The mass matrix gives a mean square of displacements, independent of units, slope coordinates and frame. The weight
+/// w is the inverse square of the norm of dq/ds at the start of the path. At the start dσ = ds, with equal shares of
+/// both terms.
+#[derive(Debug)]
+pub(crate) struct Metric {
+    mass: SparseMatrix,
+    weight: f64,
+}
+
+impl Metric {
+    /// Creates the metric at a state with the given dz/ds. Without moving mass the metric reduces to ds.
+    pub(crate) fn new(
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        mut mass: SparseMatrix,
+        response: &[f64],
+    ) -> Self {
+        eom.tangent(s, Weights::MASS, &mut mass);
+        let mut metric = Self { mass, weight: 1.0 };
+        let square = dot(&metric.mass_times(response, s.q.len()), response);
+        metric.weight = if square > 0.0 { 1.0 / square } else { 0.0 };
+        metric
+    }
+
+    /// Returns the straight-line distance between two states.
+    pub(crate) fn distance(&self, from: &State, to: &State) -> f64 {
+        let mut moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
+        moved.resize(to.q.len() + to.lambda.len(), 0.0);
+        let square = self.weight * dot(&self.mass_times(&moved, to.q.len()), &moved);
+        (0.5 * (square + (to.load - from.load).powi(2))).sqrt()
+    }
+
+    /// Returns M dq for the coordinates of z.
+    fn mass_times(&self, z: &[f64], coordinates: usize) -> Vec<f64> {
+        let mut moved = z.to_vec();
+        moved[coordinates..].fill(0.0);
+        let mut product = self.mass.times(&moved);
+        product.truncate(coordinates);
+        product
+    }
+
+    /// Returns the unit tangent along dz/ds = `response` in the direction of increasing load.
+    pub(crate) fn tangent(&self, response: Vec<f64>, coordinates: usize) -> PathTangent {
+        let mut dual = self.mass_times(&response, coordinates);
+        dual.iter_mut().for_each(|x| *x *= 0.5 * self.weight);
+        let mut tangent = PathTangent { z: response, load: 1.0, dual };
+        let length = tangent.product(&tangent).sqrt();
+        tangent.scale(1.0 / length);
+        tangent
+    }
+}
+
+impl PathTangent {
+    /// Multiplies the direction by a number; −1 reverses it.
+    pub(crate) fn scale(&mut self, by: f64) {
+        self.z.iter_mut().chain(&mut self.dual).for_each(|x| *x *= by);
+        self.load *= by;
+    }
+}
+
+/// Computes ∂r/∂s as a difference over a large change of s.
+///
+/// The residual r is affine in s, and a large change reduces the rounding error of the difference.
+pub(crate) fn load_rate(eom: &dyn EquationsOfMotion, s: &mut State, r: &[f64]) -> Vec<f64> {
+    const FAR: f64 = 1e6;
+    let (load, mut rate) = (s.load, vec![0.0; r.len()]);
+    s.load += FAR;
+    eom.residual(s, &mut rate);
+    s.load = load;
+    rate.iter_mut().zip(r).for_each(|(rate, r)| *rate = (*rate - r) / FAR);
+    rate
+}
+
+/// Solves dz/ds = −K⁻¹ ∂r/∂s at an equilibrium. Leaves the factors of K(s) in `newton`.
+pub(crate) fn response(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &mut State,
+) -> Result<Vec<f64>, Failure> {
+    let mut r = vec![0.0; s.q.len() + s.lambda.len()];
+    eom.residual(s, &mut r);
+    let mut response = load_rate(eom, s, &r);
+    response.iter_mut().for_each(|x| *x = -*x);
+    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
+    newton.tangent.factor.solve(&newton.tangent.matrix, &mut response).map_err(|_| Failure::Singular)?;
+    Ok(response)
+}
+
+/// Update within the plane normal to a tangent with free load factor: z = δ + ds dz/ds with τ·(z, ds) = 0.
+///
+/// Two solutions with the symmetric factor replace the solution of the bordered matrix.
+///
+/// Source: Keller (1977), Riks (1979) for the plane; Crisfield (1981) for the two solutions.
+#[derive(Debug)]
+pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
+
+impl StateUpdate for PlaneUpdate<'_> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+        let mut response = load_rate(at.eom, s, at.r);
+        response.iter_mut().for_each(|x| *x = -*x);
+        at.factor.solve(at.matrix, &mut response).map_err(|_| Failure::Singular)?;
+        let tangent = self.0;
+        let load = -dot(&tangent.dual, at.z) / (dot(&tangent.dual, &response) + 0.5 * tangent.load);
+        at.z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);
+        s.add(at.z, w);
+        s.load += load;
+        Ok(())
+    }
+}

@@ -1,0 +1,34 @@
+use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::newton::{Failure, LinearSolution, Newton, SolveError, StateUpdate};
+
+/// Stagnation limit for increments of slowly decreasing energy.
+const STAGNATION_LIMIT: u32 = 100;
+
+/// Update of coordinates only: the mass in the matrix causes no accelerations.
+struct CoordinateUpdate;
+
+impl StateUpdate for CoordinateUpdate {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, _: Weights) -> Result<(), Failure> {
+        s.add(at.z, Weights::STIFFNESS);
+        Ok(())
+    }
+}
+
+/// Iterates a state to an equilibrium that only the load stabilises, such as that of a pendulum.
+///
+/// Newton's method uses K + ω² M, since the stiffness K of the unloaded system is singular. Motions much slower than
+/// the circular frequency `rate` converge slowly along the load, and all others within one iteration.
+///
+/// # Errors
+/// If there is no equilibrium, such as for a falling body.
+pub fn settle(
+    eom: &dyn EquationsOfMotion,
+    newton: &mut Newton,
+    s: &mut State,
+    rate: f64,
+) -> Result<(), SolveError> {
+    let weights = Weights { a: rate * rate, ..Weights::STIFFNESS };
+    newton.set_stagnation_limit(STAGNATION_LIMIT);
+    let report = newton.solve_with(&mut CoordinateUpdate, eom, s, weights)?;
+    eom.inadmissible(s).map_or(Ok(()), |worst| Err(SolveError::after(report, s.t, Failure::Inverted, worst)))
+}

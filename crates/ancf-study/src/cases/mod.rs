@@ -1,0 +1,11 @@
+//! Cases: design, objectives, execution on worker threads.
+
+mod design;
+mod gauges;
+mod row;
+mod workers;
+
+pub use design::{CaseDesign, ParameterAxis};
+pub use gauges::ObjectiveGauges;
+pub use row::{CaseOutcome, CaseRow};
+pub use workers::run_cases;

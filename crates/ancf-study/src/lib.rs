@@ -1,0 +1,38 @@
+//! Parameter studies: one model, many cases, one table.
+//!
+//! ```text
+//! source -> study -> design -> cases on worker threads -> rows -> results -> Parquet table
+//!                                                            \-> observer
+//! ```
+//!
+//! ```no_run
+//! use ancf::analysis::Interrupt;
+//! use ancf_study::{StudyRun, StudySettings, StudySource};
+//!
+//! let source = StudySource::read("study.toml".as_ref())?;
+//! let settings = StudySettings { folder: "out".into(), part: None, retry: false };
+//! let mut run = StudyRun::prepare(source, &settings)?;
+//! let interrupt = Interrupt::new(|| false);
+//! run.execute(4, &interrupt, |results| println!("{} of {}", results.done(), results.requested()))?;
+//! # Ok::<(), ancf_study::StudyError>(())
+//! ```
+//!
+//! Samples depend on the seed, on the path of the parameter and on their index only. They are the same on every machine.
+
+mod cases;
+mod engine;
+mod error;
+mod part;
+mod source;
+mod statement;
+mod table;
+
+pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, run_cases};
+pub use engine::{StudyRun, StudySettings};
+pub use error::{StudyError, TableError};
+pub use part::StudyPart;
+pub use source::StudySource;
+pub use statement::{
+    Combine, Objective, Objectives, Parameter, Sampling, Study, TABLE_COLUMNS, Take, ValueRule,
+};
+pub use table::{ObjectiveRange, StudyOutcome, StudyResults, StudyTable, read_rows};

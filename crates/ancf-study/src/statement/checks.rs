@@ -1,0 +1,135 @@
+//! Parsing and checks of a study file.
+
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use ancf::model::{join, nearest, parse_as};
+use ancf::{Model, ModelError, ModelErrors, Simulation};
+use schemars::generate::SchemaSettings;
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+use super::columns::TABLE_COLUMNS;
+use super::parameter::{Parameter, parameter_path};
+use super::places::ParameterPlaces;
+use super::read_failure::read_failure;
+use super::study::{Combine, Study};
+
+/// JSON Schema of study files.
+static SCHEMA: LazyLock<Json> = LazyLock::new(|| {
+    let mut settings = SchemaSettings::draft2020_12();
+    settings.inline_subschemas = true;
+    settings.into_generator().into_root_schema_for::<Study>().to_value()
+});
+
+/// Maximum number of cases of a study.
+const MAX_CASES: usize = 10_000_000;
+
+impl Study {
+    /// Parses the text of a study. The path of the model is relative to `folder`.
+    ///
+    /// # Errors
+    /// All errors of the study, in the order of the text. The model itself is not checked.
+    pub fn parse(text: &str, folder: &Path) -> Result<Self, ModelErrors> {
+        parse_as(text, &SCHEMA, |study: &Self| errors(study, folder))
+    }
+}
+
+/// Returns all errors of a study.
+fn errors(study: &Study, folder: &Path) -> Vec<ModelError> {
+    let mut errors = parameter_errors(study);
+    match fs::read_to_string(folder.join(&study.model)) {
+        Ok(text) => {
+            let data = text.parse::<Table>().map(Value::Table);
+            errors.extend(data.map(|data| errors_with_model(study, &data)).unwrap_or_default());
+        }
+        Err(error) => {
+            let found = format!("{:?}: {}", study.model.display().to_string(), read_failure(&error));
+            errors.push(ModelError::new("model", found, "a model file, relative to the file of the study"));
+        }
+    }
+    errors
+}
+
+/// Returns the errors that do not depend on the model.
+fn parameter_errors(study: &Study) -> Vec<ModelError> {
+    let mut errors = Vec::new();
+    for (path, parameter) in &study.parameters {
+        if let Parameter::Rule(rule) = parameter {
+            errors.extend(rule.errors(&parameter_path(path)));
+        }
+    }
+    let mut drawn = study.parameters.iter().filter(|(_, parameter)| parameter.count().is_none());
+    if let Some((path, _)) = drawn.next().filter(|_| study.samples.is_none()) {
+        let wanted = "the number of samples at the top of the file, such as `samples = 100`";
+        errors.push(ModelError::new(parameter_path(path), "a distribution without `samples`", wanted));
+    }
+    errors.extend(zip_errors(study));
+    errors.extend(name_errors(study));
+    if study.case_count().is_none_or(|cases| cases > MAX_CASES) {
+        errors.push(ModelError::new("parameters", "too many combinations", "at most 10 000 000 cases"));
+    }
+    errors
+}
+
+/// Returns an error for each list whose length differs from the first, if lists are zipped.
+fn zip_errors(study: &Study) -> Vec<ModelError> {
+    let lists = study.parameters.iter().filter_map(|(path, parameter)| Some((path, parameter.count()?)));
+    let mut lists = lists.filter(|_| study.combine == Combine::Zip);
+    let Some((first, count)) = lists.next() else { return Vec::new() };
+    let differs = lists.filter(|(_, other)| *other != count);
+    let error = |(path, other): (&String, usize)| {
+        let wanted = format!("{count}, as many as `{first}` has, since `combine` is \"zip\"");
+        ModelError::new(parameter_path(path), format!("{other} values"), wanted)
+    };
+    differs.map(error).collect()
+}
+
+/// Returns the errors of objectives: names of other columns, `take` together with `row`.
+fn name_errors(study: &Study) -> Vec<ModelError> {
+    let mut errors = Vec::new();
+    for name in study.objectives.keys() {
+        let path = join("objectives", name);
+        if TABLE_COLUMNS.contains(&name.as_str()) || study.parameters.contains_key(name) {
+            let found = format!("`{name}`, which is another column of the results");
+            errors.push(ModelError::new(path, found, "another name"));
+        }
+    }
+    for (name, objective) in &study.objectives {
+        if objective.row.is_some() && objective.take.is_some() {
+            let path = join("objectives", name);
+            errors.push(ModelError::new(format!("{path}.row"), "both `take` and `row`", "one of them"));
+        }
+    }
+    errors
+}
+
+/// Returns the errors of paths and columns that the model with the first value of every parameter does not have.
+fn errors_with_model(study: &Study, data: &Value) -> Vec<ModelError> {
+    let (places, mut errors) = ParameterPlaces::new(&study.parameters, data);
+    errors.extend(places.conflicts());
+    if let Ok(model) = Model::from_value(&places.data) {
+        let columns = Simulation::new(&model).map(|simulation| simulation.columns()).unwrap_or_default();
+        let columns: Vec<String> = columns.into_iter().map(|column| column.name).collect();
+        for (name, objective) in &study.objectives {
+            if !columns.is_empty() && !columns.contains(&objective.column) {
+                errors.push(unknown_column(&join("objectives", name), &objective.column, &columns));
+            }
+        }
+    }
+    errors
+}
+
+/// Returns the error of an objective whose column does not exist.
+fn unknown_column(path: &str, column: &str, columns: &[String]) -> ModelError {
+    let error = ModelError::new(
+        format!("{path}.column"),
+        format!("{column:?}, which is no column of the results"),
+        "a column that `ancf run` writes for the model",
+    );
+    match nearest(column, columns.iter().map(String::as_str)) {
+        Some(near) => error.hint(format!("did you mean {near:?}?")),
+        None => error,
+    }
+}

@@ -1,0 +1,9 @@
+//! Results of a study: rows in memory and in Parquet files.
+
+mod read;
+mod results;
+mod write;
+
+pub use read::read_rows;
+pub use results::{ObjectiveRange, StudyOutcome, StudyResults};
+pub use write::StudyTable;

@@ -1,0 +1,4 @@
+//! Integration tests of the study engine.
+#![cfg(test)]
+
+mod engine;

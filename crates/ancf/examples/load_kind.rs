@@ -1,0 +1,60 @@
+//! A kind of load that a program adds: the attraction to a fixed centre.
+
+use ancf::mechanics::forces::ExternalForce;
+use ancf::mechanics::functions::{ForceFunction, Function};
+use ancf::mechanics::kinematics::Attachment;
+use ancf::model::{At, LoadKind, Named, Place};
+use ancf::record::Series;
+use ancf::solver::equations::Term;
+use ancf::units::{Dimension, Scaled, Scales};
+use ancf::{Extension, Model, Simulation};
+
+/// Attraction to the origin by the force k/r².
+#[derive(Clone, Debug)]
+struct Attraction {
+    on: Place,
+    strength: f64,
+}
+
+impl Scaled for Attraction {
+    fn scaled(self, to: &Scales) -> Self {
+        Self { on: self.on.scaled(to), strength: self.strength / to.unit(Dimension::new(2, 0, 1)) }
+    }
+}
+
+impl LoadKind for Attraction {
+    fn noun(&self) -> &'static str {
+        "attraction"
+    }
+
+    fn on(&self) -> &Place {
+        &self.on
+    }
+
+    fn terms(&self, on: &Attachment, _: Function) -> Vec<Box<dyn Term>> {
+        let strength = self.strength;
+        let force = ForceFunction::new(move |_, x: [f64; 3], _| {
+            let r = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+            x.map(|x| -strength * x / r.powi(3))
+        });
+        vec![Box::new(ExternalForce::new(&on.point, force, on.point.reference().norm()))]
+    }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let model = Model::parse(
+        r#"
+        bodies = [{ kind = "mass", name = "moon", center = [1, 0, 0], mass = 1, motion = { velocity = [0, 1, 0] } }]
+        probes = [{ name = "moon", on = { body = "moon", at = "center" } }]
+        analysis = { kind = "dynamics", duration = 6.283185307179586, step = 1e-3, scheme = "average_acceleration" }
+        "#,
+    )?;
+    let on = Place::new("moon", At::Named(Named::Center));
+    let mut series = Series::new();
+    let mut sink: &mut dyn ancf::record::Sink = &mut series;
+    let attraction = Extension::load(Attraction { on, strength: 1.0 });
+    Simulation::builder(&model).with(attraction).build()?.run(&mut sink)?;
+    let y = series.column("moon.y").and_then(<[f64]>::last).ok_or("no such column")?;
+    assert!(y.abs() < 1e-5); // A circular orbit closes after 2π √(m r³/k).
+    Ok(())
+}

@@ -1,0 +1,49 @@
+use std::fmt;
+
+use super::kind::JointKind;
+use crate::units::{Scaled, Scales};
+
+/// Joint of a kind that a program adds; model files have none.
+pub struct CustomJoint(Box<dyn JointKind>);
+
+impl CustomJoint {
+    /// A joint of a kind of the program's own.
+    pub fn new(joint: impl JointKind + 'static) -> Self {
+        Self(Box::new(joint))
+    }
+
+    /// The joint as an implementation of its kind.
+    pub(crate) fn kind(&self) -> &dyn JointKind {
+        self.0.as_ref()
+    }
+
+    /// The joint as a mutable implementation of its kind.
+    pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
+        self.0.as_mut()
+    }
+}
+
+impl fmt::Debug for CustomJoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Clone for CustomJoint {
+    fn clone(&self) -> Self {
+        Self(self.0.boxed())
+    }
+}
+
+/// Two joints are equal if they are formatted equally: the data of a kind are not comparable in general.
+impl PartialEq for CustomJoint {
+    fn eq(&self, other: &Self) -> bool {
+        format!("{self:?}") == format!("{other:?}")
+    }
+}
+
+impl Scaled for CustomJoint {
+    fn scaled(self, scales: &Scales) -> Self {
+        Self(self.0.boxed_in(scales))
+    }
+}

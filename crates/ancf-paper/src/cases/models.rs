@@ -94,7 +94,7 @@ impl PaperCase {
             units: None,
             gravity: if self == Self::Spherical { [0.0, -GRAVITY, -GRAVITY] } else { [0.0, -GRAVITY, 0.0] },
             materials: BTreeMap::from([("steel".into(), self.material())]),
-            sections: BTreeMap::from([("rod".into(), Section::Circle { diameter: DIAMETER })]),
+            sections: BTreeMap::from([("rod".into(), Section::circle(DIAMETER))]),
             bodies: vec![Body::Beam(Beam {
                 slopes,
                 ..Beam::straight("beam", [[0.0; 3], [LENGTH, 0.0, 0.0]], n, "rod", "steel")

@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use ancf::Model;
-use ancf::model::{Body, Section};
+use ancf::model::{Body, OutlineCurve, Section, SectionOutline};
 
 /// Number of sides of a round outline in pages and ParaView files.
 pub const SIDES: usize = 24;
@@ -28,31 +28,50 @@ pub struct Outline {
 /// 2 √(I_y/A) along z.
 ///
 /// ```
-/// use ancf::model::Section;
+/// use ancf::model::{Circle, Rectangle, Section};
 /// use ancf_report::geometry::outline;
 ///
-/// let bar = outline(&Section::Rectangle { height: 0.02, width: 0.01 }, 24);
+/// let bar = outline(&Section::from(Rectangle { height: 0.02, width: 0.01 }), 24);
 /// assert_eq!(bar.half_extents, [0.01, 0.005]);
 /// // Four sides, each with two points of its own.
 /// assert_eq!((bar.outer.len(), bar.edges().len()), (8, 4));
 ///
-/// let rod = outline(&Section::Circle { diameter: 0.1 }, 12);
+/// let rod = outline(&Section::from(Circle { diameter: 0.1 }), 12);
 /// assert_eq!((rod.outer.len(), rod.edges().len()), (12, 12));
 /// ```
 pub fn outline(section: &Section, sides: usize) -> Outline {
     let sides = sides.max(3);
-    match *section {
-        Section::Circle { diameter } => elliptic([0.5 * diameter; 2], sides),
-        Section::Tube { outer, inner } => {
-            let inner = ellipse([0.5 * inner; 2], sides);
-            Outline { inner: Some(inner), ..elliptic([0.5 * outer; 2], sides) }
-        }
-        Section::Ellipse { height, width } => elliptic([0.5 * height, 0.5 * width], sides),
-        Section::General { area, iy, iz, .. } => {
-            elliptic([iz, iy].map(|second| 2.0 * (second / area).sqrt()), sides)
-        }
-        Section::Rectangle { height, width } => rectangular([0.5 * height, 0.5 * width]),
+    let SectionOutline { outer, bore } = section.shape().outline();
+    let inner = bore.map(|bore| points(&bore, sides));
+    let (half_extents, is_round) = match &outer {
+        OutlineCurve::Ellipse(semi_axes) => (*semi_axes, true),
+        OutlineCurve::Polygon(corners) => (extents(corners), false),
+    };
+    Outline { outer: points(&outer, sides), inner, half_extents, is_round }
+}
+
+/// Half of the extents along y and z of a polygon about the origin.
+fn extents(corners: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|axis| corners.iter().fold(0.0, |largest: f64, corner| largest.max(corner[axis].abs())))
+}
+
+/// Points and outward normals of a closed curve.
+fn points(curve: &OutlineCurve, sides: usize) -> Vec<[f64; 4]> {
+    match curve {
+        OutlineCurve::Ellipse(semi_axes) => ellipse(*semi_axes, sides),
+        OutlineCurve::Polygon(corners) => polygon(corners),
     }
+}
+
+/// Both ends of each side, with the normal of the side.
+fn polygon(corners: &[[f64; 2]]) -> Vec<[f64; 4]> {
+    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    let side = |(start, end): (&[f64; 2], &[f64; 2])| {
+        let (ny, nz) = (end[1] - start[1], start[0] - end[0]);
+        let length = ny.hypot(nz);
+        [*start, *end].map(|[y, z]| [y, z, ny / length, nz / length])
+    };
+    ends.flat_map(side).collect()
 }
 
 /// Returns the outline of the section of a body at a fraction of its length from 0 to 1; `None` if the body is rigid.
@@ -75,25 +94,6 @@ impl Outline {
         let (y, z) = (cy * self.half_extents[0] * sy, cz * self.half_extents[1] * sz);
         if self.is_round { y.hypot(z) } else { y.abs() + z.abs() }
     }
-}
-
-fn elliptic(half_extents: [f64; 2], sides: usize) -> Outline {
-    Outline { outer: ellipse(half_extents, sides), inner: None, half_extents, is_round: true }
-}
-
-fn rectangular(half_extents: [f64; 2]) -> Outline {
-    let [a, b] = half_extents;
-    let outer = vec![
-        [a, -b, 1.0, 0.0],
-        [a, b, 1.0, 0.0],
-        [a, b, 0.0, 1.0],
-        [-a, b, 0.0, 1.0],
-        [-a, b, -1.0, 0.0],
-        [-a, -b, -1.0, 0.0],
-        [-a, -b, 0.0, -1.0],
-        [a, -b, 0.0, -1.0],
-    ];
-    Outline { outer, inner: None, half_extents, is_round: false }
 }
 
 fn ellipse([a, b]: [f64; 2], sides: usize) -> Vec<[f64; 4]> {

@@ -1,6 +1,6 @@
 //! Shapes of a model without a run: outlines, boxes and arms, and positions of symbols.
 
-use ancf::model::{Body, Rigid, Section};
+use ancf::model::{Body, Rectangle, Rigid, Section, Tube};
 use ancf::{Model, Simulation};
 use ancf_report::geometry::{InertiaBox, SymbolKind, arms, inertia_box, outline, outline_at, symbols};
 
@@ -13,17 +13,17 @@ fn area(points: &[[f64; 4]]) -> f64 {
 
 #[test]
 fn a_round_outline_has_the_requested_sides() {
-    let tube = outline(&Section::Tube { outer: 0.1, inner: 0.08 }, 100);
+    let tube = outline(&Section::from(Tube { outer: 0.1, inner: 0.08 }), 100);
     let inner = tube.inner.as_ref().expect("a bore");
     assert_eq!((tube.outer.len(), inner.len(), tube.edges().len()), (100, 100, 100));
     let polygon = (std::f64::consts::TAU / 100.0).sin() / (std::f64::consts::TAU / 100.0);
     let wanted = polygon * std::f64::consts::PI * (0.05_f64.powi(2) - 0.04_f64.powi(2));
     assert!(((area(&tube.outer) - area(inner)) / wanted - 1.0).abs() < 1e-12);
     assert_eq!(tube.edges()[99], [99, 0]);
-    let rectangle = outline(&Section::Rectangle { height: 0.02, width: 0.01 }, 100);
+    let rectangle = outline(&Section::from(Rectangle { height: 0.02, width: 0.01 }), 100);
     assert_eq!(rectangle.edges(), [[0, 1], [2, 3], [4, 5], [6, 7]]);
     assert!(rectangle.edges().iter().all(|[i, j]| rectangle.outer[*i][2..] == rectangle.outer[*j][2..]));
-    assert_eq!(outline(&Section::Circle { diameter: 1.0 }, 0).outer.len(), 3);
+    assert_eq!(outline(&Section::circle(1.0), 0).outer.len(), 3);
 }
 
 /// An ellipse with the second moments of a general section has its radii of gyration.

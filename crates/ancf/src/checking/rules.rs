@@ -12,7 +12,7 @@ use super::findings::{COINCIDENT, body, places_of, rule_of_place};
 use super::scheme::{scheme, time};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{Model, ON_AXIS, Place, Section, bodies_of, joints_of};
+use crate::model::{Model, ON_AXIS, Place, bodies_of, joints_of};
 use crate::schema::join;
 use crate::units::ScaleChoice;
 
@@ -77,17 +77,10 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
     spaced.chain(twice).collect()
 }
 
-/// The hole of a tube is narrower than the tube.
+/// Checks of the kinds of sections.
 fn sections(model: &Model) -> Vec<Finding> {
-    let rule = |(name, section): (&String, &Section)| {
-        let Section::Tube { outer, inner } = *section else { return None };
-        let path = join("sections", name);
-        (inner >= outer).then(|| {
-            let wanted = format!("less than the outer diameter, {}", number(outer));
-            finding(format!("{path}.inner"), number(inner), wanted).rests_on([format!("{path}.outer")])
-        })
-    };
-    model.sections.iter().filter_map(rule).collect()
+    let sections = model.sections.iter();
+    sections.flat_map(|(name, section)| section.shape().check(&join("sections", name))).collect()
 }
 
 /// The mesh fits into the memory of a computer.

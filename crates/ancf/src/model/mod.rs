@@ -26,7 +26,10 @@ pub use bodies::{
 pub use contacts::{Against, Contact};
 pub use functions::{TimeFunction, Varying};
 pub use loads::{CustomLoad, Fluid, Load, LoadKind, LoadObject};
-pub use sections::{Damping, Material, MaterialLaw, Section};
+pub use sections::{
+    Circle, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle, Section,
+    SectionOutline, SectionShape, Tube,
+};
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{

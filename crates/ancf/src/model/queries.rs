@@ -147,7 +147,7 @@ impl Contact {
     /// Contact radius of a body: as stated, or that of a round, constant section.
     pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
         let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
-        let own = || model.sections.get(body.stuff()?.0).filter(|_| !tapered)?.radius();
+        let own = || model.sections.get(body.stuff()?.0).filter(|_| !tapered)?.shape().outer_radius();
         self.radius.or_else(own)
     }
 }

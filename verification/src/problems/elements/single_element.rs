@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 1e-9;
 const MATERIAL: Material = Material::elastic(7850.0, 210e9, 0.3);
 
 fn profile() -> Profile<8> {
-    let section = Section::Rectangle { height: 0.1, width: 0.1 };
+    let section = Section::rectangle(0.1, 0.1);
     let shape = BeamShape { length: 1.0, slope: 1.0 };
     let gravity = Vector3::new(0.0, 0.0, -9.80665);
     Profile::new(shape, MATERIAL.lame(), MATERIAL.density, section.moments(), gravity)

@@ -72,10 +72,10 @@ fn rejected_commands_print_one_line() {
 #[test]
 fn results_that_cannot_be_written_are_reported() {
     let folder = TestFolder::with_run("statics");
-    for folder in ["/proc/none", "model.toml/below"] {
-        let output = folder.ancf(&["run", "model.toml", "-o", folder]);
+    for place in ["/proc/none", "model.toml/below"] {
+        let output = folder.ancf(&["run", "model.toml", "-o", place]);
         assert_eq!(output.code, Some(1), "{}", output.messages);
-        let start = format!("error: results could not be written: {folder}: ");
+        let start = format!("error: results could not be written: {place}: ");
         assert!(
             output.messages.starts_with(&start) && output.messages.lines().count() == 1,
             "{}",

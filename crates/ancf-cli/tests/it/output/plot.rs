@@ -97,9 +97,9 @@ fn unknown_columns_and_folders_are_rejected() {
     let against = folder.ancf(&["plot", "out", "tip.y", "--against", "laod"]);
     assert_eq!(against.messages, "error: there is no column `laod`; did you mean `load`?\n");
     let cases = [("nowhere", "there is no model.toml"), (".", "there is a model.toml and no results")];
-    for (folder, why) in cases {
-        let none = folder.ancf(&["plot", folder, "tip.y"]);
-        assert_eq!((none.code, none.messages), (Some(2), format!("error: {folder} holds no run: {why}\n")));
+    for (place, why) in cases {
+        let none = folder.ancf(&["plot", place, "tip.y"]);
+        assert_eq!((none.code, none.messages), (Some(2), format!("error: {place} holds no run: {why}\n")));
     }
 }
 

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::model::functions::TimeFunction;
-use crate::model::sections::Section;
+use crate::model::sections::{Section, disk_area};
 use crate::units::Scaled;
 
 /// Fluid around bodies: drag, added mass and buoyancy.
@@ -71,12 +71,12 @@ impl Fluid {
 
     /// Hydrodynamic properties of a section. `None` if the diameter is not stated and the section is not round.
     pub(crate) fn hull(&self, section: &Section) -> Option<Hull> {
-        let diameter = self.diameter.or(match *section {
-            Section::Circle { diameter } => Some(diameter),
-            Section::Tube { outer, .. } => Some(outer),
-            _ => None,
-        })?;
-        let area = self.area.unwrap_or_else(|| Section::Circle { diameter }.moments().area);
+        let shape = section.shape();
+        let (diameter, displaced) = match self.diameter {
+            Some(diameter) => (diameter, disk_area(0.5 * diameter)),
+            None => (2.0 * shape.outer_radius()?, shape.displaced_area()?),
+        };
+        let area = self.area.unwrap_or(displaced);
         Some(Hull { diameter, area, drag: self.drag, added_mass: self.added_mass })
     }
 }

@@ -1,9 +1,27 @@
 //! Cross-sections and materials of a model.
+//!
+//! One file a kind of section, and one line each in `section.rs`. A kind implements [`SectionShape`].
 
+mod circle;
 mod cubature;
+mod ellipse;
+mod general;
 mod material;
-mod rigidity;
+mod outline;
+mod rectangle;
 mod section;
+mod shape;
+#[cfg(test)]
+mod tests;
+mod tube;
 
+pub use circle::Circle;
+pub use ellipse::Ellipse;
+pub use general::GeneralSection;
 pub use material::{Damping, Material, MaterialLaw};
+pub use outline::{OutlineCurve, SectionOutline};
+pub use rectangle::Rectangle;
 pub use section::Section;
+pub use shape::SectionShape;
+pub(crate) use shape::disk_area;
+pub use tube::Tube;

@@ -1,128 +1,116 @@
-use std::f64::consts::PI;
-
 use ancf_mechanics::sections::{CrossSection, Moments, SectionPoint};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A cross-section, centred on the beam's axis, with its principal axes along y and z.
-///
-/// Second moments have the names of the axes about which they bend: `iy` = ∫z² dA, `iz` = ∫y² dA. Shear factors have
-/// those of their forces: `ky` belongs to a shear force along y.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-pub enum Section {
-    /// A full circle.
-    Circle {
-        /// Diameter, length.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        diameter: f64,
-    },
-    /// A circular tube.
-    Tube {
-        /// Outer diameter, length.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        outer: f64,
-        /// Inner diameter, length; less than the outer.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        inner: f64,
-    },
-    /// A full rectangle.
-    Rectangle {
-        /// Extent along the section's y-axis, length.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        height: f64,
-        /// Extent along the section's z-axis, length.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        width: f64,
-    },
-    /// A full ellipse.
-    Ellipse {
-        /// Extent along the section's y-axis, length: twice that semi-axis.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        height: f64,
-        /// Extent along the section's z-axis, length: twice that semi-axis.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        width: f64,
-    },
-    /// A section known by its numbers only, with moduli E and G of its material.
-    General {
-        /// Area A, length².
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        area: f64,
-        /// Second moment ∫z² dA, length⁴: for bending about y, deflections along z.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        iy: f64,
-        /// Second moment ∫y² dA, length⁴: for bending about z, deflections along y.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        iz: f64,
-        /// Torsion constant, length⁴; iy + iz by default.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        j: Option<f64>,
-        /// Shear factor of forces along y: their stiffness is ky G A; 1 by default.
-        #[serde(default = "one")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        ky: f64,
-        /// Shear factor of forces along z: their stiffness is kz G A; 1 by default.
-        #[serde(default = "one")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        kz: f64,
-        /// ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        mass_iy: Option<f64>,
-        /// ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        mass_iz: Option<f64>,
-    },
+use super::circle::Circle;
+use super::ellipse::{Ellipse, equivalent_points};
+use super::general::GeneralSection;
+use super::rectangle::Rectangle;
+use super::shape::SectionShape;
+use super::tube::Tube;
+use crate::units::Scaled;
+
+/// Declares the kinds of sections of model files: variant and data of each.
+macro_rules! sections {
+    ($($kind:ident($data:ident),)*) => {
+        /// A cross-section, centred on the beam's axis, with its principal axes along y and z.
+        ///
+        /// Second moments have the names of the axes about which they bend: `iy` = ∫z² dA, `iz` = ∫y² dA. Shear factors have
+        /// those of their forces: `ky` belongs to a shear force along y.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+        #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+        #[expect(missing_docs, reason = "the data of each kind are documented")]
+        pub enum Section {
+            $($kind($data),)*
+        }
+
+        impl Section {
+            /// Section as an implementation of its kind.
+            pub fn shape(&self) -> &dyn SectionShape {
+                match self {
+                    $(Self::$kind(section) => section,)*
+                }
+            }
+
+            /// Section at a fraction of the way to another one of the same kind; the section itself if the kinds differ.
+            pub(crate) fn towards(&self, end: &Self, fraction: f64) -> Self {
+                match (self, end) {
+                    $((Self::$kind(start), Self::$kind(end)) => Self::$kind(start.towards(end, fraction)),)*
+                    _ => *self,
+                }
+            }
+
+            /// Examples of all kinds.
+            #[cfg(test)]
+            pub(super) fn examples() -> Vec<Self> {
+                let kinds = [$($data::EXAMPLES.iter().copied().map(Self::$kind).collect::<Vec<_>>(),)*];
+                kinds.concat()
+            }
+        }
+
+        $(impl From<$data> for Section {
+            fn from(section: $data) -> Self {
+                Self::$kind(section)
+            }
+        })*
+    };
 }
 
-fn one() -> f64 {
-    1.0
+sections! {
+    Circle(Circle),
+    Tube(Tube),
+    Rectangle(Rectangle),
+    Ellipse(Ellipse),
+    General(GeneralSection),
 }
 
 impl Section {
+    /// Full circle of a diameter.
+    pub const fn circle(diameter: f64) -> Self {
+        Self::Circle(Circle { diameter })
+    }
+
+    /// Circular tube of an outer and an inner diameter.
+    pub const fn tube(outer: f64, inner: f64) -> Self {
+        Self::Tube(Tube { outer, inner })
+    }
+
+    /// Full rectangle with its height along y and its width along z.
+    pub const fn rectangle(height: f64, width: f64) -> Self {
+        Self::Rectangle(Rectangle { height, width })
+    }
+
+    /// Full ellipse with its height along y and its width along z.
+    pub const fn ellipse(height: f64, width: f64) -> Self {
+        Self::Ellipse(Ellipse { height, width })
+    }
+
     /// Moments of area up to the fourth degree.
-    ///
-    /// Tube of radii R, r: A = π(R² − r²), ∫y² = A(R² + r²)/4, ∫y⁴ = A(R⁴ + R²r² + r⁴)/8, ∫y²z² = ∫y⁴/3; circle with r = 0.
-    /// Rectangle h × w: A = hw, ∫y² = wh³/12, ∫y⁴ = wh⁵/80, ∫y²z² = h³w³/144.
-    /// Ellipse of semi-axes a, b: A = πab, ∫y² = Aa²/4, ∫y⁴ = Aa⁴/8, ∫y²z² = Aa²b²/24.
-    ///
-    /// A general section has the fourth moments of the ellipse-like section with its area and second moments:
-    /// ∫y⁴ = 2(∫y²)²/A, ∫y²z² = ⅔∫y² ∫z²/A. Only elements that are continua across the section ask for fourth moments.
     pub fn moments(&self) -> Moments {
-        match *self {
-            Self::Circle { diameter } => annulus(0.5 * diameter, 0.0),
-            Self::Tube { outer, inner } => annulus(0.5 * outer, 0.5 * inner),
-            Self::Rectangle { height: h, width: w } => Moments {
-                area: h * w,
-                yy: w * h.powi(3) / 12.0,
-                zz: h * w.powi(3) / 12.0,
-                yyyy: w * h.powi(5) / 80.0,
-                zzzz: h * w.powi(5) / 80.0,
-                yyzz: h.powi(3) * w.powi(3) / 144.0,
-            },
-            Self::Ellipse { height, width } => {
-                let area = PI * (0.5 * height) * (0.5 * width);
-                elliptic(area, area * height * height / 16.0, area * width * width / 16.0)
-            }
-            Self::General { area, iy, iz, .. } => elliptic(area, iz, iy),
-        }
+        self.shape().moments()
     }
 
-    /// The moments that times the density are the inertia per length: those of area, but for what a general section
-    /// says otherwise.
+    /// Moments that give the inertia per length when multiplied by the density.
     pub fn mass_moments(&self) -> Moments {
-        match *self {
-            Self::General { area, iy, iz, mass_iy, mass_iz, .. } => {
-                elliptic(area, mass_iz.unwrap_or(iz), mass_iy.unwrap_or(iy))
-            }
-            _ => self.moments(),
-        }
+        self.shape().mass_moments()
     }
 
-    /// The section as the elements see it, of a material with Poisson's ratio ν.
+    /// St. Venant's torsion constant J, length⁴: a torque M twists by M/(G J) per length.
+    pub fn torsion_constant(&self) -> f64 {
+        self.shape().torsion_constant()
+    }
+
+    /// Shear factors [k_y, k_z] for Poisson's ratio ν: the shear stiffness along y is k_y G A.
+    pub fn shear_factors(&self, poisson: f64) -> [f64; 2] {
+        self.shape().shear_factors(poisson)
+    }
+
+    /// Integration points, exact for polynomials of degree seven in y and z; none for a general section.
+    pub fn points(&self) -> Option<Vec<SectionPoint>> {
+        self.shape().points()
+    }
+
+    /// Section as the elements use it, for Poisson's ratio ν of the material.
     pub fn cross_section(&self, poisson: f64) -> CrossSection {
         let (moments, mass) = (self.moments(), self.mass_moments());
         CrossSection {
@@ -130,67 +118,7 @@ impl Section {
             inertia: [mass.yy, mass.zz],
             torsion: self.torsion_constant(),
             shear: self.shear_factors(poisson),
-            points: self.points().unwrap_or_else(|| elliptic_points(moments)),
-        }
-    }
-
-    /// The section at a part of the way to another of the same kind; itself, if the kinds differ.
-    pub(crate) fn towards(&self, end: &Self, part: f64) -> Self {
-        let mix = |x: f64, y: f64| x + (y - x) * part;
-        match (*self, *end) {
-            (Self::Circle { diameter }, Self::Circle { diameter: end }) => {
-                Self::Circle { diameter: mix(diameter, end) }
-            }
-            (Self::Tube { outer, inner }, Self::Tube { outer: wide, inner: narrow }) => {
-                Self::Tube { outer: mix(outer, wide), inner: mix(inner, narrow) }
-            }
-            (Self::Rectangle { height, width }, Self::Rectangle { height: h, width: w }) => {
-                Self::Rectangle { height: mix(height, h), width: mix(width, w) }
-            }
-            (Self::Ellipse { height, width }, Self::Ellipse { height: h, width: w }) => {
-                Self::Ellipse { height: mix(height, h), width: mix(width, w) }
-            }
-            _ => *self,
-        }
-    }
-}
-
-/// Points of the ellipse with the given second moments for its area, their weights brought to the area.
-fn elliptic_points(m: Moments) -> Vec<SectionPoint> {
-    let [height, width] = [m.yy, m.zz].map(|second| 4.0 * (second / m.area).sqrt());
-    let points = Section::Ellipse { height, width }.points().unwrap_or_default();
-    let area: f64 = points.iter().map(|point| point.weight).sum();
-    points.into_iter().map(|point| SectionPoint { weight: point.weight * m.area / area, ..point }).collect()
-}
-
-/// Between two circles of radii R > r.
-fn annulus(outer: f64, inner: f64) -> Moments {
-    let area = PI * ((outer - inner) * (outer + inner));
-    let (square, hole) = (outer.powi(2), inner.powi(2));
-    let second = area * (square + hole) / 4.0;
-    let fourth = area * (outer.powi(4) + square * hole + inner.powi(4)) / 8.0;
-    Moments { area, yy: second, zz: second, yyyy: fourth, zzzz: fourth, yyzz: fourth / 3.0 }
-}
-
-/// Fourth moments as an ellipse has them.
-fn elliptic(area: f64, yy: f64, zz: f64) -> Moments {
-    let fourth = |p: f64, q: f64| p * q / area;
-    Moments {
-        area,
-        yy,
-        zz,
-        yyyy: 2.0 * fourth(yy, yy),
-        zzzz: 2.0 * fourth(zz, zz),
-        yyzz: fourth(yy, zz) / 1.5,
-    }
-}
-
-impl Section {
-    /// The radius of a section that is round outside.
-    pub(crate) const fn radius(&self) -> Option<f64> {
-        match *self {
-            Self::Circle { diameter: d } | Self::Tube { outer: d, .. } => Some(0.5 * d),
-            _ => None,
+            points: self.points().unwrap_or_else(|| equivalent_points(moments)),
         }
     }
 }

@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 
 use ancf::mechanics::{Lame, gauss};
-use ancf::model::Section;
+use ancf::model::{Circle, Ellipse, Rectangle, Section, Tube};
 use nalgebra::{Matrix3, Vector3};
 
 /// Returns ∫ f dA over a section.
@@ -36,13 +36,13 @@ fn points(section: Section) -> Vec<([f64; 2], f64)> {
             .flat_map(move |(x, w)| second.clone().into_iter().map(move |(y, u)| (x, y, w * u)))
     };
     match section {
-        Section::Rectangle { height, width } => pairs(gauss().to_vec())
+        Section::Rectangle(Rectangle { height, width }) => pairs(gauss().to_vec())
             .map(|(y, z, w)| ([height * (y - 0.5), width * (z - 0.5)], w * height * width))
             .collect(),
-        Section::Circle { diameter } => rings(pairs, diameter, diameter, 0.0),
-        Section::Tube { outer, inner } => rings(pairs, outer, outer, inner / outer),
-        Section::Ellipse { height, width } => rings(pairs, height, width, 0.0),
-        Section::General { .. } => panic!("general sections have no shape"),
+        Section::Circle(Circle { diameter }) => rings(pairs, diameter, diameter, 0.0),
+        Section::Tube(Tube { outer, inner }) => rings(pairs, outer, outer, inner / outer),
+        Section::Ellipse(Ellipse { height, width }) => rings(pairs, height, width, 0.0),
+        Section::General(_) => panic!("general sections have no shape"),
     }
 }
 

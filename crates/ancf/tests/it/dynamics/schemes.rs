@@ -76,7 +76,7 @@ fn newmark_schemes_have_their_orders() {
 fn swung(scheme: Scheme, steps: usize) -> Vec<State> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e6;
-    model.sections.insert("circle".into(), Section::Circle { diameter: 0.2 });
+    model.sections.insert("circle".into(), Section::circle(0.2));
     let assembly = model.assemble().unwrap();
     let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-11), 50).unwrap();
     let mut dynamics = Dynamics::new(&assembly.system, scheme, newton, 0, assembly.rest());

@@ -51,7 +51,7 @@ fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
                 model.gravity = gravity.into();
                 let material = rod::material(&mut model);
                 (material.density, material.young, material.damping) = (2.0, 30.0, Damping { strain, mass });
-                model.sections.insert("circle".into(), Section::Circle { diameter: 0.3 });
+                model.sections.insert("circle".into(), Section::circle(0.3));
                 let cable = Cable {
                     name: "rod".into(),
                     from: [0.0; 3],

@@ -27,10 +27,10 @@ fn elements(gravity: Vector3<f64>) -> Vec<Element> {
     let tilted = Rotation3::from_euler_angles(0.4, -1.1, 2.3);
     let mut elements = Vec::new();
     let sections = [
-        Section::Circle { diameter: 0.3 },
-        Section::Tube { outer: 0.3, inner: 0.2 },
-        Section::Rectangle { height: 0.3, width: 0.2 },
-        Section::Ellipse { height: 0.2, width: 0.3 },
+        Section::circle(0.3),
+        Section::tube(0.3, 0.2),
+        Section::rectangle(0.3, 0.2),
+        Section::ellipse(0.2, 0.3),
     ];
     for section in sections {
         for poisson in [0.0, 0.3] {

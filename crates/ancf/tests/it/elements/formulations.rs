@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::mechanics::Kind;
-use ancf::model::{Assembly, Clamped, Formulation, Load, Material, Section};
+use ancf::model::{Assembly, Clamped, Formulation, GeneralSection, Load, Material, Section};
 use ancf::system::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
@@ -12,9 +12,9 @@ use crate::common::solutions::linear;
 const RODS: [Formulation; 3] = [Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic];
 
 const SECTIONS: [Section; 3] = [
-    Section::Circle { diameter: 0.02 },
-    Section::Rectangle { height: 0.03, width: 0.01 },
-    Section::General {
+    Section::circle(0.02),
+    Section::rectangle(0.03, 0.01),
+    Section::General(GeneralSection {
         area: 3e-4,
         iy: 5e-9,
         iz: 8e-9,
@@ -23,7 +23,7 @@ const SECTIONS: [Section; 3] = [
         kz: 0.9,
         mass_iy: None,
         mass_iz: None,
-    },
+    }),
 ];
 
 /// Steel cantilever of 1 m without gravity.
@@ -129,8 +129,7 @@ fn torsion_angle_is_that_of_st_venant() {
 fn tension_with_free_contraction_has_modulus_e() {
     for formulation in RODS {
         for (poisson, stretch) in [(0.0, 1.1), (0.3, 1.1), (0.45, 0.8), (-0.3, 1.3)] {
-            let mut model =
-                cantilever(3, formulation, Section::Circle { diameter: 0.02 }, poisson, Clamped::Section);
+            let mut model = cantilever(3, formulation, Section::circle(0.02), poisson, Clamped::Section);
             model.joints.clear();
             let assembly = model.assemble().unwrap();
             let (system, mut state) = (&assembly.system, assembly.rest());
@@ -167,7 +166,7 @@ fn tension_with_free_contraction_has_modulus_e() {
 
 /// Relative error of the linear tip deflection under own weight, qL⁴/8EI + qL²/2kGA.
 fn own_weight(elements: u32, formulation: Formulation) -> f64 {
-    let section = Section::Circle { diameter: 0.02 };
+    let section = Section::circle(0.02);
     let poisson = if formulation == Formulation::Continuum { 0.0 } else { 0.3 };
     let mut model = cantilever(elements, formulation, section, poisson, Clamped::Section);
     model.gravity = [0.0, -rod::GRAVITY, 0.0];

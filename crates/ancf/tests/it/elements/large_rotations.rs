@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use ancf::Model;
-use ancf::model::{Clamped, Formulation, Load, Section, Shape};
+use ancf::model::{Clamped, Formulation, GeneralSection, Load, Section, Shape};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;
@@ -38,7 +38,16 @@ fn tip(model: &Model, steps: u32) -> Vector3<f64> {
 /// General section with the moments of area of another, kGA = EA/2 and the given J.
 fn with_plain_shear(section: Section, poisson: f64, j: Option<f64>) -> Section {
     let (m, k) = (section.moments(), 1.0 + poisson);
-    Section::General { area: m.area, iy: m.zz, iz: m.yy, j, ky: k, kz: k, mass_iy: None, mass_iz: None }
+    Section::General(GeneralSection {
+        area: m.area,
+        iy: m.zz,
+        iz: m.yy,
+        j,
+        ky: k,
+        kz: k,
+        mass_iy: None,
+        mass_iz: None,
+    })
 }
 
 /// Tip position under a load P = α EI/L² along −y.
@@ -76,7 +85,7 @@ fn loaded_tip(
     diameter: f64,
     alpha: f64,
 ) -> Vector3<f64> {
-    let circle = Section::Circle { diameter };
+    let circle = Section::circle(diameter);
     let force = -alpha * 193e9 * circle.moments().yy;
     let section =
         if formulation == Formulation::Continuum { circle } else { with_plain_shear(circle, poisson, None) };
@@ -160,8 +169,7 @@ fn bend_of_45_degrees_converges_to_the_exact_rod() {
         (Formulation::Quadratic, 8, [5.2e-5, 1.2e-4, 1.2e-4]),
     ] {
         for ((torsion, load, limit), bound) in cases.into_iter().zip(bounds) {
-            let section =
-                with_plain_shear(Section::Rectangle { height: 1.0, width: 1.0 }, 0.0, Some(torsion));
+            let section = with_plain_shear(Section::rectangle(1.0, 1.0), 0.0, Some(torsion));
             let mut model = cantilever(elements, formulation, section, 0.0, [0.0, 0.0, load]);
             rod::material(&mut model).young = 1e7;
             let (beam, half) = (rod::beam(&mut model), PI / 8.0);
@@ -185,7 +193,7 @@ fn princeton_beam_converges_to_reissners_rod() {
         (Formulation::Quadratic, 2, 3.4e-5),
         (Formulation::Quadratic, 4, 2.3e-6),
     ] {
-        let section = with_plain_shear(Section::Rectangle { height: 12.377e-3, width: 3.2024e-3 }, 0.0, None);
+        let section = with_plain_shear(Section::rectangle(12.377e-3, 3.2024e-3), 0.0, None);
         let component = 8.896 / 2.0_f64.sqrt();
         let mut model = cantilever(elements, formulation, section, 0.0, [0.0, -component, component]);
         rod::beam(&mut model).to = [0.508, 0.0, 0.0];

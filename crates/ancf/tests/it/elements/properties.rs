@@ -62,10 +62,8 @@ fn stiffness_has_six_rigid_modes_and_mass_is_definite() {
 fn slender_elements_have_no_zero_energy_modes() {
     for formulation in FORMULATIONS {
         for poisson in [0.0, 0.3, 0.45, -0.3] {
-            for section in [
-                Section::Circle { diameter: LENGTH / 50.0 },
-                Section::Rectangle { height: LENGTH / 20.0, width: LENGTH / 100.0 },
-            ] {
+            for section in [Section::circle(LENGTH / 50.0), Section::rectangle(LENGTH / 20.0, LENGTH / 100.0)]
+            {
                 let moments = section.moments();
                 let BeamElement { name, term, .. } =
                     BeamCase::straight(formulation, section, poisson).element(Vector3::zeros());
@@ -114,10 +112,10 @@ fn continuum_elements(gravity: Vector3<f64>) -> impl Iterator<Item = BeamElement
         case.formulation == Formulation::Continuum
             && case.law == MaterialLaw::StVenantKirchhoff
             && case.section_end.is_none()
-            && !matches!(case.section, Section::General { .. })
+            && !matches!(case.section, Section::General(_))
     };
     let thin = |case: BeamCase| {
-        let rectangle = Section::Rectangle { height: 0.04, width: 0.03 };
+        let rectangle = Section::rectangle(0.04, 0.03);
         BeamCase { section: if case.curved { rectangle } else { case.section }, ..case }
     };
     beam_cases().into_iter().filter(prismatic).map(move |case| thin(case).element(gravity))

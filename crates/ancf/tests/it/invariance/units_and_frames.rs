@@ -47,7 +47,7 @@ fn linkage() -> Model {
     }));
     model.probes = vec![Probe::of_motion("tip", tip.clone())];
     model.loads = loads(tip);
-    model.sections.insert("circle".into(), Section::Rectangle { height: 0.03, width: 0.02 });
+    model.sections.insert("circle".into(), Section::rectangle(0.03, 0.02));
     *rod::material(&mut model) = Material::elastic(8030.0, 193e6, 0.3);
     let settings = rod::settings(&mut model);
     (settings.duration, settings.start) = (0.3, Start::Consistent);
@@ -130,7 +130,7 @@ fn units_do_not_change_the_motion() {
         let mut millimetres = model.clone();
         millimetres.gravity = model.gravity.map(|g| 1e3 * g);
         rod::beam(&mut millimetres).to[0] *= 1e3;
-        millimetres.sections.insert("circle".into(), Section::Circle { diameter: 20.0 });
+        millimetres.sections.insert("circle".into(), Section::circle(20.0));
         let material = rod::material(&mut millimetres);
         (material.density, material.young) = (8.03e-9, 193.0);
         assert_equivalent(&model, &millimetres, identity, [1e3, 1.0]);

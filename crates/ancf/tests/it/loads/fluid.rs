@@ -188,7 +188,7 @@ fn added_mass_lowers_bending_frequencies() {
 #[test]
 fn reaction_of_a_tapered_rod_is_weight_less_buoyancy() {
     let mut model = clamped(rod(BODIES[0], SOLID, [1.0, 0.0, 0.0], "drag = [1, 0]", STATICS));
-    let end = ancf::model::Section::Circle { diameter: 0.02 };
+    let end = ancf::model::Section::circle(0.02);
     model.sections.insert("thin".into(), end);
     let ancf::model::Body::Beam(beam) = &mut model.bodies[0] else { panic!("the body is a beam") };
     beam.section_end = Some("thin".into());

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 use ancf::mechanics::{SectionPoint, gauss};
-use ancf::model::{Model, Section};
+use ancf::model::{Circle, Ellipse, GeneralSection, Model, Rectangle, Section, Tube};
 use ancf::scales::Scales;
 use nalgebra::{DMatrix, DVector};
 
@@ -12,11 +12,11 @@ use crate::common::assertions::assert_relative;
 use crate::common::continuum;
 
 const SOLID: [Section; 5] = [
-    Section::Circle { diameter: 0.3 },
-    Section::Tube { outer: 0.4, inner: 0.25 },
-    Section::Rectangle { height: 0.3, width: 0.2 },
-    Section::Rectangle { height: 0.1, width: 0.35 },
-    Section::Ellipse { height: 0.2, width: 0.4 },
+    Section::circle(0.3),
+    Section::tube(0.4, 0.25),
+    Section::rectangle(0.3, 0.2),
+    Section::rectangle(0.1, 0.35),
+    Section::ellipse(0.2, 0.4),
 ];
 
 fn integral(points: &[SectionPoint], f: impl Fn(f64, f64) -> f64) -> f64 {
@@ -60,9 +60,9 @@ fn points_are_exact_to_degree_seven() {
 
 #[test]
 fn tube_and_ellipse_have_the_limits_of_circle_and_thin_tube() {
-    let circle = Section::Circle { diameter: 0.3 };
-    let tube = Section::Tube { outer: 0.3, inner: 1e-12 };
-    let ellipse = Section::Ellipse { height: 0.3, width: 0.3 };
+    let circle = Section::circle(0.3);
+    let tube = Section::tube(0.3, 1e-12);
+    let ellipse = Section::ellipse(0.3, 0.3);
     for other in [tube, ellipse] {
         let (a, b) = (circle.moments(), other.moments());
         for (a, b) in [(a.area, b.area), (a.yy, b.yy), (a.zz, b.zz), (a.yyyy, b.yyyy), (a.yyzz, b.yyzz)] {
@@ -77,7 +77,7 @@ fn tube_and_ellipse_have_the_limits_of_circle_and_thin_tube() {
     }
     // Thin tube of radius r and wall thickness t: shear factor 2(1+ν)/(4+3ν) by Cowper (1966).
     let (r, t) = (1.0, 1e-9);
-    let thin = Section::Tube { outer: 2.0 * r + t, inner: 2.0 * r - t };
+    let thin = Section::tube(2.0 * r + t, 2.0 * r - t);
     assert_relative("area of a thin tube", thin.moments().area, TAU * r * t, 1e-7);
     assert_relative("second moment of a thin tube", thin.moments().yy, PI * r.powi(3) * t, 1e-7);
     assert_relative("torsion of a thin tube", thin.torsion_constant(), TAU * r.powi(3) * t, 1e-7);
@@ -87,15 +87,24 @@ fn tube_and_ellipse_have_the_limits_of_circle_and_thin_tube() {
 /// A general section has the given constants; defaults are those of the moments of area.
 #[test]
 fn general_section_has_the_given_constants() {
-    let ellipse = Section::Ellipse { height: 0.2, width: 0.4 };
+    let ellipse = Section::ellipse(0.2, 0.4);
     let m = ellipse.moments();
     let (area, iy, iz) = (m.area, m.zz, m.yy);
-    let general = Section::General { area, iy, iz, j: None, ky: 1.0, kz: 1.0, mass_iy: None, mass_iz: None };
+    let general = Section::General(GeneralSection {
+        area,
+        iy,
+        iz,
+        j: None,
+        ky: 1.0,
+        kz: 1.0,
+        mass_iy: None,
+        mass_iz: None,
+    });
     assert_eq!(general.moments(), m);
     assert_eq!(general.mass_moments(), m);
     assert_eq!(general.torsion_constant(), iy + iz);
     assert_eq!(general.points(), None);
-    let general = Section::General {
+    let general = Section::General(GeneralSection {
         area,
         iy,
         iz,
@@ -104,7 +113,7 @@ fn general_section_has_the_given_constants() {
         kz: 2.0,
         mass_iy: Some(10.0),
         mass_iz: Some(20.0),
-    };
+    });
     assert_eq!(general.moments(), m);
     assert_eq!((general.mass_moments().zz, general.mass_moments().yy), (10.0, 20.0));
     assert_eq!((general.torsion_constant(), general.shear_factors(0.3)), (7.0, [0.5, 2.0]));
@@ -142,14 +151,12 @@ fn constants_scale_with_the_unit_of_length() {
 /// Height is measured along y: it determines ∫y² dA and the shear factor for forces along y.
 #[test]
 fn height_is_measured_along_y() {
-    for section in
-        [Section::Rectangle { height: 2.0, width: 1.0 }, Section::Ellipse { height: 2.0, width: 1.0 }]
-    {
+    for section in [Section::rectangle(2.0, 1.0), Section::ellipse(2.0, 1.0)] {
         assert!(section.moments().yy > section.moments().zz);
         let points = section.points().expect("the section has a shape");
         assert!(integral(&points, |y, _| y * y) > integral(&points, |_, z| z * z));
     }
-    let [ky, kz] = Section::Ellipse { height: 2.0, width: 1.0 }.shear_factors(0.3);
+    let [ky, kz] = Section::ellipse(2.0, 1.0).shear_factors(0.3);
     assert!(ky > kz, "{ky} along the longer axis, {kz} along the shorter");
 }
 
@@ -171,7 +178,7 @@ fn torsion_of_rectangles_equals_the_tables() {
     ];
     for (ratio, k) in table {
         for (height, width) in [(ratio, 1.0), (1.0, ratio)] {
-            let found = Section::Rectangle { height, width }.torsion_constant() / ratio;
+            let found = Section::rectangle(height, width).torsion_constant() / ratio;
             assert!((found - k).abs() < 6e-4, "{ratio}: {found} and {k}");
         }
     }
@@ -181,9 +188,9 @@ fn torsion_of_rectangles_equals_the_tables() {
         (3.2024, 12.377, 113.399_529_560_885_51),
     ];
     for (height, width, expected) in digits {
-        assert_relative("torsion", Section::Rectangle { height, width }.torsion_constant(), expected, 1e-15);
+        assert_relative("torsion", Section::rectangle(height, width).torsion_constant(), expected, 1e-15);
     }
-    let thin = Section::Rectangle { height: 1e6, width: 1.0 }.torsion_constant();
+    let thin = Section::rectangle(1e6, 1.0).torsion_constant();
     assert_relative("very thin strip", thin, 1e6 / 3.0, 1e-6);
 }
 
@@ -195,7 +202,7 @@ fn torsion_of_rectangles_equals_the_double_series() {
         let inner = |m: f64| odd().map(|n| 1.0 / (m * n * (m * b * b + n * a * a))).sum::<f64>();
         let sum: f64 = odd().map(inner).sum();
         let expected = 256.0 / PI.powi(6) * (a * b).powi(3) * sum;
-        let found = Section::Rectangle { height: a, width: b }.torsion_constant();
+        let found = Section::rectangle(a, b).torsion_constant();
         assert_relative(&format!("{a} x {b}"), found, expected, 1e-9);
     }
 }
@@ -217,13 +224,15 @@ fn fine(section: Section) -> Vec<([f64; 2], f64)> {
         ([0.5 * height * r * cos, 0.5 * width * r * sin], 0.25 * TAU * height * width * (1.0 - m) * r * w)
     };
     match section {
-        Section::Rectangle { height, width } => {
+        Section::Rectangle(Rectangle { height, width }) => {
             pairs.map(|(y, z, w)| ([height * (y - 0.5), width * (z - 0.5)], height * width * w)).collect()
         }
-        Section::Circle { diameter } => pairs.map(|p| rings(diameter, diameter, 0.0, p)).collect(),
-        Section::Ellipse { height, width } => pairs.map(|p| rings(height, width, 0.0, p)).collect(),
-        Section::Tube { outer, inner } => pairs.map(|p| rings(outer, outer, inner / outer, p)).collect(),
-        Section::General { .. } => panic!("general sections have no shape"),
+        Section::Circle(Circle { diameter }) => pairs.map(|p| rings(diameter, diameter, 0.0, p)).collect(),
+        Section::Ellipse(Ellipse { height, width }) => pairs.map(|p| rings(height, width, 0.0, p)).collect(),
+        Section::Tube(Tube { outer, inner }) => {
+            pairs.map(|p| rings(outer, outer, inner / outer, p)).collect()
+        }
+        Section::General(_) => panic!("general sections have no shape"),
     }
 }
 
@@ -240,16 +249,16 @@ fn edges(section: Section) -> Vec<Edge> {
         })
     };
     match section {
-        Section::Rectangle { height: h, width: w } => {
+        Section::Rectangle(Rectangle { height: h, width: w }) => {
             let top = parts.clone().map(|x| ([0.5 * h, 0.5 * w * x], [1.0, 0.0]));
             top.chain(parts.clone().map(|x| ([0.5 * h * x, 0.5 * w], [0.0, 1.0]))).collect()
         }
-        Section::Circle { diameter } => ellipse(diameter, diameter, 1.0).collect(),
-        Section::Ellipse { height, width } => ellipse(height, width, 1.0).collect(),
-        Section::Tube { outer, inner } => {
+        Section::Circle(Circle { diameter }) => ellipse(diameter, diameter, 1.0).collect(),
+        Section::Ellipse(Ellipse { height, width }) => ellipse(height, width, 1.0).collect(),
+        Section::Tube(Tube { outer, inner }) => {
             ellipse(outer, outer, 1.0).chain(ellipse(inner, inner, -1.0)).collect()
         }
-        Section::General { .. } => panic!("general sections have no shape"),
+        Section::General(_) => panic!("general sections have no shape"),
     }
 }
 
@@ -290,12 +299,12 @@ fn torsion_by_prandtl(section: Section) -> f64 {
 #[test]
 fn torsion_constant_solves_prandtls_problem() {
     let sections = [
-        (Section::Circle { diameter: 0.3 }, 1e-12),
-        (Section::Ellipse { height: 0.2, width: 0.4 }, 1e-12),
-        (Section::Ellipse { height: 0.5, width: 0.1 }, 1e-12),
-        (Section::Rectangle { height: 0.3, width: 0.3 }, 1e-6),
-        (Section::Rectangle { height: 0.3, width: 0.2 }, 1e-6),
-        (Section::Rectangle { height: 0.1, width: 0.3 }, 1e-5),
+        (Section::circle(0.3), 1e-12),
+        (Section::ellipse(0.2, 0.4), 1e-12),
+        (Section::ellipse(0.5, 0.1), 1e-12),
+        (Section::rectangle(0.3, 0.3), 1e-6),
+        (Section::rectangle(0.3, 0.2), 1e-6),
+        (Section::rectangle(0.1, 0.3), 1e-5),
     ];
     for (section, tolerance) in sections {
         let (found, expected) = (section.torsion_constant(), torsion_by_prandtl(section));
@@ -308,7 +317,7 @@ fn torsion_constant_solves_prandtls_problem() {
 /// K = 2(1+ν)I / [½ν(I' − I) − (A/I) ∫ y(χ + y z²) dA] with I = ∫y² dA, I' = ∫z² dA, where ∇²χ = 0 inside and
 /// ∂χ/∂n = −n_y[½νy² + (1−½ν)z²] − n_z(2+ν)yz on the boundary (Love 1927, section 229; Cowper 1966).
 fn shear_by_flexure(section: Section, poisson: f64) -> f64 {
-    let hollow = matches!(section, Section::Tube { .. });
+    let hollow = matches!(section, Section::Tube(_));
     let powers: Vec<i32> =
         if hollow { vec![1, 3, 5, -1, -3, -5] } else { (0..20).map(|k| 2 * k + 1).collect() };
     let row = |&([y, z], [ny, nz]): &Edge| {
@@ -328,12 +337,8 @@ fn shear_by_flexure(section: Section, poisson: f64) -> f64 {
 fn shear_factors_solve_the_flexure_problem() {
     for (section, tolerance) in SOLID.into_iter().zip([1e-12, 1e-12, 1e-5, 1e-5, 1e-12]) {
         let (y, z) = match section {
-            Section::Rectangle { height, width } => {
-                (section, Section::Rectangle { height: width, width: height })
-            }
-            Section::Ellipse { height, width } => {
-                (section, Section::Ellipse { height: width, width: height })
-            }
+            Section::Rectangle(Rectangle { height, width }) => (section, Section::rectangle(width, height)),
+            Section::Ellipse(Ellipse { height, width }) => (section, Section::ellipse(width, height)),
             round => (round, round),
         };
         for poisson in [0.0, 0.3, 0.45, -0.2] {

@@ -6,12 +6,8 @@ use nalgebra::{Rotation3, Vector3};
 
 pub(super) const LAME: Lame = Lame { lambda: 3.0, shear: 2.0 };
 
-pub(super) const SECTIONS: [Section; 4] = [
-    Section::Circle { diameter: 0.3 },
-    Section::Tube { outer: 0.4, inner: 0.3 },
-    Section::Rectangle { height: 0.3, width: 0.2 },
-    Section::Ellipse { height: 0.2, width: 0.4 },
-];
+pub(super) const SECTIONS: [Section; 4] =
+    [Section::circle(0.3), Section::tube(0.4, 0.3), Section::rectangle(0.3, 0.2), Section::ellipse(0.2, 0.4)];
 
 /// Directors of a straight beam.
 pub(super) fn straight() -> Directors {

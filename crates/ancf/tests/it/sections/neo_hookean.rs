@@ -284,9 +284,9 @@ fn energy_of_a_flat_section_is_unbounded() {
 /// Bending with a relative curvature of half the thickness: 16 points agree with many points to 10⁻⁵.
 #[test]
 fn sixteen_points_suffice_for_bending() {
-    let section = Section::Rectangle { height: 0.3, width: 0.2 };
+    let section = Section::rectangle(0.3, 0.2);
     let cells = |n: u32| {
-        let part = Section::Rectangle { height: 0.3 / f64::from(n), width: 0.2 };
+        let part = Section::rectangle(0.3 / f64::from(n), 0.2);
         let shift = |k: u32| 0.3 * ((f64::from(k) + 0.5) / f64::from(n) - 0.5);
         let moved = move |k| points(part).into_iter().map(move |p| SectionPoint { y: p.y + shift(k), ..p });
         NeoHookean::new(LAME, (0..n).flat_map(moved).collect())

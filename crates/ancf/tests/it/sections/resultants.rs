@@ -14,7 +14,7 @@ use crate::common::solutions::equilibrium;
 fn cantilever(formulation: Formulation, curved: bool, slopes: Slopes) -> Model {
     let mut model = rod::clamped(2, Clamped::Section);
     model.gravity = [0.0; 3];
-    model.sections.insert("circle".into(), Section::Rectangle { height: 0.1, width: 0.06 });
+    model.sections.insert("circle".into(), Section::rectangle(0.1, 0.06));
     (rod::material(&mut model).young, rod::material(&mut model).poisson) = (1e6, 0.3);
     let beam = rod::beam(&mut model);
     (beam.formulation, beam.slopes) = (formulation, slopes);

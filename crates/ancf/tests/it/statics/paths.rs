@@ -135,7 +135,7 @@ fn lees_frame(elements: u32, formulation: Formulation, height: f64) -> (System, 
         let straight = Beam::straight(name, ends, elements, "section", "material");
         Body::Beam(Beam { up: Some(up.into()), formulation, ..straight })
     };
-    let section = Section::Rectangle { height, width: 24.0 / height.powi(3) };
+    let section = Section::rectangle(height, 24.0 / height.powi(3));
     let model = Model {
         gravity: [0.0; 3],
         materials: [("material".into(), Material::elastic(1.0, 7.2e6, 0.0))].into(),

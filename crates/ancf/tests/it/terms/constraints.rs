@@ -15,7 +15,7 @@ pub(super) const ORIGIN: Vector3<f64> = Vector3::new(0.1, -0.2, 0.3);
 
 /// Builds a rotated body of two elements.
 pub(super) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>) -> BeamMesh {
-    let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
+    let section = Section::circle(0.3).cross_section(0.3);
     let lame = Material::elastic(2.0, 30.0, 0.3).lame();
     let medium = Medium {
         lame,

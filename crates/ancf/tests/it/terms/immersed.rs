@@ -12,7 +12,7 @@ const LENGTH: f64 = 2.0;
 
 /// Builds rotated bodies of two elements each: two-node beam, three-node beam, cable.
 pub(super) fn meshes() -> Vec<(&'static str, BeamMesh)> {
-    let section = Section::Circle { diameter: 0.3 }.cross_section(0.3);
+    let section = Section::circle(0.3).cross_section(0.3);
     let medium = Medium {
         lame: Material::elastic(2.0, 30.0, 0.3).lame(),
         neo_hookean: false,

@@ -4,7 +4,9 @@ use std::ops::AddAssign;
 
 use ancf::Model;
 use ancf::mechanics::NodalVector;
-use ancf::model::{Beam, Damping, Formulation, MaterialLaw, Section, Shape, Slopes};
+use ancf::model::{
+    Beam, Damping, Formulation, GeneralSection, MaterialLaw, Rectangle, Section, Shape, Slopes,
+};
 use ancf::system::Term;
 use nalgebra::{DVector, Rotation3, Vector3};
 
@@ -147,11 +149,11 @@ impl BeamElement {
 }
 
 const SECTIONS: [Section; 5] = [
-    Section::Circle { diameter: 0.3 },
-    Section::Tube { outer: 0.3, inner: 0.2 },
-    Section::Rectangle { height: 0.3, width: 0.2 },
-    Section::Ellipse { height: 0.2, width: 0.3 },
-    Section::General {
+    Section::circle(0.3),
+    Section::tube(0.3, 0.2),
+    Section::rectangle(0.3, 0.2),
+    Section::ellipse(0.2, 0.3),
+    Section::General(GeneralSection {
         area: 0.05,
         iy: 2e-4,
         iz: 4e-4,
@@ -160,7 +162,7 @@ const SECTIONS: [Section; 5] = [
         kz: 0.6,
         mass_iy: Some(3e-4),
         mass_iz: Some(5e-4),
-    },
+    }),
 ];
 
 /// Returns all combinations of formulation, section, Poisson's ratio, slope length and frame: straight, curved, tapered.
@@ -179,8 +181,8 @@ pub(crate) fn beam_cases() -> Vec<BeamCase> {
                     BeamCase { curved: true, ..plain },
                     BeamCase { curved: true, ..tilted },
                 ]);
-                if let Section::Rectangle { height, width } = section {
-                    let end = Section::Rectangle { height: 0.5 * height, width: 1.2 * width };
+                if let Section::Rectangle(Rectangle { height, width }) = section {
+                    let end = Section::rectangle(0.5 * height, 1.2 * width);
                     let tapered = BeamCase { section_end: Some(end), ..plain };
                     cases.extend([tapered, BeamCase { curved: true, ..tapered }]);
                 }

@@ -22,7 +22,7 @@ pub(crate) fn free(elements: u32) -> Model {
         units: None,
         gravity: [0.0, -GRAVITY, 0.0],
         materials: [("steel".into(), steel)].into(),
-        sections: [("circle".into(), Section::Circle { diameter: 0.02 })].into(),
+        sections: [("circle".into(), Section::circle(0.02))].into(),
         bodies: vec![Body::Beam(beam)],
         joints: Vec::new(),
         couplings: Vec::new(),

@@ -12,7 +12,8 @@
 use ancf::Model;
 use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
 use ancf::model::{
-    Assembly, At, Body, Cable, Clamp, Clamped, Formulation, Joint, Load, MaterialLaw, Section, Slopes,
+    Assembly, At, Body, Cable, Clamp, Clamped, Formulation, GeneralSection, Joint, Load, MaterialLaw,
+    Section, Slopes,
 };
 use ancf::system::{State, Weights};
 
@@ -93,7 +94,7 @@ fn shear_reduces_the_load_to_engessers() {
 #[test]
 fn slender_columns_of_all_elements_buckle_at_eulers_load() {
     let slender = |mut model: Model| {
-        model.sections.insert("circle".into(), Section::Circle { diameter: 0.002 });
+        model.sections.insert("circle".into(), Section::circle(0.002));
         let assembly = loaded(model, [-1.0, 0.0, 0.0]);
         1e4 * first(&assembly, &under(&assembly, 0.0, 1)) / EULER
     };
@@ -118,7 +119,7 @@ fn slender_columns_of_all_elements_buckle_at_eulers_load() {
 fn own_weight_buckles_at_greenhills_load() {
     let mut model = formulated(16, Formulation::Linked);
     model.gravity = [-1.0, 0.0, 0.0];
-    model.sections.insert("circle".into(), Section::Circle { diameter: 0.002 });
+    model.sections.insert("circle".into(), Section::circle(0.002));
     let area = model.sections["circle"].moments().area;
     let assembly = model.assemble().unwrap();
     let weight = 8030.0 * area * first(&assembly, &under(&assembly, 0.0, 1));
@@ -174,7 +175,7 @@ fn strip(elements: u32, poisson: f64, formulation: Formulation, section: Section
     model
 }
 
-const STRIP: Section = Section::Rectangle { height: 0.05, width: 0.005 };
+const STRIP: Section = Section::rectangle(0.05, 0.005);
 
 /// Tip load PL² = 4.012599343578901 √(EI GJ) on the axis; uniform load qL³ = 12.85376332138332 √(EI GJ).
 ///
@@ -182,15 +183,17 @@ const STRIP: Section = Section::Rectangle { height: 0.05, width: 0.005 };
 #[test]
 fn lateral_buckling_has_prandtls_load() {
     let m = STRIP.moments();
-    let polar = |j| Section::General {
-        area: m.area,
-        iy: m.zz,
-        iz: m.yy,
-        j,
-        ky: 1.0,
-        kz: 1.0,
-        mass_iy: None,
-        mass_iz: None,
+    let polar = |j| {
+        Section::General(GeneralSection {
+            area: m.area,
+            iy: m.zz,
+            iz: m.yy,
+            j,
+            ky: 1.0,
+            kz: 1.0,
+            mass_iy: None,
+            mass_iz: None,
+        })
     };
     for (name, poisson, section, reference) in [
         ("St. Venant", 0.31, STRIP, 179.22025978431),
@@ -225,7 +228,7 @@ fn lateral_buckling_has_prandtls_load() {
 /// Strip of Bauchau's example of lateral buckling: 100 × 10 mm, E = 73 GPa, ν = 0.3.
 #[test]
 fn lateral_buckling_equals_bauchaus_example() {
-    let section = Section::Rectangle { height: 0.1, width: 0.01 };
+    let section = Section::rectangle(0.1, 0.01);
     let mut model = strip(64, 0.3, Formulation::Linked, section);
     rod::material(&mut model).young = 73e9;
     let assembly = loaded(model, [0.0, -1.0, 0.0]);

@@ -24,7 +24,7 @@ fn unit(model: &Model) -> f64 {
 fn free_beam_has_eulers_frequencies() {
     let thin = |elements| {
         let mut model = rod::free(elements);
-        model.sections.insert("circle".into(), Section::Circle { diameter: 0.001 });
+        model.sections.insert("circle".into(), Section::circle(0.001));
         model
     };
     let unit = unit(&thin(1));

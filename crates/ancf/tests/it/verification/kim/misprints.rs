@@ -18,7 +18,7 @@ use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
 const LENGTH: f64 = 0.7;
-const SECTION: Section = Section::Rectangle { height: 0.3, width: 0.2 };
+const SECTION: Section = Section::rectangle(0.3, 0.2);
 const MATERIAL: Material = Material::elastic(2.0, 30.0, 0.3);
 /// Displacement gradient without symmetry.
 const GRADIENT: Matrix3<f64> = Matrix3::new(0.2, -0.1, 0.3, 0.4, -0.3, 0.15, -0.2, 0.1, 0.25);
@@ -199,7 +199,7 @@ fn static_tip(model: &Model) -> f64 {
 fn table_2_diameter() {
     let mut model = rod::cantilever(20);
     assert_near("0.02 m", static_tip(&model), -2.040, 1e-3);
-    model.sections.insert("circle".into(), Section::Circle { diameter: 0.2 });
+    model.sections.insert("circle".into(), Section::circle(0.2));
     assert_near("0.20 m as printed", static_tip(&model), -0.0204, 5e-4);
 }
 

@@ -72,7 +72,7 @@ fn static_tips_of_a_square_section_equal_chrono() {
         (100, 0.5, -1.99468),
     ] {
         let mut model = rod::cantilever(elements);
-        model.sections.insert("circle".into(), Section::Rectangle { height: side, width: side });
+        model.sections.insert("circle".into(), Section::rectangle(side, side));
         let reference = measured + 1e3 * (12.0 / 10.0 - 1.0) * c * shear;
         assert_near(&format!("{elements} elements"), tip(&model), reference, 1e-5);
     }

@@ -19,7 +19,7 @@ fn strip(elements: u32, load: f64, degrees: f64) -> Model {
     let mut model = rod::cantilever(elements);
     rod::beam(&mut model).to = [0.508, 0.0, 0.0];
     rod::material(&mut model).young = 71.7e9;
-    model.sections.insert("circle".into(), Section::Rectangle { height: 12.377e-3, width: 3.2024e-3 });
+    model.sections.insert("circle".into(), Section::rectangle(12.377e-3, 3.2024e-3));
     model.gravity = [0.0; 3];
     let (sin, cos) = degrees.to_radians().sin_cos();
     model.loads = vec![Load::force(rod::end(), [0.0, -load * cos, load * sin])];

@@ -27,8 +27,8 @@ fn rolled(elements: u32, section: Section, phi: f64, fix: Clamped) -> Model {
     model
 }
 
-const SQUARE: Section = Section::Rectangle { height: 0.05, width: 0.05 };
-const CIRCLE: Section = Section::Circle { diameter: 0.02 };
+const SQUARE: Section = Section::rectangle(0.05, 0.05);
+const CIRCLE: Section = Section::circle(0.02);
 
 #[test]
 fn end_angles_equal_independent_meshes() {

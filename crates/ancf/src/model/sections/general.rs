@@ -1,0 +1,109 @@
+use ancf_mechanics::sections::{Moments, SectionPoint};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::ellipse::elliptic_moments;
+use super::outline::SectionOutline;
+use super::shape::SectionShape;
+use crate::units::Scaled;
+
+/// A section known by its numbers only, with moduli E and G of its material.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct GeneralSection {
+    /// Area A, length².
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^2)]
+    pub area: f64,
+    /// Second moment ∫z² dA, length⁴: for bending about y, deflections along z.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^4)]
+    pub iy: f64,
+    /// Second moment ∫y² dA, length⁴: for bending about z, deflections along y.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^4)]
+    pub iz: f64,
+    /// Torsion constant, length⁴; iy + iz by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^4)]
+    pub j: Option<f64>,
+    /// Shear factor of forces along y: their stiffness is ky G A; 1 by default.
+    #[serde(default = "one")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(number)]
+    pub ky: f64,
+    /// Shear factor of forces along z: their stiffness is kz G A; 1 by default.
+    #[serde(default = "one")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(number)]
+    pub kz: f64,
+    /// ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^4)]
+    pub mass_iy: Option<f64>,
+    /// ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[unit(length^4)]
+    pub mass_iz: Option<f64>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl SectionShape for GeneralSection {
+    /// Area and second moments as stated, fourth moments of an ellipse with the same radii of gyration.
+    ///
+    /// Only elements that are continua across the section use fourth moments.
+    fn moments(&self) -> Moments {
+        elliptic_moments(self.area, self.iz, self.iy)
+    }
+
+    fn mass_moments(&self) -> Moments {
+        elliptic_moments(self.area, self.mass_iz.unwrap_or(self.iz), self.mass_iy.unwrap_or(self.iy))
+    }
+
+    /// J as stated, else iy + iz.
+    fn torsion_constant(&self) -> f64 {
+        self.j.unwrap_or(self.iy + self.iz)
+    }
+
+    /// Factors as stated, for any ν.
+    fn shear_factors(&self, _poisson: f64) -> [f64; 2] {
+        [self.ky, self.kz]
+    }
+
+    fn points(&self) -> Option<Vec<SectionPoint>> {
+        None
+    }
+
+    /// Ellipse with the same radii of gyration: semi-axes 2 √(I_z/A) along y and 2 √(I_y/A) along z.
+    fn outline(&self) -> SectionOutline {
+        SectionOutline::ellipse([self.iz, self.iy].map(|second| 2.0 * (second / self.area).sqrt()))
+    }
+
+    /// A general section is not interpolated.
+    fn towards(&self, _end: &Self, _fraction: f64) -> Self {
+        *self
+    }
+}
+
+#[cfg(test)]
+impl GeneralSection {
+    pub(super) const EXAMPLES: &[Self] = &[
+        Self { area: 0.05, iy: 2e-4, iz: 4e-4, j: None, ky: 1.0, kz: 1.0, mass_iy: None, mass_iz: None },
+        Self {
+            area: 0.05,
+            iy: 4e-4,
+            iz: 2e-4,
+            j: Some(3e-4),
+            ky: 0.8,
+            kz: 0.6,
+            mass_iy: Some(3e-4),
+            mass_iz: Some(5e-4),
+        },
+    ];
+}

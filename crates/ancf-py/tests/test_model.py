@@ -13,12 +13,12 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-import ancf.model
 import numpy as np
 import pytest
-from ancf.part import Part
 
 import ancf
+import ancf.model
+from ancf.model.base.part import Part
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("models/*.toml"), *ROOT.glob("crates/ancf/tests/models/good/*.toml")])

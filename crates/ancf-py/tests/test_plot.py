@@ -11,11 +11,12 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from ancf.plot import style
 from PIL import Image
 
 import ancf
-from ancf import animation
+from ancf.graphics import animation
+from ancf.graphics.frames import frames_of_animation
+from ancf.graphics.style import style
 
 mpl.use("Agg")
 
@@ -229,11 +230,11 @@ def test_frames_of_a_film_are_the_positions_at_its_rows(tmp_path: Path) -> None:
 
 def test_a_film_takes_as_long_as_its_speed_says() -> None:
     run = result("revolute_pendulum")
-    rows, speed = animation.frames(run, 1.0, 25)
+    rows, speed = frames_of_animation(run, 1.0, 25)
     assert (len(rows), speed) == (26, 1.0)
     np.testing.assert_allclose(run.time[rows], np.arange(26) / 25, atol=1e-4)
-    assert len(animation.frames(run, 0.1, 25)[0]) == 251
-    assert len(animation.frames(run, None, 25)[0]) == 126
+    assert len(frames_of_animation(run, 0.1, 25)[0]) == 251
+    assert len(frames_of_animation(run, None, 25)[0]) == 126
     with pytest.raises(ValueError, match="speed: found 0"):
         run.animate(speed=0)
 
@@ -279,14 +280,14 @@ def test_what_cannot_be_drawn_is_told() -> None:
     with pytest.raises(ValueError, match=r"frame: found 1\.5, wanted"):
         run.plot_shape(1.5)
     for fps in [0, -1, 2.5]:
-        with pytest.raises(ValueError, match=rf"fps: found {fps}, wanted a whole number >= 1"):
+        with pytest.raises(ValueError, match=rf"fps: found {fps}, wanted an integer >= 1"):
             run.animate(fps=fps)
     modes = result("tuning_fork")
     with pytest.raises(ValueError, match="energy: found a result of modes without energies, wanted"):
         modes.plot("energy")
-    with pytest.raises(ValueError, match="count: found 0, wanted a whole number >= 1"):
+    with pytest.raises(ValueError, match="count: found 0, wanted an integer >= 1"):
         modes.plot_modes(0)
     still = ancf.run(MODELS / "cantilever.toml", callback=lambda _: True)
     assert len(still) == 1
-    with pytest.raises(ValueError, match="film: found a result of 1 row, wanted two rows at least"):
+    with pytest.raises(ValueError, match="animation: found a result of 1 row, wanted at least two rows"):
         still.animate()

@@ -302,7 +302,7 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
     def never(_: ancf.Result) -> float:
         raise AssertionError("a case was run")
 
-    wanted = "wanted a whole number >= 1, or -1 for all cores"
+    wanted = "wanted an integer >= 1, or -1 for all cores"
     for jobs in [0, -2, 1.5, True, "two"]:
         shown = f'"{jobs}"' if isinstance(jobs, str) else jobs
         assert told(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {wanted}"]
@@ -310,12 +310,12 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
         "folder: found 5, wanted a path",
         'states: found "al", wanted "all", "positions" or "none" (did you mean "all"?)',
         "client: found 3, wanted a client of dask.distributed",
-        'seed: found "x", wanted a whole number >= 0',
+        'seed: found "x", wanted an integer >= 0',
     ]
     law = {"gravity[1]": scipy.stats.norm(-9, 1)}
     for samples in [0, 2.0, "many", True]:
         (line,) = told(bar, law, never, samples=samples)
-        assert line.startswith("samples: found") and line.endswith("wanted a whole number >= 1")
+        assert line.startswith("samples: found") and line.endswith("wanted an integer >= 1")
     assert told(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
     assert told(bar, {3: [1]}, {4: never}) == [
         "parameters: found the name 3, wanted texts as names",

@@ -10,7 +10,8 @@ import types
 from typing import Any
 
 import pytest
-from ancf.studies.fingerprint import told
+
+from ancf.studies.definition.fingerprint import describe
 
 PROGRAM = """
 import functools, math
@@ -59,7 +60,7 @@ def tell(old: str = "", new: str = "") -> Any:
     sys.modules["mine"] = module
     try:
         exec(PROGRAM.replace(old, new) if old else PROGRAM, module.__dict__)
-        return told(module.objective)
+        return describe(module.objective)
     finally:
         del sys.modules["mine"]
 
@@ -73,11 +74,11 @@ def test_the_same_program_is_told_the_same() -> None:
 def test_the_same_in_another_process() -> None:
     code = f"""
 import sys, types, json
-from ancf.studies.fingerprint import told
+from ancf.studies.definition.fingerprint import describe
 module = types.ModuleType("mine")
 sys.modules["mine"] = module
 exec({PROGRAM!r}, module.__dict__)
-print(json.dumps(told(module.objective), sort_keys=True))
+print(json.dumps(describe(module.objective), sort_keys=True))
 """
     runs = [subprocess.run([sys.executable, "-c", code], capture_output=True, check=True) for _ in range(2)]
     assert runs[0].stdout == runs[1].stdout
@@ -107,7 +108,7 @@ def test_all_that_an_objective_finds_decides(old: str, new: str) -> None:
 
 def test_what_cannot_be_told_is_never_the_same() -> None:
     thing = threading.Lock()
-    assert told(thing) != told(thing)
+    assert describe(thing) != describe(thing)
 
 
 def test_objects_that_are_called_are_told_by_their_classes() -> None:
@@ -125,15 +126,15 @@ def test_objects_that_are_called_are_told_by_their_classes() -> None:
         return Scale
 
     one, other = made(1), made(-1)
-    assert told(one(2.0)) == told(made(1)(2.0))
-    assert told(one(2.0)) != told(one(3.0))
-    assert told(one(2.0)) != told(other(2.0))
-    assert told(one(2.0).method) != told(other(2.0).method)
-    assert told(functools.partial(one(2.0))) != told(functools.partial(other(2.0)))
+    assert describe(one(2.0)) == describe(made(1)(2.0))
+    assert describe(one(2.0)) != describe(one(3.0))
+    assert describe(one(2.0)) != describe(other(2.0))
+    assert describe(one(2.0).method) != describe(other(2.0).method)
+    assert describe(functools.partial(one(2.0))) != describe(functools.partial(other(2.0)))
 
 
 def test_many_functions_that_call_each_other_are_told_soon() -> None:
     space: dict[str, Any] = {"__name__": "mine"}
     calls = "; ".join(f"f{i}(x)" for i in range(40))
     exec("\n".join(f"def f{i}(x): {calls}" for i in range(40)), space)
-    assert told(space["f0"]) == told(space["f0"])
+    assert describe(space["f0"]) == describe(space["f0"])

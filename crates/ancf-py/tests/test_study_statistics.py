@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.stats
-from ancf.studies.indices import parts
 
 import ancf
+from ancf.studies.indices import parts
 
 # Of a round bar of steel, clamped at one end: the tip's deflection under its own weight, q L^4 / (8 E I).
 DIAMETER, YOUNG, DENSITY = 0.02, 193e9, 8030.0
@@ -110,7 +110,7 @@ def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
         ancf.sobol(pushed, laws | {"elements": [4]}, {"tip": "tip.y"}, samples=100)
     assert str(caught.value).splitlines() == [
         "parameters.elements: found [4], wanted a distribution, such as scipy.stats.norm(mean, deviation)",
-        "samples: found 100, wanted a power of 2, as Sobol's sequence has (such as 256)",
+        "samples: found 100, wanted a power of 2, as in a Sobol sequence (such as 256)",
     ]
     table = ancf.sobol(pushed, laws, {"tip": "tip.y", "end": ("tip.y", "min")}, samples=512)
     # The tip's deflection is a product of functions g of one parameter each, with relative variances v:
@@ -169,10 +169,10 @@ def test_indices_need_numbers(pushed: dict[str, Any]) -> None:
         ancf.sobol(pushed, {}, None, samples="x", seed=-1, combine="grid")  # type: ignore[arg-type]
     assert str(caught.value).splitlines() == [
         "parameters: found none, wanted at least one distribution",
-        "objective: found none, wanted at least one number whose variance is taken apart",
-        'samples: found "x", wanted a power of 2, as Sobol\'s sequence has (such as 256)',
-        "seed: found -1, wanted a whole number >= 0",
-        'combine: found "grid", wanted nothing, since Sobol\'s sequence decides the cases',
+        "objective: found none, wanted at least one number",
+        'samples: found "x", wanted a power of 2, as in a Sobol sequence (such as 256)',
+        "seed: found -1, wanted an integer >= 0",
+        'combine: found "grid", wanted nothing, since the Sobol sequence determines the cases',
     ]
     with pytest.raises(ancf.ModelError, match="parameters: found 3, wanted a dictionary"):
         ancf.sobol(pushed, 3, "tip.y", samples=4)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Films of motions, ways of equilibria and shapes of modes."""
+"""Animations of motions, equilibrium paths and mode shapes by matplotlib."""
 
 from __future__ import annotations
 
@@ -9,9 +9,25 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ancf.lines import COLOURS, Lines, filmed, shaking, told, whole, with_unit
-from ancf.plot import style
-from ancf.shape import GREY, Canvas, View, arms, arms_at, axes_of, body_colours, legend, strokes
+from ancf.graphics.artists import (
+    arm_coordinates,
+    body_colours,
+    draw_arms,
+    draw_legend,
+    draw_lines,
+    draw_reference,
+)
+from ancf.graphics.frames import (
+    elastic_modes,
+    frame_label,
+    frames_of_animation,
+    require_frames,
+    require_int,
+)
+from ancf.graphics.lines import Lines
+from ancf.graphics.style import style, with_unit
+from ancf.graphics.view import Canvas, View
+from ancf.record.result_data import ResultData
 
 if TYPE_CHECKING:
     import os
@@ -19,93 +35,158 @@ if TYPE_CHECKING:
 
     from matplotlib.animation import FuncAnimation
 
-    from ancf.record import Array
-    from ancf.result import Result
+    from ancf.record.columns import Array
 
-FILM = 5.0
-"""Seconds that a film takes if no speed is given."""
-
-
-def frames(result: Result, speed: float | None, fps: int) -> tuple[list[int], float]:
-    """Frames that a film shows one after the other, and by how much it is faster than the motion."""
-    if result.kind != "dynamics":
-        return [round(row) for row in np.linspace(0, len(result.frames) - 1, round(FILM * fps))], 1.0
-    time = result.frames
-    lasted = float(time[-1] - time[0])
-    speed = lasted / FILM if speed is None else speed
-    if not 0 < speed < np.inf:
-        msg = f"speed: found {speed}, wanted a number > 0, or None"
-        raise ValueError(msg)
-    count = max(2, round(lasted / speed * fps) + 1)
-    at = np.linspace(time[0], time[-1], count)
-    after = np.searchsorted(time, at).clip(1, len(time) - 1)
-    nearer = at - time[after - 1] < time[after] - at
-    return [int(row) for row in np.where(nearer, after - 1, after)], speed
+MAX_EXTENT_FRAMES = 60
+"""Maximum number of frames from which the limits of the axes are computed."""
 
 
-def animate(
-    result: Result,
-    *,
-    speed: float | None = None,
-    fps: int = 25,
-    mode: int | None = None,
-    plane: str | None = None,
-    scale: float | None = None,
-    reference: bool = True,
-    parts: int = 8,
-    save: str | os.PathLike[str] | None = None,
-) -> FuncAnimation:
-    """See `Result.animate`."""
-    import matplotlib.pyplot as plt
-    from matplotlib.animation import FuncAnimation
+class Animations(ResultData):
+    """Animations of a result."""
 
-    whole("fps", fps, 1)
-    filmed(result)
-    if save is not None:
-        check(Path(save))
-    lines = Lines(result, parts)
-    film = (
-        Vibration(result, lines, mode, scale, fps)
-        if lines.modal
-        else Motion(result, lines, speed, scale, fps)
-    )
-    step = max(1, len(film.frames) // 60)
-    every = [lines.reach(0 if lines.modal else i, film.places(i)) for i in film.frames[::step]]
-    extent = np.concatenate([*every, lines.rest])
-    view = View.of(plane, extent)
-    with style():
-        ax: Canvas = axes_of(view, unit=result.field_units.get("position"))
-        if reference:
-            strokes(ax, view, lines, lines.rest, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
-        drawn = strokes(ax, view, lines, film.places(film.frames[0]), body_colours(lines, None), {})
-        links = arms(ax, view, lines, 0, film.places(film.frames[0]), {})
-        view.fit(ax, extent)
-        if 1 < len(lines.bodies) <= len(COLOURS):
-            legend(ax, lines)
-        stamp = ax.set_title(film.told(film.frames[0]), loc="left", family="monospace", fontsize="medium")
-        settle(ax)
+    def animate(
+        self,
+        *,
+        speed: float | None = None,
+        fps: int = 25,
+        mode: int | None = None,
+        plane: str | None = None,
+        scale: float | None = None,
+        reference: bool = True,
+        parts: int = 8,
+        save: str | os.PathLike[str] | None = None,
+    ) -> FuncAnimation:
+        """Animate a motion, an equilibrium path, or a mode.
 
-    def show(frame: int) -> list[Any]:
-        places = film.places(frame)
-        ways = [view.seen(places[stations]).T for stations in lines.bodies.values()]
-        if not lines.modal:
-            ways.append(arms_at(view, lines, frame, places))
-        for line, way in zip([*drawn, links], ways, strict=False):
-            (line.set_data_3d if view.spatial else line.set_data)(*way)
-        stamp.set_text(film.told(frame))
-        return [*drawn, links, stamp]
+        In a notebook, `IPython.display.HTML(result.animate().to_jshtml())` shows the animation; in a program,
+        `matplotlib.pyplot.show()` does, as long as a reference to the returned object exists.
 
-    made = FuncAnimation(ax.figure, show, frames=film.frames, interval=1000 / fps)
-    if save is not None:
-        write(made, Path(save), fps)
-    if "inline" in plt.get_backend():
-        # A notebook would show the first frame below the film.
-        plt.close(ax.figure)
-    return made
+        Parameters
+        ----------
+        speed
+            Ratio of model time to playback time: 1 is real time. By default an animation takes 5 seconds.
+        fps
+            Frames per second.
+        mode
+            Row of the mode; by default the first elastic mode.
+        plane
+            Two letters such as `xz`, the first to the right, or `3d`; by default the plane of the motion.
+        scale
+            Factor of deflections; by default 1, for modes chosen automatically.
+        reference
+            True to plot the reference configuration in grey.
+        parts
+            Number of segments per element.
+        save
+            File to write: `.gif`, `.mp4`, which needs ffmpeg, or `.html`, a page with buttons.
+
+        """
+        import matplotlib.pyplot as plt
+        from matplotlib.animation import FuncAnimation
+
+        require_int("fps", fps, 1)
+        require_frames(self)
+        if save is not None:
+            _check_file(Path(save))
+        lines = Lines(self, parts)
+        film = (
+            ModeSequence(self, lines, mode, scale, fps)
+            if lines.modal
+            else RowSequence(self, lines, speed, scale, fps)
+        )
+        extent = _extent(lines, film)
+        view = View.of(plane, extent)
+        first = film.frames[0]
+        with style():
+            ax: Canvas = view.axes(unit=self.field_units.get("position"))
+            if reference:
+                draw_reference(ax, view, lines, lines.reference)
+            drawn = draw_lines(ax, view, lines, film.positions(first), body_colours(lines, None), {})
+            arms = draw_arms(ax, view, lines, 0, film.positions(first), {})
+            view.fit(ax, extent)
+            draw_legend(ax, lines)
+            title = ax.set_title(film.label(first), loc="left", family="monospace", fontsize="medium")
+            _freeze_layout(ax)
+
+        def update(frame: int) -> list[Any]:
+            positions = film.positions(frame)
+            paths = [view.coordinates(positions[stations]).T for stations in lines.bodies.values()]
+            if not lines.modal:
+                paths.append(arm_coordinates(view, lines, frame, positions))
+            for line, path in zip([*drawn, arms], paths, strict=False):
+                (line.set_data_3d if view.spatial else line.set_data)(*path)
+            title.set_text(film.label(frame))
+            return [*drawn, arms, title]
+
+        animation = FuncAnimation(ax.figure, update, frames=film.frames, interval=1000 / fps)
+        if save is not None:
+            _write(animation, Path(save), fps)
+        if "inline" in plt.get_backend():
+            # A notebook would show the first frame below the animation.
+            plt.close(ax.figure)
+        return animation
 
 
-def settle(ax: Canvas) -> None:
-    """Find the layout and the limits once: they would be found anew for each frame, and might change."""
+class RowSequence:
+    """Frames of a result in order."""
+
+    def __init__(
+        self, result: ResultData, lines: Lines, speed: float | None, scale: float | None, fps: int
+    ) -> None:
+        """Select the frames for a number of frames per second."""
+        self._result, self._lines, self._scale = result, lines, scale
+        self.frames, self._speed = frames_of_animation(result, speed, fps)
+
+    def positions(self, frame: int) -> Array:
+        """Return the positions in a frame, `[station, 3]`."""
+        return self._lines.positions(frame, self._scale)
+
+    def label(self, frame: int) -> str:
+        """Return the title of a frame."""
+        if self._result.kind != "dynamics":
+            return frame_label(self._result, frame)
+        time = self._result.frames
+        decimals = max(0, 2 - int(np.floor(np.log10(time[-1])))) if time[-1] > 0 else 0
+        text = with_unit(f"t = {time[frame]:.{decimals}f}", self._result.field_units.get("time"), " ")
+        return text + (f"   speed {self._speed:.3g}" if self._speed != 1 else "")
+
+
+class ModeSequence:
+    """Two periods of the vibration of a mode."""
+
+    def __init__(
+        self, result: ResultData, lines: Lines, mode: int | None, scale: float | None, fps: int
+    ) -> None:
+        """Select the mode of a row, by default the lowest elastic mode."""
+        row = elastic_modes(result)[0] if mode is None else mode
+        count = len(result.frames)
+        if not -count <= row < count:
+            msg = f"mode: found {row}, wanted less than {count}"
+            raise IndexError(msg)
+        self._lines, self._row = lines, row % count
+        self._label = frame_label(result, self._row)
+        self._scale = lines.scale(self._row) if scale is None else scale
+        self.frames = list(range(2 * fps))
+        self._phases = 2 * np.pi * np.arange(len(self.frames)) / fps
+
+    def positions(self, frame: int) -> Array:
+        """Return the positions in a frame, `[station, 3]`."""
+        return self._lines.positions(self._row, self._scale * float(np.sin(self._phases[frame])))
+
+    def label(self, frame: int) -> str:
+        """Return the title of a frame."""
+        return self._label
+
+
+def _extent(lines: Lines, film: RowSequence | ModeSequence) -> Array:
+    """Return the points that determine the limits of the axes."""
+    step = max(1, len(film.frames) // MAX_EXTENT_FRAMES)
+    every = [lines.points(0 if lines.modal else i, film.positions(i)) for i in film.frames[::step]]
+    return np.concatenate([*every, lines.reference])
+
+
+def _freeze_layout(ax: Canvas) -> None:
+    """Compute layout and limits once. Otherwise they would be computed for each frame and could change."""
     ax.figure.draw_without_rendering()
     ax.figure.set_layout_engine("none")
     if not hasattr(ax, "get_zlim"):
@@ -113,84 +194,36 @@ def settle(ax: Canvas) -> None:
         ax.set_adjustable("box")
 
 
-class Motion:
-    """Rows of a result one after the other."""
-
-    def __init__(
-        self, result: Result, lines: Lines, speed: float | None, scale: float | None, fps: int
-    ) -> None:
-        """The rows that a film with so many frames a second shows."""
-        self._result, self._lines, self._scale = result, lines, scale
-        self.frames, self._speed = frames(result, speed, fps)
-
-    def places(self, frame: int) -> Array:
-        """Positions in a frame, `[station, 3]`."""
-        return self._lines.places(frame, self._scale)
-
-    def told(self, frame: int) -> str:
-        """What stands above it."""
-        if self._result.kind != "dynamics":
-            return told(self._result, frame)
-        time = self._result.frames
-        decimals = max(0, 2 - int(np.floor(np.log10(time[-1])))) if time[-1] > 0 else 0
-        words = with_unit(f"t = {time[frame]:.{decimals}f}", self._result.field_units.get("time"), " ")
-        return words + (f"   speed {self._speed:.3g}" if self._speed != 1 else "")
-
-
-class Vibration:
-    """A shape that swings to and fro, twice."""
-
-    def __init__(self, result: Result, lines: Lines, mode: int | None, scale: float | None, fps: int) -> None:
-        """The shape of a row, by default of the lowest mode that is no rigid motion."""
-        row = shaking(result)[0] if mode is None else mode
-        count = len(result.frames)
-        if not -count <= row < count:
-            msg = f"mode: found {row}, wanted less than {count}"
-            raise IndexError(msg)
-        self._lines, self._row, self._words = lines, row % count, told(result, row % count)
-        self._scale = lines.scale(self._row) if scale is None else scale
-        self.frames = list(range(2 * fps))
-        self._angles = 2 * np.pi * np.arange(len(self.frames)) / fps
-
-    def places(self, frame: int) -> Array:
-        """Positions in a frame, `[station, 3]`."""
-        return self._lines.places(self._row, self._scale * float(np.sin(self._angles[frame])))
-
-    def told(self, frame: int) -> str:
-        """What stands above it."""
-        return self._words
-
-
-def check(path: Path) -> None:
-    """Refuse a file that cannot be written, before work is done for it."""
+def _check_file(path: Path) -> None:
+    """Raise an error for a file that cannot be written, before frames are computed."""
     from matplotlib.animation import FFMpegWriter
 
     if path.suffix.lower() not in {".gif", ".mp4", ".html"}:
         msg = f"save: found {str(path)!r}, wanted a name that ends in .gif, .mp4 or .html"
         raise ValueError(msg)
-    with ffmpeg():
+    with _ffmpeg():
         if path.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
             msg = f"{path}: needs ffmpeg, which was not found; save a .gif, or pip install imageio-ffmpeg"
             raise RuntimeError(msg)
 
 
-def write(film: FuncAnimation, path: Path, fps: int) -> None:
-    """Write a film as a GIF, by Pillow, or as an MP4, by ffmpeg, or as a page with buttons."""
+def _write(animation: FuncAnimation, path: Path, fps: int) -> None:
+    """Write an animation as GIF by Pillow, as MP4 by ffmpeg, or as a page with buttons."""
     from matplotlib.animation import FFMpegWriter, PillowWriter
 
     kind = path.suffix.lower()
     if kind == ".gif":
-        film.save(path, writer=PillowWriter(fps=fps))
+        animation.save(path, writer=PillowWriter(fps=fps))
     elif kind == ".mp4":
-        with ffmpeg():
-            film.save(path, writer=FFMpegWriter(fps=fps))
+        with _ffmpeg():
+            animation.save(path, writer=FFMpegWriter(fps=fps))
     else:
-        path.write_text(film.to_jshtml(fps=fps), encoding="utf-8")
+        path.write_text(animation.to_jshtml(fps=fps), encoding="utf-8")
 
 
 @contextmanager
-def ffmpeg() -> Iterator[None]:
-    """The program that writes MP4: that of imageio-ffmpeg if it is installed, otherwise the system's."""
+def _ffmpeg() -> Iterator[None]:
+    """Select the ffmpeg of imageio-ffmpeg if installed, otherwise that of the system."""
     import matplotlib.pyplot as plt
 
     settings: dict[Any, Any] = {}

@@ -1,108 +1,117 @@
-"""Curves of columns: over time, over the load factor, or over each other."""
+"""Plots of columns over time, over the load factor, or over another column."""
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 
-import numpy as np
-
-from ancf.lines import COLOURS, with_unit
-from ancf.record import FREEDOMS, VECTORS, Array, Probe, unknown
+from ancf.graphics.shapes import Grid, ShapePlots
+from ancf.graphics.style import grid, style, with_unit
+from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array
+from ancf.record.suggestion import unknown_name
+from ancf.record.views import Probe
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Iterable, Mapping
 
     from matplotlib.axes import Axes
 
-    from ancf.result import Result
+    from ancf.record.result_data import ResultData
 
 Curves: TypeAlias = "Mapping[str, Array]"
 """Columns by their labels."""
 
-Grid: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
-"""Several axes of matplotlib."""
-
 QUANTITIES = {column: name.replace("_", " ") for name, columns in VECTORS.items() for column in columns}
-"""What the columns of vectors are, by the ends of their names."""
+"""Quantities of the columns of vectors, by suffix."""
 
 ENERGIES = ("kinetic", "strain", "potential", "work", "dissipated", "balance")
 
-MOVES = {"position", "angle", "displacement", "length"}
-"""What is drawn to the right under a load that goes up."""
+KINEMATIC = {"position", "angle", "displacement", "length"}
+"""Quantities that are plotted on the horizontal axis, with the load factor on the vertical axis."""
 
-FEW = 60
-"""Rows up to which each is marked by a dot, if the analysis chose them."""
+MAX_MARKED_ROWS = 60
+"""Maximum number of rows with a marker each, if the analysis chooses the rows."""
 
-
-CROWD = 4
-"""Number of curves up to which their legend finds room between them."""
-
-
-@contextmanager
-def style() -> Iterator[None]:
-    """The style of all pictures, for what is drawn within; nothing is changed for others."""
-    import matplotlib.pyplot as plt
-    from cycler import cycler
-
-    settings: dict[Any, Any] = {
-        "axes.axisbelow": True,
-        "axes.edgecolor": "#777777",
-        "axes.linewidth": 0.6,
-        "axes.prop_cycle": cycler(linestyle=["-", "--", ":"]) * cycler(color=COLOURS),
-        "axes.spines.right": False,
-        "axes.spines.top": False,
-        "axes.titlesize": "medium",
-        "figure.constrained_layout.use": True,
-        "legend.frameon": False,
-        "legend.fontsize": "small",
-        "lines.linewidth": 1.4,
-        "lines.markersize": 3.5,
-    }
-    with plt.rc_context(settings):
-        yield
-        interactive = plt.isinteractive()
-    # The first figure may have made a notebook show all that follow.
-    plt.rcParams["interactive"] = interactive
+MAX_INNER_LEGEND = 4
+"""Maximum number of curves with the legend inside the axes."""
 
 
-def grid(ax: Axes) -> None:
-    """Thin lines behind the curves."""
-    ax.grid(visible=True, linewidth=0.4, color="#d5d5d5")
+class CurvePlots(ShapePlots):
+    """Plots of columns."""
+
+    @overload
+    def plot(self) -> Grid: ...
+
+    @overload
+    def plot(
+        self,
+        *names: str,
+        x: str | None = None,
+        ax: Axes | None = None,
+        subplots: Literal[False] = False,
+        **line: object,
+    ) -> Axes: ...
+
+    @overload
+    def plot(
+        self, *names: str, x: str | None = None, ax: None = None, subplots: Literal[True], **line: object
+    ) -> Grid: ...
+
+    @overload
+    def plot(
+        self,
+        *names: str,
+        x: str | None = None,
+        ax: Axes | None = None,
+        subplots: bool = False,
+        **line: object,
+    ) -> Axes | Grid: ...
+
+    def plot(
+        self,
+        *names: str,
+        x: str | None = None,
+        ax: Axes | None = None,
+        subplots: bool = False,
+        **line: object,
+    ) -> Axes | Grid:
+        """Plot columns over time, the load factor over displacements, or values over the number of the mode.
+
+        Returns the axes, several with `subplots` or without names.
+
+        Parameters
+        ----------
+        *names
+            Columns; probes, whose positions are plotted; joints; vectors such as `tip.velocity`; `energy`.
+            Without names an overview: displacements of probes since the first row, and energies; or all modes.
+        x
+            The column of the horizontal axis, instead of time, load factor or mode.
+        ax
+            Axes to plot in; new ones by default.
+        subplots
+            True for separate axes for each name, or for each column of a single name.
+        **line
+            Properties of the lines, such as `linestyle="--"`.
+
+        """
+        if not names:
+            return self.plot_modes() if self.is_modal else _overview(self)
+        curves = {name: columns(self, name) for name in names}
+        if not subplots:
+            together = {label: column for own in curves.values() for label, column in own.items()}
+            return _draw(self, together, x, ax, line)
+        if ax is not None:
+            msg = "plot: found ax= and subplots=True, wanted one of them"
+            raise ValueError(msg)
+        return _stacked(self, list(curves.values()), x, line)
 
 
-def plot(
-    result: Result,
-    *names: str,
-    x: str | None = None,
-    ax: Axes | None = None,
-    subplots: bool = False,
-    **line: object,
-) -> Axes | Grid:
-    """See `Result.plot`."""
-    if not names:
-        if result.kind in {"modes", "buckling"}:
-            from ancf.shape import plot_modes
-
-            return plot_modes(result)
-        return overview(result)
-    curves = {name: columns(result, name) for name in names}
-    if not subplots:
-        together = {label: column for own in curves.values() for label, column in own.items()}
-        return draw(result, together, x, ax, line)
-    if ax is not None:
-        msg = "plot: found ax= and subplots=True, wanted one of them"
-        raise ValueError(msg)
-    return stacked(result, list(curves.values()), x, line)
-
-
-def stacked(result: Result, groups: list[Curves], x: str | None, line: dict[str, Any]) -> Grid:
-    """Axes above each other, for each name or, of a single name, for each column."""
+def _stacked(result: ResultData, groups: list[Curves], x: str | None, line: dict[str, Any]) -> Grid:
+    """Plot each group, or each column of a single group, in axes of its own."""
     import matplotlib.pyplot as plt
 
     if len(groups) == 1:
         groups = [{label: column} for label, column in groups[0].items()]
-    beside = all(upright(result, x, group) for group in groups)
+    beside = all(_has_vertical_load(result, x, group) for group in groups)
     count = len(groups)
     with style():
         if beside:
@@ -110,55 +119,58 @@ def stacked(result: Result, groups: list[Curves], x: str | None, line: dict[str,
         else:
             _, axes = plt.subplots(count, 1, figsize=(6.4, 1 + 1.7 * count), squeeze=False)
     for ax, group in zip(axes.flat, groups, strict=True):
-        draw(result, group, x, ax, line)
+        _draw(result, group, x, ax, line)
         if beside:
             ax.label_outer()
             ax.locator_params(axis="x", nbins=4)
-    if not beside and not any(upright(result, x, group) for group in groups):
+    if not beside and not any(_has_vertical_load(result, x, group) for group in groups):
         for ax in axes.flat[:-1]:
             ax.sharex(axes.flat[-1])
             ax.label_outer()
     return axes.ravel()
 
 
-def upright(result: Result, x: str | None, curves: Iterable[str]) -> bool:
-    """Whether the load factor goes up the vertical axis, as in curves of load and displacement."""
-    moves = all(quantity(label) in MOVES for label in curves)
-    return x is None and result.kind in {"statics", "path"} and moves
+def _has_vertical_load(result: ResultData, x: str | None, curves: Iterable[str]) -> bool:
+    """Return True if the load factor is on the vertical axis, as in load-displacement curves."""
+    return (
+        x is None
+        and result.kind in {"statics", "path"}
+        and all(quantity(label) in KINEMATIC for label in curves)
+    )
 
 
-def draw(
-    result: Result, curves: Curves, x: str | None, ax: Axes | None, line: dict[str, Any], what: str = ""
+def _draw(
+    result: ResultData, curves: Curves, x: str | None, ax: Axes | None, line: dict[str, Any], what: str = ""
 ) -> Axes:
-    """Curves in one pair of axes; `what` they measure is found out if it is not said."""
+    """Plot curves in one pair of axes. Their quantity is that of the columns unless `what` is given."""
     import matplotlib.pyplot as plt
 
-    if result.kind in {"modes", "buckling"} and x is None:
+    if result.is_modal and x is None:
         line = {"linestyle": "none", "marker": "o"} | line
-    elif result.kind in {"statics", "path"} and len(result) <= FEW:
+    elif result.kind in {"statics", "path"} and len(result) <= MAX_MARKED_ROWS:
         line = {"marker": "o"} | line
-    over, numbers = abscissa(result, x)
-    up = upright(result, x, curves)
+    over, numbers = _abscissa(result, x)
+    up = _has_vertical_load(result, x, curves)
     with style():
         if ax is None:
-            _, ax = plt.subplots(figsize=(7.4, 4.4) if len(curves) > CROWD else None)
+            _, ax = plt.subplots(figsize=(7.4, 4.4) if len(curves) > MAX_INNER_LEGEND else None)
         if not ax.has_data():
             grid(ax)
         for label, column in curves.items():
             pair = (column, numbers) if up else (numbers, column)
             ax.plot(*pair, **{"label": label} | line)
-        what = with_unit(what or measured(list(curves)), common(result, curves))
+        what = with_unit(what or _common_quantity(list(curves)), _common_unit(result, curves))
         ax.set_xlabel(what if up else over)
         ax.set_ylabel(over if up else what)
-        if len(curves) > CROWD:
+        if len(curves) > MAX_INNER_LEGEND:
             ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
         elif len(curves) > 1 or "label" in line:
             ax.legend()
     return ax
 
 
-def abscissa(result: Result, x: str | None) -> tuple[str, Array]:
-    """Words and numbers of the axis that columns are drawn over."""
+def _abscissa(result: ResultData, x: str | None) -> tuple[str, Array]:
+    """Return label and numbers of the column over which others are plotted."""
     if x is None:
         words = {"t": "time", "load": "load factor"}
         first = result.columns[0]
@@ -168,47 +180,41 @@ def abscissa(result: Result, x: str | None) -> tuple[str, Array]:
         msg = f"x: found {x!r}, which has {', '.join(map(repr, found))}; wanted one column"
         raise ValueError(msg)
     (label, numbers), *_ = found.items()
-    return with_unit(label, common(result, found)), numbers
+    return with_unit(label, _common_unit(result, found)), numbers
 
 
-def measured(labels: list[str]) -> str:
-    """What the columns of a plot measure: the one's name, the quantity that all are, or nothing."""
+def _common_quantity(labels: list[str]) -> str:
+    """Return the name of a single column, or the common quantity of several, if any."""
     if len(labels) == 1:
         return labels[0]
     found = {quantity(label) for label in labels}
     return found.pop() if len(found) == 1 else ""
 
 
-def common(result: Result, labels: Iterable[str]) -> str | None:
-    """The unit that all columns of a plot have, if they have one."""
-    # The sum of energies is no column.
+def _common_unit(result: ResultData, labels: Iterable[str]) -> str | None:
+    """Return the common unit of columns, if any."""
+    # The total energy is not a column.
     found = {result.units.get("strain" if label == "total" else label) for label in labels}
     return found.pop() if len(found) == 1 else None
 
 
 def quantity(column: str) -> str:
-    """What a column measures, by the end of its name."""
-    _, dot, end = column.rpartition(".")
+    """Return the quantity of a column by the suffix of its name."""
+    _, dot, suffix = column.rpartition(".")
     if not dot:
         return "energy" if column in {*ENERGIES, "total"} else column
-    return QUANTITIES.get(end, end)
+    return QUANTITIES.get(suffix, suffix)
 
 
-def columns(result: Result, name: str) -> dict[str, Array]:
-    """The columns that a name means: its own, the vector of a probe or a joint, or all energies."""
+def columns(result: ResultData, name: str) -> dict[str, Array]:
+    """Return the columns of a name: a column, the vector of a probe or a joint, or all energies."""
     if name in result:
         return {name: result[name]}
-    if name in {"energy", "total"} and "strain" not in result:
-        msg = f"{name}: found a result of {result.kind} without energies, wanted one that has them"
-        raise ValueError(msg)
     if name in {"energy", "total"}:
-        still = {"kinetic"} if result.kind in {"statics", "path"} else set()
-        own = {column: result[column] for column in ENERGIES if column in result and column not in still}
-        total = {"total": result.energy.total}
-        return total if name == "total" else {**own, **total}
+        return _energies(result, name)
     holder, _, vector = name.rpartition(".")
     wanted = [(holder, VECTORS[vector])] if holder and vector in VECTORS else []
-    wanted += [(name, (suffix,)) for suffix in FREEDOMS if suffix not in {"rate", "speed"}]
+    wanted += [(name, (suffix,)) for suffix in JOINT_COORDINATES if suffix not in {"rate", "speed"}]
     wanted += [(name, VECTORS[each]) for each in (*Probe.QUANTITIES, "force")]
     for whose, suffixes in wanted:
         labels = [f"{whose}.{suffix}" for suffix in suffixes]
@@ -217,12 +223,25 @@ def columns(result: Result, name: str) -> dict[str, Array]:
     within = {column: result[column] for column in result.columns if column.startswith(f"{name}.")}
     if not within:
         known = dict.fromkeys(column.rpartition(".")[0] for column in result.columns if "." in column)
-        raise KeyError(unknown("column, probe or joint", name, [*result.columns, *known, "energy"]))
+        raise KeyError(unknown_name("column, probe or joint", name, [*result.columns, *known, "energy"]))
     return within
 
 
-def overview(result: Result) -> Grid:
-    """How far probes moved since the first row, and the energies."""
+def _energies(result: ResultData, name: str) -> dict[str, Array]:
+    """Return all energies, or the total energy. Kinetic energy is omitted in statics."""
+    if "strain" not in result:
+        msg = f"{name}: found a result of {result.kind} without energies, wanted one that has them"
+        raise ValueError(msg)
+    total = {"total": result.energy.total}
+    if name == "total":
+        return total
+    omitted = {"kinetic"} if result.kind in {"statics", "path"} else set()
+    own = {column: result[column] for column in ENERGIES if column in result and column not in omitted}
+    return {**own, **total}
+
+
+def _overview(result: ResultData) -> Grid:
+    """Plot the displacements of probes since the first row, and the energies."""
     import matplotlib.pyplot as plt
 
     moved = [name for name in result.probes if f"{name}.x" in result]
@@ -234,7 +253,7 @@ def overview(result: Result) -> Grid:
     for ax in axes.flat[count:]:
         ax.remove()
     for ax, name in zip(axes.flat, moved, strict=False):
-        way = {f"{name}.{axis}": result[f"{name}.{axis}"] for axis in "xyz"}
-        draw(result, {label: x - x[0] for label, x in way.items()}, None, ax, {}, f"{name} moved by")
-    draw(result, columns(result, "energy"), None, axes.flat[count - 1], {})
+        path = {f"{name}.{axis}": result[f"{name}.{axis}"] for axis in "xyz"}
+        _draw(result, {label: x - x[0] for label, x in path.items()}, None, ax, {}, f"{name} moved by")
+    _draw(result, columns(result, "energy"), None, axes.flat[count - 1], {})
     return axes.ravel()[:count]

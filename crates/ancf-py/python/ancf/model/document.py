@@ -1,18 +1,16 @@
-"""A model as a document: read, written, and its parts found by name."""
+"""The model as a document: it is read, written, and searched by name."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from ancf import _ancf
-from ancf.part import Part, plain
-from ancf.tables import Tables
-
-if TYPE_CHECKING:
-    from ancf.model.output import Probe
+from ancf.model.base.part import Part, plain
+from ancf.model.base.tables import Tables
+from ancf.model.output import Probe
 
 __all__ = ["Document"]
 
@@ -20,7 +18,7 @@ D = TypeVar("D", bound="Document")
 
 
 class Document(Part):
-    """What a whole model can do that its parts cannot."""
+    """Base class of the whole model."""
 
     __slots__ = ()
 
@@ -32,36 +30,36 @@ class Document(Part):
 
     @classmethod
     def read(cls: type[D], path: str | PathLike[str]) -> D:
-        """Read a model file; raises `ModelError` with all that is wrong."""
+        """Read a model file. Raises `ModelError` with all errors of the file."""
         return cls.from_dict(_ancf.read(Path(path)))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data as in a model file; what bodies have in the place of names is in its tables."""
+        """Return plain data as in a model file. Parts given instead of names are in its tables."""
         tables = Tables(materials=self.materials, sections=self.sections)
         data = self._plain(tables)
         data.update({key: plain(table, tables) for key, table in tables.tables.items() if table})
         return data
 
     def to_toml(self) -> str:
-        """The text of the model file."""
+        """Return the text of the model file."""
         return _ancf.to_toml(self.to_dict())
 
     def write(self, path: str | PathLike[str]) -> None:
         """Write the model file."""
         Path(path).write_text(self.to_toml(), encoding="utf-8")
 
-    # The kind of a body or joint is known to whoever asks for it by name, hence `Any`.
+    # The caller knows the class of a body or joint, hence `Any`.
 
     def body(self, name: str) -> Any:
-        """The body of a name; ``KeyError`` if there is none."""
+        """Return the body with a name. Raises ``KeyError`` if there is none."""
         return _named("body", name, self.bodies)
 
     def joint(self, name: str) -> Any:
-        """The joint of a name; ``KeyError`` if there is none."""
+        """Return the joint with a name. Raises ``KeyError`` if there is none."""
         return _named("joint", name, self.joints)
 
     def probe(self, name: str) -> Probe:
-        """The probe of a name; ``KeyError`` if there is none."""
+        """Return the probe with a name. Raises ``KeyError`` if there is none."""
         found: Probe = _named("probe", name, self.probes)
         return found
 
@@ -72,7 +70,7 @@ class Document(Part):
 
 
 def _named(kind: str, name: str, parts: Sequence[Any] | None) -> Any:
-    """The part of a name."""
+    """Return the part with a name."""
     names = [part.name for part in parts or ()]
     if name not in names:
         raise KeyError(f"no {kind} is called {name!r}; there are {names}")

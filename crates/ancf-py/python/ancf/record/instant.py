@@ -1,14 +1,14 @@
-"""One instant of a run that goes on."""
+"""One instant of a run in progress."""
 
 from __future__ import annotations
 
-from ancf.record import Record
+from ancf.record.record import Record
 
 
 class Instant(Record):
-    """What a callback sees at each step: the record of one row, so that vectors are `[component]`."""
+    """Argument of a callback: the record of one row, whose vectors are `[component]`."""
 
     @property
     def time(self) -> float:
-        """The time; of other analyses the load factor or the number of the mode."""
+        """Time. Load factor or number of the mode in other analyses than dynamics."""
         return float(self.data[0])

@@ -1,25 +1,17 @@
-"""Places on bodies."""
+"""Base classes of bodies: they make the places to which joints and loads attach."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
-from ancf.part import Part, Vector
-
-if TYPE_CHECKING:
-    from ancf.model.places import Place
+from ancf.model.base.part import Part, Vector
+from ancf.model.base.places import Place
 
 __all__ = ["Axis", "Frame", "Point"]
 
 
-def _place(body: str, at: Literal["start", "center", "end"] | float | Vector, offset: Vector | None) -> Place:
-    from ancf.model.places import Place
-
-    return Place(body=body, at=at, offset=offset)
-
-
 class Axis(Part):
-    """A body with an axis, on which there are places."""
+    """A body with an axis on which places are given by arc length."""
 
     __slots__ = ()
 
@@ -27,65 +19,65 @@ class Axis(Part):
 
     @property
     def start(self) -> Place:
-        """The place where the axis starts."""
-        return _place(self.name, "start", None)
+        """Place at the start of the axis."""
+        return Place(body=self.name, at="start")
 
     @property
     def end(self) -> Place:
-        """The place where the axis ends."""
-        return _place(self.name, "end", None)
+        """Place at the end of the axis."""
+        return Place(body=self.name, at="end")
 
     def at(self, at: Literal["start", "center", "end"] | float, *, offset: Vector | None = None) -> Place:
-        """The place at an arc length from the start, or at a named point.
+        """Return the place at an arc length from the start, or at a named point.
 
         Parameters
         ----------
         at
             Arc length in the undeformed state, length, or ``"start"``, ``"center"``, ``"end"``.
         offset
-            A rigid arm from there, fixed to the section, in the global frame at the start, length.
+            Rigid arm from there, fixed to the section, in the global frame at the start, length.
 
         """
-        return _place(self.name, at, offset)
+        return Place(body=self.name, at=at, offset=offset)
 
 
 class Frame(Part):
-    """A rigid body, every point of which is a place."""
+    """A rigid body. Each of its points is a place."""
 
     __slots__ = ()
 
     name: str
 
     def at(self, at: Literal["center"] | Vector = "center", *, offset: Vector | None = None) -> Place:
-        """The place at a point, or at the centre of mass.
+        """Return the place at a point, or at the centre of mass.
 
         Parameters
         ----------
         at
-            A point, where it is at the start, length, or ``"center"``.
+            Position of the point at the start, length, or ``"center"``.
         offset
-            A rigid arm from there, in the global frame at the start, length.
+            Rigid arm from there, in the global frame at the start, length.
 
         """
-        return _place(self.name, at, offset)
+        return Place(body=self.name, at=at, offset=offset)
 
 
 class Point(Part):
-    """A body that is a point."""
+    """A body without extent."""
 
     __slots__ = ()
 
     name: str
 
     def at(self, at: Literal["center"] = "center", *, offset: Vector | None = None) -> Place:
-        """The place of the point.
+        """Return the place of the point.
 
         Parameters
         ----------
         at
-            ``"center"``, the only place it has.
+            ``"center"``, the only place of the body.
         offset
-            A rigid arm from there, in the global frame at the start, length.
+            Rigid arm from there, in the global frame at the start, length.
 
         """
-        return _place(self.name, at, offset)
+        return Place(body=self.name, at=at, offset=offset)

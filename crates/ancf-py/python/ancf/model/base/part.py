@@ -1,4 +1,4 @@
-"""What all parts of a model have in common."""
+"""Base class of all parts of a model."""
 
 from __future__ import annotations
 
@@ -12,42 +12,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ancf import _ancf
-from ancf.tables import Tables
+from ancf.model.base.tables import Tables
 
 __all__ = ["ForceFunction", "Numbers", "Part", "Points", "Shared", "Vector"]
 
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
-"""Numbers in a row."""
+"""A sequence of numbers."""
 Vector: TypeAlias = Sequence[float] | NDArray[Any]
-"""Three numbers in the global frame."""
+"""Three components in the global frame."""
 Points: TypeAlias = Sequence[Vector] | NDArray[Any]
-"""Points in a row, each three numbers."""
+"""A sequence of points, three components each."""
 ForceFunction: TypeAlias = Callable[[float, NDArray[Any], NDArray[Any]], Vector]
-"""The force at a time on a point with a position and a velocity."""
+"""Force as a function of time, position and velocity of its point."""
 
 P = TypeVar("P", bound="Part")
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Part:
-    """A part of a model: its attributes are the keys that it has in a model file.
+    """A part of a model. Its attributes are its keys in a model file.
 
-    What is left out is ``None``, and the program's default holds. A part is checked when it is built; the whole
-    model is checked when it is run.
+    Omitted attributes are ``None`` and take the default value of the program. A part is checked when it is built;
+    the whole model is checked when it is run.
 
     Raises
     ------
     ModelError
-        When it is built, with all that is wrong with it.
+        If the part is invalid, with all errors.
     TypeError
-        When another part is given than is wanted, or an argument is unknown or missing.
+        If a part of another class is given than expected, or an argument is unknown or missing.
 
     """
 
-    # Its definition in the schema; the key whose word, a class constant, tells it from others of the definition.
+    # Definition of the part in the schema. Key whose word, a class constant, selects the form of the definition.
     _form: ClassVar[str] = ""
     _tag: ClassVar[str | None] = None
-    # Keys that name a part in a table of the model, for which the part itself may be given.
+    # Keys that refer to a table of the model by name and accept the part itself.
     _tables: ClassVar[Mapping[str, str]] = {}
     # Attributes that are not keys of the schema.
     _own: ClassVar[frozenset[str]] = frozenset()
@@ -62,12 +62,12 @@ class Part:
         _ancf.check_part(self._form, self.to_dict())
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data as in a model file; keys that are left out stay left out, callables stay callables."""
+        """Return plain data as in a model file. Omitted keys stay omitted, callables stay callables."""
         return self._plain(Tables())
 
     @classmethod
     def from_dict(cls: type[P], data: Mapping[str, Any]) -> P:
-        """Make a part of plain data, as in a model file; raises `ModelError` with all that is wrong."""
+        """Build a part from plain data as in a model file. Raises `ModelError` with all errors."""
         tag = {cls._tag: getattr(cls, cls._tag)} if cls._tag else {}
         data = {**tag, **data}
         _ancf.check_part(cls._form, plain(data, Tables()))
@@ -77,19 +77,19 @@ class Part:
 
     @classmethod
     def _fits(cls, data: Mapping[str, Any]) -> bool:
-        """Whether data are of this class, among others of the same definition."""
+        """Return True if data belong to this class among the forms of its definition."""
         if cls._tag:
             return bool(data.get(cls._tag) == getattr(cls, cls._tag))
         return {_key(name) for name in _hints(cls)} >= data.keys()
 
     @classmethod
     def _of(cls: type[P], data: Mapping[str, Any]) -> P:
-        """A part of data that fit."""
+        """Build a part from data that belong to this class."""
         given = {name: (hint, data.get(_key(name))) for name, hint in _hints(cls).items()}
         return cls(**{name: typed(hint, item) for name, (hint, item) in given.items() if item is not None})
 
     def _plain(self, tables: Tables) -> dict[str, Any]:
-        """Plain data; parts in the place of names get their names from the tables."""
+        """Return plain data. Parts given instead of names are added to the tables."""
         data: dict[str, Any] = {self._tag: getattr(self, self._tag)} if self._tag else {}
         for name, value in self._given().items():
             key = _key(name)
@@ -100,7 +100,7 @@ class Part:
         return data
 
     def _given(self) -> dict[str, Any]:
-        """Attributes that are not left out."""
+        """Return the attributes that are not omitted."""
         items = ((item.name, getattr(self, item.name)) for item in fields(self))
         return {name: value for name, value in items if value is not None}
 
@@ -116,12 +116,13 @@ class Part:
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Shared(Part):
-    """A part that others refer to by name: the name is its key in a table of the model.
+    """A part to which others refer by name. The name is its key in a table of the model.
 
     Attributes
     ----------
     name
-        Key in the model's table, for a part that is given in the place of its name; found by itself if left out.
+        Key in the table of the model, for a part that is given instead of its name. Chosen automatically if
+        omitted.
 
     """
 
@@ -131,7 +132,7 @@ class Shared(Part):
 
 
 def plain(value: Any, tables: Tables) -> Any:
-    """Plain data of parts, arrays and all that holds them."""
+    """Convert parts, arrays and their containers to plain data."""
     if isinstance(value, Part):
         return value._plain(tables)
     if isinstance(value, np.ndarray | np.generic):
@@ -144,7 +145,7 @@ def plain(value: Any, tables: Tables) -> Any:
 
 
 def typed(hint: Any, data: Any) -> Any:
-    """Plain data as parts of the classes that a type hint allows."""
+    """Convert plain data to parts of the classes that a type hint allows."""
     arms = _arms(hint)
     if isinstance(data, Mapping):
         for part in _parts(arms):
@@ -161,7 +162,7 @@ def typed(hint: Any, data: Any) -> Any:
 
 
 def misplaced(hint: Any, value: Any, path: str) -> str | None:
-    """Where another part is given than a type hint allows, in words."""
+    """Describe the parts of other classes than a type hint allows."""
     arms = _arms(hint)
     if isinstance(value, Part):
         wanted = _parts(arms)
@@ -170,7 +171,7 @@ def misplaced(hint: Any, value: Any, path: str) -> str | None:
         return f"{path}: found a {type(value).__name__}, wanted a {' or '.join(part.__name__ for part in wanted)}"
     lines: list[str | None] = []
     for arm in arms:
-        # Whether numbers are numbers is seen by the engine.
+        # The engine checks numbers.
         if (
             typing.get_origin(arm) is Sequence
             and typing.get_args(arm) != (float,)
@@ -185,32 +186,32 @@ def misplaced(hint: Any, value: Any, path: str) -> str | None:
 
 
 def same(one: Any, other: Any) -> bool:
-    """Whether two values are equal; lists, tuples and arrays of the same numbers are."""
+    """Compare two values. Lists, tuples and arrays of the same numbers are equal."""
     if isinstance(one, Part):
         return bool(one == other)
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return one.keys() == other.keys() and all(same(item, other[key]) for key, item in one.items())
-    if _is_row(one) and _is_row(other):
+    if _is_sequence(one) and _is_sequence(other):
         return len(one) == len(other) and all(same(a, b) for a, b in zip(one, other, strict=True))
     return bool(one == other)
 
 
-def _is_row(value: Any) -> bool:
+def _is_sequence(value: Any) -> bool:
     return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str)
 
 
 def _arms(hint: Any) -> tuple[Any, ...]:
-    """The alternatives of a type hint."""
+    """Return the alternatives of a type hint."""
     return typing.get_args(hint) if typing.get_origin(hint) in (typing.Union, types.UnionType) else (hint,)
 
 
 def _parts(arms: tuple[Any, ...]) -> tuple[type[Part], ...]:
-    """The classes of parts among alternatives."""
+    """Return the part classes among alternatives."""
     return tuple(arm for arm in arms if isinstance(arm, type) and issubclass(arm, Part))
 
 
 def _key(name: str) -> str:
-    """The key of an attribute; those that are words of Python end with an underscore."""
+    """Return the key of an attribute. Python keywords end with an underscore as attributes."""
     return name.rstrip("_")
 
 
@@ -218,7 +219,7 @@ _KNOWN: dict[type[Part], dict[str, Any]] = {}
 
 
 def _hints(part: type[Part]) -> dict[str, Any]:
-    """Type hints of the attributes that are keys."""
+    """Return the type hints of the attributes that are keys."""
     if part not in _KNOWN:
         hints = typing.get_type_hints(part)
         _KNOWN[part] = {item.name: hints[item.name] for item in fields(part) if item.name not in part._own}

@@ -1,4 +1,4 @@
-"""The cases of a study: which values the parameters have in each."""
+"""Cases of a study: the values of the parameters in each case."""
 
 from __future__ import annotations
 
@@ -13,63 +13,63 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Axis:
-    """The values of a parameter; in case k it is that at (k // stride) mod their number."""
+class ParameterAxis:
+    """Values of a parameter. Case k has the value of index (k // stride) mod the number of values."""
 
     path: str
     values: Sequence[Any]
     stride: int
 
     def value(self, case: int) -> Any:
-        """The value in a case."""
+        """Return the value in a case."""
         return self.values[case // self.stride % len(self.values)]
 
 
 @dataclass(frozen=True)
 class Design:
-    """The cases of a study.
+    """Cases of a study.
 
-    Every combination of lists is run with every sample of the distributions. Cases count from 0; of combinations
-    the last parameter runs fastest, in alphabetical order, and samples run faster still.
+    Every combination of lists is run with every sample of the distributions. Cases count from 0. The last parameter
+    in alphabetical order varies fastest among combinations, and samples vary faster than combinations.
     """
 
-    axes: Sequence[Axis]
+    axes: Sequence[ParameterAxis]
     cases: int
 
     @classmethod
     def of(
         cls, lists: Mapping[str, Sequence[Any]], drawn: Mapping[str, Sequence[float]], combine: str
     ) -> Design:
-        """The cases of lists that are combined by `"grid"` or `"zip"`, and of samples."""
+        """Combine lists by `"grid"` or `"zip"`, and all combinations with samples."""
         samples = max(map(len, drawn.values()), default=1)
-        cases, axes = samples, [Axis(path, values, 1) for path, values in drawn.items()]
+        cases, axes = samples, [ParameterAxis(path, values, 1) for path, values in drawn.items()]
         for path in sorted(lists, reverse=True):
             stride = cases if combine == "grid" else samples
             cases = stride * len(lists[path])
-            axes.append(Axis(path, lists[path], stride))
+            axes.append(ParameterAxis(path, lists[path], stride))
         return cls(sorted(axes, key=lambda axis: axis.path), cases)
 
     def values(self, case: int) -> dict[str, Any]:
-        """The values in a case, by their paths."""
+        """Return the values in a case, by their paths."""
         return {axis.path: axis.value(case) for axis in self.axes}
 
 
 def count(lengths: Sequence[int], samples: int, combine: str) -> int:
-    """How many cases lists of such lengths make with so many samples."""
+    """Return the number of cases for lists of given lengths and a number of samples."""
     return samples * (prod(lengths) if combine == "grid" else max(lengths, default=1))
 
 
 def plain(data: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a model in dictionaries, lists and numbers; functions stay functions."""
+    """Return the data of a model in dictionaries, lists and numbers. Functions remain functions."""
     title = data.get("title")
     copied, _ = _ancf.substitute(data, "title", title or "")
     return copied if title else {key: value for key, value in copied.items() if key != "title"}
 
 
 def substituted(base: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a model with values set; raises `ModelError` if a path leads nowhere.
+    """Return the data of a model with values set. Raises `ModelError` if a path has no target.
 
-    So it may once another parameter has been set.
+    The target of a path may depend on the values of other parameters.
     """
     data = dict(base)
     for path, value in values.items():

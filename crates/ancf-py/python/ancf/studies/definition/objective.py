@@ -1,4 +1,4 @@
-"""Objectives: the numbers that are kept of each case."""
+"""Objectives: the numbers recorded for each case."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias
 
 import numpy as np
 
-from ancf.studies import fingerprint
+from ancf.studies.definition.fingerprint import describe
 
 if TYPE_CHECKING:
-    from ancf.record import Array
+    from ancf.record.columns import Array
     from ancf.result import Result
 
 Take: TypeAlias = Literal["first", "last", "mean", "min", "max", "amplitude", "rms"]
-"""What is taken of a column."""
+"""Reduction of a column to one number."""
 
 Reading: TypeAlias = "str | tuple[str, Take | int] | Callable[[Result], SupportsFloat]"
-"""The last value of a column, what is taken of it or one row of it, from 0, or what a function tells."""
+"""Last value of a column, reduction or row (from 0) of a column, or a function of the result."""
 
 Objective: TypeAlias = (
     "Mapping[str, Reading] | Reading | Callable[[Result], Mapping[str, SupportsFloat]]"
     " | Callable[[Result], SupportsFloat | Mapping[str, SupportsFloat]]"
 )
-"""Readings by name, or one reading, or a function that tells a number or several by name."""
+"""Readings by name, one reading, or a function that returns a number or several by name."""
 
 TAKES: dict[str, Callable[[Array], Any]] = {
     "first": lambda x: x[0],
@@ -37,14 +37,14 @@ TAKES: dict[str, Callable[[Array], Any]] = {
 
 
 class Objectives:
-    """The objectives of a study."""
+    """Objectives of a study."""
 
     def __init__(self, stated: Objective | None) -> None:
-        """Those that a user states."""
+        """Normalise the objectives of a user."""
         self.readings: dict[str, Any] = {}
-        """What is read, by the names of the columns of the table."""
-        self.tells_names = callable(stated)
-        """Whether the names are told by a function only, as it may give several numbers."""
+        """Readings by the names of the columns of the table."""
+        self.has_open_names = callable(stated)
+        """True if a function returns the names together with the numbers."""
         if isinstance(stated, Mapping):
             self.readings = {name: stated[name] for name in sorted(stated, key=str)}
         elif stated is not None:
@@ -53,53 +53,54 @@ class Objectives:
 
     @property
     def columns(self) -> dict[str, str]:
-        """The columns of results that are read, by the names of the objectives."""
+        """Columns of results by the names of the objectives."""
         pairs = {name: pair(reading) for name, reading in self.readings.items() if not callable(reading)}
         return {name: column for name, (column, _) in pairs.items()}
 
     @property
     def need_states(self) -> bool:
-        """Whether functions may want to see fields."""
+        """True if functions may compute fields from the states."""
         return len(self.columns) < len(self.readings)
 
     @property
     def definition(self) -> Any:
-        """What they are, as plain data."""
+        """Objectives as plain data, for the keys of cases."""
         return {
-            name: fingerprint.told(r if callable(r) else list(pair(r))) for name, r in self.readings.items()
+            name: describe(reading if callable(reading) else list(pair(reading)))
+            for name, reading in self.readings.items()
         }
 
     def measured(self, result: Result) -> tuple[dict[str, float], list[str]]:
-        """Their values, and what there is no row for.
+        """Return the values of all objectives, and a message for each missing row.
 
         Raises
         ------
         ObjectiveError
-            With what a function raises, in words.
+            If a function fails, with its error message.
 
         """
-        told = [
-            measured(name, reading, result, several=self.tells_names)
+        evaluated = [
+            measured(name, reading, result, several=self.has_open_names)
             for name, reading in self.readings.items()
         ]
-        values = {name: value for numbers, _ in told for name, value in numbers.items()}
-        return values, [missing for _, missing in told if missing]
+        values = {name: value for numbers, _ in evaluated for name, value in numbers.items()}
+        return values, [missing for _, missing in evaluated if missing]
 
 
 class ObjectiveError(RuntimeError):
-    """A function of an objective that raised something."""
+    """Failure of a function of an objective."""
 
     def __init__(self, name: str, error: Exception) -> None:
-        """What it raised."""
+        """Store the name of the objective and its error."""
         kind = "" if isinstance(error, NumberError) else f"{type(error).__name__}: "
         super().__init__(f"objectives.{name}: {kind}{error}")
 
 
 class NumberError(ValueError):
-    """What a function tells instead of a number."""
+    """Return value of a function that is not a number."""
 
     def __init__(self, found: object, wanted: str) -> None:
-        """What was found."""
+        """Describe the return value."""
         text = repr(found)
         super().__init__(f"found {text if len(text) <= 40 else f'a {type(found).__name__}'}, wanted {wanted}")
 
@@ -107,44 +108,44 @@ class NumberError(ValueError):
 def measured(
     name: str, reading: Any, result: Result, *, several: bool
 ) -> tuple[dict[str, float], str | None]:
-    """The numbers of a reading, and what there is no row for."""
+    """Return the numbers of a reading, or a message about a missing row."""
     try:
         return numbers(name, reading, result, several=several), None
     except Exception as error:
         if isinstance(error, IndexError) and not callable(reading):
-            return {}, f"objectives.{name}: {no_row(reading, result)}"
+            return {}, f"objectives.{name}: {missing_row(reading, result)}"
         raise ObjectiveError(name, error) from error
 
 
 def pair(reading: Any) -> tuple[str, Any]:
-    """The column, and what is taken of it."""
+    """Return column and reduction of a reading."""
     return (reading, "last") if isinstance(reading, str) else tuple(reading)
 
 
 def numbers(name: str, reading: Any, result: Result, *, several: bool) -> dict[str, float]:
-    """The number of a reading under its name, or those that a function tells if it may tell `several`."""
+    """Return the number of a reading by its name, or the numbers of a function that may return `several`."""
     if not callable(reading):
         column, take = pair(reading)
         return {name: float(TAKES[take](result[column]) if isinstance(take, str) else result[column][take])}
-    told = reading(result)
-    if not isinstance(told, Mapping):
-        return {name: number(told, "a number or several by name" if several else "a number")}
+    answer = reading(result)
+    if not isinstance(answer, Mapping):
+        return {name: number(answer, "a number or several by name" if several else "a number")}
     if not several:
-        raise NumberError(told, "a number, since this objective is one of several by name")
-    if not told or not all(isinstance(key, str) for key in told):
-        raise NumberError(told, "at least one number, by names that are texts")
-    return {key: number(value, f"a number as {key!r}") for key, value in told.items()}
+        raise NumberError(answer, "a number, since this objective is one of several by name")
+    if not answer or not all(isinstance(key, str) for key in answer):
+        raise NumberError(answer, "at least one number, by names that are texts")
+    return {key: number(value, f"a number as {key!r}") for key, value in answer.items()}
 
 
 def number(value: Any, wanted: str) -> float:
-    """A number that a function tells."""
+    """Convert the return value of a function to a number."""
     try:
         return float(value)
     except (TypeError, ValueError) as error:
         raise NumberError(value, wanted) from error
 
 
-def no_row(reading: Any, result: Result) -> str:
-    """What is missing."""
+def missing_row(reading: Any, result: Result) -> str:
+    """Return the message about a missing row."""
     take = pair(reading)[1]
     return f"no {'row' if isinstance(take, str) else f'row {take}'} among {len(result)}"

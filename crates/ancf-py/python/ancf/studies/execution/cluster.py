@@ -1,4 +1,4 @@
-"""Cases on a cluster of `dask.distributed`."""
+"""Execution of cases on a cluster of `dask.distributed`."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from queue import Empty, SimpleQueue
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from ancf.studies.row import Row
+from ancf.studies.execution.row import Row
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from ancf.studies.row import Work
+    from ancf.studies.execution.row import Work
 
 TICK = 0.2
-"""How often `tick` is called if no case ends, in seconds."""
+"""Maximum time between two calls of `tick` in seconds."""
 
-LENGTH = 0.5
-"""How long a task should take, in seconds: many times of what the scheduler does for it."""
+TASK_DURATION = 0.5
+"""Target duration of a task in seconds: a large multiple of the cost of scheduling."""
 
-COUNTED = 1.0
-"""How often threads are counted, in seconds."""
+COUNT_INTERVAL = 1.0
+"""Minimum time between two counts of threads in seconds."""
 
-TRIES = 3
-"""How often a case is sent out whose tasks end without an answer."""
+MAX_TRIES = 3
+"""Maximum number of submissions of a case whose tasks end without an answer."""
 
 Values = dict[str, Any]
 
@@ -39,34 +39,34 @@ def run(
     add: Callable[[int, Row], None],
     tick: Callable[[], None],
 ) -> None:
-    """Run cases on the workers of a client and add each row as it comes; `tick` is called then, and now and then.
+    """Run cases on the workers of a client and add their rows. `tick` is called after each task and now and then.
 
-    Tasks have as many cases as take about half a second, and a few of them wait for each worker. The scheduler
-    runs those again whose worker dies. If it gives a task up, since several of its workers died, its cases go out
-    again when nothing else is out, one after the other: which of them it was is known then, and becomes a row.
+    A task has as many cases as take about half a second, and a few tasks wait for each worker. The scheduler
+    repeats tasks whose worker dies. If it gives up a task, since several workers died, its cases are submitted again
+    one at a time, when no other task is running. A case that kills its worker is thus identified and becomes a row.
     """
     import cloudpickle
 
-    flight = Flight(client, cloudpickle.dumps(work), values)
+    queue = TaskQueue(client, cloudpickle.dumps(work), values)
     waiting = deque(cases)
     try:
-        while waiting or flight.tasks or flight.suspects:
-            if not waiting and not flight.tasks:
-                flight.send([flight.suspects.pop()], TRIES)
-            while waiting and flight.has_room():
-                size = min(flight.size, 1 + len(waiting) // (4 * flight.threads()))
-                flight.send([waiting.popleft() for _ in range(size)])
-            flight.land(add)
+        while waiting or queue.tasks or queue.suspects:
+            if not waiting and not queue.tasks:
+                queue.send([queue.suspects.pop()], MAX_TRIES)
+            while waiting and queue.has_room():
+                size = min(queue.size, 1 + len(waiting) // (4 * queue.threads()))
+                queue.send([waiting.popleft() for _ in range(size)])
+            queue.receive(add)
             tick()
     except BaseException:
         if client.status == "running":
-            client.cancel([future for future, _, _ in flight.tasks.values()])
+            client.cancel([future for future, _, _ in queue.tasks.values()])
         raise
 
 
 @lru_cache(maxsize=4)
 def unpacked(packed: bytes) -> Work:
-    """The work that came to a worker."""
+    """Unpickle the work once per worker."""
     import cloudpickle
 
     work: Work = cloudpickle.loads(packed)
@@ -74,41 +74,41 @@ def unpacked(packed: bytes) -> Work:
 
 
 def rows(packed: bytes, batch: Sequence[Mapping[str, Any]]) -> list[Row]:
-    """Run some cases on a worker."""
+    """Run a batch of cases on a worker."""
     work = unpacked(packed)
     return [work.row(values) for values in batch]
 
 
-class Flight:
-    """The tasks that are out."""
+class TaskQueue:
+    """Submitted tasks."""
 
     def __init__(self, client: Any, packed: bytes, values: Callable[[int], Values]) -> None:
-        """No task is out yet."""
+        """Start without tasks."""
         self.tasks: dict[int, tuple[Any, list[int], int]] = {}
-        """Future, cases and number of the try, by the number of the task."""
+        """Future, cases and number of the submission, by the number of the task."""
         self.suspects: list[int] = []
-        """Cases whose workers died, maybe of others that they were with."""
+        """Cases of tasks whose workers died. Each of these tasks has at least one fatal case."""
         self.size = 1
-        """How many cases a task should have."""
+        """Number of cases per task."""
         self._client, self._packed, self._values = client, packed, values
-        self._landed: SimpleQueue[int] = SimpleQueue()
+        self._finished: SimpleQueue[int] = SimpleQueue()
         self._sent = 0
         self._time, self._count = 0.0, 0
-        self._threads, self._counted = 1, -COUNTED
+        self._threads, self._counted = 1, -COUNT_INTERVAL
 
     def threads(self) -> int:
-        """Threads of all workers, of which there may be none yet."""
-        if perf_counter() - self._counted > COUNTED:
+        """Return the number of threads of all workers, at least 1."""
+        if perf_counter() - self._counted > COUNT_INTERVAL:
             threads: dict[str, int] = self._client.nthreads()
             self._threads, self._counted = max(1, sum(threads.values())), perf_counter()
         return self._threads
 
     def has_room(self) -> bool:
-        """Whether more should be sent: three tasks a thread, and enough to ask a cluster that adapts for more."""
+        """Return True for fewer than three tasks per thread, or too few to make an adaptive cluster grow."""
         return len(self.tasks) < 16 or len(self.tasks) < 3 * self.threads()
 
     def send(self, cases: list[int], trial: int = 1) -> None:
-        """Send cases out."""
+        """Submit a task."""
         if self._client.status not in {"running", "connecting"}:
             msg = f"the client of the cluster is {self._client.status}"
             raise RuntimeError(msg)
@@ -117,12 +117,12 @@ class Flight:
         batch = [self._values(case) for case in cases]
         future = self._client.submit(rows, self._packed, batch, pure=False)
         self.tasks[number] = (future, cases, trial)
-        future.add_done_callback(lambda _: self._landed.put(number))
+        future.add_done_callback(lambda _: self._finished.put(number))
 
-    def land(self, add: Callable[[int, Row], None]) -> None:
-        """Wait for a task, but not long, and add its rows."""
+    def receive(self, add: Callable[[int, Row], None]) -> None:
+        """Wait for a task for a short time and add its rows."""
         try:
-            future, cases, trial = self.tasks.pop(self._landed.get(timeout=TICK))
+            future, cases, trial = self.tasks.pop(self._finished.get(timeout=TICK))
         except Empty:
             return
         try:
@@ -130,31 +130,31 @@ class Flight:
         except CancelledError as error:
             msg = "the cluster dropped cases that were out; those that had finished are kept"
             raise RuntimeError(msg) from error
-        except Exception as error:  # Whatever a scheduler may tell.
-            self._again(cases, trial, error, add)
+        except Exception as error:  # The error depends on the scheduler.
+            self._retry(cases, trial, error, add)
             return
-        self._learn(answers)
+        self._update_size(answers)
         for case, row in zip(cases, answers, strict=True):
             add(case, row)
 
-    def _again(
+    def _retry(
         self,
         cases: list[int],
         trial: int,
         error: Exception,
         add: Callable[[int, Row], None],
     ) -> None:
-        """Send cases out again, each alone, but not for ever."""
+        """Submit cases again, each alone, up to the maximum number of submissions."""
         for case in cases:
-            if trial >= TRIES:
+            if trial >= MAX_TRIES:
                 add(case, Row("failed", f"{type(error).__name__}: {error}"))
             elif type(error).__name__ == "KilledWorker":
                 self.suspects.append(case)
             else:
                 self.send([case], trial + 1)
 
-    def _learn(self, answers: list[Row]) -> None:
-        """How many cases take as long as a task should."""
+    def _update_size(self, answers: list[Row]) -> None:
+        """Choose the number of cases per task from the mean duration of a case."""
         self._time += sum(row.seconds for row in answers)
         self._count += len(answers)
-        self.size = max(1, int(LENGTH * self._count / max(self._time, 1e-6)))
+        self.size = max(1, int(TASK_DURATION * self._count / max(self._time, 1e-6)))

@@ -1,4 +1,4 @@
-"""The cases that are done, kept in a file."""
+"""Rows of completed cases, kept in a file."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from ancf.errors import ModelError
-from ancf.studies.design import Design, substituted
-from ancf.studies.fingerprint import key
-from ancf.studies.table import rows_in, table, write
+from ancf.studies.definition.design import Design, substituted
+from ancf.studies.definition.fingerprint import key
+from ancf.studies.execution.table import rows_in, table, write
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
 
     import pyarrow as pa
 
-    from ancf.studies.objective import Objectives
-    from ancf.studies.row import Row
+    from ancf.studies.definition.objective import Objectives
+    from ancf.studies.execution.row import Row
 
-PAUSE = 1.0
-"""The least time between two writings, in seconds."""
+MIN_INTERVAL = 1.0
+"""Minimum time between two writes in seconds."""
 
-SHARE = 50
-"""Writing takes one part in so many of the time."""
+WRITE_RATIO = 50
+"""Minimum ratio of the time between two writes to the time of a write."""
 
 
 class Results:
-    """The cases that are done, and the file that has them."""
+    """Rows of completed cases and their file."""
 
     def __init__(
         self,
@@ -37,7 +37,7 @@ class Results:
         states: str,
         folder: Path | None,
     ) -> None:
-        """No case done yet; without a folder nothing is written."""
+        """Start without rows. No file is written without a folder."""
         self.design = design
         self.rows: dict[int, Row] = {}
         self.folder = folder
@@ -50,7 +50,7 @@ class Results:
         self._cost = 0.0
 
     def key(self, case: int) -> str:
-        """The key of a case."""
+        """Return the key of a case."""
         if case not in self._keys:
             values = self.design.values(case)
             try:
@@ -60,8 +60,8 @@ class Results:
             self._keys[case] = key(data, self._definition)
         return self._keys[case]
 
-    def take_over(self, *, retry: bool) -> None:
-        """Take over what was done earlier, by key; with `retry` only what finished."""
+    def reuse(self, *, retry: bool) -> None:
+        """Reuse rows of earlier runs by key, with `retry` only those of finished cases."""
         earlier = {} if self.folder is None else rows_in(self.folder)
         done = {"finished"} if retry else {"finished", "failed", "invalid"}
         wanted = {key: row for key, row in earlier.items() if row.outcome in done}
@@ -71,33 +71,33 @@ class Results:
 
     @property
     def missing(self) -> list[int]:
-        """The cases that are not done."""
+        """Cases without a row."""
         return [case for case in range(self.design.cases) if case not in self.rows]
 
     @property
     def names(self) -> list[str]:
-        """Names of the objectives, those that functions told too."""
-        told = {name for row in list(self.rows.values()) for name in row.objectives}
-        stated = set() if told and self._objectives.tells_names else set(self._objectives.readings)
-        return sorted(stated | told)
+        """Names of the objectives, including those returned by functions."""
+        found = {name for row in list(self.rows.values()) for name in row.objectives}
+        stated = set() if found and self._objectives.has_open_names else set(self._objectives.readings)
+        return sorted(stated | found)
 
     def add(self, case: int, row: Row) -> None:
-        """Add what came of a case; threads may do so at any time."""
+        """Add the row of a case. Thread-safe."""
         self.rows[case] = row
         self._is_due = True
 
     def table(self) -> pa.Table:
-        """All rows."""
+        """Return all rows as a table."""
         names, rows = self.names, dict(self.rows)
         return table(self.design.axes, names, rows, {case: self.key(case) for case in rows})
 
     def write_when_due(self) -> None:
-        """Write if there is something new and writing does not come too often."""
-        if self._is_due and perf_counter() - self._written >= max(PAUSE, SHARE * self._cost):
+        """Write new rows, unless the last write was too recent."""
+        if self._is_due and perf_counter() - self._written >= max(MIN_INTERVAL, WRITE_RATIO * self._cost):
             self.write()
 
     def write(self) -> None:
-        """Write all that is there."""
+        """Write all rows."""
         if self.folder is None:
             return
         clock = perf_counter()

@@ -1,4 +1,4 @@
-"""The results of a study as a table, in memory and in a Parquet file."""
+"""Results of a study as a table in memory and in a Parquet file."""
 
 from __future__ import annotations
 
@@ -8,30 +8,27 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ancf import _ancf
-from ancf.studies.row import Row
+from ancf.studies.execution.row import Row
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     import pyarrow as pa
 
-    from ancf.studies.design import Axis
-
-COLUMNS = ("case", "outcome", "message", "steps", "iterations", "seconds", "key")
-"""Columns of every table; parameters and objectives come after the first."""
+    from ancf.studies.definition.design import ParameterAxis
 
 
 def table(
-    axes: Sequence[Axis], names: Sequence[str], rows: Mapping[int, Row], keys: Mapping[int, str]
+    axes: Sequence[ParameterAxis], names: Sequence[str], rows: Mapping[int, Row], keys: Mapping[int, str]
 ) -> pa.Table:
-    """Cases as a table of Arrow; what there is no value for is null."""
+    """Return cases as an Arrow table. Missing values are null."""
     import pyarrow as pa
 
     cases = sorted(rows)
     ordered = [rows[case] for case in cases]
     columns = {"case": pa.array(cases, pa.int64())}
     for axis in axes:
-        columns[axis.path] = parameter(axis, cases)
+        columns[axis.path] = parameter_column(axis, cases)
     for name in names:
         columns[name] = pa.array([row.objectives.get(name) for row in ordered], pa.float64())
     types = {"outcome": pa.string(), "message": pa.string(), "steps": pa.int64(), "iterations": pa.int64()}
@@ -42,8 +39,8 @@ def table(
     return pa.table(columns).replace_schema_metadata(about)
 
 
-def parameter(axis: Axis, cases: Sequence[int]) -> pa.Array:
-    """The values of a parameter: if all it ever has are of one type, in a column of that type, else as text."""
+def parameter_column(axis: ParameterAxis, cases: Sequence[int]) -> pa.Array:
+    """Return the values of a parameter in a column of their common type, or as text."""
     import pyarrow as pa
 
     kinds = set(map(type, axis.values))
@@ -58,14 +55,14 @@ def parameter(axis: Axis, cases: Sequence[int]) -> pa.Array:
 
 
 def text(value: Any) -> str:
-    """A value as text: JSON, but texts as they are and functions by their names."""
+    """Return a value as JSON. Texts are unchanged, functions are represented by their names."""
     if isinstance(value, str):
         return value
     return json.dumps(value, default=lambda item: getattr(item, "__qualname__", repr(item)))
 
 
 def write(data: pa.Table, path: Path) -> None:
-    """Write a table: at once all of it or nothing."""
+    """Write a table atomically."""
     import pyarrow.parquet as pq
 
     part = path.with_suffix(".parquet.part")
@@ -77,7 +74,7 @@ def write(data: pa.Table, path: Path) -> None:
 
 
 def rows_in(folder: Path) -> dict[str, Row]:
-    """Rows by their keys of all tables in a folder; those that finished go before others."""
+    """Return the rows of all tables in a folder by key. Rows of finished cases replace others."""
     rows: dict[str, Row] = {}
     for path in sorted(folder.glob("cases*.parquet")):
         for key, row in read(path):
@@ -87,7 +84,7 @@ def rows_in(folder: Path) -> dict[str, Row]:
 
 
 def read(path: Path) -> list[tuple[str, Row]]:
-    """Keys and rows of a table; none if it is one of `ancf study`, whose keys are others."""
+    """Return keys and rows of a table. A table of `ancf study` has other keys and no rows here."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -103,7 +100,7 @@ def read(path: Path) -> list[tuple[str, Row]]:
 
 
 def from_fields(fields: Mapping[str, Any], names: Sequence[str]) -> Row:
-    """A row from the columns of a table."""
+    """Return a row from the columns of a table."""
     values = {name: fields[name] for name in names if fields[name] is not None}
     kept = ("outcome", "message", "steps", "iterations", "seconds")
     return Row(objectives=values, **{name: fields[name] for name in kept})

@@ -1,4 +1,4 @@
-"""Cases on the cores of this machine: threads that run one case each at a time."""
+"""Execution of cases on threads, one case per thread at a time."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
 TICK = 0.2
-"""How often `tick` is called if no case ends, in seconds."""
+"""Maximum time between two calls of `tick` in seconds."""
 
 
 def cores() -> int:
-    """How many cores this process may use."""
+    """Return the number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -29,10 +29,10 @@ def run(
     work: Callable[[int, Callable[[], bool]], None],
     tick: Callable[[], None],
 ) -> None:
-    """Run cases on so many threads; `tick` is called here after each, and now and then.
+    """Run cases on a number of threads. The calling thread calls `tick` after each case and now and then.
 
-    Simulations run without Python's lock. What is raised here, such as `KeyboardInterrupt`, ends those that run
-    within a step, which is what the second argument of `work` is for.
+    Simulations run without the interpreter lock. An exception in the calling thread, such as `KeyboardInterrupt`,
+    ends running cases within a step: the second argument of `work` then returns True.
     """
     queue, lock, stop = iter(cases), Lock(), Event()
     done: SimpleQueue[bool] = SimpleQueue()

@@ -1,3 +1,5 @@
+//! Python callables as functions of time and forces of a model.
+
 use ancf::Model;
 use ancf::function::{External, ForceFunction, Instant};
 use ancf::model::{Load, ModelErrors, Step, TimeFunction, Varying};
@@ -6,10 +8,10 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toml::{Table, Value};
 
-use crate::model::refused;
-use crate::signals::Signals;
+use super::errors::model_error;
+use super::signals::Signals;
 
-/// Python's functions in the data of a model, by the names under which the model asks for them.
+/// Callables in the data of a model, named by their paths.
 #[derive(Debug, Default)]
 pub(crate) struct Callables(Vec<Callable>);
 
@@ -17,38 +19,40 @@ pub(crate) struct Callables(Vec<Callable>);
 struct Callable {
     name: String,
     function: Py<PyAny>,
-    role: Role,
+    role: CallableRole,
 }
 
-/// What the model wants of a function.
+/// Role of a callable in a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// f(t).
+pub(crate) enum CallableRole {
+    /// Function of time f(t).
     Time,
-    /// F(t, x, v).
+    /// Force F(t, x, v).
     Force,
 }
 
 impl Callables {
-    /// The name of a function that was met at a path.
-    pub(crate) fn name(&mut self, function: &Bound<'_, PyAny>, path: &str, role: Role) -> String {
+    /// Adds a callable at a path and returns its name.
+    pub(crate) fn name(&mut self, function: &Bound<'_, PyAny>, path: &str, role: CallableRole) -> String {
         self.0.push(Callable { name: path.to_owned(), function: function.clone().unbind(), role });
         path.to_owned()
     }
 
-    /// The path of the first one.
+    /// Returns the path of the first callable.
     pub(crate) fn first(&self) -> Option<&str> {
         self.0.first().map(|one| one.name.as_str())
     }
 
-    /// The function that a table asks for, if it was met in this role.
-    pub(crate) fn function(&self, table: &Table, role: Role) -> Option<&Py<PyAny>> {
+    /// Returns the callable that a table names, if it has this role.
+    pub(crate) fn function(&self, table: &Table, role: CallableRole) -> Option<&Py<PyAny>> {
         let name = table.get("name").filter(|_| table.get("kind").is_some_and(is_external))?.as_str()?;
-        // The one that was met last at a path is the one that is there.
+        // A later callable at the same path replaces an earlier one.
         self.0.iter().rev().find(|one| one.role == role && one.name == name).map(|one| &one.function)
     }
 
-    /// Gives them to a model and goes on with it; what they raise ends its runs, and is raised here if it comes at once.
+    /// Supplies the callables to a model and calls `then` with it.
+    ///
+    /// Exceptions of callables end runs of the model. An exception within `then` is raised here.
     pub(crate) fn with<T: Send>(
         self,
         py: Python<'_>,
@@ -61,7 +65,7 @@ impl Callables {
         match (signals.take(), done) {
             (Some(error), _) => Err(error),
             (None, Ok(done)) => Ok((model, done)),
-            (None, Err(errors)) => Err(refused(py, &errors, None)),
+            (None, Err(errors)) => Err(model_error(py, &errors, None)),
         }
     }
 
@@ -72,13 +76,14 @@ impl Callables {
         });
         for Callable { name, function, role } in self.0 {
             let signals = signals.clone();
-            if role == Role::Force && model.loads.iter().any(|load| is_force(load, &name)) {
-                let law = Law { name: name.clone(), function, signals };
-                model.supply_force(&name, ForceFunction::new(move |t, x, v| law.at(t, x, v)));
+            if role == CallableRole::Force && model.loads.iter().any(|load| is_force(load, &name)) {
+                let force = ForceCallable { name: name.clone(), function, signals };
+                model.supply_force(&name, ForceFunction::new(move |t, x, v| force.at(t, x, v)));
             } else {
-                let step = (!model.loads.iter().any(|load| takes_value(load, &name))).then_some(step * FINE);
-                let course = Course { name: name.clone(), function, signals, step };
-                model.supply(&name, External::new(move |t| course.at(t)));
+                let step = (!model.loads.iter().any(|load| takes_value(load, &name)))
+                    .then_some(step * DIFFERENCE_STEP);
+                let function = TimeCallable { name: name.clone(), function, signals, step };
+                model.supply(&name, External::new(move |t| function.at(t)));
             }
         }
     }
@@ -88,12 +93,12 @@ fn is_external(kind: &Value) -> bool {
     kind.as_str() == Some("external")
 }
 
-/// Whether a load is the force of a name.
+/// True if a load is the external force with a name.
 fn is_force(load: &Load, name: &str) -> bool {
     matches!(load, Load::External { name: own, .. } if own == name)
 }
 
-/// Whether a load takes the value of the function of a name, and no rates.
+/// True if a load uses the value of the function with a name, but not its rates.
 fn takes_value(load: &Load, name: &str) -> bool {
     let of_name = |time: &TimeFunction| match time {
         TimeFunction::Varying(Varying::External { name: own, .. }) => own == name,
@@ -103,28 +108,28 @@ fn takes_value(load: &Load, name: &str) -> bool {
     its && !matches!(load, Load::Fluid(_))
 }
 
-/// Rates by differences are taken over so much of a step, in which a motion that the steps resolve is smooth.
-const FINE: f64 = 0.02;
+/// Step of finite differences relative to the time step, in which a resolved motion is smooth.
+const DIFFERENCE_STEP: f64 = 0.02;
 
-/// A function of time.
-struct Course {
+/// Callable of time.
+struct TimeCallable {
     name: String,
     function: Py<PyAny>,
     signals: Signals,
-    /// Between the times from which rates are computed, if they are wanted.
+    /// Step of finite differences, if rates are required.
     step: Option<f64>,
 }
 
-impl Course {
-    /// Value and rates: those that the function tells, or by differences.
+impl TimeCallable {
+    /// Returns value and rates: those of the callable, or finite differences.
     fn at(&self, t: f64) -> Instant {
-        Python::attach(|py| self.told(py, t)).unwrap_or_else(|error| {
+        Python::attach(|py| self.evaluate(py, t)).unwrap_or_else(|error| {
             self.signals.raise(error);
             Instant { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN }
         })
     }
 
-    fn told(&self, py: Python<'_>, t: f64) -> PyResult<Instant> {
+    fn evaluate(&self, py: Python<'_>, t: f64) -> PyResult<Instant> {
         let answer = self.function.call1(py, (t,))?.into_bound(py);
         let three = answer.extract::<[f64; 3]>().ok().filter(are_finite);
         if let Some([value, rate, acceleration]) = three {
@@ -139,10 +144,11 @@ impl Course {
 
     fn number(&self, t: f64, answer: &Bound<'_, PyAny>) -> PyResult<f64> {
         let number = answer.extract::<f64>().ok().filter(|number| number.is_finite());
-        number.ok_or_else(|| wrong(&self.name, t, answer, "a number, or value, rate and acceleration"))
+        number
+            .ok_or_else(|| invalid_answer(&self.name, t, answer, "a number, or value, rate and acceleration"))
     }
 
-    /// Rates from five values, central ones of fourth order; near 0, before which nothing is known, those ahead.
+    /// Computes rates by finite differences of fourth order: central, near t = 0 forward, as negative times are undefined.
     fn differences(&self, py: Python<'_>, t: f64, value: f64, h: f64) -> PyResult<Instant> {
         let of = |k: i32| {
             let there = t + f64::from(k) * h;
@@ -162,22 +168,22 @@ impl Course {
     }
 }
 
-/// A force.
-struct Law {
+/// Callable of time, position and velocity.
+struct ForceCallable {
     name: String,
     function: Py<PyAny>,
     signals: Signals,
 }
 
-impl Law {
+impl ForceCallable {
     fn at(&self, t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-        let told = Python::attach(|py| {
+        let force = Python::attach(|py| {
             let (x, v) = (PyArray1::from_slice(py, &x), PyArray1::from_slice(py, &v));
             let answer = self.function.call1(py, (t, x, v))?.into_bound(py);
-            let force = answer.extract::<[f64; 3]>().ok().filter(are_finite);
-            force.ok_or_else(|| wrong(&self.name, t, &answer, "three numbers"))
+            let numbers = answer.extract::<[f64; 3]>().ok().filter(are_finite);
+            numbers.ok_or_else(|| invalid_answer(&self.name, t, &answer, "three numbers"))
         });
-        told.unwrap_or_else(|error| {
+        force.unwrap_or_else(|error| {
             self.signals.raise(error);
             [f64::NAN; 3]
         })
@@ -188,8 +194,8 @@ fn are_finite(numbers: &[f64; 3]) -> bool {
     numbers.iter().all(|number| number.is_finite())
 }
 
-/// What a function returned that is of no use.
-fn wrong(name: &str, t: f64, answer: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+/// Creates the error of a callable with an invalid return value.
+fn invalid_answer(name: &str, t: f64, answer: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
     let found = answer.repr().map_or_else(|_| "?".to_owned(), |text| text.to_string());
     let found: String = found.chars().take(80).collect();
     PyValueError::new_err(format!("{name} at t = {t}: found {found}, wanted {wanted}"))

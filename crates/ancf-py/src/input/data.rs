@@ -1,26 +1,28 @@
+//! Conversion of data between Python and TOML.
+
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PySequence, PyString};
 use toml::{Table, Value};
 
-use crate::callables::{Callables, Role};
+use super::callables::{CallableRole, Callables};
 
-/// Data of a model from Python: dictionaries, sequences, numbers of Python and NumPy, text, and whatever has `to_dict`.
+/// Reader of model data from Python: dictionaries, sequences, numbers of Python and NumPy, text, and objects with `to_dict`.
 ///
-/// What is `None` is left out. A function becomes one that the program supplies.
+/// Values `None` are omitted. A function becomes an external function of the model.
 #[derive(Debug, Default)]
-pub(crate) struct Data {
+pub(crate) struct DataReader {
     path: String,
     depth: usize,
     pub(crate) callables: Callables,
 }
 
-/// No model is nested as deeply.
-const DEEP: usize = 64;
+/// Maximum nesting depth of a model.
+const MAX_DEPTH: usize = 64;
 
-impl Data {
-    /// The data of an object, nothing if it is `None`.
+impl DataReader {
+    /// Returns the data of an object, or nothing if it is `None`.
     pub(crate) fn read(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Option<Value>> {
         if any.is_none() {
             return Ok(None);
@@ -28,18 +30,18 @@ impl Data {
         self.value(any).map(Some)
     }
 
-    /// The data of a model, empty if it is `None`.
+    /// Returns the data of a model, empty if it is `None`.
     pub(crate) fn model(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
         Ok(self.read(any)?.unwrap_or_else(|| Value::Table(Table::new())))
     }
 
-    /// Says where the next object is.
+    /// Sets the path of the next object.
     pub(crate) fn begin_at(&mut self, path: &str) {
         self.path = path.to_owned();
     }
 
     fn value(&mut self, any: &Bound<'_, PyAny>) -> PyResult<Value> {
-        if self.depth == DEEP {
+        if self.depth == MAX_DEPTH {
             return Err(PyValueError::new_err("a model that holds itself, or is nested too deeply"));
         }
         self.depth += 1;
@@ -65,12 +67,12 @@ impl Data {
             return self.value(&any.call_method0("to_dict")?);
         }
         if any.is_callable() {
-            return Ok(external(self.callables.name(any, &self.path, Role::Time)));
+            return Ok(external(self.callables.name(any, &self.path, CallableRole::Time)));
         }
         if any.is_instance_of::<PyInt>() {
             return integer(any).map_err(|_| self.unknown(any, "a number within the range of doubles"));
         }
-        // Arrays and scalars of NumPy and its kin.
+        // Arrays and scalars of NumPy and similar packages.
         if any.hasattr("tolist")? {
             return self.value(&any.call_method0("tolist")?);
         }
@@ -88,7 +90,7 @@ impl Data {
             self.path += if length == 0 { "" } else { "." };
             self.path += &key;
             let value = if key == "name" && value.is_callable() {
-                Some(Value::String(self.callables.name(&value, &self.path, Role::Force)))
+                Some(Value::String(self.callables.name(&value, &self.path, CallableRole::Force)))
             } else {
                 self.read(&value)?
             };
@@ -120,12 +122,12 @@ impl Data {
     }
 }
 
-/// The function of time that the program supplies under a name.
+/// Returns the data of an external function of time.
 fn external(name: String) -> Value {
     Value::Table(Table::from_iter([("kind".into(), "external".into()), ("name".into(), name.into())]))
 }
 
-/// Integers beyond 64 bits become numbers with a decimal point, as in files.
+/// Returns an integer. Integers beyond 64 bits become floating-point numbers, as in files.
 fn integer(any: &Bound<'_, PyAny>) -> PyResult<Value> {
     match any.extract::<i64>() {
         Ok(n) => Ok(Value::Integer(n)),
@@ -133,18 +135,18 @@ fn integer(any: &Bound<'_, PyAny>) -> PyResult<Value> {
     }
 }
 
-/// The data of a table that may not be left out.
-pub(crate) fn table(any: &Bound<'_, PyAny>) -> PyResult<Value> {
-    Data::default().model(any)
+/// Returns the data of an object.
+pub(crate) fn read_table(any: &Bound<'_, PyAny>) -> PyResult<Value> {
+    DataReader::default().model(any)
 }
 
-/// Python's dictionaries, lists and numbers for data.
-pub(crate) fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
-    restored(py, value, &Callables::default())
+/// Converts data to dictionaries, lists and numbers of Python.
+pub(crate) fn to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+    to_python_with(py, value, &Callables::default())
 }
 
-/// The same, with functions again where they were met.
-pub(crate) fn restored<'py>(
+/// Converts data to Python, with callables in place of their names.
+pub(crate) fn to_python_with<'py>(
     py: Python<'py>,
     value: &Value,
     callables: &Callables,
@@ -157,18 +159,20 @@ pub(crate) fn restored<'py>(
         Value::Datetime(date) => date.to_string().into_bound_py_any(py),
         Value::Array(items) => {
             let items: Vec<_> =
-                items.iter().map(|item| restored(py, item, callables)).collect::<PyResult<_>>()?;
+                items.iter().map(|item| to_python_with(py, item, callables)).collect::<PyResult<_>>()?;
             Ok(PyList::new(py, items)?.into_any())
         }
-        Value::Table(table) if table.len() == 2 && callables.function(table, Role::Time).is_some() => {
-            callables.function(table, Role::Time).into_bound_py_any(py)
+        Value::Table(table)
+            if table.len() == 2 && callables.function(table, CallableRole::Time).is_some() =>
+        {
+            callables.function(table, CallableRole::Time).into_bound_py_any(py)
         }
         Value::Table(table) => {
             let dict = PyDict::new(py);
             for (key, value) in table {
-                dict.set_item(key, restored(py, value, callables)?)?;
+                dict.set_item(key, to_python_with(py, value, callables)?)?;
             }
-            if let Some(force) = callables.function(table, Role::Force) {
+            if let Some(force) = callables.function(table, CallableRole::Force) {
                 dict.set_item("name", force)?;
             }
             Ok(dict.into_any())

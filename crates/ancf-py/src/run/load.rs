@@ -1,34 +1,37 @@
+//! Results in the folder of a run.
+
 use std::io;
 use std::path::PathBuf;
 
 use ancf::record::Series;
 use ancf_results::{KILLED, OpenError, Results, Status};
 use numpy::PyArray1;
-use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError, PyValueError};
+use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toml::{Table, Value};
 
-use crate::data::object;
-use crate::model::refused;
-use crate::run::{Simulation, table};
-use crate::states::{Frames, Keep, States};
+use super::frames::Frames;
+use super::keep::Keep;
+use super::simulation::{Simulation, rows_to_array};
+use super::states::States;
+use crate::input::{model_error, to_python, value_error};
 
-/// What a run left in its folder, in a dictionary.
+/// Returns the results in the folder of a run in a dictionary.
 #[pyfunction]
 pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let fail = |error| unreadable(py, error);
     let results = py.detach(|| Results::open(path)).map_err(fail)?;
     let status = results.status();
-    let kept = py.detach(|| Kept::of(&results));
-    let Kept { frames, values, rows, columns, numbers } = kept.map_err(fail)?;
-    let data: Table = results.text().parse().map_err(|error: toml::de::Error| plain(&error))?;
-    let simulation = Simulation::new(&object(py, &Value::Table(data))?)?;
+    let recorded = py.detach(|| RecordedRun::read(&results));
+    let RecordedRun { frames, values, rows, columns, numbers } = recorded.map_err(fail)?;
+    let data: Table = results.text().parse().map_err(|error: toml::de::Error| value_error(error))?;
+    let simulation = Simulation::new(&to_python(py, &Value::Table(data))?)?;
     let done = PyDict::new(py);
     done.set_item("kind", simulation.analysis().0)?;
-    done.set_item("summary", object(py, &summary(&results, status).map_err(fail)?)?)?;
+    done.set_item("summary", to_python(py, &summary(&results, status).map_err(fail)?)?)?;
     done.set_item("units", &simulation.units)?;
-    done.set_item("rows", table(py, numbers, columns.len())?)?;
+    done.set_item("rows", rows_to_array(py, numbers, columns.len())?)?;
     done.set_item("columns", columns)?;
     done.set_item("frames", PyArray1::from_vec(py, values))?;
     done.set_item("frame_rows", PyArray1::from_vec(py, rows))?;
@@ -38,14 +41,10 @@ pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>>
     Ok(done)
 }
 
-fn plain(error: &impl ToString) -> PyErr {
-    PyValueError::new_err(error.to_string())
-}
-
 fn unreadable(py: Python<'_>, error: OpenError) -> PyErr {
     match error {
         OpenError::NoRun(_) => PyFileNotFoundError::new_err(error.to_string()),
-        OpenError::Model { path, errors } => refused(py, &errors, Some(&path.display().to_string())),
+        OpenError::Model { path, errors } => model_error(py, &errors, Some(&path.display().to_string())),
         OpenError::Read(error) if error.kind() == io::ErrorKind::OutOfMemory => {
             PyMemoryError::new_err("the results do not fit into memory")
         }
@@ -53,21 +52,21 @@ fn unreadable(py: Python<'_>, error: OpenError) -> PyErr {
     }
 }
 
-/// Rows and states.
-struct Kept {
+/// Rows and states of a run.
+struct RecordedRun {
     frames: Frames,
-    /// Of each state, the first number of its row.
+    /// First number of the row of each state.
     values: Vec<f64>,
-    /// The number of its row; -1 of those between rows.
+    /// Row of each state, -1 of a state between rows.
     rows: Vec<i64>,
     columns: Vec<String>,
-    /// Rows one after the other.
+    /// Rows in contiguous memory.
     numbers: Vec<f64>,
 }
 
-impl Kept {
-    fn of(results: &Results) -> Result<Self, OpenError> {
-        // States first: of a run that goes on, their rows are there then.
+impl RecordedRun {
+    fn read(results: &Results) -> Result<Self, OpenError> {
+        // States are read first: the rows of a run in progress are ahead of its states.
         let (mut frames, mut at) = (Frames::new(Keep::All), Vec::new());
         for frame in results.frames() {
             let frame = frame?;
@@ -78,7 +77,7 @@ impl Kept {
             frames = Frames::new(Keep::Nothing);
         }
         let series = results.columns()?;
-        let (columns, numbers) = across(&series)?;
+        let (columns, numbers) = by_rows(&series)?;
         let firsts = series.columns().next().map_or(&[][..], |(_, values)| values);
         let every = u64::from(results.model().output.every.max(1));
         let row = |(row, value): &(u64, f64)| row_of(*row, *value, every, firsts).unwrap_or(-1);
@@ -87,7 +86,7 @@ impl Kept {
     }
 }
 
-/// The row of the state of a step, of which every so many are rows, and the last; by the first numbers of all rows.
+/// Returns the row of a state by its step and first number, if the step was recorded as a row.
 fn row_of(step: u64, value: f64, every: u64, firsts: &[f64]) -> Option<i64> {
     let row = usize::try_from(step.div_ceil(every)).ok()?;
     let is_due = step.is_multiple_of(every);
@@ -95,8 +94,8 @@ fn row_of(step: u64, value: f64, every: u64, firsts: &[f64]) -> Option<i64> {
     (firsts.get(row) == Some(&value) && (is_due || is_last)).then(|| i64::try_from(row).ok())?
 }
 
-/// Names of columns, and their numbers row by row.
-fn across(series: &Series) -> io::Result<(Vec<String>, Vec<f64>)> {
+/// Returns the names of the columns, and all numbers row by row.
+fn by_rows(series: &Series) -> io::Result<(Vec<String>, Vec<f64>)> {
     let columns: Vec<&[f64]> = series.columns().map(|(_, values)| values).collect();
     let count = columns.first().map_or(0, |column| column.len());
     let mut numbers = Vec::new();
@@ -106,10 +105,10 @@ fn across(series: &Series) -> io::Result<(Vec<String>, Vec<f64>)> {
     Ok((series.names().map(str::to_owned).collect(), numbers))
 }
 
-/// What the run said at its end, or that it has not ended, or not said so.
+/// Returns the summary of a run. A run in progress or a killed run has an outcome and sizes only.
 fn summary(results: &Results, status: Status) -> Result<Value, OpenError> {
     let (kind, reason) = match (status, results.conclusion()?) {
-        (Status::Running, _) => ("running", "the run goes on"),
+        (Status::Running, _) => ("running", "the run is in progress"),
         (_, Some(conclusion)) => return Value::try_from(conclusion).map_err(|e| io::Error::other(e).into()),
         (_, None) => ("broken", KILLED),
     };

@@ -1,3 +1,5 @@
+//! Recorder of rows and states of a run.
+
 use std::collections::TryReserveError;
 use std::io;
 use std::ops::ControlFlow;
@@ -11,49 +13,49 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
-use crate::run;
-use crate::signals::Signals;
-use crate::states::{Frames, Keep, States};
+use super::frames::Frames;
+use super::keep::Keep;
+use super::states::States;
+use crate::input::Signals;
 
-/// Keeps rows and states of a run, and tells Python of them.
-pub(crate) struct Follower {
+/// Simulation of a run with its settings.
+pub(crate) struct RecordedSimulation {
+    pub(crate) simulation: Arc<Simulation>,
+    /// Model as plain data.
+    pub(crate) model: Py<PyAny>,
+    pub(crate) signals: Signals,
+    /// Number of steps per kept row. The last step is kept too.
+    pub(crate) every: u32,
+}
+
+/// Records rows and states of a run, and calls callbacks of Python.
+pub(crate) struct RunRecorder {
     pub(crate) columns: Vec<String>,
     pub(crate) rows: Vec<f64>,
     pub(crate) frames: Frames,
-    /// Keep every so many, and the last.
-    every: u32,
+    of: RecordedSimulation,
+    /// Number of rows so far, including rows that were not kept.
     count: u32,
-    simulation: Arc<Simulation>,
-    model: Py<PyAny>,
-    signals: Signals,
     callback: Option<Py<PyAny>>,
     tick: Option<Py<PyAny>>,
     ticked: Option<Instant>,
-    /// The columns, for the callback.
+    /// Names of the columns for the callback.
     names: Option<Py<PyList>>,
 }
 
-/// Between two ticks.
+/// Minimum time between two ticks.
 const TICK: Duration = Duration::from_millis(100);
 
-impl Follower {
-    /// `callback(columns, row, states)` is called with each row, `tick(first)` now and then with the first number of a row; what
-    /// returns true ends the run.
-    pub(crate) fn new(
-        of: &run::Simulation,
-        py: Python<'_>,
-        keep: Keep,
-        [callback, tick]: [Option<Py<PyAny>>; 2],
-    ) -> Self {
+impl RunRecorder {
+    /// Creates a recorder that calls `callback(columns, row, states)` with each row and `tick(first)` now and then with the first
+    /// number of a row. A true return value ends the run.
+    pub(crate) fn new(of: RecordedSimulation, keep: Keep, [callback, tick]: [Option<Py<PyAny>>; 2]) -> Self {
         Self {
             columns: Vec::new(),
             rows: Vec::new(),
             frames: Frames::new(keep),
-            every: of.every.max(1),
+            of,
             count: 0,
-            simulation: Arc::clone(&of.simulation),
-            model: of.model.clone_ref(py),
-            signals: of.signals.clone(),
             callback,
             tick,
             ticked: None,
@@ -61,9 +63,10 @@ impl Follower {
         }
     }
 
+    /// Keeps a row and its state if due.
     fn keep(&mut self, row: &[f64], state: &State) -> Result<(), TryReserveError> {
-        // What was not due was only kept in case it should be the last.
-        if self.count > 0 && !(self.count - 1).is_multiple_of(self.every) {
+        // The previous row was kept only because it could have been the last.
+        if self.count > 0 && !(self.count - 1).is_multiple_of(self.of.every) {
             self.rows.truncate(self.rows.len() - row.len());
             self.frames.pop();
         }
@@ -74,14 +77,14 @@ impl Follower {
         Ok(())
     }
 
-    /// Tells Python; whether it wants an end.
-    fn tell(&mut self, row: &[f64], state: &State) -> PyResult<bool> {
+    /// Calls the callbacks. Returns true if one of them ends the run.
+    fn call_back(&mut self, row: &[f64], state: &State) -> PyResult<bool> {
         let mut wants_end = false;
         if let Some(callback) = &self.callback {
             let mut frames = Frames::new(Keep::All);
             frames.push(state).map_err(|_| PyMemoryError::new_err("no memory for a state"))?;
             wants_end |= Python::attach(|py| {
-                let states = States::new(&self.simulation, self.model.clone_ref(py), frames);
+                let states = States::new(&self.of.simulation, self.of.model.clone_ref(py), frames);
                 callback.call1(py, (&self.names, PyArray1::from_slice(py, row), states))?.is_truthy(py)
             })?;
         }
@@ -95,7 +98,7 @@ impl Follower {
     }
 }
 
-impl Observer for Follower {
+impl Observer for RunRecorder {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         self.columns = columns.to_vec();
         if self.callback.is_some() {
@@ -107,11 +110,11 @@ impl Observer for Follower {
 
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>> {
         self.keep(row, state).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-        match self.tell(row, state) {
+        match self.call_back(row, state) {
             Ok(false) => Ok(ControlFlow::Continue(())),
             Ok(true) => Ok(ControlFlow::Break(())),
             Err(error) => {
-                self.signals.raise(error);
+                self.of.signals.raise(error);
                 Ok(ControlFlow::Break(()))
             }
         }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use ancf_report::Frame;
-use ancf_report::paraview::{Selection, Writer};
+use ancf_report::Snapshot;
+use ancf_report::paraview::{FrameSelection, Writer};
 use ancf_results::Results;
 use anyhow::Result;
 use clap::Args;
@@ -51,7 +51,7 @@ impl Arguments {
         let values: Vec<f64> =
             results.frames().map(|frame| frame.map(|frame| frame.value)).collect::<Result<_, _>>()?;
         let most = self.frames.map_or(usize::MAX, NonZeroUsize::get);
-        let picked = Selection { from: self.from, to: self.to, most }.pick(&values);
+        let picked = FrameSelection { from: self.from, to: self.to, most }.pick(&values);
         if picked.is_empty() && !values.is_empty() {
             let span =
                 values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
@@ -76,7 +76,7 @@ impl Arguments {
         let wanted = results.frames().enumerate().filter(|(number, _)| picked.contains(number));
         for (_, frame) in wanted {
             let ancf_results::Frame { value, state, .. } = frame?;
-            writer.push(&Frame { value, state })?;
+            writer.push(&Snapshot { value, state })?;
         }
         let written = writer.finish()?;
         for file in &written.files {

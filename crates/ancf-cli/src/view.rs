@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use ancf_report::{BUDGET, Ending, Frame, Recording, Server, Source, numbers, page, scene, warnings};
+use ancf_report::{
+    BUDGET, Ending, Recording, SceneSource, Server, Snapshot, page, scene, summary_rows, summary_warnings,
+};
 use ancf_results::{Conclusion, Folder, KILLED, Results, Status, whole};
 use anyhow::{Context, Result};
 use clap::Args;
@@ -82,7 +84,7 @@ impl View {
             .with_context(|| format!("cannot listen on port {} of this machine", self.port))?;
         print(&format!("{}\n", server.url()));
         say("open this address in a browser; Ctrl-C ends it");
-        let stop = server.stopper();
+        let stop = server.stop_flag();
         thread::scope(|scope| {
             scope.spawn(|| {
                 while !interrupt.is_set() && !stop.is_set() {
@@ -106,7 +108,7 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let status = results.status();
     let conclusion = results.conclusion()?;
     let summary = conclusion.as_ref().map(|conclusion| &conclusion.summary);
-    let mut messages = summary.map(warnings).unwrap_or_default();
+    let mut messages = summary.map(summary_warnings).unwrap_or_default();
     let ending = match (status, summary) {
         (Status::Running, _) => Ending::Running,
         (_, Some(summary)) => Ending::new(&summary.outcome, &results.model().analysis),
@@ -118,7 +120,7 @@ fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>> {
     let mut frames = Vec::new();
     for frame in results.frames() {
         let ancf_results::Frame { value, state, .. } = frame?;
-        frames.push(Frame { value, state });
+        frames.push(Snapshot { value, state });
     }
     let series = results.columns()?;
     let output = results.model().output;
@@ -145,13 +147,13 @@ fn rows(conclusion: &Conclusion) -> Vec<(String, String)> {
     let Conclusion { program, model, wall_seconds, summary } = conclusion;
     let own =
         [("model", model.clone()), ("program", program.clone()), ("seconds", format!("{wall_seconds:.3}"))];
-    own.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(numbers(summary)).collect()
+    own.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(summary_rows(summary)).collect()
 }
 
 /// The results in a folder that may be growing.
 struct Followed<'a>(&'a Path);
 
-impl Source for Followed<'_> {
+impl SceneSource for Followed<'_> {
     /// Of what stands in the folder when: names, sizes and times.
     fn version(&self) -> u64 {
         // A run that is killed changes no file.

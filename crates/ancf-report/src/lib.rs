@@ -1,18 +1,23 @@
-//! What people look at: the results of a run as a scene, a page around it, and a server for the page.
+//! Reports of runs: scenes, HTML pages with a viewer, a local server, and files for ParaView.
 //!
 //! ```text
-//!   Recording --scene--> container --page--> one HTML file
-//!                            \-----Server--> http://127.0.0.1:port, live
+//!   serve     paraview      HTTP server of a live page; .vtu and .pvd files
+//!        \   /    |
+//!        scene    |         Recording -> container -> one HTML file
+//!       /  |  \   |
+//!  charts  |  fields        columns of the run; section forces, stress, .. along the bodies
+//!      \   |   |
+//!      run  geometry        input: model, states, columns; shapes of bodies, joints, loads and obstacles
 //! ```
 //!
-//! A [`Recording`] is a model with states and columns of its run. [`Geometry`] says what its bodies look like, as plain data:
-//! outlines of sections that are swept along stations. [`scene`] packs geometry, fields, markers and charts into one binary
-//! [`container`], which the viewer in the page unpacks.
+//! A [`Recording`] is a model with states and columns of its run. A [`Geometry`](geometry::Geometry) contains the shapes of its
+//! bodies as plain data: outlines of sections that are swept along stations. [`scene`] packs geometry, fields, symbols and
+//! charts into one binary [`container`], which the viewer in the page unpacks.
 //!
 //! ```
 //! use ancf::record::Series;
 //! use ancf::{Model, Simulation};
-//! use ancf_report::{BUDGET, Ending, Frame, Recording, page, scene};
+//! use ancf_report::{BUDGET, Ending, Recording, Snapshot, page, scene};
 //!
 //! let text = r#"
 //!     bodies = [{ kind = "mass", name = "stone", center = [0, 0, 10], mass = 1 }]
@@ -28,8 +33,8 @@
 //!     model: &model,
 //!     text,
 //!     title: "A stone",
-//!     // An `ancf::Observer` receives the states of a run; here there is that of its start.
-//!     frames: vec![Frame { value: 0.0, state: simulation.assembly().initial() }],
+//!     // The initial state. An `ancf::Observer` receives all states of a run.
+//!     frames: vec![Snapshot { value: 0.0, state: simulation.assembly().initial() }],
 //!     series: &series,
 //!     summary: vec![("steps".into(), summary.steps.to_string())],
 //!     ending: Ending::new(&summary.outcome, &model.analysis),
@@ -41,41 +46,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod body;
-mod chart;
-pub mod container;
-mod fibre;
-mod field;
-mod file;
-mod frame;
-mod geometry;
-mod instants;
-mod link;
-mod marker;
-mod message;
-mod obstacle;
-mod outline;
-mod pack;
-mod page;
+pub mod charts;
+pub mod fields;
+pub mod geometry;
 pub mod paraview;
-mod place;
-mod recording;
-mod request;
-mod response;
+mod run;
 mod scene;
-mod server;
-mod shape;
-mod stage;
-mod thin;
-mod told;
+mod serve;
 
-pub use body::{Drawn, Kind};
-pub use chart::{Abscissa, Chart, ChartGroup, Charts, Column};
-pub use field::{Quantities, Quantity};
-pub use geometry::{Geometry, Placement};
-pub use outline::Outline;
-pub use page::{live_page, page};
-pub use recording::{Ending, Frame, Recording};
-pub use scene::{BUDGET, scene};
-pub use server::{Server, Source, Stop};
-pub use told::{numbers, warnings};
+pub use run::{Ending, Recording, Snapshot, summary_rows, summary_warnings};
+pub use scene::{BUDGET, container, live_page, page, scene};
+pub use serve::{SceneSource, Server, StopFlag};

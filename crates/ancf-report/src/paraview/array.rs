@@ -5,23 +5,23 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
-/// Numbers or texts with a name, as VTK has them.
+/// Named array of numbers or texts, as in VTK.
 #[derive(Clone, Debug)]
 pub(super) struct Array {
     pub name: String,
-    /// Numbers to a point or a cell.
+    /// Components per point or cell.
     pub width: usize,
     pub values: Values,
 }
 
-/// What an array holds.
+/// Values of an array.
 #[derive(Clone, Debug)]
 pub(super) enum Values {
-    /// In double precision.
+    /// Double precision.
     F64(Vec<f64>),
-    /// In single precision.
+    /// Single precision.
     F32(Vec<f32>),
-    /// Numbers of points.
+    /// Indices of points.
     I64(Vec<i64>),
     /// Kinds of cells.
     U8(Vec<u8>),
@@ -36,7 +36,7 @@ impl Array {
 }
 
 impl Values {
-    /// The word for the type.
+    /// Name of the type in VTK.
     pub const fn kind(&self) -> &'static str {
         match self {
             Self::F64(_) => "Float64",
@@ -64,13 +64,14 @@ impl Values {
             Self::F32(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
             Self::I64(x) => x.iter().flat_map(|x| x.to_le_bytes()).collect(),
             Self::U8(x) => x.clone(),
-            // Each ends with a zero, which none may hold.
+            // Each text ends with a zero byte; zero bytes within texts are removed.
             Self::Text(x) => x.iter().flat_map(|x| x.bytes().filter(|byte| *byte != 0).chain([0])).collect(),
         }
     }
 
-    /// As it stands in an XML file: base64 of a head (number of blocks, bytes of a block, of the last one if it is shorter, bytes
-    /// when compressed; 64 bits each), then base64 of the one block, compressed by zlib.
+    /// Encodes the values for an XML file: base64 of a head, then base64 of one block compressed by zlib.
+    ///
+    /// The head has 64-bit integers: number of blocks, bytes of a block, bytes of a shorter last block, compressed bytes.
     pub fn encoded(&self) -> io::Result<String> {
         let bytes = self.bytes();
         let head = |numbers: &[usize]| -> String {

@@ -3,9 +3,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::array::Array;
-use super::grid::{Grid, about, document, placed};
+use super::grid::{Grid, document, replace, with_path};
 
-/// Files of one kind, numbered, and their times.
+/// Numbered files of one kind, and their times.
 #[derive(Debug)]
 pub(super) struct Collection {
     folder: PathBuf,
@@ -14,14 +14,16 @@ pub(super) struct Collection {
 }
 
 impl Collection {
-    /// None yet. One that is there from before is taken away first: its files are about to change.
+    /// Creates the folder and removes the list of an earlier collection, whose files are about to change.
     pub fn new(folder: &Path, name: &'static str) -> io::Result<Self> {
         let own = folder.join(name);
-        fs::create_dir_all(&own).map_err(|error| about("create the folder", &own, &error))?;
+        fs::create_dir_all(&own).map_err(|error| with_path("create the folder", &own, &error))?;
         let collection = Self { folder: folder.to_owned(), name, times: Vec::new() };
         let index = collection.index();
         match fs::remove_file(&index) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(about("replace", &index, &error)),
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(with_path("replace", &index, &error))
+            }
             _ => Ok(collection),
         }
     }
@@ -39,14 +41,14 @@ impl Collection {
         self.times.len()
     }
 
-    /// Writes a file.
+    /// Writes the next file.
     pub fn push(&mut self, time: f64, grid: &Grid<'_>, tags: &[Array]) -> io::Result<()> {
         grid.write(&self.folder.join(self.file(self.times.len())), tags)?;
         self.times.push(time);
         Ok(())
     }
 
-    /// Takes away files that a longer collection has left, and writes the list of files with their times.
+    /// Removes remaining files of a longer earlier collection and writes the list of files with their times.
     pub fn finish(&self) -> io::Result<PathBuf> {
         let left = |number: &usize| {
             let file = self.folder.join(self.file(*number));
@@ -65,7 +67,7 @@ impl Collection {
             Ok(())
         })?;
         let index = self.index();
-        placed(&index, &xml)?;
+        replace(&index, &xml)?;
         Ok(index)
     }
 }

@@ -8,7 +8,7 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 
 use super::array::{Array, Values};
 
-/// The kind of a cell, by VTK's number.
+/// Type of a cell with its number in VTK.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cell {
     Vertex = 1,
@@ -18,14 +18,14 @@ pub(super) enum Cell {
     Quad = 9,
 }
 
-/// Cells between numbered points.
+/// Cells between points given by their indices.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cells {
     connectivity: Vec<i64>,
-    /// Where each one ends in the connectivity.
+    /// End of each cell in the connectivity.
     offsets: Vec<i64>,
     kinds: Vec<u8>,
-    /// Of each cell, the number of its body.
+    /// Index of the body or obstacle of each cell.
     owners: Vec<i64>,
 }
 
@@ -38,21 +38,21 @@ impl Cells {
     }
 }
 
-/// An unstructured grid with what is known at its points.
+/// Unstructured grid with data at its points.
 #[derive(Clone, Debug)]
 pub(super) struct Grid<'a> {
     pub points: Vec<Vector3<f64>>,
     pub cells: &'a Cells,
-    /// What the numbers of cells count: bodies or obstacles.
+    /// Name of the array of owners: `body` or `obstacle`.
     pub owner: &'a str,
     pub point_data: Vec<Array>,
 }
 
 impl Grid<'_> {
-    /// Writes it beside the file and renames.
+    /// Writes a file as a whole.
     pub fn write(&self, path: &Path, tags: &[Array]) -> io::Result<()> {
         let xml = self.xml(tags)?;
-        placed(path, &xml)
+        replace(path, &xml)
     }
 
     fn xml(&self, tags: &[Array]) -> io::Result<Vec<u8>> {
@@ -88,7 +88,7 @@ impl Grid<'_> {
 
 type Xml = Writer<Vec<u8>>;
 
-/// A file of VTK with this content.
+/// Returns an XML file of VTK with some content.
 pub(super) fn document(kind: &str, content: impl FnOnce(&mut Xml) -> io::Result<()>) -> io::Result<Vec<u8>> {
     let mut writer = Writer::new_with_indent(Vec::new(), b' ', 1);
     writer.write_event(Event::Decl(BytesDecl::new("1.0", None, None)))?;
@@ -138,18 +138,18 @@ fn field_data(writer: &mut Xml, tags: &[Array]) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes a file beside its place and renames it: it is whole or not there.
-pub(super) fn placed(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let beside = path.with_extension("part");
-    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
+/// Writes a file under another name and renames it, so that it is complete or absent.
+pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let part = path.with_extension("part");
+    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
     written.map_err(|error| {
-        // What is left of it is of no use; that it cannot be removed says nothing more.
-        let _ = fs::remove_file(&beside);
-        about("write", path, &error)
+        // An error of removing the incomplete file adds no information.
+        let _ = fs::remove_file(&part);
+        with_path("write", path, &error)
     })
 }
 
-/// An error that names the file.
-pub(super) fn about(what: &str, path: &Path, error: &io::Error) -> io::Error {
+/// Adds an action and a path to an error.
+pub(super) fn with_path(what: &str, path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("cannot {what} {}: {error}", path.display()))
 }

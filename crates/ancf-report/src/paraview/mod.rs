@@ -1,26 +1,25 @@
-//! Files for ParaView and PyVista: XML unstructured grids (`.vtu`), one a frame, and collections (`.pvd`) with their times.
+//! Files for ParaView and PyVista: one XML unstructured grid (`.vtu`) per frame, and collections (`.pvd`) with their times.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | `sections.pvd`, `sections/00000.vtu`, … | closed surfaces: swept sections, boxes of rigid bodies, octahedra of point masses |
 //! | `lines.pvd`, `lines/00000.vtu`, … | axes as polylines, centres as points |
-//! | `obstacles.pvd`, `obstacles/00000.vtu`, … | what bodies touch; one file if none of them moves |
+//! | `obstacles.pvd`, `obstacles/00000.vtu`, … | obstacles of contacts; one file if no obstacle moves |
 //!
-//! A [`Writer`] takes frames one at a time and keeps none of them. Every file is written beside its place and renamed, the
-//! collections last: whoever opens a collection finds whole files.
+//! A [`Writer`] takes frames one at a time and keeps none of them. Every file is written under another name and renamed, the
+//! collections last, so that a collection refers to complete files only.
 
 mod array;
-mod clock;
 mod collection;
-mod fields;
+mod frame_times;
 mod grid;
 mod mesh;
-mod motion;
 mod obstacle;
-mod selection;
-mod solid;
-mod tags;
+mod point_data;
+mod provenance;
+mod rates;
+mod surfaces;
 mod writer;
 
-pub use selection::Selection;
+pub use crate::run::FrameSelection;
 pub use writer::{Writer, Written};

@@ -4,58 +4,56 @@ use ancf::system::State;
 use nalgebra::Vector3;
 
 use super::grid::{Cell, Cells};
-use crate::Placement;
-use crate::obstacle::Obstacle;
-use crate::pack::reach;
-use crate::stage::{Stage, bounds};
+use crate::geometry::{Obstacle, ObstacleKind, Placement, bounding_box};
+use crate::scene::SceneLayout;
 
-/// Sides of what is round.
+/// Number of sides of spheres and cylinders.
 const SIDES: usize = 32;
-/// Half of the edge of a plane, over the size of the model.
-const HALF: f64 = 0.75;
+/// Half of the edge of a plane, relative to the size of the model.
+const HALF_EDGE: f64 = 0.75;
 
-/// The surfaces of all obstacles: a square of a plane as large as the model, a sphere, a part of a cylinder.
+/// Surfaces of all obstacles: squares for planes, spheres, and parts of cylinders.
 #[derive(Debug, Default)]
-pub(super) struct Obstacles {
-    /// Numbers of obstacles, and places along their three axes.
+pub(super) struct ObstacleSurfaces {
+    /// Index of the obstacle and components along its three directors.
     points: Vec<(usize, [f64; 3])>,
     pub cells: Cells,
 }
 
-impl Obstacles {
-    /// Those of a model whose bodies are here.
-    pub fn new(stage: &Stage<'_>, reference: &Placement, s: &State) -> Self {
+impl ObstacleSurfaces {
+    /// Surfaces of a model, given the placement of its bodies in a state.
+    pub fn new(layout: &SceneLayout<'_>, reference: &Placement, s: &State) -> Self {
         let mut all = Self::default();
-        for (number, obstacle) in stage.obstacles.iter().enumerate() {
-            let radius = obstacle.radius * stage.length();
+        for (number, obstacle) in layout.obstacles.iter().enumerate() {
             match obstacle.kind {
-                "plane" => all.plane(number, stage, obstacle, reference, s),
-                "sphere" => all.sphere(number, radius),
-                _ => {
-                    let [middle, length] = reach(stage, obstacle, reference).unwrap_or([0.0, stage.size]);
-                    all.cylinder(number, radius, [middle - 0.5 * length, middle + 0.5 * length]);
+                ObstacleKind::Plane => all.plane(number, layout, obstacle, reference, s),
+                ObstacleKind::Sphere => all.sphere(number, obstacle.radius),
+                ObstacleKind::Cylinder => {
+                    let part = obstacle.drawn_part(s, reference, layout.size);
+                    let [middle, length] = part.unwrap_or([0.0, layout.size]);
+                    all.cylinder(number, obstacle.radius, [middle - 0.5 * length, middle + 0.5 * length]);
                 }
             }
         }
         all
     }
 
-    /// Where its points are in a state.
-    pub fn spread(&self, stage: &Stage<'_>, s: &State) -> Vec<Vector3<f64>> {
-        let poses: Vec<_> = stage.obstacles.iter().map(|obstacle| obstacle.pose(s)).collect();
+    /// Positions of the points in a state.
+    pub fn positions(&self, layout: &SceneLayout<'_>, s: &State) -> Vec<Vector3<f64>> {
+        let poses: Vec<_> = layout.obstacles.iter().map(|obstacle| obstacle.pose(s)).collect();
         let at = |(number, [x, y, z]): &(usize, [f64; 3])| {
             let (point, [a, b, c]) = poses[*number];
-            point * stage.length() + a * *x + b * *y + c * *z
+            point + a * *x + b * *y + c * *z
         };
         self.points.iter().map(at).collect()
     }
 
-    /// A square about the foot of the model's middle.
-    fn plane(&mut self, n: usize, stage: &Stage<'_>, of: &Obstacle, reference: &Placement, s: &State) {
-        let [low, high] = bounds(reference.centres.iter().copied());
+    /// Adds a square around the projection of the centre of the model onto a plane.
+    fn plane(&mut self, n: usize, layout: &SceneLayout<'_>, of: &Obstacle, reference: &Placement, s: &State) {
+        let [low, high] = bounding_box(reference.centres.iter().copied());
         let (point, [_, y, z]) = of.pose(s);
-        let apart = 0.5 * (low + high) - point * stage.length();
-        let (y, z, half) = (apart.dot(&y), apart.dot(&z), HALF * stage.size);
+        let apart = 0.5 * (low + high) - point;
+        let (y, z, half) = (apart.dot(&y), apart.dot(&z), HALF_EDGE * layout.size);
         let first = self.points.len();
         for [v, w] in [[-half, -half], [half, -half], [half, half], [-half, half]] {
             self.points.push((n, [0.0, y + v, z + w]));
@@ -102,7 +100,7 @@ impl Obstacles {
         self.points.extend((0..SIDES).map(at));
     }
 
-    /// Quads from a ring to the next one.
+    /// Adds quads between a ring and the next one.
     fn wall(&mut self, number: usize, first: usize) {
         for i in 0..SIDES {
             let (i, j) = (first + i, first + (i + 1) % SIDES);

@@ -6,43 +6,42 @@ use std::path::{Path, PathBuf};
 use ancf::system::State;
 
 use super::array::{Array, Values};
-use super::clock::Clock;
 use super::collection::Collection;
-use super::fields::Fields;
+use super::frame_times::FrameTimes;
 use super::grid::Grid;
 use super::mesh::Mesh;
-use super::motion::rates;
-use super::obstacle::Obstacles;
-use super::tags::tags;
-use crate::fibre::Fibre;
-use crate::instants::{fits, label};
-use crate::shape::displaced;
-use crate::stage::Stage;
-use crate::{Frame, Geometry, Placement, Recording};
+use super::obstacle::ObstacleSurfaces;
+use super::point_data::PointData;
+use super::provenance::provenance;
+use super::rates::rates;
+use crate::fields::SectionStress;
+use crate::geometry::{Geometry, Placement};
+use crate::run::{Recording, Snapshot};
+use crate::scene::{SceneLayout, displaced, fits, frame_label};
 
-/// What was written.
+/// Result of writing the files of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
-    /// The collections, to be opened in ParaView.
+    /// Paths of the collections.
     pub files: Vec<PathBuf>,
-    /// Frames in each.
+    /// Number of frames in each collection.
     pub frames: usize,
-    /// Frames that were left out: of another model, or not all of their positions are numbers.
+    /// Number of omitted frames: frames of another model, and frames with positions that are not finite.
     pub left_out: usize,
 }
 
-/// Writes frames of a recording for ParaView, one at a time; the frames in the recording itself are not looked at.
+/// Writes frames for ParaView one at a time. The frames of the recording itself are ignored.
 pub struct Writer<'a> {
     recording: &'a Recording<'a>,
-    stage: Stage<'a>,
+    layout: SceneLayout<'a>,
     geometry: Geometry<'a>,
-    fibres: Vec<Option<Fibre>>,
-    tags: Vec<Array>,
-    clock: Clock,
+    section_stress: Vec<Option<SectionStress>>,
+    provenance: Vec<Array>,
+    times: FrameTimes,
     sections: (Mesh, Collection),
     lines: (Mesh, Collection),
-    obstacles: Option<(Obstacles, Collection)>,
-    /// The undeformed state; of shapes, that about which they are: the first one.
+    obstacles: Option<(ObstacleSurfaces, Collection)>,
+    /// Placement of the undeformed state; of mode shapes, that of the first state.
     reference: Option<Placement>,
     left_out: usize,
 }
@@ -58,25 +57,25 @@ impl fmt::Debug for Writer<'_> {
 }
 
 impl<'a> Writer<'a> {
-    /// Makes the folder, if there is none; collections that are there are replaced.
+    /// Creates the folder if necessary. Existing collections are replaced.
     ///
     /// # Errors
-    /// If it cannot be written; the error names the path.
+    /// If the folder cannot be written. The error contains the path.
     pub fn new(recording: &'a Recording<'a>, folder: &Path) -> io::Result<Self> {
         let (assembly, scales) = (recording.simulation.assembly(), recording.scales());
-        let stage = Stage::new(recording, &recording.model.scaled(&scales));
-        let (parts, _) = stage.resolution(usize::MAX);
-        let geometry = Geometry::new(recording.model, assembly, scales, parts, stage.size);
+        let layout = SceneLayout::new(recording, &recording.model.scaled(&scales));
+        let (parts, _) = layout.resolution(usize::MAX);
+        let geometry = Geometry::new(recording.model, assembly, scales, parts, layout.size);
         let initial = assembly.initial();
         let placed = geometry.place(&initial);
-        let some = !stage.obstacles.is_empty();
-        let obstacles = some.then(|| Obstacles::new(&stage, &placed, &initial));
+        let has_obstacles = !layout.obstacles.is_empty();
+        let obstacles = has_obstacles.then(|| ObstacleSurfaces::new(&layout, &placed, &initial));
         let of = |name| Collection::new(folder, name);
         Ok(Self {
-            fibres: Fibre::all(recording.model, &geometry),
-            tags: tags(recording),
-            clock: Clock::new(recording),
-            sections: (Mesh::sections(&geometry), of("sections")?),
+            section_stress: SectionStress::at_stations(recording.model, &geometry),
+            provenance: provenance(recording),
+            times: FrameTimes::new(recording),
+            sections: (Mesh::surfaces(&geometry), of("sections")?),
             lines: (Mesh::lines(&geometry), of("lines")?),
             obstacles: obstacles
                 .map(|obstacles| Ok::<_, io::Error>((obstacles, of("obstacles")?)))
@@ -84,7 +83,7 @@ impl<'a> Writer<'a> {
             reference: (!recording.is_modal()).then_some(placed),
             left_out: 0,
             recording,
-            stage,
+            layout,
             geometry,
         })
     }
@@ -92,23 +91,23 @@ impl<'a> Writer<'a> {
     /// Writes the next frame.
     ///
     /// # Errors
-    /// If it cannot be written; the error names the path.
-    pub fn push(&mut self, frame: &Frame) -> io::Result<()> {
-        let time = self.clock.time(frame.value);
+    /// If a file cannot be written. The error contains the path.
+    pub fn push(&mut self, frame: &Snapshot) -> io::Result<()> {
+        let time = self.times.time(frame.value);
         if !fits(self.recording.simulation.assembly(), &frame.state) || !time.is_finite() {
             self.left_out += 1;
             return Ok(());
         }
-        // Times speak for themselves.
-        let moves = self.recording.model.analysis.dynamics().is_some();
-        let label = (!moves).then(|| label(self.recording, frame));
+        // Frames of dynamics are identified by their times.
+        let is_dynamic = self.recording.model.analysis.dynamics().is_some();
+        let label = (!is_dynamic).then(|| frame_label(self.recording, frame));
         self.draw(time, label, &frame.state)
     }
 
-    /// Writes the collections; without any frame, of the undeformed state.
+    /// Writes the collections. Without frames, they contain the undeformed state.
     ///
     /// # Errors
-    /// If they cannot be written; the error names the path.
+    /// If a file cannot be written. The error contains the path.
     pub fn finish(mut self) -> io::Result<Written> {
         if self.sections.1.count() == 0 {
             let initial = self.recording.simulation.assembly().initial();
@@ -124,13 +123,13 @@ impl<'a> Writer<'a> {
     fn draw(&mut self, time: f64, label: Option<String>, s: &State) -> io::Result<()> {
         let reference = self.reference.take().unwrap_or_else(|| self.geometry.place(s));
         let shown = match self.recording.is_modal() {
-            true => Cow::Owned(displaced(&self.geometry, s, self.stage.size)),
+            true => Cow::Owned(displaced(&self.geometry, s, self.layout.size)),
             false => Cow::Borrowed(s),
         };
         let placed = self.geometry.place(&shown);
         if placed.is_finite() {
-            let tags = self.tagged(time, label, s);
-            self.write(time, &shown, [&placed, &reference], &tags)?;
+            let field_data = self.field_data(time, label, s);
+            self.write(time, &shown, [&placed, &reference], &field_data)?;
         } else {
             self.left_out += 1;
         }
@@ -138,33 +137,41 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    fn tagged(&self, time: f64, label: Option<String>, s: &State) -> Vec<Array> {
-        let mut tags = self.tags.clone();
-        tags.extend(label.map(|label| Array::new("label", 1, Values::Text(vec![label]))));
-        tags.push(Array::new("load_factor", 1, Values::F64(vec![s.load])));
-        tags.push(Array::new("TimeValue", 1, Values::F64(vec![time])));
-        tags
+    fn field_data(&self, time: f64, label: Option<String>, s: &State) -> Vec<Array> {
+        let mut arrays = self.provenance.clone();
+        arrays.extend(label.map(|label| Array::new("label", 1, Values::Text(vec![label]))));
+        arrays.push(Array::new("load_factor", 1, Values::F64(vec![s.load])));
+        arrays.push(Array::new("TimeValue", 1, Values::F64(vec![time])));
+        arrays
     }
 
-    fn write(&mut self, time: f64, s: &State, places: [&Placement; 2], tags: &[Array]) -> io::Result<()> {
+    /// Writes a frame, given its placement and that of the reference.
+    fn write(
+        &mut self,
+        time: f64,
+        s: &State,
+        placements: [&Placement; 2],
+        field_data: &[Array],
+    ) -> io::Result<()> {
         let moving = self.recording.model.analysis.dynamics().map(|_| rates(&self.geometry, s));
         let all = [(&self.sections.0, true), (&self.lines.0, false)];
-        let [sections, lines] = all.map(|(mesh, single)| self.grid(mesh, single, s, places, moving.as_ref()));
-        self.sections.1.push(time, &sections, tags)?;
-        self.lines.1.push(time, &lines, tags)?;
+        let [sections, lines] =
+            all.map(|(mesh, single)| self.grid(mesh, single, s, placements, moving.as_ref()));
+        self.sections.1.push(time, &sections, field_data)?;
+        self.lines.1.push(time, &lines, field_data)?;
         if let Some((obstacles, collection)) = &mut self.obstacles {
-            let still = self.stage.obstacles.iter().all(|obstacle| !obstacle.moves);
+            let still = self.layout.obstacles.iter().all(|obstacle| !obstacle.moves);
             if !still || collection.count() == 0 {
-                let points = obstacles.spread(&self.stage, s);
+                let points = obstacles.positions(&self.layout, s);
                 let grid =
                     Grid { points, cells: &obstacles.cells, owner: "obstacle", point_data: Vec::new() };
-                collection.push(time, &grid, tags)?;
+                collection.push(time, &grid, field_data)?;
             }
         }
         Ok(())
     }
 
-    /// A mesh in a state with its fields.
+    /// Grid of a mesh in a state with its point data.
     fn grid<'m>(
         &self,
         mesh: &'m Mesh,
@@ -174,18 +181,19 @@ impl<'a> Writer<'a> {
         moving: Option<&[Placement; 2]>,
     ) -> Grid<'m> {
         let (assembly, scales) = (self.recording.simulation.assembly(), self.recording.scales());
-        let fields = Fields { geometry: &self.geometry, assembly, fibres: &self.fibres, scales, single };
-        let points = mesh.spread(placed);
-        let moved: Vec<_> = points.iter().zip(mesh.spread(reference)).map(|(x, from)| x - from).collect();
+        let fields =
+            PointData { geometry: &self.geometry, assembly, sections: &self.section_stress, scales, single };
+        let points = mesh.positions(placed);
+        let moved: Vec<_> = points.iter().zip(mesh.positions(reference)).map(|(x, from)| x - from).collect();
         let mut point_data = vec![fields.arc_length(mesh)];
         if self.recording.is_modal() {
             point_data.push(fields.vectors("shape", &moved));
         } else {
             point_data.push(fields.vectors("displacement", &moved));
-            point_data.extend(fields.inner(mesh, s));
+            point_data.extend(fields.section_data(mesh, s));
         }
         for (name, rates) in ["velocity", "acceleration"].into_iter().zip(moving.into_iter().flatten()) {
-            point_data.push(fields.vectors(name, &mesh.spread(rates)));
+            point_data.push(fields.vectors(name, &mesh.positions(rates)));
         }
         if !single {
             point_data.extend(fields.axes(mesh, placed));

@@ -1,0 +1,120 @@
+use ancf::model::{Analysis, Assembly};
+use ancf::scales::{Dimension, Scales};
+use ancf::system::State;
+use ancf::{Field, Model};
+use nalgebra::Vector3;
+
+use super::section_stress::SectionStress;
+use crate::geometry::{Geometry, Placement};
+
+/// Scalar along the bodies, by which they are coloured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScalarField {
+    /// Name.
+    pub name: &'static str,
+    /// Symbol.
+    pub symbol: &'static str,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// True if the field has positive and negative values.
+    pub diverging: bool,
+    /// Values in the user's units, frame by frame and station by station; NaN where the field is not defined.
+    pub values: Vec<f32>,
+}
+
+/// Scalar fields of frames that are added one by one.
+///
+/// | name | definition |
+/// |---|---|
+/// | axial force, torque, bending moment y, z | N, T, My, Mz of the section; cables have no bending moment about an axis |
+/// | shear force, bending moment | √(Qy² + Qz²), √(My² + Mz²) |
+/// | axial stress | maximum of abs(N/A + My z/I_y − Mz y/I_z) over the outline |
+/// | strain | Green's strain E_xx of the axis |
+/// | speed | speed of the axis |
+/// | displacement | distance from the reference placement |
+#[derive(Debug)]
+pub struct ScalarFields<'a> {
+    all: Vec<ScalarField>,
+    sections: Vec<Option<SectionStress>>,
+    assembly: &'a Assembly,
+    scales: Scales,
+    has_velocities: bool,
+    is_modal: bool,
+}
+
+/// Index of the first field that depends on the motion only.
+const MOTION: usize = 8;
+
+impl<'a> ScalarFields<'a> {
+    /// Fields of a model in the user's units, without values.
+    pub fn new(model: &Model, assembly: &'a Assembly, scales: Scales, geometry: &Geometry<'_>) -> Self {
+        let of = |name, symbol, dimension, diverging| ScalarField {
+            name,
+            symbol,
+            dimension,
+            diverging,
+            values: Vec::new(),
+        };
+        let all = vec![
+            of("axial force", "N", Dimension::FORCE, true),
+            of("shear force", "Q", Dimension::FORCE, false),
+            of("torque", "T", Dimension::ENERGY, true),
+            of("bending moment", "M", Dimension::ENERGY, false),
+            of("bending moment y", "My", Dimension::ENERGY, true),
+            of("bending moment z", "Mz", Dimension::ENERGY, true),
+            of("axial stress", "σ", Dimension::STRESS, false),
+            of("strain", "ε", Dimension::NUMBER, true),
+            of("speed", "v", Dimension::VELOCITY, false),
+            of("displacement", "u", Dimension::LENGTH, false),
+        ];
+        let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
+        let has_velocities = model.analysis.dynamics().is_some();
+        let sections = SectionStress::at_stations(model, geometry);
+        Self { all, sections, assembly, scales, has_velocities, is_modal }
+    }
+
+    /// Adds the values of a state with its placement. Displacements are measured from a reference placement.
+    ///
+    /// Mode shapes have displacements only, because their amplitude is arbitrary. Speeds exist in dynamics only.
+    pub fn push(&mut self, geometry: &Geometry<'_>, s: &State, placed: &Placement, reference: &Placement) {
+        if !self.is_modal {
+            let forces = geometry.read(Field::SectionForces, s);
+            for (k, forces) in forces.chunks_exact(6).enumerate() {
+                let values = self.of_section(geometry, k, s, forces);
+                let (sections, _) = self.all.split_at_mut(MOTION);
+                sections.iter_mut().zip(values).for_each(|(field, x)| field.values.push(x as f32));
+            }
+        }
+        if self.has_velocities {
+            let speeds = geometry.read(Field::Velocity, s);
+            let speed = |v: &[f64]| Vector3::from_column_slice(v).norm() as f32;
+            self.all[MOTION].values.extend(speeds.chunks_exact(3).map(speed));
+        }
+        let moved = placed.centres.iter().zip(&reference.centres);
+        self.all[MOTION + 1].values.extend(moved.map(|(x, from)| (x - from).norm() as f32));
+    }
+
+    fn of_section(&self, geometry: &Geometry<'_>, k: usize, s: &State, forces: &[f64]) -> [f64; MOTION] {
+        let station = &geometry.fields.stations()[k];
+        let (Some(section), Some(mesh)) = (&self.sections[k], self.assembly.body_of(station.body).mesh())
+        else {
+            return [f64::NAN; MOTION];
+        };
+        let &[n, qy, qz, t, my, mz] = forces else { return [f64::NAN; MOTION] };
+        let stress = section.largest_stress([n, qy, qz, t, my, mz]);
+        let [strain, _] = mesh.strain_and_stress(s, station.s / self.scales.length, [0.0; 2]);
+        let axes = if section.has_axes { [my, mz] } else { [f64::NAN; 2] };
+        [n, qy.hypot(qz), t, my.hypot(mz), axes[0], axes[1], stress, strain[(0, 0)]]
+    }
+
+    /// Returns the fields that have a finite value.
+    pub fn into_defined(self) -> Vec<ScalarField> {
+        let has_values = |field: &ScalarField| field.values.iter().any(|x| x.is_finite());
+        self.all.into_iter().filter(has_values).collect()
+    }
+
+    /// Maximum number of fields.
+    pub(crate) const fn most(is_modal: bool) -> usize {
+        if is_modal { 1 } else { MOTION + 2 }
+    }
+}

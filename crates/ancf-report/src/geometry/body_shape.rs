@@ -1,0 +1,116 @@
+use std::ops::Range;
+
+use ancf::Model;
+use ancf::model::{Body, Formulation};
+
+use super::inertia_box::{BOX_EDGE, POINT_MASS_RADIUS, inertia_box};
+use super::outline::{Outline, SIDES, outline_at};
+
+/// Kind of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyKind {
+    /// Beam.
+    Beam,
+    /// Cable.
+    Cable,
+    /// Rigid body.
+    Rigid,
+    /// Point mass.
+    PointMass,
+}
+
+impl BodyKind {
+    const fn of(body: &Body) -> Self {
+        match body {
+            Body::Beam(_) => Self::Beam,
+            Body::Cable(_) => Self::Cable,
+            Body::Rigid(_) => Self::Rigid,
+            Body::Mass(_) => Self::PointMass,
+        }
+    }
+
+    /// Word in the scene.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Beam => "beam",
+            Self::Cable => "cable",
+            Self::Rigid => "rigid",
+            Self::PointMass => "point",
+        }
+    }
+}
+
+/// Shape of a body: an outline swept along its stations, or a box at its only station.
+#[derive(Clone, Debug)]
+pub struct BodyShape {
+    /// Name of the body.
+    pub name: String,
+    /// Kind of the body.
+    pub kind: BodyKind,
+    /// Stations of the body.
+    pub stations: Range<usize>,
+    /// Outline of the section at the start of a flexible body.
+    pub outline: Option<Outline>,
+    /// Factors of y and z of the outline at each station of a tapered body.
+    pub scale: Option<Vec<[f64; 2]>>,
+    /// Stations at nodes of the mesh, counted from the first station of the body.
+    pub nodes: Vec<usize>,
+    /// Half of the edges of the box of a rigid body along its three directors, or three times the radius of a point mass.
+    pub half_edges: Option<[f64; 3]>,
+    /// Principal axes of a rigid body, as components along its directors.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// Axes of bodies without principal axes.
+const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl BodyShape {
+    /// Shape of a body of a model in the user's units, with `parts` stations per element and the `size` of the model.
+    pub(crate) fn new(model: &Model, body: &Body, stations: Range<usize>, parts: usize, size: f64) -> Self {
+        let (half_edges, axes) = match body {
+            Body::Rigid(rigid) => {
+                let drawn = inertia_box(rigid, BOX_EDGE * size);
+                (Some(drawn.edges.map(|edge| 0.5 * edge)), drawn.axes)
+            }
+            Body::Mass(_) => (Some([POINT_MASS_RADIUS * size; 3]), GLOBAL),
+            Body::Beam(_) | Body::Cable(_) => (None, GLOBAL),
+        };
+        let outline = outline_at(model, body, 0.0, SIDES);
+        let count = stations.len();
+        Self {
+            name: body.name().to_owned(),
+            kind: BodyKind::of(body),
+            stations,
+            scale: outline.as_ref().and_then(|outline| taper(model, body, outline, count)),
+            outline,
+            nodes: nodes(body, parts, count),
+            half_edges,
+            axes,
+        }
+    }
+
+    /// Factors of y and z at a station, counted from the first station of the body.
+    pub fn scale_at(&self, station: usize) -> [f64; 2] {
+        self.scale.as_ref().and_then(|scale| scale.get(station).copied()).unwrap_or([1.0; 2])
+    }
+}
+
+/// Factors of y and z at the stations of a body with two different sections.
+fn taper(model: &Model, body: &Body, start: &Outline, count: usize) -> Option<Vec<[f64; 2]>> {
+    let half_extents = |fraction| Some(outline_at(model, body, fraction, SIDES)?.half_extents);
+    if half_extents(1.0)? == start.half_extents {
+        return None;
+    }
+    let at = |k: usize| -> Option<[f64; 2]> {
+        let half = half_extents(k as f64 / (count - 1).max(1) as f64)?;
+        Some([half[0] / start.half_extents[0], half[1] / start.half_extents[1]])
+    };
+    (0..count).map(at).collect()
+}
+
+/// Stations at nodes: the ends of elements, and the middle node of quadratic elements if it has a station.
+fn nodes(body: &Body, parts: usize, count: usize) -> Vec<usize> {
+    let is_quadratic = matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Quadratic);
+    let stride = if is_quadratic && parts.is_multiple_of(2) { parts / 2 } else { parts };
+    (0..count).step_by(stride.max(1)).collect()
+}

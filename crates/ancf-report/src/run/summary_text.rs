@@ -1,0 +1,24 @@
+use ancf::{Scales, Summary};
+
+/// Returns names and values of a summary for [`Recording::summary`](crate::Recording::summary).
+pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
+    let Scales { length, time, force } = summary.scales;
+    [
+        ("steps", summary.steps.to_string()),
+        ("divided steps", summary.divided_steps.to_string()),
+        ("rejected steps", summary.rejected_steps.to_string()),
+        ("Newton iterations", summary.iterations.to_string()),
+        ("most in a step", summary.most_iterations.to_string()),
+        ("coordinates", summary.coordinates.to_string()),
+        ("multipliers", summary.multipliers.to_string()),
+        ("units of the solver", format!("length {length}, time {time}, force {force}")),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .to_vec()
+}
+
+/// Returns the warnings of a run for [`Recording::messages`](crate::Recording::messages).
+pub fn summary_warnings(summary: &Summary) -> Vec<String> {
+    let redundant = summary.redundant.iter().map(|one| format!("redundant: {one}"));
+    summary.warnings.iter().cloned().chain(redundant).collect()
+}

@@ -1,0 +1,108 @@
+use std::borrow::Cow;
+
+use ancf::model::{Analysis, Assembly};
+use ancf::system::{EquationsOfMotion, State};
+
+use super::frame_label::frame_label;
+use super::messages;
+use super::mode_shape::displaced;
+use crate::charts::positions_on_abscissa;
+use crate::geometry::{Geometry, Placement};
+use crate::run::{Recording, Snapshot, evenly_spaced};
+
+/// Frames that are drawn.
+pub(super) struct DrawnFrames<'a> {
+    /// Positions on the abscissa of the charts.
+    pub positions: Vec<f64>,
+    pub labels: Option<Vec<String>>,
+    pub states: Vec<Cow<'a, State>>,
+    pub placed: Vec<Placement>,
+    /// State of the reference placement.
+    pub reference_state: State,
+    /// Placement of the undeformed state; of mode shapes, of the state about which they are computed.
+    pub reference: Placement,
+}
+
+/// Frame of which it is not yet known if it can be drawn.
+struct Candidate<'a> {
+    position: f64,
+    label: String,
+    state: Cow<'a, State>,
+    placed: Placement,
+}
+
+impl<'a> DrawnFrames<'a> {
+    /// Selects at most `most` evenly spaced frames of a recording. Omissions are added to the messages.
+    pub fn new(
+        recording: &'a Recording<'_>,
+        geometry: &Geometry<'_>,
+        size: f64,
+        most: usize,
+        notes: &mut Vec<String>,
+    ) -> Self {
+        let assembly = recording.simulation.assembly();
+        let is_modal = recording.is_modal();
+        let (all, unfit): (Vec<&Snapshot>, Vec<_>) =
+            recording.frames.iter().partition(|frame| fits(assembly, &frame.state));
+        if !unfit.is_empty() {
+            notes.push(messages::unfit(unfit.len()));
+        }
+        let reference_state =
+            all.first().filter(|_| is_modal).map_or_else(|| assembly.initial(), |frame| frame.state.clone());
+        let reference = geometry.place(&reference_state);
+        let values: Vec<f64> = all.iter().map(|frame| frame.value).collect();
+        let positions = positions_on_abscissa(recording, &values).unwrap_or(values);
+        let picked = evenly_spaced(all.len(), most);
+        if picked.len() < all.len() {
+            notes.push(messages::thinned(picked.len(), all.len()));
+        }
+        let draw = |number: usize| {
+            let frame = all[number];
+            let state = match is_modal {
+                true => Cow::Owned(displaced(geometry, &frame.state, size)),
+                false => Cow::Borrowed(&frame.state),
+            };
+            let placed = geometry.place(&state);
+            Candidate { position: positions[number], label: frame_label(recording, frame), state, placed }
+        };
+        let (mut drawn, broken): (Vec<_>, Vec<_>) = picked
+            .into_iter()
+            .map(draw)
+            .partition(|frame| frame.position.is_finite() && frame.placed.is_finite());
+        if !broken.is_empty() {
+            notes.push(messages::not_finite(broken.len()));
+        }
+        if drawn.is_empty() {
+            notes.push(messages::EMPTY.to_owned());
+            let (state, placed) = (Cow::Owned(reference_state.clone()), reference.clone());
+            drawn.push(Candidate { position: 0.0, label: "undeformed".to_owned(), state, placed });
+        }
+        Self::of(recording, drawn, (reference_state, reference))
+    }
+
+    fn of(
+        recording: &Recording<'_>,
+        drawn: Vec<Candidate<'a>>,
+        (reference_state, reference): (State, Placement),
+    ) -> Self {
+        let (positions, states, placed) = Default::default();
+        let mut frames = Self { positions, labels: None, states, placed, reference_state, reference };
+        let mut labels = Vec::new();
+        for Candidate { position, label, state, placed } in drawn {
+            frames.positions.push(position);
+            labels.push(label);
+            frames.states.push(state);
+            frames.placed.push(placed);
+        }
+        // Times and load factors are shown without a label.
+        let plain = matches!(recording.model.analysis, Analysis::Dynamics(_) | Analysis::Statics(_));
+        frames.labels = (!plain).then_some(labels);
+        frames
+    }
+}
+
+/// True if a state has the dimensions of the equations of motion.
+pub(crate) fn fits(assembly: &Assembly, s: &State) -> bool {
+    let (n, m) = (assembly.system.coordinates(), assembly.system.multipliers());
+    [&s.q, &s.v, &s.a].iter().all(|x| x.len() == n) && s.lambda.len() == m
+}

@@ -1,0 +1,81 @@
+use ancf::Model;
+use ancf::model::Body;
+use nalgebra::Vector3;
+
+use crate::fields::ScalarFields;
+use crate::geometry::{
+    Attachments, Geometry, Link, Obstacle, Symbol, Symbols, bounding_box, links, obstacles,
+};
+use crate::run::Recording;
+
+/// Stations per element.
+pub(super) const PARTS: u32 = 4;
+/// Stations per element of a body with fewer than `FEW` elements.
+const MORE_PARTS: u32 = 8;
+const FEW: u32 = 4;
+
+/// Recording with the symbols, links and obstacles of its scene.
+pub(crate) struct SceneLayout<'a> {
+    pub recording: &'a Recording<'a>,
+    pub symbols: Symbols,
+    pub links: Vec<Link>,
+    pub obstacles: Vec<Obstacle>,
+    /// Size of the model, by which symbols, rigid bodies and shapes are scaled.
+    pub size: f64,
+}
+
+impl<'a> SceneLayout<'a> {
+    /// `scaled` is the model in the units of the solver.
+    pub fn new(recording: &'a Recording<'a>, scaled: &Model) -> Self {
+        let attachments = Attachments::new(scaled, recording.simulation);
+        let symbols = Symbols::new(attachments);
+        let (links, obstacles) = (links(attachments), obstacles(attachments));
+        let mut layout = Self { recording, symbols, links, obstacles, size: 1.0 };
+        layout.size = layout.extent();
+        layout
+    }
+
+    /// Diagonal of the box around the reference state, symbols and links included.
+    fn extent(&self) -> f64 {
+        let (assembly, rest) =
+            (self.recording.simulation.assembly(), self.recording.simulation.assembly().rest());
+        let geometry = Geometry::new(self.recording.model, assembly, self.recording.scales(), 2, 1.0);
+        let symbols = self.symbols.all.iter().map(Symbol::reference).map(Vector3::from);
+        let ends = self.links.iter().flat_map(|link| link.ends(&rest));
+        let [low, high] = bounding_box(geometry.place(&rest).centres.into_iter().chain(symbols).chain(ends));
+        let size = (high - low).norm();
+        let largest_radius = || self.obstacles.iter().map(|o| o.radius).fold(0.0, f64::max);
+        if size > 0.0 && size.is_finite() {
+            size
+        } else {
+            Some(largest_radius()).filter(|radius| *radius > 0.0).unwrap_or(1.0)
+        }
+    }
+
+    /// Bytes of a frame.
+    fn bytes_of_frame(&self, stations: usize) -> usize {
+        let fields = ScalarFields::most(self.recording.is_modal());
+        let moving = self.obstacles.iter().filter(|obstacle| obstacle.moves).count();
+        let vectors = 12 * self.symbols.all.len()
+            + 24 * (self.symbols.of_joints.len() + self.links.len())
+            + 48 * moving;
+        stations * (12 + 18 + 2 * fields) + vectors + 8
+    }
+
+    /// Returns stations per element and the number of frames that fit into a budget in bytes.
+    pub fn resolution(&self, budget: usize) -> (u32, usize) {
+        let bodies = &self.recording.model.bodies;
+        let flexible = || bodies.iter().filter(|body| body.is_flexible());
+        let rigid = bodies.len() - flexible().count();
+        let least = flexible().map(Body::elements).min().unwrap_or(FEW);
+        let frames = self.recording.frames.len().max(1);
+        let finest = if least < FEW { MORE_PARTS } else { PARTS };
+        let bytes = |parts: u32| {
+            let stations = |body: &Body| body.elements() as usize * parts as usize + 1;
+            self.bytes_of_frame(rigid + flexible().map(stations).sum::<usize>())
+        };
+        let fits = |parts: &u32| bytes(*parts).saturating_mul(frames + 1) <= budget;
+        let parts = (1..=finest).rev().find(fits).unwrap_or(1);
+        (parts, (budget / bytes(parts)).saturating_sub(1).max(2))
+    }
+}

@@ -1,0 +1,12 @@
+//! Tests of scenes, pages, the server and ParaView files.
+#![cfg(test)]
+
+mod common;
+mod every_model;
+mod model_shapes;
+mod outlines;
+mod page;
+mod paraview;
+mod scene;
+mod server;
+mod shapes;

@@ -182,7 +182,8 @@ def test_cells_are_on_pages_that_the_site_runs() -> None:
 
 def test_rust_is_that_of_the_examples(folder: Path) -> None:
     examples = {
-        file.stem: file.read_text(encoding="utf-8") for file in (ROOT / "ancf" / "examples").glob("*.rs")
+        file.stem: file.read_text(encoding="utf-8")
+        for file in (ROOT / "crates" / "ancf" / "examples").glob("*.rs")
     }
     found = [block for page in PAGES for block in blocks(page) if block.language == "rust"]
     for block in found:

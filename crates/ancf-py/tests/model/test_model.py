@@ -20,7 +20,7 @@ import ancf
 import ancf.model
 from ancf.model.base.part import Part
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 FILES = sorted([*ROOT.glob("models/*.toml"), *ROOT.glob("crates/ancf/tests/models/good/*.toml")])
 CLASSES: list[type[Part]] = [
     item
@@ -340,7 +340,7 @@ def test_a_type_checker_finds_mistakes() -> None:
 
 def test_a_type_checker_finds_none_in_what_is_right(tmp_path: Path) -> None:
     """The first program of the README, and what pictures and objectives may be."""
-    page = Path(__file__).parents[3] / "README.md"
+    page = Path(__file__).parents[4] / "README.md"
     block = re.search(r"```python\n(.*?)```", page.read_text("utf-8"), re.DOTALL)
     assert block is not None
     path = tmp_path / "start.py"

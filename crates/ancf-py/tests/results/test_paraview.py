@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 
 CANTILEVER = """
 units = { length = "m", time = "s", force = "N" }

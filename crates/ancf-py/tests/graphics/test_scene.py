@@ -15,7 +15,7 @@ from ancf import _ancf
 from ancf.graphics import stage
 from ancf.graphics.scene import Scene
 
-MODELS = Path(__file__).parents[3] / "models"
+MODELS = Path(__file__).parents[4] / "models"
 
 
 @cache

@@ -20,7 +20,7 @@ from ancf.graphics.style import style
 
 mpl.use("Agg")
 
-MODELS = Path(__file__).parents[3] / "models"
+MODELS = Path(__file__).parents[4] / "models"
 
 
 @cache

@@ -17,7 +17,7 @@ import pytest
 
 import ancf
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 
 
 @pytest.fixture(scope="session")

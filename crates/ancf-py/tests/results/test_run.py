@@ -15,7 +15,7 @@ import pytest
 
 import ancf
 
-BAD = Path(__file__).parents[3] / "crates" / "ancf" / "tests" / "models" / "bad"
+BAD = Path(__file__).parents[4] / "crates" / "ancf" / "tests" / "models" / "bad"
 
 
 def test_a_file_and_its_data_give_the_same_motion(models: Path) -> None:

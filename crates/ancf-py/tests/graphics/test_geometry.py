@@ -121,9 +121,13 @@ def test_joints_are_at_their_offsets() -> None:
 
 
 def test_joints_of_modes_move_with_the_shape() -> None:
-    beam = {"kind": "beam", "name": "rod", "from": [0, 0, 0], "to": [1, 0, 0], "elements": 4}
+    beam: dict[str, Any] = {"kind": "beam", "name": "rod", "from": [0, 0, 0], "to": [1, 0, 0], "elements": 4}
     beam |= {"section": "round", "material": "steel"}
-    support = {"kind": "spring", "name": "support", "a": {"body": "rod", "at": "end", "offset": [0.5, 0, 0]}}
+    support: dict[str, Any] = {
+        "kind": "spring",
+        "name": "support",
+        "a": {"body": "rod", "at": "end", "offset": [0.5, 0, 0]},
+    }
     support |= {"b": {"point": [1.5, -1, 0]}, "stiffness": 1e3}
     model: dict[str, Any] = {
         "materials": {"steel": {"density": 7850, "young": 2.1e11}},

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import ancf
+from ancf.record import Probe
 
 BAD = Path(__file__).parents[4] / "crates" / "ancf" / "tests" / "models" / "bad"
 
@@ -225,7 +226,7 @@ def test_names_that_are_not_there(rod: dict[str, Any]) -> None:
     with pytest.raises(KeyError, match="no probe 'top'; did you mean 'tip'"):
         result.probe("top")
     with pytest.raises(AttributeError, match="'pivot' has no position"):
-        _ = ancf.record.Probe(result, "pivot").position
+        _ = Probe(result, "pivot").position
     with pytest.raises(AttributeError, match="did you mean 'angle'"):
         _ = result.joints["pivot"].angel
     with pytest.raises(KeyError, match="no body 'leg'"):

@@ -1,4 +1,4 @@
-"""Pictures by matplotlib show what the result has."""
+"""Plots by matplotlib show the numbers of the result."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MODELS = Path(__file__).parents[4] / "models"
 
 @cache
 def result(name: str) -> Any:
-    """The result of a model of the collection."""
+    """Return the result of an example model."""
     return ancf.run(MODELS / f"{name}.toml")
 
 
@@ -35,7 +35,7 @@ def _closed() -> Iterator[None]:
     plt.close("all")
 
 
-def test_a_column_is_drawn_over_time() -> None:
+def test_a_column_over_time() -> None:
     run = result("cantilever")
     ax = run.plot("tip.y")
     (line,) = ax.get_lines()
@@ -44,7 +44,7 @@ def test_a_column_is_drawn_over_time() -> None:
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("time, s", "tip.y, m")
 
 
-def test_a_probe_is_its_position_and_a_joint_its_angle() -> None:
+def test_a_probe_means_its_position_and_a_joint_its_angle() -> None:
     run = result("revolute_pendulum")
     ax = run.plot("tip", "hinge")
     assert [line.get_label() for line in ax.get_lines()] == ["tip.x", "tip.y", "tip.z", "hinge.angle"]
@@ -70,7 +70,7 @@ def test_a_curve_over_another_column_is_the_circle_of_a_pendulum() -> None:
     np.testing.assert_allclose(radius, 1, atol=1e-3)
 
 
-def test_loads_go_up_over_what_moves_and_forces_over_loads() -> None:
+def test_loads_are_vertical_over_displacements() -> None:
     run = result("lees_frame")
     ax = run.plot("load.y")
     (line,) = ax.get_lines()
@@ -83,7 +83,7 @@ def test_loads_go_up_over_what_moves_and_forces_over_loads() -> None:
     np.testing.assert_array_equal(line.get_xdata(), run.load)
 
 
-def test_subplots_are_of_names_or_of_the_columns_of_one() -> None:
+def test_subplots_by_names_or_by_columns() -> None:
     run = result("revolute_pendulum")
     assert [len(ax.get_lines()) for ax in run.plot("tip", "hinge", subplots=True)] == [3, 1]
     assert [len(ax.get_lines()) for ax in run.plot("tip", subplots=True)] == [1, 1, 1]
@@ -91,7 +91,7 @@ def test_subplots_are_of_names_or_of_the_columns_of_one() -> None:
         run.plot("tip", subplots=True, ax=plt.gca())
 
 
-def test_axes_and_properties_of_lines_are_the_callers() -> None:
+def test_axes_and_line_properties_of_the_caller() -> None:
     run = result("cantilever")
     _, ax = plt.subplots()
     assert run.plot("tip.y", ax=ax, linestyle="--", label="steel") is ax
@@ -110,7 +110,7 @@ def test_settings_of_matplotlib_stay_as_they_are() -> None:
     assert dict(mpl.rcParams) == before
 
 
-def test_the_overview_shows_what_probes_do_and_energies() -> None:
+def test_the_overview_shows_probes_and_energies() -> None:
     run = result("slider_crank")
     axes = run.plot()
     moved = [f"{name} moved by, m" for name in ("pin", "middle", "block")]
@@ -118,7 +118,7 @@ def test_the_overview_shows_what_probes_do_and_energies() -> None:
     np.testing.assert_array_equal(axes[0].get_lines()[1].get_ydata(), run["pin.y"] - run["pin.y"][0])
 
 
-def test_names_that_are_not_there_are_told_with_what_was_meant() -> None:
+def test_unknown_names_are_reported_with_a_hint() -> None:
     run = result("cantilever")
     with pytest.raises(KeyError, match=r"did you mean 'tip'"):
         run.plot("tipp")
@@ -175,7 +175,7 @@ def test_colours_are_those_of_the_section_forces() -> None:
     assert ax.figure.axes[1].get_ylabel() == "Mz, N m"
 
 
-def test_scales_of_colours_have_zero_in_the_middle_if_there_are_both_signs() -> None:
+def test_colour_limits_are_symmetric_for_both_signs() -> None:
     ax = result("lees_frame").plot_shape(50, color="N")
     least, greatest = ax.collections[0].get_clim()
     assert least == -greatest
@@ -183,7 +183,7 @@ def test_scales_of_colours_have_zero_in_the_middle_if_there_are_both_signs() -> 
     assert [line.get_color() for line in ax.get_lines() if line.get_label() == "wire"][1] == "red"
 
 
-def test_modes_that_are_shown_are_tones_unless_rigid_motions_are_wanted() -> None:
+def test_rigid_body_modes_are_omitted_by_default() -> None:
     run = result("tuning_fork")
     axes = run.plot_modes(3)
     assert [ax.get_title() for ax in axes] == [
@@ -199,7 +199,7 @@ def test_modes_that_are_shown_are_tones_unless_rigid_motions_are_wanted() -> Non
         result("cantilever").plot_modes()
 
 
-def test_buckling_of_a_column_is_shown_in_the_plane_where_it_happens() -> None:
+def test_buckling_of_a_column_is_shown_in_its_plane() -> None:
     run = result("column")
     for row, ax in enumerate(run.plot_modes(2, scale=1.0, parts=1)):
         _, shape = ax.get_lines()
@@ -211,7 +211,7 @@ def test_buckling_of_a_column_is_shown_in_the_plane_where_it_happens() -> None:
         np.testing.assert_allclose(shape.get_xdata() / shape.get_xdata()[-1], euler, atol=2e-3)
 
 
-def test_frames_of_a_film_are_the_positions_at_its_rows(tmp_path: Path) -> None:
+def test_frames_of_an_animation_are_positions_at_rows(tmp_path: Path) -> None:
     run = result("slider_crank")
     film = run.animate(fps=4, parts=2, save=tmp_path / "crank.gif")
     rows = list(film.new_frame_seq())
@@ -228,7 +228,7 @@ def test_frames_of_a_film_are_the_positions_at_its_rows(tmp_path: Path) -> None:
         assert picture.is_animated
 
 
-def test_a_film_takes_as_long_as_its_speed_says() -> None:
+def test_the_speed_determines_the_duration_of_an_animation() -> None:
     run = result("revolute_pendulum")
     rows, speed = frames_of_animation(run, 1.0, 25)
     assert (len(rows), speed) == (26, 1.0)
@@ -239,7 +239,7 @@ def test_a_film_takes_as_long_as_its_speed_says() -> None:
         run.animate(speed=0)
 
 
-def test_a_film_of_a_mode_swings_to_both_sides(tmp_path: Path) -> None:
+def test_an_animation_of_a_mode_has_both_directions(tmp_path: Path) -> None:
     run = result("tuning_fork")
     film = run.animate(fps=8, scale=0.001, parts=1, save=tmp_path / "fork.html")
     ax = plt.gcf().axes[0]
@@ -251,7 +251,7 @@ def test_a_film_of_a_mode_swings_to_both_sides(tmp_path: Path) -> None:
     assert "<script" in (tmp_path / "fork.html").read_text()
 
 
-def test_films_say_what_they_cannot_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_errors_of_animations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     run = result("elastica")
     with pytest.raises(ValueError, match=r"ends in \.gif"):
         run.animate(save=tmp_path / "x.avi")
@@ -261,15 +261,15 @@ def test_films_say_what_they_cannot_do(tmp_path: Path, monkeypatch: pytest.Monke
         run.animate(save=tmp_path / "x.mp4")
 
 
-def test_a_notebook_goes_on_to_show_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_notebook_continues_to_show_figures(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(mpl.rcParams, "interactive", False)
     with style():
-        # As the backend of notebooks does when the first figure is made.
+        # Like the notebook backend at the first figure.
         mpl.interactive(True)
     assert mpl.is_interactive()
 
 
-def test_what_cannot_be_drawn_is_told() -> None:
+def test_errors_of_plots() -> None:
     run = result("cantilever")
     with pytest.raises(ValueError, match="time: found nan, wanted a finite number or several"):
         run.plot_shape(time=np.nan)

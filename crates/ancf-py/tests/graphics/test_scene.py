@@ -1,4 +1,4 @@
-"""Surfaces have the volumes, areas and places of the bodies; pictures are written without a screen."""
+"""Volumes, areas and positions of surfaces; images without a screen."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MODELS = Path(__file__).parents[4] / "models"
 
 @cache
 def result(name: str) -> Any:
-    """The result of a model of the collection."""
+    """Return the result of an example model."""
     return ancf.run(MODELS / f"{name}.toml")
 
 
@@ -51,7 +51,7 @@ def rod(section: dict[str, Any], end: dict[str, Any] | None = None) -> Any:
 
 
 def volume(mesh: Any) -> float:
-    """What a closed surface holds, by the divergence theorem; negative if its faces look inwards."""
+    """Volume of a closed surface by the divergence theorem; negative for inward faces."""
     faces = mesh.triangulate().regular_faces
     a, b, c = (mesh.points[faces[:, i]].astype(float) for i in range(3))
     return float(np.einsum("fi,fi->", a, np.cross(b, c)) / 6)
@@ -93,7 +93,7 @@ def test_a_tapered_rod_is_a_frustum() -> None:
 
 
 def test_bending_keeps_the_volume() -> None:
-    # Pappus: the centroid of each section is on the line, whose length hardly changes.
+    # Pappus: the centroid of each section is on the line, whose length is nearly constant.
     straight = np.pi * 0.0005**2 * polygon(24)
     assert volume(result("elastica").scene()) == pytest.approx(straight, rel=1e-3)
     mesh = result("spring").scene()
@@ -102,7 +102,7 @@ def test_bending_keeps_the_volume() -> None:
     assert volume(wire) == pytest.approx(np.pi * 0.002**2 * length * polygon(24), rel=2e-3)
 
 
-def test_points_carry_arc_lengths_and_what_is_asked_for() -> None:
+def test_points_have_arc_lengths_and_the_chosen_quantity() -> None:
     run = result("cantilever")
     mesh = run.scene(300, color="Mz", parts=2)
     moments = run.field("section_forces", parts=2)[300, :, 5]
@@ -114,7 +114,7 @@ def test_points_carry_arc_lengths_and_what_is_asked_for() -> None:
     np.testing.assert_allclose(np.linalg.norm(mesh.points - line[station], axis=1), 0.01, rtol=1e-3)
 
 
-def test_arms_reach_joints_whatever_the_angle() -> None:
+def test_arms_reach_joints_at_all_angles() -> None:
     run = result("slider_crank")
     for row in (0, 11, 40):
         mesh = run.scene(row)
@@ -125,7 +125,7 @@ def test_arms_reach_joints_whatever_the_angle() -> None:
         assert nearest == pytest.approx(0.008 * 0.45, rel=1e-2)
 
 
-def test_obstacles_are_seen_where_they_are() -> None:
+def test_positions_of_obstacles() -> None:
     run = result("belt")
     mesh = run.scene()
     pulley = mesh.extract_cells(mesh["body"] == 0).points
@@ -144,7 +144,7 @@ def test_the_box_of_a_rigid_body_has_its_moments_of_inertia() -> None:
     np.testing.assert_allclose(tensor[np.triu_indices(3, 1)], body["products"], rtol=1e-9)
 
 
-def test_sections_of_modes_stay_across_their_lines() -> None:
+def test_sections_of_modes_are_normal_to_their_lines() -> None:
     scene = Scene(result("column"), sides=48)
     mesh = scene.mesh(0)
     length = np.linalg.norm(np.diff(scene.lines.positions(0), axis=0), axis=1).sum()
@@ -154,24 +154,24 @@ def test_sections_of_modes_stay_across_their_lines() -> None:
 
 
 def pixels(path: Path) -> Any:
-    """A picture as numbers."""
+    """An image as numbers."""
     with Image.open(path) as picture:
         return np.asarray(picture.convert("RGB")).astype(int)
 
 
-def test_pictures_show_bodies_in_their_colours(tmp_path: Path) -> None:
+def test_images_show_bodies_in_their_colours(tmp_path: Path) -> None:
     run = result("spring")
     run.show(screenshot=tmp_path / "spring.png", size=(320, 240), color="red")
     seen = pixels(tmp_path / "spring.png")
     assert seen.shape == (240, 320, 3)
     red = (seen[..., 0] > 100) & (seen[..., 1] < 90) & (seen[..., 2] < 90)
     assert 0.02 < red.mean() < 0.5
-    # All of it is in view: nothing touches the edges but the white ground.
+    # All bodies are visible: the edges of the image are white.
     edge = np.concatenate([red[0], red[-1], red[:, 0], red[:, -1]])
     assert not edge.any()
 
 
-def test_films_move(tmp_path: Path) -> None:
+def test_animations_move(tmp_path: Path) -> None:
     run = result("slider_crank")
     run.show(movie=tmp_path / "crank.gif", seconds=0.2, size=(160, 120), color="Mz")
     with Image.open(tmp_path / "crank.gif") as film:
@@ -184,7 +184,7 @@ def test_films_move(tmp_path: Path) -> None:
     assert (tmp_path / "fork.gif").stat().st_size > 1000
 
 
-def test_what_is_wrong_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_invalid_arguments_are_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     run = result("elastica")
     with pytest.raises(ValueError, match=r"ends in \.gif"):
         run.show(movie=tmp_path / "x.avi")
@@ -197,7 +197,7 @@ def test_what_is_wrong_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         run.show(movie=tmp_path / "x.mp4")
 
 
-def test_numbers_that_make_no_picture_are_told(tmp_path: Path) -> None:
+def test_invalid_numbers_are_reported(tmp_path: Path) -> None:
     run = result("cantilever")
     for sides in [2, 0, 3.5]:
         with pytest.raises(ValueError, match=f"sides: found {sides}, wanted an integer >= 3"):

@@ -17,18 +17,18 @@ def push(time: object) -> list[dict[str, Any]]:
     return [{"kind": "force", "on": {"body": "arm", "at": "end"}, "force": [0, 5, 0], "time": time}]
 
 
-def test_a_load_by_a_callable_is_that_of_a_formula(rod: dict[str, Any]) -> None:
+def test_a_load_by_a_callable_equals_a_formula(rod: dict[str, Any]) -> None:
     formula = {"kind": "expression", "text": "t * sin(30*t)"}
     built_in = ancf.run(rod | {"loads": push(formula)})
     own = ancf.run(rod | {"loads": push(lambda t: t * np.sin(30 * t))})
     np.testing.assert_allclose(own["tip.y"], built_in["tip.y"], rtol=0, atol=1e-10)
 
 
-@pytest.mark.parametrize("told", [True, False])
-def test_a_drive_by_a_callable_is_that_of_a_formula(rod: dict[str, Any], told: bool) -> None:
+@pytest.mark.parametrize("has_rates", [True, False])
+def test_a_drive_by_a_callable_equals_a_formula(rod: dict[str, Any], has_rates: bool) -> None:
     def turn(t: float) -> float | tuple[float, float, float]:
         value = 1 - np.cos(8 * t)
-        return (value, 8 * np.sin(8 * t), 64 * np.cos(8 * t)) if told else float(value)
+        return (value, 8 * np.sin(8 * t), 64 * np.cos(8 * t)) if has_rates else float(value)
 
     def driven(time: object) -> ancf.Result:
         joint = rod["joints"][0] | {"drive": {"angle": 0.4, "time": time}}
@@ -36,12 +36,12 @@ def test_a_drive_by_a_callable_is_that_of_a_formula(rod: dict[str, Any], told: b
 
     formula, own = driven({"kind": "expression", "text": "1 - cos(8*t)"}), driven(turn)
     np.testing.assert_allclose(own.joints["pivot"].angle, 0.4 * (1 - np.cos(8 * own.time)), atol=1e-9)
-    # What is computed from differences has eight digits, and its derivatives go into the accelerations.
-    limit = 1e-9 if told else 1e-5 * np.abs(formula["pivot.mz"]).max()
+    # Finite differences have eight digits. Their derivatives enter the accelerations.
+    limit = 1e-9 if has_rates else 1e-5 * np.abs(formula["pivot.mz"]).max()
     np.testing.assert_allclose(own["pivot.mz"], formula["pivot.mz"], rtol=0, atol=limit)
 
 
-def test_a_force_by_a_callable_is_a_spring_and_a_damper(rod: dict[str, Any]) -> None:
+def test_a_force_by_a_callable_acts_as_spring_and_damper(rod: dict[str, Any]) -> None:
     spring = {
         "kind": "spring",
         "name": "spring",
@@ -63,7 +63,7 @@ def test_a_force_by_a_callable_is_a_spring_and_a_damper(rod: dict[str, Any]) -> 
     np.testing.assert_allclose(own["tip.y"], built_in["tip.y"], rtol=0, atol=1e-8)
 
 
-def test_a_callback_controls_what_a_load_gives(rod: dict[str, Any]) -> None:
+def test_a_callback_controls_a_load(rod: dict[str, Any]) -> None:
     free = rod | {"gravity": [0, 0, 0]}
     speed, force = 0.5, 0.0
 
@@ -79,7 +79,7 @@ def test_a_callback_controls_what_a_load_gives(rod: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("late", [False, True])
-def test_what_a_callable_raises_ends_the_run(rod: dict[str, Any], late: bool) -> None:
+def test_an_exception_of_a_callable_ends_the_run(rod: dict[str, Any], late: bool) -> None:
     def fail(t: float) -> float:
         if t > 0.1 or not late:
             msg = "no more"
@@ -92,7 +92,7 @@ def test_what_a_callable_raises_ends_the_run(rod: dict[str, Any], late: bool) ->
         assert len(caught.value.result) == 101  # type: ignore[attr-defined]
 
 
-def test_a_function_that_nobody_supplies_is_refused(rod: dict[str, Any]) -> None:
+def test_an_external_function_without_callable_is_rejected(rod: dict[str, Any]) -> None:
     with pytest.raises(ancf.ModelError, match=r'loads\[0\]\.time\.name: found the external function "motor"'):
         ancf.run(rod | {"loads": push({"kind": "external", "name": "motor"})})
 
@@ -101,7 +101,7 @@ def test_models_with_functions_are_checked(rod: dict[str, Any]) -> None:
     assert "1 beam" in ancf.check(rod | {"loads": push(np.sin)})
 
 
-def test_a_function_may_have_a_time_of_its_own(rod: dict[str, Any]) -> None:
+def test_an_external_force_with_a_function_of_time(rod: dict[str, Any]) -> None:
     hours = {"kind": "external", "name": lambda t: np.sin(3 * t), "unit": 10.0}
     fast = ancf.run(rod | {"loads": push(hours)})
     own = ancf.run(rod | {"loads": push(lambda t: np.sin(30 * t))})
@@ -109,7 +109,7 @@ def test_a_function_may_have_a_time_of_its_own(rod: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("answer", [None, "strong", float("nan"), [1.0, 2.0], (1.0, float("inf"), 0.0)])
-def test_answers_of_no_use_are_named(rod: dict[str, Any], answer: Any) -> None:
+def test_invalid_return_values_are_reported(rod: dict[str, Any], answer: Any) -> None:
     with pytest.raises(
         ValueError, match=r"loads\[0\]\.time at t = 0: found .*, wanted a number, or value"
     ) as caught:
@@ -120,7 +120,7 @@ def test_answers_of_no_use_are_named(rod: dict[str, Any], answer: Any) -> None:
         ancf.run(rod | {"loads": [force]})
 
 
-def test_a_model_with_functions_is_run_from_its_result(rod: dict[str, Any]) -> None:
+def test_the_model_of_a_result_keeps_its_functions(rod: dict[str, Any]) -> None:
     result = ancf.run(rod | {"loads": push(np.sin)})
     np.testing.assert_array_equal(ancf.run(result.model).data, result.data)
     with pytest.raises(

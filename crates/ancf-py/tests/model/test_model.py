@@ -1,4 +1,4 @@
-"""The typed objects of which models are made."""
+"""Typed objects of models."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def cantilever() -> ancf.Model:
 
 
 def rod(**more: Any) -> ancf.Beam:
-    """A beam whose section and material are given by themselves."""
+    """A beam with a section and a material instead of their names."""
     given: dict[str, Any] = {
         "section": ancf.Circle(diameter=0.02),
         "material": ancf.Material(density=1.0, young=1.0),
@@ -67,8 +67,8 @@ def rod(**more: Any) -> ancf.Beam:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_a_file_comes_back_unchanged(path: Path) -> None:
-    """What is read from a file into objects is what the file says, keys that are left out among it."""
+def test_a_file_is_written_unchanged(path: Path) -> None:
+    """Objects read from a file have the data of the file. Omitted keys stay omitted."""
     from ancf import _ancf
 
     data = _ancf.read(path)
@@ -78,22 +78,22 @@ def test_a_file_comes_back_unchanged(path: Path) -> None:
     assert ancf.Model.from_dict(data) == model
 
 
-def test_a_typed_model_is_that_of_the_file() -> None:
-    """Objects and a file are two doors to one model."""
+def test_a_typed_model_equals_its_file() -> None:
+    """Objects and a file give the same model."""
     model = cantilever()
     assert model == ancf.Model.read(ROOT / "models/cantilever.toml")
     assert ancf.Model.from_dict(model.to_dict()) == model
 
 
 def test_a_model_is_written_and_read(tmp_path: Path) -> None:
-    """A file that was written is read as the same model."""
+    """A written file is read as the same model."""
     path = tmp_path / "model.toml"
     cantilever().write(path)
     assert ancf.Model.read(path) == cantilever()
 
 
-def test_mistakes_are_told_when_a_part_is_built() -> None:
-    """Values, words and lengths are checked with the texts of the command line, all at once."""
+def test_errors_are_reported_when_a_part_is_built() -> None:
+    """Values, words and lengths are checked with the messages of the command line, all at once."""
     with pytest.raises(ancf.ModelError, match=re.escape("diameter: found -1, wanted a number > 0")):
         ancf.Circle(diameter=-1)
     given: dict[str, Any] = {"section": "s", "material": "m", "formulation": "linkd"}
@@ -107,8 +107,8 @@ def test_mistakes_are_told_when_a_part_is_built() -> None:
     ]
 
 
-def test_arguments_that_are_unknown_or_missing_are_refused() -> None:
-    """As those of any function of Python."""
+def test_unknown_and_missing_arguments_are_rejected() -> None:
+    """As for any Python function."""
     with pytest.raises(TypeError, match="diametre"):
         ancf.Circle(diametre=1)  # type: ignore[call-arg]
     with pytest.raises(TypeError, match="inner"):
@@ -117,8 +117,8 @@ def test_arguments_that_are_unknown_or_missing_are_refused() -> None:
         rod().elemnts = 3  # type: ignore[attr-defined]
 
 
-def test_a_part_in_the_place_of_another_is_refused() -> None:
-    """It is named, wherever it is."""
+def test_parts_of_another_class_are_rejected() -> None:
+    """The message names the place of the part."""
     beam: Any = rod()
     with pytest.raises(TypeError, match=r"^on: found a Beam, wanted a Place$"):
         ancf.Force(on=beam, force=[1, 2, 3])
@@ -131,8 +131,8 @@ def test_a_part_in_the_place_of_another_is_refused() -> None:
         ancf.Model(bodies=[beam], sections=sections, analysis=ancf.Modes())
 
 
-def test_data_of_another_kind_are_refused() -> None:
-    """Plain data become the class that they are of, or none."""
+def test_data_of_another_class_are_rejected() -> None:
+    """Plain data become the class with the same keys."""
     assert ancf.Circle.from_dict({"diameter": 1}) == ancf.Circle(diameter=1)
     with pytest.raises(ValueError, match="Circle"):
         ancf.Circle.from_dict({"kind": "tube", "outer": 2, "inner": 1})
@@ -146,7 +146,7 @@ def test_data_of_another_kind_are_refused() -> None:
 
 
 def test_places_on_bodies() -> None:
-    """A body knows its places, with or without an arm."""
+    """A body makes its places, with or without an arm."""
     beam = rod()
     assert beam.start == ancf.Place("rod", "start")
     assert beam.end == ancf.Place("rod", "end")
@@ -160,8 +160,8 @@ def test_places_on_bodies() -> None:
     }
 
 
-def test_sections_and_materials_given_by_themselves() -> None:
-    """They come into the tables of the model, equal ones once, under names of their own."""
+def test_sections_and_materials_instead_of_names() -> None:
+    """They are added to the tables of the model under unique names, equal ones once."""
     steel = ancf.Material("steel", density=2.0, young=2.0)
     bodies = [
         rod(),
@@ -196,7 +196,7 @@ def test_sections_and_materials_given_by_themselves() -> None:
 
 
 def test_functions_of_time() -> None:
-    """A number, a class, or a callable, which stays one."""
+    """A number, a class, or a callable, which is not converted."""
     place = rod().end
     times = [
         2.0,
@@ -216,8 +216,8 @@ def test_functions_of_time() -> None:
     assert callable(with_rates.to_dict()["time"])
 
 
-def test_parts_change_and_are_found_by_name() -> None:
-    """Attributes may be set; who asks for a name that is not there is told those that are."""
+def test_parts_are_mutable_and_found_by_name() -> None:
+    """Attributes may be set. An error for an unknown name lists the known ones."""
     model = cantilever()
     model.body("beam").elements = 40
     assert model.to_dict()["bodies"][0]["elements"] == 40
@@ -230,8 +230,8 @@ def test_parts_change_and_are_found_by_name() -> None:
         ancf.Model(bodies=[rod()], analysis=ancf.Modes()).joint("root")
 
 
-def test_equality_goes_by_what_is_said() -> None:
-    """Lists, tuples and arrays of the same numbers are equal; what differs in a section given by itself is not."""
+def test_equality_compares_values() -> None:
+    """Lists, tuples and arrays of the same numbers are equal, different sections are not."""
     assert ancf.Ground(point=[1, 2, 3]) == ancf.Ground(point=np.array([1.0, 2.0, 3.0]))
     assert ancf.Ground(point=[1, 2, 3]) != ancf.Ground(point=(1, 2, 4))
     assert rod() == rod()
@@ -251,8 +251,8 @@ def test_models_are_copied_and_pickled(path: Path) -> None:
     assert twin != model
 
 
-def test_what_is_printed_can_be_typed() -> None:
-    """Left-out keys are not printed."""
+def test_the_representation_is_valid_code() -> None:
+    """Omitted keys are not printed."""
     assert repr(ancf.Circle(diameter=1)) == "Circle(diameter=1)"
     model = cantilever()
     model.bodies = [rod()]
@@ -260,8 +260,8 @@ def test_what_is_printed_can_be_typed() -> None:
     assert eval(repr(model), names) == model
 
 
-def test_the_classes_are_all_the_forms_of_the_schema() -> None:
-    """A class for every table, an attribute for every key, and a word of documentation for each."""
+def test_every_form_of_the_schema_has_a_class() -> None:
+    """Every table has a class and every key a documented attribute."""
     schema = json.loads((ROOT / "docs/model.schema.json").read_text("utf-8"))
     tables = [schema]
     for definition in schema["$defs"].values():
@@ -281,7 +281,7 @@ def test_the_classes_are_all_the_forms_of_the_schema() -> None:
 
 @pytest.mark.parametrize("part", CLASSES, ids=lambda part: part.__name__)
 def test_every_attribute_is_documented(part: type[Part]) -> None:
-    """The docstring says what a class is and what each of its attributes means."""
+    """The docstring describes a class and each of its attributes."""
     text = part.__doc__ or ""
     assert text.splitlines()[0].endswith((".", "?"))
     for name in keys(part):
@@ -318,11 +318,11 @@ ancf.study(model, values, {"end": end, "last": "tip.y"})
 
 
 def checked(path: Path) -> str:
-    """What a type checker says of a file."""
+    """Return the output of a type checker for a file."""
     pytest.importorskip("mypy")
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--hide-error-context", str(path)]
     package = Path(ancf.__file__).parents[1]
-    # What is installed is found, and may not be on this path.
+    # An installed package is found without this path and must not be on it.
     there = {"MYPYPATH": str(package)} if package.name == "python" else {}
     return subprocess.run(
         command, capture_output=True, text=True, check=False, env={**os.environ, **there}
@@ -330,7 +330,7 @@ def checked(path: Path) -> str:
 
 
 def test_a_type_checker_finds_mistakes() -> None:
-    """Every line that is marked as wrong is found, and no other."""
+    """Exactly the lines marked as wrong are found."""
     path = Path(__file__).with_name("typed_wrong.py")
     output = checked(path)
     found = {int(line) for line in re.findall(r"typed_wrong\.py:(\d+): error", output)}
@@ -338,8 +338,8 @@ def test_a_type_checker_finds_mistakes() -> None:
     assert found == {number for number, line in enumerate(lines, 1) if line.endswith("# wrong")}, output
 
 
-def test_a_type_checker_finds_none_in_what_is_right(tmp_path: Path) -> None:
-    """The first program of the README, and what pictures and objectives may be."""
+def test_a_type_checker_accepts_valid_programs(tmp_path: Path) -> None:
+    """The first program of the README, and all forms of plots and objectives."""
     page = Path(__file__).parents[4] / "README.md"
     block = re.search(r"```python\n(.*?)```", page.read_text("utf-8"), re.DOTALL)
     assert block is not None

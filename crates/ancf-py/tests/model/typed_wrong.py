@@ -1,4 +1,4 @@
-"""Models with deliberate mistakes, which a type checker finds; read by test_model.py, never run."""
+"""Models with deliberate errors for a type checker. Read by test_model.py, never run."""
 
 import ancf
 

@@ -1,4 +1,4 @@
-"""The folder of a run by the command line, read again."""
+"""Results of the command line, read by Python."""
 
 from __future__ import annotations
 
@@ -40,16 +40,14 @@ def start(program: Path, model: dict[str, Any], folder: Path) -> subprocess.Pope
 
 
 def folder_of(program: Path, model: dict[str, Any], folder: Path) -> Path:
-    """The folder of a run that ended well."""
+    """The folder of a completed run."""
     run = start(program, model, folder)
     _, text = run.communicate()
     assert run.returncode == 0, text
     return folder / "out"
 
 
-def test_columns_and_fields_are_those_of_a_run_here(
-    program: Path, rod: dict[str, Any], tmp_path: Path
-) -> None:
+def test_columns_and_fields_equal_a_run_in_python(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     model = rod | {"output": {"states": 31}, "units": {"length": "m", "time": "s", "force": "N"}}
     here, loaded = ancf.run(model), ancf.load(folder_of(program, model, tmp_path))
     assert loaded.columns == here.columns
@@ -93,7 +91,7 @@ def test_states_between_rows_keep_their_times(program: Path, rod: dict[str, Any]
     steps = np.searchsorted(whole.time, loaded.frames)
     np.testing.assert_array_equal(whole.time[steps], loaded.frames)
     np.testing.assert_array_equal(loaded.field("position"), whole.field("position")[steps])
-    # Those that are rows know which.
+    # States of rows have the number of the row.
     has = loaded.frame_rows >= 0
     np.testing.assert_array_equal(has, (steps % 7 == 0) | (steps == 300))
     np.testing.assert_array_equal(loaded.time[loaded.frame_rows[has]], loaded.frames[has])
@@ -104,7 +102,7 @@ def test_states_between_rows_keep_their_times(program: Path, rod: dict[str, Any]
     np.testing.assert_allclose(near[-1, 0], np.interp(0.1, loaded.time, loaded["tip.x"]), atol=1e-3)
 
 
-def test_pictures_are_of_the_times_of_the_states(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
+def test_plots_use_the_times_of_the_states(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     loaded = ancf.load(folder_of(program, rod | {"output": {"states": 11}}, tmp_path))
     ax = loaded.plot_shape(time=0.15, reference=False)
     frame = int(np.abs(loaded.frames - 0.15).argmin())
@@ -123,9 +121,7 @@ def test_pictures_are_of_the_times_of_the_states(program: Path, rod: dict[str, A
     plt.close("all")
 
 
-def test_results_that_were_read_go_to_other_processes(
-    program: Path, rod: dict[str, Any], tmp_path: Path
-) -> None:
+def test_loaded_results_are_pickled(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     loaded = ancf.load(folder_of(program, rod, tmp_path))
     again = pickle.loads(pickle.dumps(loaded))
     np.testing.assert_array_equal(again.data, loaded.data)
@@ -134,9 +130,7 @@ def test_results_that_were_read_go_to_other_processes(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="SIGKILL")
-def test_a_run_that_goes_on_and_one_that_was_killed(
-    program: Path, rod: dict[str, Any], tmp_path: Path
-) -> None:
+def test_a_run_in_progress_and_a_killed_run(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     endless = rod | {"analysis": rod["analysis"] | {"duration": 100.0}, "output": {"states": 20001}}
     run = start(program, endless, tmp_path)
     try:
@@ -151,7 +145,7 @@ def test_a_run_that_goes_on_and_one_that_was_killed(
     assert "killed" in broken.summary["outcome"]["reason"]
     assert broken.summary["coordinates"] == going.summary["coordinates"] > 0
     assert len(broken) >= len(going) > 0
-    # What is there is what a shorter run has.
+    # The results so far equal those of a shorter run.
     count = min(len(broken), 200)
     short = rod | {"analysis": rod["analysis"] | {"duration": 1e-3 * (count - 1)}}
     here = ancf.run(short)
@@ -178,7 +172,7 @@ def wait_for(folder: Path) -> ancf.Result:
     raise TimeoutError(msg)
 
 
-def test_a_run_that_kept_no_states_says_so(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
+def test_a_run_without_states_reports_it(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     loaded = ancf.load(folder_of(program, rod | {"output": {"states": 0}}, tmp_path))
     assert len(loaded) == 301
     assert len(loaded.frames) == 0

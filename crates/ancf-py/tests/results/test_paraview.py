@@ -215,7 +215,7 @@ def test_a_killed_run_gives_what_there_is(program: Path, tmp_path: Path) -> None
     wait = time.monotonic() + 60
     while not (parts.exists() and any(parts.iterdir())) and time.monotonic() < wait:
         time.sleep(0.05)
-    # While it goes on, and after its end.
+    # During the run, and after its end.
     subprocess.run([program, "paraview", out], check=True, capture_output=True)
     run.send_signal(signal.SIGKILL)
     run.communicate()

@@ -1,4 +1,4 @@
-"""Pages about results, and units on axes."""
+"""Reports of results, and units of axes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Scene:
         self._blob = container[16 + length :]
 
     def array(self, of: dict[str, Any]) -> Any:
-        """An array that the header names."""
+        """An array of the header."""
         return np.frombuffer(self._blob, TYPES[of["type"]], of["count"], of["at"])
 
     def columns(self) -> dict[str, tuple[str, Any]]:
@@ -49,7 +49,7 @@ class Scene:
 
 @pytest.fixture
 def named(rod: dict[str, Any]) -> dict[str, Any]:
-    """The rod, in units that have names."""
+    """The rod with named units."""
     return rod | {"units": UNITS, "title": "A <rod>", "output": {"every": 3}}
 
 
@@ -79,25 +79,25 @@ def test_a_report_has_the_motion_and_the_columns(named: dict[str, Any], tmp_path
     np.testing.assert_allclose(force, recorded, rtol=1e-5, atol=1e-5 * np.abs(recorded).max())
 
 
-def test_a_title_of_ones_own_and_a_frame_in_a_notebook(rod: dict[str, Any]) -> None:
+def test_a_custom_title_and_a_frame_in_a_notebook(rod: dict[str, Any]) -> None:
     report = ancf.run(rod).report(title='"Swing" & more')
     assert Scene(report.html).header["title"] == '"Swing" & more'
     assert Scene(report.html).header["units"] is None
     shown = report._repr_html_()
     assert shown.startswith("<iframe sandbox=")
-    # What is within quotes has none of its own, so that the frame ends where it should.
+    # Quotes within the page are escaped.
     assert shown.count('"') == 2 * shown.count('="')
     assert re.fullmatch(r"Report\(\d+\.\d MB\)", repr(report))
 
 
-def test_reports_of_what_has_no_time(models: Path) -> None:
+def test_reports_of_analyses_without_time(models: Path) -> None:
     modes = ancf.run(models / "tuning_fork.toml")
     header = Scene(modes.report().html).header
     assert (header["analysis"], header["frames"]["count"]) == ("modes", len(modes))
     assert len(header["frames"]["labels"]) == len(modes)
 
 
-def test_a_report_of_a_failure_says_why(rod: dict[str, Any]) -> None:
+def test_a_report_of_a_failure_has_the_reason(rod: dict[str, Any]) -> None:
     stiff = rod | {"analysis": rod["analysis"] | {"step": 0.1, "max_iterations": 1, "max_halvings": 0}}
     with pytest.raises(ancf.AnalysisError) as caught:
         ancf.run(stiff)
@@ -114,7 +114,7 @@ def test_a_model_with_functions_has_a_report(rod: dict[str, Any]) -> None:
     assert header["frames"]["count"] == len(result)
 
 
-def test_a_report_needs_all_of_the_states(rod: dict[str, Any]) -> None:
+def test_a_report_needs_complete_states(rod: dict[str, Any]) -> None:
     for states in ("positions", "none"):
         result = ancf.run(rod, states=states)
         with pytest.raises(ValueError, match='report: the run kept no such states; run it with states="all"'):

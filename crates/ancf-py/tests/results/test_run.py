@@ -1,4 +1,4 @@
-"""Models in, arrays out."""
+"""Runs of models and their results as arrays."""
 
 from __future__ import annotations
 
@@ -42,19 +42,19 @@ def test_vectors_are_views_of_one_array(rod: dict[str, Any]) -> None:
     np.testing.assert_array_equal(result.joints["pivot"].angle, result["pivot.angle"])
 
 
-def test_results_are_a_pendulum(rod: dict[str, Any]) -> None:
+def test_the_results_of_a_pendulum(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
     assert result.time[[0, -1]] == pytest.approx([0, 0.3])
     # The energies of a pendulum that starts at rest add up to those of its start.
     assert np.abs(result.energy.total - result.energy.total[0]).max() < 2e-3 * result.energy.kinetic.max()
-    # Nothing resists the hinge about its axis, and it starts with 3 g / (2 L).
+    # The hinge is free about its axis. The initial angular acceleration is 3 g / (2 L).
     assert np.abs(result.reactions["pivot"].moment[:, 2]).max() < 1e-9
     rates = np.gradient(result.joints["pivot"].angle, result.time)
     np.testing.assert_allclose(rates[5:-5], result.joints["pivot"].rate[5:-5], rtol=0.02, atol=0.02)
     assert result.joints["pivot"].angle[100] == pytest.approx(-0.5 * 14.715 * 0.1**2, rel=0.03)
 
 
-def test_fields_are_what_probes_record(rod: dict[str, Any]) -> None:
+def test_fields_equal_probes(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
     tip = result.probe("tip")
     for name in ["position", "velocity", "acceleration", "section_forces"]:
@@ -70,7 +70,7 @@ def test_fields_are_what_probes_record(rod: dict[str, Any]) -> None:
     np.testing.assert_array_equal(result.field("position", body="arm"), result.field("position"))
 
 
-def test_states_are_kept_as_wanted(rod: dict[str, Any]) -> None:
+def test_kept_parts_of_states(rod: dict[str, Any]) -> None:
     positions = ancf.run(rod, states="positions")
     np.testing.assert_array_equal(positions.field("position"), ancf.run(rod).field("position"))
     with pytest.raises(ValueError, match='run it with states="all"'):
@@ -81,7 +81,7 @@ def test_states_are_kept_as_wanted(rod: dict[str, Any]) -> None:
         ancf.run(rod, states="some")  # type: ignore[arg-type]
 
 
-def test_only_every_so_many_rows_are_kept_and_the_last(rod: dict[str, Any]) -> None:
+def test_output_every_keeps_the_last_row(rod: dict[str, Any]) -> None:
     whole, part = ancf.run(rod), ancf.run(rod | {"output": {"every": 7}})
     kept = [*range(0, 301, 7), 300]
     np.testing.assert_array_equal(part.data, whole.data[kept])
@@ -139,7 +139,7 @@ def test_errors_of_data_have_no_position(rod: dict[str, Any]) -> None:
         ancf.run(rod | {"bodies": [rod["bodies"][0] | {"to": [0, object(), 0]}]})
 
 
-def test_data_that_never_end_are_refused(rod: dict[str, Any]) -> None:
+def test_infinite_data_are_rejected(rod: dict[str, Any]) -> None:
     rod["title"] = rod
     with pytest.raises(ValueError, match="a model that holds itself"):
         ancf.run(rod)
@@ -153,7 +153,7 @@ def test_numpy_numbers_are_numbers(rod: dict[str, Any]) -> None:
     np.testing.assert_array_equal(ancf.run(numbers).data, ancf.run(rod).data)
 
 
-def test_a_failure_keeps_what_was_computed(rod: dict[str, Any]) -> None:
+def test_a_failure_keeps_the_rows_before_it(rod: dict[str, Any]) -> None:
     stiff = rod | {"analysis": rod["analysis"] | {"step": 0.1, "max_iterations": 1, "max_halvings": 0}}
     with pytest.raises(ancf.AnalysisError, match=r"failed at t = 0\.1: .*; at: ") as caught:
         ancf.run(stiff)
@@ -209,7 +209,7 @@ def test_other_threads_run_meanwhile(rod: dict[str, Any]) -> None:
     assert result.summary["outcome"]["kind"] == "stopped"
 
 
-def test_a_bar_shows_how_far_a_motion_is(rod: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_progress_bar_of_a_motion(rod: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
     still = rod | {"analysis": rod["analysis"] | {"duration": 1e6}, "output": {"every": 1000}}
     done = threading.Event()
     threading.Timer(0.5, done.set).start()
@@ -219,7 +219,7 @@ def test_a_bar_shows_how_far_a_motion_is(rod: dict[str, Any], capsys: pytest.Cap
     assert capsys.readouterr().err == ""
 
 
-def test_names_that_are_not_there(rod: dict[str, Any]) -> None:
+def test_unknown_names(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
     with pytest.raises(KeyError, match=r"no column 'tip\.aay'; did you mean 'tip\.ay'"):
         result["tip.aay"]
@@ -245,7 +245,7 @@ def test_a_model_in_the_units_of_the_solver(models: Path) -> None:
     assert ancf.schema()["title"] == "ancf model"
 
 
-def test_what_is_no_model_is_refused() -> None:
+def test_other_objects_than_models_are_rejected() -> None:
     for what in [None, 3, ancf.Model]:
         with pytest.raises(TypeError, match="its data in a dictionary, or the path of a file"):
             ancf.run(what)  # type: ignore[arg-type]
@@ -255,7 +255,7 @@ def test_what_is_no_model_is_refused() -> None:
         ancf.Material(density=10**400, young=1e9)
 
 
-def test_what_does_not_fit_is_a_memory_error(rod: dict[str, Any]) -> None:
+def test_too_large_fields_raise_a_memory_error(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
     with pytest.raises(ValueError, match="parts: found 0, wanted an integer from 1 to 1000"):
         result.field("position", parts=0)
@@ -265,7 +265,7 @@ def test_what_does_not_fit_is_a_memory_error(rod: dict[str, Any]) -> None:
         iter(result)  # type: ignore[call-overload]
 
 
-def test_results_go_to_other_processes(rod: dict[str, Any]) -> None:
+def test_results_are_pickled(rod: dict[str, Any]) -> None:
     result = ancf.run(rod)
     again = pickle.loads(pickle.dumps(result))
     np.testing.assert_array_equal(again.data, result.data)

@@ -1,4 +1,4 @@
-"""Studies: cases, objectives, samples, restart and what goes wrong."""
+"""Studies: cases, objectives, samples, restart and errors."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ import scipy.stats
 import ancf
 
 ANCF = "ANCF_PROGRAM"
-"""Variable of the environment that says where the program is."""
+"""Environment variable with the path of the program."""
 
 
 class Log:
-    """Counts what an objective is called for, in a file, so that the objective itself stays what it is."""
+    """Counts the calls of an objective in a file, which leaves its description unchanged."""
 
     def __init__(self, folder: Path) -> None:
-        """Nothing counted yet."""
+        """Start at zero."""
         self._file = str(folder / "calls.log")
 
     def tip(self, result: ancf.Result) -> float:
@@ -35,11 +35,11 @@ class Log:
 
     @property
     def calls(self) -> int:
-        """How many there were."""
+        """Number of calls."""
         return Path(self._file).stat().st_size if Path(self._file).exists() else 0
 
 
-def test_a_sweep_is_single_runs(bar: dict[str, Any]) -> None:
+def test_a_sweep_equals_single_runs(bar: dict[str, Any]) -> None:
     study = ancf.study(bar, {"elements": [1, 3], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
     assert list(study.table["elements"]) == [1, 1, 3, 3]
     assert list(study.table["gravity[1]"]) == [-9.81, -1.62] * 2
@@ -94,13 +94,13 @@ def test_objectives_of_every_kind(rod: dict[str, Any]) -> None:
     )
     assert several.objectives == ["deepest", "end"]
     assert several.table["deepest"][0] == deepest
-    # No row of that number: the case did finish, the number is missing.
+    # Without a row of that number the case is finished and its number is missing.
     short = ancf.study(rod, {"elements": [4]}, {"late": ("tip.y", 1000)}).table
     assert np.isnan(short["late"][0])
     assert short["message"][0] == "objectives.late: no row 1000 among 301"
 
 
-def test_what_was_run_is_not_run_again(bar: dict[str, Any], tmp_path: Path) -> None:
+def test_rows_of_earlier_runs_are_reused(bar: dict[str, Any], tmp_path: Path) -> None:
     log = Log(tmp_path)
 
     def run(elements: list[int], model: dict[str, Any] = bar) -> ancf.Study:
@@ -114,7 +114,7 @@ def test_what_was_run_is_not_run_again(bar: dict[str, Any], tmp_path: Path) -> N
     assert log.calls == 4
     assert list(more.table["elements"]) == [1, 2, 4, 3]
     assert list(more.table["tip"].iloc[[0, 1, 3]]) == list(first.table["tip"])
-    # The title decides nothing, gravity does; and another objective of the same name is another number.
+    # The title has no effect, gravity has. Another objective of the same name is another number.
     run([1, 2, 4], bar | {"title": "the same"})
     assert log.calls == 4
     run([1, 2], bar | {"gravity": [0, -1.62, 0]})
@@ -123,7 +123,7 @@ def test_what_was_run_is_not_run_again(bar: dict[str, Any], tmp_path: Path) -> N
     assert (other.table["tip"] > 0.9).all()
 
 
-def test_functions_are_told_apart(rod: dict[str, Any], tmp_path: Path) -> None:
+def test_different_functions_have_different_keys(rod: dict[str, Any], tmp_path: Path) -> None:
     def pull(size: float) -> Any:
         return lambda t: size * t
 
@@ -158,7 +158,7 @@ def test_failures_are_rows(bar: dict[str, Any], tmp_path: Path) -> None:
     assert messages[3] == str(caught.value)
     assert np.isnan(study.table["tip"][1:]).all()
     assert (len(study.finished), len(study.failed)) == (1, 3)
-    # They are kept as they are, unless they are to be tried again.
+    # They are reused unless `retry` is set.
     seconds = study.table["seconds"]
     kept = ancf.study(model, {"loads[0].force": forces}, tip, folder=tmp_path).table["seconds"]
     assert list(kept == seconds) == [True] * 4
@@ -166,7 +166,7 @@ def test_failures_are_rows(bar: dict[str, Any], tmp_path: Path) -> None:
     assert list(tried == seconds) == [True, False, False, False]
 
 
-def test_all_that_is_wrong_is_told_before_anything_runs(bar: dict[str, Any], tmp_path: Path) -> None:
+def test_all_errors_are_reported_before_a_case_runs(bar: dict[str, Any], tmp_path: Path) -> None:
     law = scipy.stats.norm(193e9, 5e9)
     parameters = {
         "elemnts": [1],
@@ -210,7 +210,7 @@ def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
         "parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too, wanted every place to "
         "be set once",
     ]
-    # The alphabetical order, in which parameters are set, decides nothing; neither does what a name stands for.
+    # The alphabetical order in which parameters are set has no effect.
     parameters = {
         "bodies.beam.material.young": [193e9, 100e9],
         "materials.steel": [{"density": 8030, "young": 193e9}],
@@ -291,8 +291,8 @@ def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> 
     assert len(study.finished) == 5
 
 
-def told(bar: dict[str, Any], parameters: Any, objective: Any = None, **settings: Any) -> list[str]:
-    """What is told of a study that is wrong, before anything runs."""
+def errors_of(bar: dict[str, Any], parameters: Any, objective: Any = None, **settings: Any) -> list[str]:
+    """Return the errors of a study before a case runs."""
     with pytest.raises(ancf.ModelError) as caught:
         ancf.study(bar, parameters, objective, **settings)
     return str(caught.value).splitlines()
@@ -305,8 +305,8 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
     wanted = "wanted an integer >= 1, or -1 for all cores"
     for jobs in [0, -2, 1.5, True, "two"]:
         shown = f'"{jobs}"' if isinstance(jobs, str) else jobs
-        assert told(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {wanted}"]
-    assert told(bar, {"elements": [1]}, never, states="al", client=3, seed="x", folder=5) == [
+        assert errors_of(bar, {"elements": [1]}, never, jobs=jobs) == [f"jobs: found {shown}, {wanted}"]
+    assert errors_of(bar, {"elements": [1]}, never, states="al", client=3, seed="x", folder=5) == [
         "folder: found 5, wanted a path",
         'states: found "al", wanted "all", "positions" or "none" (did you mean "all"?)',
         "client: found 3, wanted a client of dask.distributed",
@@ -314,16 +314,16 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
     ]
     law = {"gravity[1]": scipy.stats.norm(-9, 1)}
     for samples in [0, 2.0, "many", True]:
-        (line,) = told(bar, law, never, samples=samples)
+        (line,) = errors_of(bar, law, never, samples=samples)
         assert line.startswith("samples: found") and line.endswith("wanted an integer >= 1")
-    assert told(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
-    assert told(bar, {3: [1]}, {4: never}) == [
+    assert errors_of(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
+    assert errors_of(bar, {3: [1]}, {4: never}) == [
         "parameters: found the name 3, wanted texts as names",
         "objectives: found the name 4, wanted texts as names",
     ]
     file = tmp_path / "file"
     file.touch()
-    (line,) = told(bar, {"elements": [1]}, never, folder=file)
+    (line,) = errors_of(bar, {"elements": [1]}, never, folder=file)
     assert line.startswith(f'folder: found "{file}", where no file can be written (')
     assert line.endswith("wanted a folder to write to")
     study = ancf.study(
@@ -332,7 +332,7 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
     assert len(study.finished) == 2
 
 
-def test_what_is_kept_of_states_decides(bar: dict[str, Any], tmp_path: Path) -> None:
+def test_kept_states_belong_to_the_key(bar: dict[str, Any], tmp_path: Path) -> None:
     def kept(result: ancf.Result) -> float:
         return float(result.field("velocity")[-1, -1, 0])
 
@@ -343,7 +343,7 @@ def test_what_is_kept_of_states_decides(bar: dict[str, Any], tmp_path: Path) -> 
     assert [outcome("none"), outcome("all"), outcome("none")] == ["failed", "finished", "failed"]
 
 
-def test_what_is_no_number_is_a_failed_row(bar: dict[str, Any]) -> None:
+def test_an_objective_without_number_is_a_failed_row(bar: dict[str, Any]) -> None:
     def message(objective: Any) -> str:
         (row,) = ancf.study(bar, {"elements": [1]}, objective).failed["message"]
         return str(row)

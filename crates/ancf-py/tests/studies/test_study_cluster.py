@@ -40,7 +40,7 @@ def logged(folder: Path, seconds: float) -> Any:
     return objective
 
 
-def test_a_cluster_gives_what_threads_give(client: Client, rod: dict[str, Any], tmp_path: Path) -> None:
+def test_a_cluster_gives_the_results_of_threads(client: Client, rod: dict[str, Any], tmp_path: Path) -> None:
     parameters = {
         "bodies.arm.elements": [1, 2, 0, 3],
         "loads": [
@@ -95,7 +95,9 @@ def test_a_case_that_kills_its_workers_is_a_row(client: Client, rod: dict[str, A
     assert str(study.failed["message"].iloc[0]).startswith("KilledWorker: ")
 
 
-def test_an_interrupt_keeps_what_a_cluster_did(client: Client, rod: dict[str, Any], tmp_path: Path) -> None:
+def test_an_interrupt_keeps_finished_cases_of_a_cluster(
+    client: Client, rod: dict[str, Any], tmp_path: Path
+) -> None:
     calls = tmp_path / "calls"
     calls.mkdir()
 

@@ -1,4 +1,4 @@
-"""Studies: what belongs to the key of a case, so that stale results are not taken over."""
+"""Studies: keys of cases, which prevent the reuse of stale results."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def objective(result):
 
 
 def tell(old: str = "", new: str = "") -> Any:
-    """What is told of the objective of the program with one thing changed."""
+    """Describe the objective of the program with one change."""
     assert old in PROGRAM
     module = types.ModuleType("mine")
     sys.modules["mine"] = module
@@ -65,13 +65,13 @@ def tell(old: str = "", new: str = "") -> Any:
         del sys.modules["mine"]
 
 
-def test_the_same_program_is_told_the_same() -> None:
+def test_equal_programs_have_equal_descriptions() -> None:
     assert tell() == tell()
-    # What is imported but not used, and where lines stand, decides nothing.
+    # Unused imports and line numbers have no effect.
     assert tell() == tell("import functools, math", "import functools, math, os\n\n")
 
 
-def test_the_same_in_another_process() -> None:
+def test_descriptions_are_equal_in_another_process() -> None:
     code = f"""
 import sys, types, json
 from ancf.studies.definition.fingerprint import describe
@@ -102,16 +102,16 @@ print(json.dumps(describe(module.objective), sort_keys=True))
         ("deque([1, 2])", "deque([1, 3])"),
     ],
 )
-def test_all_that_an_objective_finds_decides(old: str, new: str) -> None:
+def test_descriptions_depend_on_the_environment(old: str, new: str) -> None:
     assert tell(old, new) != tell()
 
 
-def test_what_cannot_be_told_is_never_the_same() -> None:
+def test_objects_without_description_are_unique() -> None:
     thing = threading.Lock()
     assert describe(thing) != describe(thing)
 
 
-def test_objects_that_are_called_are_told_by_their_classes() -> None:
+def test_callable_objects_are_described_by_their_classes() -> None:
     def made(sign: int) -> Any:
         class Scale:
             def __init__(self, factor: float) -> None:
@@ -133,7 +133,7 @@ def test_objects_that_are_called_are_told_by_their_classes() -> None:
     assert describe(functools.partial(one(2.0))) != describe(functools.partial(other(2.0)))
 
 
-def test_many_functions_that_call_each_other_are_told_soon() -> None:
+def test_mutually_calling_functions_are_described_once() -> None:
     space: dict[str, Any] = {"__name__": "mine"}
     calls = "; ".join(f"f{i}(x)" for i in range(40))
     exec("\n".join(f"def f{i}(x): {calls}" for i in range(40)), space)

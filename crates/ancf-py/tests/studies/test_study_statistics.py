@@ -30,7 +30,7 @@ def test_one_sample_in_each_interval(bar: dict[str, Any], sampling: Any) -> None
     assert list(intervals[0]) != list(intervals[1])
 
 
-def test_the_seed_decides_the_cases(bar: dict[str, Any]) -> None:
+def test_the_seed_determines_the_cases(bar: dict[str, Any]) -> None:
     def young(seed: int, sampling: Any, samples: int = 8, **more: Any) -> list[float]:
         parameters = {"bodies.beam.material.young": scipy.stats.norm(193e9, 5e9), **more}
         return list(
@@ -42,7 +42,7 @@ def test_the_seed_decides_the_cases(bar: dict[str, Any]) -> None:
     for sampling in ["latin_hypercube", "random", "sobol"]:
         assert young(1, sampling) == young(1, sampling)
         assert set(young(1, sampling)).isdisjoint(young(2, sampling))
-    # Another distribution changes nothing, more samples are added to those that there were.
+    # Samples are independent of other distributions. A larger number of samples extends a smaller one.
     other = {"gravity[1]": scipy.stats.norm(-9, 1)}
     assert young(1, "latin_hypercube", **other) == young(1, "latin_hypercube")
     assert young(1, "random", 12)[:8] == young(1, "random")
@@ -55,7 +55,7 @@ def test_convergence_of_order_two(bar: dict[str, Any]) -> None:
     table = study.convergence("elements", "tip")
     assert list(table["elements"]) == [1, 2, 4, 8, 16]
     assert list(table["order"][2:]) == pytest.approx([2, 2, 2], abs=0.02)
-    # What shear adds to the sag is a part of 1e-4 of it.
+    # The contribution of shear is 1e-4 of the deflection.
     assert table["limit"].iloc[-1] == pytest.approx(-SAG_TIMES_YOUNG / YOUNG, rel=5e-4)
     assert table["error"].iloc[-1] == pytest.approx(-table["limit"].iloc[-1] / (3 * 16**2), rel=0.02)
     both = ancf.study(bar, {"elements": [1, 2, 4], "gravity[1]": [-9.81, -1.62]}, {"tip": "tip.y"})
@@ -75,7 +75,7 @@ def test_monte_carlo_of_the_sag(bar: dict[str, Any]) -> None:
     mean, deviation = SAG_TIMES_YOUNG * inverse.mean(), SAG_TIMES_YOUNG * inverse.std()
     sag = -study.finished["tip"]
     assert len(sag) == 400
-    # Four standard errors, beside the part of 1/1200 that twenty elements miss.
+    # Four standard errors, and the discretisation error of 1/1200 of twenty elements.
     assert sag.mean() == pytest.approx(mean * (1 - 1 / 1200), abs=4 * deviation / np.sqrt(400))
     assert sag.var() == pytest.approx(deviation**2, rel=4 * np.sqrt(2 / 400))
 
@@ -92,7 +92,7 @@ def test_sensitivity_of_a_pushed_bar(pushed: dict[str, Any]) -> None:
     assert table["elasticity"]["bodies.beam.section.diameter"] == pytest.approx(-4, abs=0.01)
     assert table["elasticity"]["bodies.beam.material.young"] == pytest.approx(-1, abs=0.01)
     assert "elements" not in table.index
-    # Of independent parameters the squares are parts of the variance; those of the logarithms are known.
+    # For independent parameters the squares are fractions of the variance, known for the logarithms.
     variances = np.square([4 * 0.002 / np.sqrt(12) / 0.02, 5e9 / YOUNG])
     shares = table["regression"][["bodies.beam.section.diameter", "bodies.beam.material.young"]] ** 2
     assert list(shares) == pytest.approx(list(variances / variances.sum()), abs=0.05)
@@ -101,7 +101,7 @@ def test_sensitivity_of_a_pushed_bar(pushed: dict[str, Any]) -> None:
     assert len(study.plot()) == 3
 
 
-def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
+def test_sobol_indices_of_a_product(pushed: dict[str, Any]) -> None:
     laws = {
         "bodies.beam.section.diameter": scipy.stats.uniform(0.015, 0.01),
         "bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9),
@@ -127,7 +127,7 @@ def test_parts_of_the_variance(pushed: dict[str, Any]) -> None:
     assert len(table) == 4
 
 
-def test_indices_are_those_of_scipy(pushed: dict[str, Any]) -> None:
+def test_indices_equal_those_of_scipy(pushed: dict[str, Any]) -> None:
     laws = {
         "bodies.beam.section.diameter": scipy.stats.uniform(0.015, 0.01),
         "elements": scipy.stats.randint(1, 5),
@@ -150,11 +150,11 @@ def test_indices_are_those_of_scipy(pushed: dict[str, Any]) -> None:
     assert len(table) == 2
 
 
-def test_one_parameter_makes_all_of_the_variance(pushed: dict[str, Any]) -> None:
+def test_a_single_parameter_has_index_one(pushed: dict[str, Any]) -> None:
     law = {"bodies.beam.material.young": scipy.stats.uniform(100e9, 200e9)}
     table = ancf.sobol(pushed, law, {"tip": "tip.y"}, samples=256)
     assert list(table.to_numpy()[0]) == pytest.approx([1, 1], abs=0.05)
-    # What does not vary has no parts.
+    # A constant has no indices.
     assert ancf.sobol(pushed, law, lambda _: 1.0, samples=2).isna().to_numpy().all()
 
 

@@ -1,35 +1,38 @@
-//! The native module `ancf._ancf`: models in as Python data, results out as NumPy arrays. What a user sees is in `python/ancf`.
+//! The native module `ancf._ancf`: models come in as Python data, results go out as NumPy arrays.
+//!
+//! The Python package in `python/ancf` is the public interface.
 
-mod callables;
-mod data;
-mod follower;
-mod load;
-mod model;
-mod part;
-mod report;
+mod input;
+mod results;
 mod run;
-mod signals;
-mod states;
 
 use pyo3::prelude::*;
 
-/// The engine of the package `ancf`; not to be used directly.
+/// Engine of the package `ancf`; not a public interface.
 #[pymodule]
 mod _ancf {
     #[pymodule_export]
-    use super::load::load;
+    use super::input::{check_part, diagnose, read, scaled, schema, substitute, to_toml};
     #[pymodule_export]
-    use super::model::{diagnose, read, scaled, schema, substitute, to_toml};
+    use super::results::report::report;
     #[pymodule_export]
-    use super::part::check_part;
+    use super::results::{ModelGeometry, inertia_box, outline};
     #[pymodule_export]
-    use super::report::report;
+    use super::run::load::load;
     #[pymodule_export]
-    use super::run::Simulation;
+    use super::run::pickle::states;
     #[pymodule_export]
-    use super::states::{States, states};
+    use super::run::{Simulation, States};
 
     /// Version of the engine.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// Maximum edge of the box of a rigid body, relative to the size of the model.
+    #[pymodule_export]
+    const BOX_EDGE: f64 = ancf_report::geometry::BOX_EDGE;
+
+    /// Radius of the sphere of a point mass, relative to the size of the model.
+    #[pymodule_export]
+    const POINT_MASS_RADIUS: f64 = ancf_report::geometry::POINT_MASS_RADIUS;
 }

@@ -1,4 +1,4 @@
-"""Models that several tests run."""
+"""Models of several tests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[3]
 
 @pytest.fixture(autouse=True)
 def _ctrl_c() -> Iterator[None]:
-    """Ctrl-C reaches Python, also where tests run in the background of a shell, which has it ignored."""
+    """Let Ctrl-C reach Python, also in the background of a shell, which ignores it."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -24,13 +24,13 @@ def _ctrl_c() -> Iterator[None]:
 
 @pytest.fixture
 def models() -> Path:
-    """The folder of the models to start from."""
+    """The folder of example models."""
     return ROOT / "models"
 
 
 @pytest.fixture
 def rod() -> dict[str, Any]:
-    """A rod that swings as a pendulum, as plain data."""
+    """Plain data of a pendulum rod."""
     return {
         "gravity": [0, -9.81, 0],
         "materials": {"plastic": {"density": 2000.0, "young": 5e9}},

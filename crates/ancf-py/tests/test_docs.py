@@ -25,7 +25,7 @@ PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.rglob("*.md"))]
 NOTEBOOKS = sorted(DOCS.rglob("*.ipynb"))
 
 BUILD = ["cargo", "build", "--quiet", "--workspace", "--bins", "--examples"]
-"""What `cargo test --workspace` builds too: alone, the program has other features of its dependencies."""
+"""Same packages as `cargo test --workspace`: a single package has other features of its dependencies."""
 
 TESTED_BY = {
     "python": "run here, page by page, in one namespace a page",
@@ -38,7 +38,7 @@ TESTED_BY = {
     "{toctree}": "not code",
     "{eval-rst}": "not code: names for autodoc, which fails if they are not there",
 }
-"""By what the blocks of each language are tested."""
+"""Tests of the blocks of each language."""
 
 NOT_RUN = {
     "cargo xtask": "runs this test, or takes minutes",
@@ -49,7 +49,7 @@ NOT_RUN = {
     "cargo install": "installs: the program is there",
     "pip install": "installs: the package is there",
 }
-"""Beginnings of commands that are not run, and why."""
+"""Beginnings of commands that are not run, with the reason."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def folder(tmp_path: Path, tools: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder to work in: the models are there, and the program is on the path."""
+    """A working folder with the models, and with the program on the path."""
     shutil.copytree(ROOT / "models", tmp_path / "models")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PATH", f"{tools}{os.pathsep}{os.environ['PATH']}")
@@ -112,7 +112,7 @@ def folder(tmp_path: Path, tools: Path, monkeypatch: pytest.MonkeyPatch) -> Path
 
 
 def slurm() -> ModuleType:
-    """What stands for dask-jobqueue, as there is no SLURM here: jobs are threads of this process."""
+    """A replacement of dask-jobqueue without SLURM: jobs are threads of this process."""
     local: Any = import_module("dask.distributed").LocalCluster
 
     def start(cluster: Any, **_: object) -> None:
@@ -131,7 +131,7 @@ def test_blocks_run(page: Path, folder: Path) -> None:
     space: dict[str, object] = {"__name__": "__main__"}
     for block in blocks(page):
         if block.language == "python":
-            # Empty lines before it, so that an error names the line of the page.
+            # With empty lines before the block, errors name the line of the page.
             code = "\n" * block.line + block.text
             exec(compile(code, page, "exec"), space)
         elif block.language == "sh":
@@ -162,7 +162,7 @@ def test_languages_are_known() -> None:
     assert not unknown, "no test knows their languages"
 
 
-def test_what_is_not_run_is_there() -> None:
+def test_excluded_commands_exist() -> None:
     lines = [
         line
         for page in PAGES
@@ -180,9 +180,10 @@ def test_cells_are_on_pages_that_the_site_runs() -> None:
             assert page.read_text(encoding="utf-8").startswith("---\nfile_format: mystnb\n"), page
 
 
-def test_rust_is_that_of_the_examples(folder: Path) -> None:
+def test_rust_blocks_equal_the_examples(folder: Path) -> None:
     examples = {
-        file.stem: file.read_text(encoding="utf-8") for file in (ROOT / "ancf" / "examples").glob("*.rs")
+        file.stem: file.read_text(encoding="utf-8")
+        for file in (ROOT / "crates" / "ancf" / "examples").glob("*.rs")
     }
     found = [block for page in PAGES for block in blocks(page) if block.language == "rust"]
     for block in found:
@@ -207,7 +208,7 @@ def test_notebooks_have_no_outputs(file: Path) -> None:
         assert cell.get("execution_count") is None
 
 
-def test_lists_have_all_there_is() -> None:
+def test_index_pages_are_complete() -> None:
     for page, files in [
         ("decisions/index.md", "[0-9]*.md"),
         ("notebooks/index.md", "*.ipynb"),

@@ -1,4 +1,4 @@
-//! Classes and types of a module, as text.
+//! Classes and type aliases of a definition as text.
 
 use std::collections::BTreeSet;
 
@@ -10,58 +10,46 @@ use super::names;
 use super::text::{WIDTH, meaning, summary, wrapped};
 
 const DATACLASS: &str = "@dataclass(kw_only=True, slots=True, eq=False, repr=False)\n";
-/// What a part with a name that the schema does not have says of it.
-const NAME: &str = "Key in the model's table, for a part that is given in the place of its name; found by itself if \
-                    left out.";
+/// Description of the attribute `name` of a part whose name is its key in a table of the model.
+const NAME: &str = "Key in the table of the model, for a part that is given instead of its name. Chosen automatically if omitted.";
 
-/// The text of a definition, the names that it defines, and those that it uses.
+/// The text of a class or a type alias.
 #[derive(Default)]
-pub(super) struct Code {
-    /// Classes and types.
-    pub(super) blocks: Vec<String>,
-    pub(super) defines: Vec<String>,
+pub(super) struct Block {
+    pub(super) text: String,
+    /// Name that the text defines.
+    pub(super) name: String,
+    /// Names that the text needs.
     pub(super) uses: BTreeSet<String>,
+    /// Module of the text, if it is not the module of its definition.
+    pub(super) module: Option<&'static str>,
 }
 
-impl Code {
-    /// A definition: its classes, and its type if it has several forms.
-    pub(super) fn of(schema: &Json, name: &str) -> Self {
-        let mut code = Self::default();
-        let of = definition(schema, name);
-        let forms = forms(name, of);
-        for form in &forms {
-            code.class(schema, form);
-        }
-        if !forms.iter().any(|form| form.class == name) || forms.len() > 1 {
-            code.alias(schema, name, of, &forms);
-        }
-        code
-    }
-
+impl Block {
     fn uses(&mut self, names: &[&str]) {
         self.uses.extend(names.iter().map(|name| (*name).to_owned()));
     }
 
-    fn class(&mut self, schema: &Json, form: &Form) {
-        let (_, base) = names::base(form.definition, &form.class);
-        self.uses(&["dataclass", base]);
-        self.defines.push(form.class.clone());
+    fn class(schema: &Json, form: &Form) -> Self {
+        let base = names::base(form.definition, &form.class);
+        let mut block = Self { name: form.class.clone(), module: form.module, ..Self::default() };
+        block.uses(&["dataclass", base]);
         let mut text = format!("{DATACLASS}class {}({base}):\n", form.class);
         text += &docstring(schema, form, base == "Shared");
         text += &format!("\n    _form = {:?}\n", form.definition);
         if let Some((key, word)) = form.tag {
-            self.uses(&["ClassVar", "Literal"]);
+            block.uses(&["ClassVar", "Literal"]);
             text += &format!("    _tag = {key:?}\n    {key}: ClassVar[Literal[{word:?}]] = {word:?}\n");
         }
-        text += &self.tables(form);
+        text += &block.tables(form);
         if !form.keys.is_empty() {
             text.push('\n');
         }
-        text.extend(form.keys.iter().map(|key| self.field(schema, form, key)));
-        self.blocks.push(text);
+        text.extend(form.keys.iter().map(|key| block.field(schema, form, key)));
+        Self { text, ..block }
     }
 
-    /// The keys for which a part may be given in the place of its name.
+    /// Returns the class attribute with the tables of the keys that accept a part instead of its name.
     fn tables(&mut self, form: &Form) -> String {
         let table = |key: &Key| {
             let table = names::table(form.definition, key.name)?;
@@ -81,40 +69,53 @@ impl Code {
             self.uses(&[part]);
             hint += &format!(" | {part}");
         }
-        let is_first = names::positional(&form.class).contains(&key.name);
-        let value = match (key.is_required, is_first) {
+        let is_positional = names::positional(&form.class).contains(&key.name);
+        let value = match (key.is_required, is_positional) {
             (true, false) => "",
             (false, false) => " = None",
             (true, true) => " = field(kw_only=False)",
             (false, true) => " = field(default=None, kw_only=False)",
         };
-        if is_first {
+        if is_positional {
             self.uses(&["field"]);
         }
         let none = if key.is_required { "" } else { " | None" };
         format!("    {}: {hint}{none}{value}\n", names::attribute(key.name))
     }
 
-    /// The type of a definition that has several forms, and what its words mean.
-    fn alias(&mut self, schema: &Json, name: &str, of: &Json, forms: &[Form]) {
+    /// The type alias of a definition with several forms, and the meanings of its words.
+    fn alias(schema: &Json, name: &str, of: &Json, forms: &[Form]) -> Self {
         let alias = names::alias(name);
+        let mut block = Self { name: alias.into(), ..Self::default() };
         let others: Vec<&Json> =
             alternatives(of).into_iter().filter(|form| !form["properties"].is_object()).collect();
         let others = serde_json::json!({ "oneOf": others });
-        let mut all = arms(schema, &others, &mut self.uses);
+        let mut all = arms(schema, &others, &mut block.uses);
         all.extend(forms.iter().map(|form| form.class.clone()));
+        block.uses.extend(forms.iter().map(|form| form.class.clone()));
         let besides = names::besides(name);
         if let Some((callable, _)) = besides {
-            self.uses(&["Callable"]);
+            block.uses(&["Callable"]);
             all.push(callable.into());
         }
-        self.uses(&["TypeAlias"]);
-        self.defines.push(alias.into());
-        self.blocks.push(assigned(alias, &all) + &meanings(of, besides.map(|(_, text)| text)));
+        block.uses(&["TypeAlias"]);
+        block.text = assigned(alias, &all) + &meanings(of, besides.map(|(_, text)| text));
+        block
     }
 }
 
-/// The assignment of a type, in as many lines as it needs.
+/// Returns the classes of a definition, and its type alias if it has several forms.
+pub(super) fn blocks(schema: &Json, name: &str) -> Vec<Block> {
+    let of = definition(schema, name);
+    let forms = forms(name, of);
+    let mut blocks: Vec<Block> = forms.iter().map(|form| Block::class(schema, form)).collect();
+    if !forms.iter().any(|form| form.class == name) || forms.len() > 1 {
+        blocks.push(Block::alias(schema, name, of, &forms));
+    }
+    blocks
+}
+
+/// Returns the assignment of a type alias, wrapped to the line width.
 fn assigned(alias: &str, arms: &[String]) -> String {
     let all = arms.join(" | ");
     if alias.len() + all.chars().count() + ": TypeAlias = ".len() <= WIDTH {
@@ -130,7 +131,7 @@ fn assigned(alias: &str, arms: &[String]) -> String {
     }
 }
 
-/// The docstring of a type: its description and its words.
+/// Returns the docstring of a type alias: its description and its words.
 fn meanings(of: &Json, besides: Option<&str>) -> String {
     let (first, rest) = summary(description(of), 0);
     let words: Vec<_> = alternatives(of).into_iter().filter(|form| form["const"].is_string()).collect();
@@ -148,7 +149,7 @@ fn meanings(of: &Json, besides: Option<&str>) -> String {
     if text.trim_end().contains('\n') { text + "\"\"\"\n" } else { text.trim_end().to_owned() + "\"\"\"\n" }
 }
 
-/// The docstring of a class: its description and its attributes.
+/// Returns the docstring of a class: its description and its attributes.
 fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
     let (first, rest) = summary(form.description, 4);
     let mut text = wrapped(&format!("\"\"\"{first}"), 4, 4);
@@ -158,9 +159,9 @@ fn docstring(schema: &Json, form: &Form, is_shared: bool) -> String {
     let attribute = |name: &str, meaning: &str| format!("    {name}\n{}", wrapped(meaning, 8, 8));
     let name = is_shared.then(|| attribute("name", NAME));
     let keys = form.keys.iter().map(|key| {
-        let itself = names::instead(form.definition, key.name)
+        let instead = names::instead(form.definition, key.name)
             .map_or_else(String::new, |(_, text)| format!(" {text}"));
-        attribute(&names::attribute(key.name), &(meaning(schema, key) + &itself))
+        attribute(&names::attribute(key.name), &(meaning(schema, key) + &instead))
     });
     let attributes: String = name.into_iter().chain(keys).collect();
     if attributes.is_empty() {

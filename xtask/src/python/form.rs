@@ -1,16 +1,18 @@
-//! The definitions of the schema and their forms.
+//! Definitions of the schema and their forms.
 
 use serde_json::Value as Json;
 
 use super::names;
 
-/// A table of the schema, which is a class of Python.
+/// An object schema, which becomes a Python class.
 pub(super) struct Form<'a> {
     pub(super) definition: &'a str,
     pub(super) class: String,
     pub(super) description: &'a str,
-    /// The key that tells it from the other forms, and its word.
+    /// Key and word that distinguish the form from the others of its definition.
     pub(super) tag: Option<(&'a str, &'a str)>,
+    /// Module of the class, if it is not the module of the definition.
+    pub(super) module: Option<&'static str>,
     pub(super) keys: Vec<Key<'a>>,
 }
 
@@ -21,29 +23,29 @@ pub(super) struct Key<'a> {
     pub(super) is_required: bool,
 }
 
-/// A definition by name; `Model` is the schema itself.
+/// Returns a definition by name. `Model` is the schema itself.
 pub(super) fn definition<'a>(schema: &'a Json, name: &str) -> &'a Json {
     if name == "Model" { schema } else { &schema["$defs"][name] }
 }
 
-/// The name of the definition that a schema refers to.
+/// Returns the name of the definition to which a schema refers.
 pub(super) fn referred(schema: &Json) -> Option<&str> {
     schema["$ref"].as_str()?.strip_prefix("#/$defs/")
 }
 
-/// The alternatives of a schema, of which `null` is none; itself if there are none.
+/// Returns the alternatives of a schema without `null`, or the schema itself if it has none.
 pub(super) fn alternatives(schema: &Json) -> Vec<&Json> {
     let list = ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array());
     let all = list.map_or_else(|| vec![schema], |list| list.iter().collect());
     all.into_iter().filter(|form| form["type"] != "null").collect()
 }
 
-/// The description of a schema, without the marks of lines.
+/// Returns the description of a schema.
 pub(super) fn description(schema: &Json) -> &str {
     schema["description"].as_str().unwrap_or_default()
 }
 
-/// The tables among the forms of a definition.
+/// Returns the object schemas among the forms of a definition.
 pub(super) fn forms<'a>(name: &'a str, schema: &'a Json) -> Vec<Form<'a>> {
     let alternatives = alternatives(schema);
     let is_alone = alternatives.len() == 1 && schema["oneOf"].is_null() && schema["anyOf"].is_null();
@@ -69,5 +71,6 @@ fn form<'a>(definition: &'a str, table: &'a Json, is_alone: bool) -> Form<'a> {
         (positional, stated, key.name.to_owned())
     };
     keys.sort_by_key(place);
-    Form { definition, class, description: description(table), tag, keys }
+    let module = names::form_module(definition, word);
+    Form { definition, class, description: description(table), tag, module, keys }
 }

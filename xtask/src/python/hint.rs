@@ -1,4 +1,4 @@
-//! Types of the schema as type hints of Python.
+//! Python type hints of schemas.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use super::form::{alternatives, definition, forms, referred};
 use super::names;
 
-/// The name of the class or type of a definition.
+/// Returns the name of the class or type alias of a definition.
 pub(super) fn type_name(schema: &Json, name: &str) -> String {
     match &forms(name, definition(schema, name))[..] {
         [form] if form.class == name => form.class.clone(),
@@ -15,12 +15,12 @@ pub(super) fn type_name(schema: &Json, name: &str) -> String {
     }
 }
 
-/// The type hint of a schema, and the names that it uses.
+/// Returns the type hint of a schema and adds the names in it to `uses`.
 pub(super) fn hint(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
     arms(schema, of, uses).join(" | ")
 }
 
-/// The types that a schema allows; words go together.
+/// Returns the types that a schema allows. Words form one `Literal`.
 pub(super) fn arms(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> Vec<String> {
     let alternatives = alternatives(of);
     let words: Vec<String> =
@@ -69,7 +69,7 @@ fn array(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
     name.into()
 }
 
-/// The type of a schema that is no reference and has no alternatives.
+/// Returns the JSON type of a schema without reference and alternatives.
 pub(super) fn kind(of: &Json) -> &str {
     match &of["type"] {
         Json::Array(kinds) => {

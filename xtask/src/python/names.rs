@@ -1,27 +1,58 @@
-//! What the classes of Python are called, and what is special about some of them.
+//! Names of the Python modules and classes, and the exceptions to the naming rule.
 
-/// Modules of the package, what they hold, and the definitions of the schema from which that is reached. What several
-/// modules need is in the first of them.
-pub(super) const MODULES: [(&str, &str, &[&str]); 13] = [
-    ("places", "Places on bodies.", &["End"]),
-    ("functions", "Functions of time.", &["TimeFunction"]),
-    ("materials", "Materials.", &["Material"]),
-    ("sections", "Cross-sections.", &["Section"]),
-    ("bodies", "Bodies, flexible and rigid.", &["Body"]),
-    ("drives", "Drives, springs and friction of joints.", &DRIVES),
-    ("joints", "Joints.", &["Joint"]),
-    ("couplings", "Joints that move together.", &["Coupling"]),
-    ("loads", "Loads besides gravity.", &["Load"]),
-    ("contacts", "What bodies may touch.", &["Contact"]),
-    ("analyses", "What is computed.", &["Analysis"]),
-    ("output", "What is recorded and written.", &["Probe", "Output"]),
-    ("whole", "The whole model.", &["Model"]),
+/// A generated module of the package `ancf.model`.
+pub(super) struct Module {
+    /// Path below `ancf.model`, with dots.
+    pub(super) path: &'static str,
+    /// Docstring.
+    pub(super) summary: &'static str,
+    /// Definitions of the schema from which the contents are reached.
+    pub(super) roots: &'static [&'static str],
+}
+
+const fn module(path: &'static str, summary: &'static str, roots: &'static [&'static str]) -> Module {
+    Module { path, summary, roots }
+}
+
+/// Generated modules. A definition that several modules need belongs to the first of them.
+pub(super) const MODULES: [Module; 12] = [
+    module("base.places", "Places on bodies.", &["End"]),
+    module("base.functions", "Functions of time.", &["TimeFunction"]),
+    module("sections", "Cross-sections and materials.", &["Material", "Section"]),
+    module("bodies", "Flexible and rigid bodies.", &["Body"]),
+    module("drives", "Drives, springs, friction and couplings of joints.", &DRIVES),
+    module("connectors", "Joints between two points: rods, springs and bushings.", &[]),
+    module("joints", "Joints.", &["Joint"]),
+    module("loads", "Loads besides gravity.", &["Load"]),
+    module("contacts", "Contact between bodies and with obstacles.", &["Contact"]),
+    module("analyses", "Analyses and their solver settings.", &["Analysis"]),
+    module("output", "Probes and output.", &["Probe", "Output"]),
+    module("whole", "The whole model.", &["Model"]),
 ];
 
-const DRIVES: [&str; 6] =
-    ["AngularDrive", "AngularSpring", "AngularFriction", "LinearDrive", "LinearSpring", "LinearFriction"];
+/// Modules of single forms that are not in the module of their definition: definition, word, module.
+const FORM_MODULES: [(&str, &str, &str); 3] = [
+    ("Joint", "bushing", "connectors"),
+    ("Joint", "distance", "connectors"),
+    ("Joint", "spring", "connectors"),
+];
 
-/// Classes that are not called by the word of their form or their definition: definition, word or first key, name.
+/// The module of a form, if it is not the module of its definition.
+pub(super) fn form_module(definition: &str, word: &str) -> Option<&'static str> {
+    FORM_MODULES.iter().find(|(of, form, _)| *of == definition && *form == word).map(|(.., module)| *module)
+}
+
+const DRIVES: [&str; 7] = [
+    "AngularDrive",
+    "AngularSpring",
+    "AngularFriction",
+    "LinearDrive",
+    "LinearSpring",
+    "LinearFriction",
+    "Coupling",
+];
+
+/// Names of classes that differ from the word of their form: definition, word or first required key, name.
 const CLASSES: [(&str, &str, &str); 17] = [
     ("Against", "bodies", "EachOther"),
     ("Body", "mass", "PointMass"),
@@ -42,7 +73,7 @@ const CLASSES: [(&str, &str, &str); 17] = [
     ("Varying", "external", "ExternalFunction"),
 ];
 
-/// The name of the class for a form of a definition.
+/// Returns the name of the class of a form of a definition.
 pub(super) fn class(definition: &str, word: &str) -> String {
     let special = CLASSES.iter().find(|(of, form, _)| *of == definition && *form == word);
     special.map_or_else(|| camel(word), |(_, _, name)| (*name).to_owned())
@@ -53,21 +84,21 @@ fn camel(word: &str) -> String {
     word.split('_').filter(|part| !part.is_empty()).map(capital).collect()
 }
 
-/// The name of the type of a definition that has several forms.
+/// Returns the name of the type alias of a definition with several forms.
 pub(super) fn alias(definition: &str) -> &str {
-    // `Step` is the function of time.
+    // The class `Step` is the function of time.
     if definition == "Step" { "StepSize" } else { definition }
 }
 
-/// What a definition allows in Python besides, and what that is.
+/// Returns a type that Python accepts in addition to the schema, and its description.
 pub(super) fn besides(definition: &str) -> Option<(&'static str, &'static str)> {
     (definition == "TimeFunction").then_some((
         "Callable[[float], float | tuple[float, float, float]]",
-        "Or a function of Python, which gives its value at a time, or value, rate and acceleration.",
+        "Or a Python function of time that returns the value, or value, rate and acceleration.",
     ))
 }
 
-/// What a key allows in Python in the place of a name, and what that is.
+/// Returns the type that Python accepts instead of a name, and its description.
 pub(super) fn instead(definition: &str, key: &str) -> Option<(&'static str, &'static str)> {
     match (definition, key) {
         ("Body", "section" | "section_end") => Some(("Section", "Or the section itself.")),
@@ -77,19 +108,31 @@ pub(super) fn instead(definition: &str, key: &str) -> Option<(&'static str, &'st
     }
 }
 
-/// The module and the name of the class from which a class derives.
-pub(super) fn base(definition: &str, class: &str) -> (&'static str, &'static str) {
+/// Returns the base class of a class.
+pub(super) fn base(definition: &str, class: &str) -> &'static str {
     match (definition, class) {
-        (_, "Beam" | "Cable") => ("ancf.axis", "Axis"),
-        (_, "RigidBody") => ("ancf.axis", "Frame"),
-        (_, "PointMass") => ("ancf.axis", "Point"),
-        ("Model", _) => ("ancf.document", "Document"),
-        ("Material" | "Section", _) => ("ancf.part", "Shared"),
-        _ => ("ancf.part", "Part"),
+        (_, "Beam" | "Cable") => "Axis",
+        (_, "RigidBody") => "Frame",
+        (_, "PointMass") => "Point",
+        ("Model", _) => "Document",
+        ("Material" | "Section", _) => "Shared",
+        _ => "Part",
     }
 }
 
-/// Keys that may be given without being named, in this order.
+/// Returns the module of a name that is not generated.
+pub(super) fn imported_from(name: &str) -> &'static str {
+    match name {
+        "Callable" | "Mapping" | "Sequence" => "collections.abc",
+        "dataclass" | "field" => "dataclasses",
+        "ClassVar" | "Literal" | "TypeAlias" => "typing",
+        "Axis" | "Frame" | "Point" => "ancf.model.base.axis",
+        "Document" => "ancf.model.document",
+        _ => "ancf.model.base.part",
+    }
+}
+
+/// Returns the keys that are positional arguments, in order.
 pub(super) fn positional(class: &str) -> &'static [&'static str] {
     match class {
         "Place" => &["body", "at"],
@@ -98,7 +141,7 @@ pub(super) fn positional(class: &str) -> &'static [&'static str] {
     }
 }
 
-/// The table of the part that a key names.
+/// Returns the table of the model to which a key refers by name.
 pub(super) fn table(definition: &str, key: &str) -> Option<&'static str> {
     match instead(definition, key)? {
         ("Section", _) => Some("sections"),
@@ -107,12 +150,12 @@ pub(super) fn table(definition: &str, key: &str) -> Option<&'static str> {
     }
 }
 
-/// The attribute of a key: words of Python get an underscore.
+/// Returns the attribute of a key: Python keywords get a trailing underscore.
 pub(super) fn attribute(key: &str) -> String {
-    const WORDS: [&str; 35] = [
+    const KEYWORDS: [&str; 35] = [
         "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue",
         "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in",
         "is", "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
     ];
-    if WORDS.contains(&key) { format!("{key}_") } else { key.to_owned() }
+    if KEYWORDS.contains(&key) { format!("{key}_") } else { key.to_owned() }
 }

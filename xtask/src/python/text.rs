@@ -1,14 +1,14 @@
-//! Texts of the schema as documentation of Python.
+//! Docstrings from the descriptions in the schema.
 
 use serde_json::Value as Json;
 
 use super::form::{Key, alternatives, definition, description, forms, referred};
 use super::names;
 
-/// Width of a line.
+/// Maximum width of a line.
 pub(super) const WIDTH: usize = 110;
 
-/// What a key means, what it allows and what it is by default.
+/// Returns the description of a key with its limits, words and default value.
 pub(super) fn meaning(schema: &Json, key: &Key) -> String {
     let text = description(key.schema).replace('\n', " ");
     let mut text = text.trim_end_matches('.').to_owned();
@@ -33,7 +33,7 @@ fn limits(of: &Json) -> String {
     limits.map(|(key, sign)| format!("{sign} {}", of[*key])).collect::<Vec<_>>().join(", ")
 }
 
-/// The words among which a key chooses.
+/// Returns the words that a key accepts.
 fn words(schema: &Json, of: &Json) -> Vec<String> {
     let mut words = Vec::new();
     for form in alternatives(of) {
@@ -51,7 +51,7 @@ fn words(schema: &Json, of: &Json) -> Vec<String> {
     words
 }
 
-/// A default value as it is written in Python.
+/// Formats a default value as Python code.
 fn default(schema: &Json, of: &Json, value: &Json) -> String {
     match value {
         Json::Bool(yes) => if *yes { "True" } else { "False" }.into(),
@@ -76,7 +76,7 @@ fn default(schema: &Json, of: &Json, value: &Json) -> String {
     }
 }
 
-/// A text as the first line and the paragraphs of a docstring.
+/// Splits a text into the summary line and the paragraphs of a docstring.
 pub(super) fn summary(text: &str, indent: usize) -> (String, String) {
     let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
     let first = first.replace('\n', " ");
@@ -96,28 +96,28 @@ pub(super) fn summary(text: &str, indent: usize) -> (String, String) {
     (format!("{}.", head.trim_end_matches('.')), rest.join("\n\n"))
 }
 
-/// The first sentence and the rest; a full stop before a small letter or a bracket ends none.
+/// Splits off the first sentence. A full stop before a lower-case letter or a bracket does not end a sentence.
 fn sentence(text: &str) -> Option<(&str, &str)> {
     let ends = text.match_indices(". ").map(|(at, _)| (&text[..at], &text[at + 2..]));
     ends.into_iter().find(|(_, rest)| rest.starts_with(char::is_uppercase))
 }
 
-/// A paragraph in lines with an indent; those after the first have another.
+/// Wraps a paragraph. The first line and the others have separate indents.
 pub(super) fn wrapped(text: &str, first: usize, others: usize) -> String {
     let text = text.replace('`', "``").replace('\\', "\\\\");
     let mut lines = vec![" ".repeat(first)];
-    let mut is_begun = false;
+    let mut has_words = false;
     for word in text.split_whitespace() {
-        let line = lines.last_mut().expect("there is a first line");
-        if is_begun && line.chars().count() + 1 + word.chars().count() > WIDTH {
+        let line = lines.last_mut().expect("the list starts with one line");
+        if has_words && line.chars().count() + 1 + word.chars().count() > WIDTH {
             lines.push(" ".repeat(others) + word);
         } else {
-            if is_begun {
+            if has_words {
                 line.push(' ');
             }
             line.push_str(word);
         }
-        is_begun = true;
+        has_words = true;
     }
     lines.join("\n") + "\n"
 }

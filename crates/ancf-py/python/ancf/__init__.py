@@ -1,14 +1,14 @@
 """Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
 
-A model is stated in typed objects (`Model`, `Beam`, ...), in dictionaries, or in a TOML file; `run` carries out
-its analysis, and a `Result` has what was computed as NumPy arrays.
+A model consists of typed objects (`Model`, `Beam`, ...), dictionaries, or a TOML file. `run` carries out its analysis
+and returns a `Result` with NumPy arrays.
 """
 
 from ancf import _ancf, model
 from ancf.analysis import buckling, check, load, modes, path, run, scaled, schema, statics
 from ancf.errors import AnalysisError, Fault, ModelError
-from ancf.instant import Instant
 from ancf.model import *  # noqa: F403
+from ancf.record.instant import Instant
 from ancf.result import Result
 from ancf.studies import Study, sobol, study
 

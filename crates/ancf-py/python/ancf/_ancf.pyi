@@ -3,16 +3,20 @@ from pathlib import Path
 from typing import Any, TypedDict, final, type_check_only
 
 import numpy as np
-
-from ancf.record import Array
+from numpy.typing import NDArray
 
 __all__ = [
+    "BOX_EDGE",
+    "POINT_MASS_RADIUS",
     "VERSION",
+    "ModelGeometry",
     "Simulation",
     "States",
     "check_part",
     "diagnose",
+    "inertia_box",
     "load",
+    "outline",
     "read",
     "report",
     "scaled",
@@ -23,25 +27,27 @@ __all__ = [
 ]
 
 VERSION: str
+BOX_EDGE: float
+POINT_MASS_RADIUS: float
 
 @type_check_only
-class Done(TypedDict):
+class RunResults(TypedDict):
     columns: list[str]
     units: dict[str, str]
-    rows: Array
+    rows: NDArray[np.float64]
     states: States
     summary: dict[str, Any]
     failure: str | None
     error: BaseException | None
 
 @type_check_only
-class Loaded(TypedDict):
+class LoadedResults(TypedDict):
     kind: str
     columns: list[str]
     units: dict[str, str]
-    rows: Array
-    frames: Array
-    frame_rows: np.typing.NDArray[np.int64]
+    rows: NDArray[np.float64]
+    frames: NDArray[np.float64]
+    frame_rows: NDArray[np.int64]
     states: States
     summary: dict[str, Any]
     model: dict[str, Any]
@@ -56,23 +62,38 @@ class Simulation:
     def run(
         self,
         states: str,
-        callback: Callable[[list[str], Array, States], object] | None,
+        callback: Callable[[list[str], NDArray[np.float64], States], object] | None,
         tick: Callable[[float], object] | None,
         stop: Callable[[], object] | None = None,
-    ) -> Done: ...
+    ) -> RunResults: ...
     def columns(self) -> list[str]: ...
 
 @final
 class States:
-    def field(self, name: str, parts: int, frames: list[int] | None = None) -> Array: ...
+    def field(self, name: str, parts: int, frames: list[int] | None = None) -> NDArray[np.float64]: ...
     def stations(self, parts: int) -> tuple[list[str], list[int], list[float]]: ...
     def __len__(self) -> int: ...
 
-def load(path: Path) -> Loaded: ...
+@final
+class ModelGeometry:
+    def __new__(cls, states: States) -> ModelGeometry: ...
+    def outlines(
+        self, body: str, fractions: list[float], sides: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, NDArray[np.int64]]: ...
+    def arms(self, body: str) -> NDArray[np.float64]: ...
+    def joints(self, frame: int, scale: float, modal: bool) -> tuple[list[str], NDArray[np.float64]]: ...
+
+def outline(
+    section: Mapping[str, Any], sides: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, NDArray[np.int64]]: ...
+def inertia_box(
+    body: Mapping[str, Any], max_edge: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def load(path: Path) -> LoadedResults: ...
 def report(
     states: States,
     columns: list[str],
-    rows: Array,
+    rows: NDArray[np.float64],
     values: list[float],
     summary: Mapping[str, Any],
     title: str | None,
@@ -83,5 +104,11 @@ def to_toml(data: Mapping[str, Any]) -> str: ...
 def scaled(data: Mapping[str, Any]) -> tuple[dict[str, Any], list[float]]: ...
 def diagnose(data: Mapping[str, Any]) -> str: ...
 def schema() -> str: ...
-def states(model: Mapping[str, Any], text: str | None, keep: str, at: Array, numbers: Array) -> States: ...
+def states(
+    model: Mapping[str, Any],
+    text: str | None,
+    keep: str,
+    at: NDArray[np.float64],
+    numbers: NDArray[np.float64],
+) -> States: ...
 def check_part(definition: str, data: Any) -> None: ...

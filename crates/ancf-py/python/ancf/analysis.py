@@ -1,4 +1,4 @@
-"""Analyses: a model in, a result out."""
+"""Analyses of models."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, runtime_che
 
 from ancf import _ancf
 from ancf.errors import AnalysisError
-from ancf.instant import Instant
 from ancf.progress import Bar
+from ancf.record.instant import Instant
 from ancf.result import Result
 
 if TYPE_CHECKING:
     from ancf._ancf import States
-    from ancf.record import Array
+    from ancf.record.columns import Array
 
 
 @runtime_checkable
 class HasData(Protocol):
-    """What can tell its data, such as `ancf.Model`."""
+    """An object with plain data, such as `ancf.Model`."""
 
     def to_dict(self) -> dict[str, Any]:
-        """Tell its data as plain dictionaries."""
+        """Return the data as plain dictionaries."""
         ...
 
 
@@ -32,11 +32,11 @@ ModelLike: TypeAlias = "HasData | Mapping[str, Any] | str | os.PathLike[str]"
 """A model: `ancf.Model`, its data in dictionaries, or the path of a model file."""
 
 Callback: TypeAlias = Callable[[Instant], object]
-"""What is called at each step; a true answer ends the run."""
+"""Function called in each step. A true return value ends the run."""
 
 
 def data(model: ModelLike) -> dict[str, Any]:
-    """The data of a model, whichever way it is stated."""
+    """Return the data of a model as plain dictionaries."""
     if isinstance(model, (str, os.PathLike)):
         return _ancf.read(Path(model))
     if isinstance(model, Mapping):
@@ -54,51 +54,51 @@ def run(
     progress: bool | None = None,
     states: Literal["all", "positions", "none"] = "all",
 ) -> Result:
-    """Run the analysis that a model asks for.
+    """Run the analysis of a model.
 
     Parameters
     ----------
     model
         An `ancf.Model`, its data in dictionaries, or the path of a model file.
     callback
-        Is called with an `Instant` at the start and after each step, or with `output.interval` at the instants
-        that are recorded: to watch, or to set what the functions of loads and drives then give. A true answer
-        ends the run in good order.
+        Function called with an `Instant` at the start and after each step, or with `output.interval` at the recorded
+        instants. It may observe the run or set the values that functions of loads and drives return next. A true
+        return value ends the run without an error.
     progress
-        Whether a bar shows how far a motion is; by default if there is a terminal or a notebook.
+        True for a progress bar of a motion; by default in terminals and notebooks.
     states
-        What is kept of each state for `Result.field`: all of it, positions only, or nothing. All takes
-        24 bytes a coordinate and 8 a multiplier and row: 12 coordinates a node and 1000 rows of 1000 elements
-        take 290 MB. `Result.report` needs all.
+        Part of each state that is kept for `Result.field`: all of it, positions only, or nothing. A complete state
+        takes 24 bytes per coordinate and 8 per multiplier and row: 12 coordinates per node and 1000 rows of 1000
+        elements take 290 MB. `Result.report` needs complete states.
 
     Raises
     ------
     ModelError
-        If the model is not valid, with all that is wrong.
+        If the model is invalid, with all errors.
     AnalysisError
-        If the analysis cannot go on; its `result` has what was computed until then. So has the attribute
-        `result` of any exception that ends a run from outside, such as `KeyboardInterrupt`.
+        If the analysis fails; its `result` has the rows up to the failure. Any other exception that ends a run,
+        such as `KeyboardInterrupt`, has the same attribute `result`.
 
     """
     simulation = _ancf.Simulation(data(model))
     _, duration = simulation.analysis
-    watch = None if callback is None else Watch(callback)
+    observer = None if callback is None else CallbackObserver(callback)
     with Bar(duration, progress) as bar:
-        return carried_out(simulation, states, watch, bar.tick)
+        return run_simulation(simulation, states, observer, bar.tick)
 
 
-def carried_out(
+def run_simulation(
     simulation: _ancf.Simulation,
     states: str,
-    watch: Watch | None = None,
+    observer: CallbackObserver | None = None,
     tick: Callable[[float], object] | None = None,
     stop: Callable[[], object] | None = None,
 ) -> Result:
-    """Run a simulation; `watch` sees each row, `tick` is told the time now and then, `stop` is asked in each iteration.
+    """Run a simulation. `observer` receives each row, `tick` the time now and then, `stop` is called in each iteration.
 
-    A true answer of any of them ends it.
+    A true return value of any of them ends the run.
     """
-    done = simulation.run(states, watch, tick, stop)
+    done = simulation.run(states, observer, tick, stop)
     kind, _ = simulation.analysis
     result = Result(
         done["columns"],
@@ -119,17 +119,16 @@ def carried_out(
 
 
 def load(folder: str | os.PathLike[str]) -> Result:
-    """Read what `ancf run` wrote into a folder, also of a run that was killed or still goes on.
+    """Read the results that `ancf run` wrote to a folder, also of a run that was killed or is in progress.
 
-    The columns are those that `ancf.run` gives. Fields are of the states that the run kept, `Result.frames`: of
-    motions about as many as `output.states` says, of all else every one. Of a run that goes on it is what was on the
-    disk a moment ago; `summary["outcome"]["kind"]` is `running` then, and `broken` of one that was killed, with a
-    `reason` in words.
+    The columns are those of `ancf.run`. Fields are based on the states that the run kept, `Result.frames`: about
+    `output.states` states of a motion, all states of other analyses. Of a run in progress, the results written so far
+    are read. Its `summary["outcome"]["kind"]` is `running`, that of a killed run is `broken` with a `reason`.
 
     Raises
     ------
     ModelError
-        If the model in the folder is none of this version.
+        If the model in the folder is not valid in this version.
     OSError
         If there is no run (`FileNotFoundError`), or a file is damaged or cannot be read.
 
@@ -149,25 +148,25 @@ def load(folder: str | os.PathLike[str]) -> Result:
 
 
 def statics(model: ModelLike, **settings: Any) -> Result:
-    """Find the equilibrium of a model, whatever analysis it asks for; `settings` are the keys of `ancf.Statics`.
+    """Compute the equilibrium of a model; `settings` are the keys of `ancf.Statics`.
 
-    The last row is the equilibrium under all loads. Raises as `run` does.
+    The last row is the equilibrium under all loads. The analysis of the model itself is ignored. Raises as `run` does.
     """
     return _analysed(model, "statics", settings)
 
 
 def path(model: ModelLike, **settings: Any) -> Result:
-    """Follow the path of equilibria of a model through limit points; `settings` are the keys of `ancf.Path`."""
+    """Trace the equilibrium path of a model through limit points; `settings` are the keys of `ancf.Path`."""
     return _analysed(model, "path", settings)
 
 
 def modes(model: ModelLike, count: int = 10, **settings: Any) -> Result:
-    """Find the lowest natural modes of a model: `frequencies` and `shapes`; `settings` are the keys of `ancf.Modes`."""
+    """Compute the lowest natural modes: `frequencies` and `shapes`; `settings` are the keys of `ancf.Modes`."""
     return _analysed(model, "modes", {"count": count, **settings})
 
 
 def buckling(model: ModelLike, count: int = 1, **settings: Any) -> Result:
-    """Find the lowest critical loads of a model: `factors` and `shapes`; `settings` are the keys of `ancf.Buckling`."""
+    """Compute the lowest critical loads: `factors` and `shapes`; `settings` are the keys of `ancf.Buckling`."""
     return _analysed(model, "buckling", {"count": count, **settings})
 
 
@@ -176,35 +175,35 @@ def _analysed(model: ModelLike, kind: str, settings: dict[str, Any]) -> Result:
 
 
 def check(model: ModelLike) -> str:
-    """Check a model; what it consists of, what joints tie and what is free to move, in words. Raises `ModelError`."""
+    """Check a model and describe its parts, constraints and degrees of freedom. Raises `ModelError`."""
     return _ancf.diagnose(data(model))
 
 
 def scaled(model: ModelLike) -> tuple[dict[str, Any], dict[str, float]]:
-    """Give the data of a model in the units in which its equations are solved, and these units.
+    """Return the data of a model in the units of the solver, and these units.
 
-    The units are those of `length`, `time` and `force` in the model's own.
+    The units are those of `length`, `time` and `force`, expressed in the units of the model.
     """
     numbers, scales = _ancf.scaled(data(model))
     return numbers, dict(zip(("length", "time", "force"), scales, strict=True))
 
 
 def schema() -> dict[str, Any]:
-    """Give the JSON Schema of models."""
+    """Return the JSON Schema of models."""
     found: dict[str, Any] = json.loads(_ancf.schema())
     return found
 
 
-class Watch:
-    """Shows each row of a run to a callback."""
+class CallbackObserver:
+    """Calls a callback with each row of a run."""
 
     def __init__(self, callback: Callback) -> None:
-        """Show them to `callback`."""
+        """Store the callback."""
         self._callback = callback
-        self._places: dict[str, int] | None = None
+        self._indices: dict[str, int] | None = None
 
     def __call__(self, columns: list[str], row: Array, states: States) -> object:
-        """Show a row."""
-        instant = Instant(columns, row, states, self._places)
-        self._places = instant.places
+        """Call the callback with a row."""
+        instant = Instant(columns, row, states, self._indices)
+        self._indices = instant.indices
         return self._callback(instant)

@@ -1,4 +1,4 @@
-"""What can go wrong, in the words of the command line."""
+"""Errors of models and analyses, with the messages of the command line."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong with a model."""
+    """One error of a model."""
 
     path: str
     """Path of the key, such as ``bodies[0].material``; empty for the model as a whole."""
     found: str
-    """What was found there."""
+    """Value that was found."""
     wanted: str
-    """What is wanted instead."""
+    """Values that are allowed."""
     hint: str | None
-    """A suggestion, such as the key that was probably meant."""
+    """Suggestion, such as the key that was probably meant."""
     place: tuple[int, int] | None
-    """Line and column in the file, from 1, if the model came from one."""
+    """Line and column in the file, from 1, if the model came from a file."""
     text: str
-    """All of it in a line."""
+    """Message in one line."""
 
 
 class ModelError(ValueError):
-    """All that is wrong with a model; its text has one line an error, as on the command line."""
+    """All errors of a model. The text has one line per error, as on the command line."""
 
     def __init__(self, errors: Sequence[Fault], file: str | None = None) -> None:
-        """All `errors` of a model, which was read from `file` if it was."""
+        """Store the `errors` of a model and the `file` from which it was read, if any."""
         self.errors = list(errors)
         self.file = file
         super().__init__("\n".join(self._line(error) for error in self.errors))
 
     @classmethod
     def of(cls, faults: Sequence[tuple[object, ...]], file: str | None) -> ModelError:
-        """Make one from what the engine found."""
+        """Create an exception from the errors of the engine."""
         return cls([Fault(*fault) for fault in faults], file)  # type: ignore[arg-type]
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -53,13 +53,13 @@ class ModelError(ValueError):
 
 
 class AnalysisError(RuntimeError):
-    """An analysis that could not go on: when, why and where; what it computed until then is in `result`."""
+    """A failed analysis: the text has time, reason and place of the failure, `result` the rows up to it."""
 
     def __init__(self, message: str, result: Result | None = None) -> None:
-        """The text of the failure and the results so far."""
+        """Store the message of the failure and the results up to it."""
         super().__init__(message)
         self.result = result
 
     def __reduce__(self) -> tuple[object, ...]:
-        # Results stay where they were computed.
+        # Results are not sent to other processes.
         return type(self), (str(self),)

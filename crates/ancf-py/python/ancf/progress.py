@@ -1,4 +1,4 @@
-"""How far a run is."""
+"""Progress bars of runs."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 
 class Bar:
-    """A bar that fills as a motion goes on."""
+    """Progress bar of a motion."""
 
     def __init__(self, duration: float | None, wanted: bool | None) -> None:
-        """A bar for a motion of a duration, if one is wanted; if that is not said, where somebody can see it."""
+        """Prepare a bar for a motion of a duration. By default it is shown in terminals and notebooks."""
         self._bar: Any = None
         self._duration = duration
         self._wanted = duration is not None and (is_seen() if wanted is None else wanted)
@@ -32,12 +32,12 @@ class Bar:
 
     @property
     def tick(self) -> Any:
-        """What is to be called with the time that is reached, now and then; nothing if no bar is wanted."""
+        """Function to call with the time of the motion now and then. None if there is no bar."""
         return self._tick if self._wanted else None
 
     def _tick(self, time: float) -> None:
         if self._bar is None:
-            # Short runs are over before the first tick, and need no bar.
+            # Short runs end before the first tick and show no bar.
             if time <= 0.0:
                 return
             from tqdm.auto import tqdm
@@ -48,7 +48,7 @@ class Bar:
 
 
 def is_seen() -> bool:
-    """Whether somebody can see a bar: in a terminal or a notebook."""
+    """Return True in a terminal or a notebook."""
     return _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
 
 

@@ -1,4 +1,4 @@
-"""A page about a result."""
+"""Reports of results as HTML pages."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from ancf import _ancf
 if TYPE_CHECKING:
     import os
 
-    from ancf.result import Result
+    from ancf.record.result_data import ResultData
 
 
 class Report:
-    """A page with bodies that move and charts; it needs no network. A notebook shows it."""
+    """A page with an animated scene and charts. It needs no network and shows itself in a notebook."""
 
     def __init__(self, html: str) -> None:
-        """The page of a text."""
+        """Store the text of the page."""
         self.html = html
-        """The whole page."""
+        """Text of the page."""
 
     @classmethod
-    def of(cls, result: Result, title: str | None = None) -> Report:
-        """The page of a result."""
+    def of(cls, result: ResultData, title: str | None = None) -> Report:
+        """Create the page of a result."""
         frames = [float(value) for value in result.frames]
         return cls(_ancf.report(result.states, result.columns, result.data, frames, result.summary, title))
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write it to a file."""
+        """Write the page to a file."""
         Path(path).write_text(self.html, encoding="utf-8")
 
     def _repr_html_(self) -> str:
-        # In a frame of its own, so that its scripts and styles and those of the notebook do not meet.
+        # A frame isolates the scripts and styles of the page from those of the notebook.
         return (
             '<iframe sandbox="allow-scripts allow-downloads" width="100%" height="640" style="border: 0" '
             f'srcdoc="{escape(self.html)}"></iframe>'

@@ -1,4 +1,4 @@
-"""Studies: a model in many cases, on all cores or a cluster, into a table."""
+"""Studies: one model, many cases, one table. Cases run on all cores or on a cluster."""
 
 from ancf.studies.indices import sobol
 from ancf.studies.report import Study

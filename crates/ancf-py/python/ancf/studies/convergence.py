@@ -1,4 +1,4 @@
-"""Convergence: the order that is observed, and the limit."""
+"""Convergence: observed order and limit."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-MOST = 20.0
-"""The highest order that is looked for."""
+MAX_ORDER = 20.0
+"""Upper bound of the observed order."""
 
 
 def convergence(
     rows: pd.DataFrame, parameter: str, objective: str, others: Sequence[str] = ()
 ) -> pd.DataFrame:
-    """How an objective f converges as a parameter refines, from the coarsest case to the finest.
+    """Estimate the order of convergence of an objective f, from the coarsest case to the finest.
 
-    | column | what |
+    | column | meaning |
     |---|---|
     | `change` | fₖ - fₖ₋₁ |
-    | `order` | p of f = f∞ + C hᵖ through this case and the two before; not a number if there is none |
-    | `limit` | f∞ (Richardson 1911), which the order and the last two cases give |
-    | `error` | f - f∞ with the limit of the finest case that has one |
+    | `order` | p of f = f∞ + C hᵖ through this case and the two before; NaN if there is none |
+    | `limit` | f∞ (Richardson 1911) from the order and the last two cases |
+    | `error` | f - f∞ with the limit of the finest case with an order |
 
-    Integers are counts, so that h is one over them; other numbers are sizes h, such as a step of time.
+    Integers are counts with h = 1/count. Other numbers are sizes h, such as a time step.
 
     Raises
     ------
     ValueError
-        If another parameter varies, or the parameter is no number.
+        If another parameter varies, or the parameter is not a number.
 
     """
     import pandas as pd
 
     varying = [other for other in others if rows[other].nunique() > 1]
     if varying:
-        msg = f"{varying[0]!r} varies too: say which of its values, such as where={{{varying[0]!r}: ...}}"
+        msg = f"{varying[0]!r} varies too: select one of its values, such as where={{{varying[0]!r}: ...}}"
         raise ValueError(msg)
     if not pd.api.types.is_numeric_dtype(rows[parameter]):
-        msg = f"{parameter!r} has no numbers that could refine"
+        msg = f"{parameter!r} has no numbers"
         raise ValueError(msg)
     is_count = pd.api.types.is_integer_dtype(rows[parameter])
     ordered = rows.drop_duplicates(parameter).sort_values(parameter, ascending=is_count)
@@ -63,12 +63,12 @@ def convergence(
 def order(
     h: np.ndarray[tuple[int], np.dtype[np.float64]], f: np.ndarray[tuple[int], np.dtype[np.float64]]
 ) -> float:
-    """The order p with (f₂ - f₁)/(f₃ - f₂) = (h₁ᵖ - h₂ᵖ)/(h₂ᵖ - h₃ᵖ), h₁ > h₂ > h₃ (Roache 1994)."""
+    """Return the order p with (f₂ - f₁)/(f₃ - f₂) = (h₁ᵖ - h₂ᵖ)/(h₂ᵖ - h₃ᵖ), h₁ > h₂ > h₃ (Roache 1994)."""
     from scipy.optimize import brentq
 
     first, second = f[1] - f[0], f[2] - f[1]
     a, b = np.log(h[0] / h[1]), np.log(h[1] / h[2])
-    # The right side grows with p, from a/b at p = 0.
+    # The right side increases with p, from a/b at p = 0.
     if second == 0 or not first / second > a / b:
         return float("nan")
     ratio = first / second
@@ -76,6 +76,6 @@ def order(
     def excess(p: float) -> float:
         return float(np.exp(b * p) * np.expm1(a * p) / np.expm1(b * p) - ratio)
 
-    if excess(MOST) < 0:
+    if excess(MAX_ORDER) < 0:
         return float("nan")
-    return float(brentq(excess, 1e-9, MOST))
+    return float(brentq(excess, 1e-9, MAX_ORDER))

@@ -1,4 +1,4 @@
-"""Sobol's indices: the parts of the variance of an objective that parameters make."""
+"""Sobol indices: fractions of the variance of an objective due to parameters."""
 
 from __future__ import annotations
 
@@ -8,18 +8,25 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ancf.errors import ModelError
-from ancf.studies import sampling
+from ancf.studies.definition import sampling
+from ancf.studies.definition.messages import (
+    fault,
+    is_integer,
+    key_faults,
+    parameter_path,
+    shown,
+    with_text_keys,
+)
 from ancf.studies.run import study
-from ancf.studies.statement import at, fault, is_whole, named, shown, unnamed
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from ancf.analysis import ModelLike
-    from ancf.record import Array
-    from ancf.studies.objective import Objective
+    from ancf.record.columns import Array
+    from ancf.studies.definition.objective import Objective
+    from ancf.studies.definition.sampling import Distribution
     from ancf.studies.report import Study
-    from ancf.studies.sampling import Distribution
 
 
 def sobol(
@@ -31,26 +38,26 @@ def sobol(
     seed: int = 0,
     **settings: Any,
 ) -> pd.DataFrame:
-    """Which part of the variance of each objective each parameter makes, whatever the model (Sobol 1993).
+    """Estimate the fraction of the variance of each objective due to each parameter (Sobol 1993).
 
-    The column `first` has the part that is due to the parameter alone, `total` that in which it has a share. Both
-    are estimated from samples × (parameters + 2) cases (Saltelli et al. 2010); `settings` are those of `study`, such
-    as `folder` and `client`.
+    The column `first` has the fraction due to the parameter alone, `total` the fraction due to the parameter and its
+    interactions. Both are estimated from samples × (parameters + 2) cases (Saltelli et al. 2010). `settings` are
+    those of `study`, such as `folder` and `client`.
 
     Raises
     ------
     ModelError
-        With all that is wrong, before anything is run.
+        If the statement is invalid, with all errors, before any case is run.
     ValueError
-        If a case did not finish or has no number; the others are kept in the folder.
+        If a case did not finish or has no number. The others are kept in the folder.
 
     """
     check(parameters, objective, samples, seed, settings)
     paths, samples = sorted(parameters), int(samples)
-    places = np.clip(sampling.sobol(2 * len(paths), samples, seed), 1e-16, 1 - 1e-16)
+    points = np.clip(sampling.sobol_points(2 * len(paths), samples, seed), 1e-16, 1 - 1e-16)
     first, second = (
         [sampling.quantiles(parameters[path], p) for path, p in zip(paths, half.T, strict=True)]
-        for half in halves(places)
+        for half in halves(points)
     )
     mixed = [[*first[:i], second[i], *first[i + 1 :]] for i in range(len(paths))]
     blocks = [first, second, *mixed]
@@ -65,25 +72,23 @@ def check(
     seed: object,
     settings: Mapping[str, Any],
 ) -> None:
-    """What is wrong with the statement, but for the model."""
-    faults = unnamed("parameters", parameters)
+    """Raise an error for an invalid statement. The model is not checked."""
+    faults = key_faults("parameters", parameters)
     if isinstance(parameters, Mapping) and not parameters:
         faults.append(fault("parameters", "none", "at least one distribution"))
     faults += [
-        fault(at(path), shown(law), "a distribution, such as scipy.stats.norm(mean, deviation)")
-        for path, law in named(parameters).items()
+        fault(parameter_path(path), shown(law), "a distribution, such as scipy.stats.norm(mean, deviation)")
+        for path, law in with_text_keys(parameters).items()
         if not sampling.is_distribution(law)
     ]
     if objective is None or (isinstance(objective, Mapping) and not objective):
-        faults.append(fault("objective", "none", "at least one number whose variance is taken apart"))
+        faults.append(fault("objective", "none", "at least one number"))
     if not is_power_of_two(samples):
-        faults.append(
-            fault("samples", shown(samples), "a power of 2, as Sobol's sequence has", "such as 256")
-        )
-    if not is_whole(seed, 0):
-        faults.append(fault("seed", shown(seed), "a whole number >= 0"))
+        faults.append(fault("samples", shown(samples), "a power of 2, as in a Sobol sequence", "such as 256"))
+    if not is_integer(seed, 0):
+        faults.append(fault("seed", shown(seed), "an integer >= 0"))
     faults += [
-        fault(name, shown(settings[name]), "nothing, since Sobol's sequence decides the cases")
+        fault(name, shown(settings[name]), "nothing, since the Sobol sequence determines the cases")
         for name in ("combine", "sampling")
         if name in settings
     ]
@@ -92,23 +97,23 @@ def check(
 
 
 def is_power_of_two(samples: Any) -> bool:
-    """Whether this is an integer 2, 4, 8 ..."""
-    return is_whole(samples, 2) and int(samples).bit_count() == 1
+    """Return True for an integer 2, 4, 8 ..."""
+    return is_integer(samples, 2) and int(samples).bit_count() == 1
 
 
 def halves(points: Array) -> tuple[Array, Array]:
-    """Two independent sets of points."""
+    """Split points into two independent sets."""
     dimension = points.shape[1] // 2
     return points[:, :dimension], points[:, dimension:]
 
 
 def indices(study: Study, dimension: int, samples: int) -> pd.DataFrame:
-    """The indices from the cases of both sets and of the first with one parameter from the second at a time."""
+    """Estimate indices from the cases of set A, of set B, and of A with one parameter from B at a time."""
     import pandas as pd
 
     if len(study.finished) < len(study):
         message = study.failed["message"].iloc[0]
-        msg = f"{len(study.failed)} of {len(study)} cases did not finish, the first since: {message}"
+        msg = f"{len(study.failed)} of {len(study)} cases did not finish; the first: {message}"
         raise ValueError(msg)
     for name in study.objectives:
         numberless = int((~np.isfinite(study.table[name])).sum())
@@ -124,10 +129,10 @@ def indices(study: Study, dimension: int, samples: int) -> pd.DataFrame:
 
 
 def parts(numbers: Array) -> tuple[Array, Array]:
-    """First and total indices of f, `[objective, block, sample]`, whose blocks are A, B and A with xᵢ of B.
+    """Return first and total indices of f, `[objective, block, sample]`. Blocks are A, B and A with xᵢ of B.
 
     Sᵢ = mean(f_B (f_ABᵢ - f_A)) / V and Tᵢ = mean((f_A - f_ABᵢ)²) / (2 V), with f less its mean (Saltelli et al.
-    2010, table 2, b and f); not a number if f is the same in all cases.
+    2010, table 2, b and f). NaN if f is constant.
     """
     both = numbers[:, :2]
     centred = numbers - both.mean(axis=(1, 2), keepdims=True)

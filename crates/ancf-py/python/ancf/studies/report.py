@@ -1,10 +1,13 @@
-"""A study that was run."""
+"""Results of a study."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ancf.record import unknown
+from ancf.graphics.style import grid, style
+from ancf.record.suggestion import unknown_name
+from ancf.studies.convergence import convergence
+from ancf.studies.sensitivity import sensitivity
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -15,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Study:
-    """The table of a study, one row a case, and what can be seen in it."""
+    """Table of a study with one row per case, and its evaluation."""
 
     def __init__(
         self,
@@ -24,36 +27,34 @@ class Study:
         objectives: Sequence[str],
         file: Path | None = None,
     ) -> None:
-        """A table with the names of its parameters and objectives, and the file that has it."""
+        """Store a table with the names of its parameters and objectives, and its file."""
         self.table = table
         """Columns `case`, parameters, objectives, `outcome`, `message`, `steps`, `iterations`, `seconds`, `key`."""
         self.parameters = list(parameters)
-        """Paths of the parameters, which are columns of the table."""
+        """Columns of the parameters: their paths."""
         self.objectives = list(objectives)
-        """Names of the objectives, which are columns of the table."""
+        """Columns of the objectives: their names."""
         self.file = file
 
     @property
     def finished(self) -> pd.DataFrame:
-        """The rows of cases that finished."""
+        """Rows of finished cases."""
         rows: pd.DataFrame = self.table[self.table["outcome"] == "finished"]
         return rows
 
     @property
     def failed(self) -> pd.DataFrame:
-        """The rows of cases that failed or were invalid; why is in the column `message`."""
+        """Rows of failed and invalid cases. The column `message` has the reason."""
         rows: pd.DataFrame = self.table[self.table["outcome"].isin(["failed", "invalid"])]
         return rows
 
     def convergence(
         self, parameter: str, objective: str, where: Mapping[str, Any] | None = None
     ) -> pd.DataFrame:
-        """How an objective converges as a parameter refines; see `ancf.studies.convergence.convergence`.
+        """Estimate the order of convergence of an objective; see `ancf.studies.convergence.convergence`.
 
-        `where` tells the values of the other parameters, if they vary.
+        `where` selects values of the other parameters, if they vary.
         """
-        from ancf.studies.convergence import convergence
-
         self._known(parameter, objective)
         rows = self.finished
         for path, value in (where or {}).items():
@@ -62,18 +63,14 @@ class Study:
         return convergence(rows, parameter, objective, [p for p in self.parameters if p != parameter])
 
     def sensitivity(self, objective: str) -> pd.DataFrame:
-        """How much an objective depends on each parameter; see `ancf.studies.sensitivity.sensitivity`."""
-        from ancf.studies.sensitivity import sensitivity
-
+        """Estimate the sensitivity of an objective; see `ancf.studies.sensitivity.sensitivity`."""
         self._known(objective)
         return sensitivity(self.finished, self.parameters, objective)
 
     def plot(self, objective: str | None = None, parameter: str | None = None) -> list[Axes]:
-        """Plot objectives over parameters, one or all; a dot a case, and lines where values come in a row."""
+        """Plot one or all objectives over one or all parameters: a dot for each case, a line for a single parameter."""
         import matplotlib.pyplot as plt
         import numpy as np
-
-        from ancf.plot import grid, style
 
         down = self.objectives if objective is None else [objective]
         across = self.parameters if parameter is None else [parameter]
@@ -98,10 +95,10 @@ class Study:
     def _known(self, *columns: str) -> None:
         for column in columns:
             if column not in self.table.columns:
-                raise KeyError(unknown("column", column, [*self.parameters, *self.objectives]))
+                raise KeyError(unknown_name("column", column, [*self.parameters, *self.objectives]))
 
     def __len__(self) -> int:
-        """Number of cases."""
+        """Return the number of cases."""
         return len(self.table)
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Studies: a model in many cases."""
+"""Run of a study: one model in many cases."""
 
 from __future__ import annotations
 
@@ -8,21 +8,22 @@ from typing import TYPE_CHECKING, Any, Literal
 from ancf import _ancf
 from ancf.analysis import data
 from ancf.progress import is_seen
-from ancf.studies import cluster, settings, threads
-from ancf.studies.design import plain
-from ancf.studies.objective import Objectives
+from ancf.studies import settings
+from ancf.studies.definition.columns import COLUMNS
+from ancf.studies.definition.design import plain
+from ancf.studies.definition.objective import Objectives
+from ancf.studies.definition.statement import Statement
+from ancf.studies.execution import cluster, threads
+from ancf.studies.execution.results import Results
+from ancf.studies.execution.row import Work
 from ancf.studies.report import Study
-from ancf.studies.results import Results
-from ancf.studies.row import Work
-from ancf.studies.statement import Statement
-from ancf.studies.table import COLUMNS
 
 if TYPE_CHECKING:
     import os
     from collections.abc import Callable
 
     from ancf.analysis import ModelLike
-    from ancf.studies.objective import Objective
+    from ancf.studies.definition.objective import Objective
 
 
 def study(
@@ -41,43 +42,43 @@ def study(
     jobs: int | None = None,
     progress: bool | None = None,
 ) -> Study:
-    """Run a model in many cases, each with other values of some of its keys, and keep a few numbers of each.
+    """Run a model in many cases with different values of some of its keys, and record a few numbers of each.
 
     Parameters
     ----------
     model
-        A model that is valid by itself.
+        A valid model.
     parameters
-        Values by the path of the key, such as `"bodies.rod.material.young"`: a list, of any data, or a distribution
-        of `scipy.stats` (or whatever has `ppf`).
+        Values by the path of the key, such as `"bodies.rod.material.young"`: a list of any data, or a distribution
+        of `scipy.stats` or any other object with a method `ppf`.
     objective
-        A function of the `Result` that gives a number, or several by name; or such functions and columns by name:
-        `{"tip": ("tip.y", "mean")}` takes the `"first"`, `"last"`, `"mean"`, `"min"`, `"max"`, `"amplitude"`, `"rms"`
-        or the row of a number, from 0.
+        A function of the `Result` that returns a number, or several by name; or functions and columns by name:
+        `{"tip": ("tip.y", "mean")}` reduces a column by `"first"`, `"last"`, `"mean"`, `"min"`, `"max"`,
+        `"amplitude"`, `"rms"` or the number of a row, from 0.
     samples, seed, sampling
-        How many samples of all distributions together, what decides them, and how they fill the distributions.
+        Number of samples of all distributions together, their seed and the sampling method.
     combine
-        Every value of a list with every one of the others, or the first with the first, the second with the second.
-        Every combination runs with every sample.
+        Combine every value of a list with every value of the others, or the first with the first, the second with
+        the second. Every combination runs with every sample.
     folder
-        Where `cases.parquet` is written, and from where cases are taken over that were run before.
+        Folder of `cases.parquet`. Rows of cases that were run before are reused.
     retry
-        Whether those are run again that failed or were invalid.
+        True to run failed and invalid cases again.
     states
-        What is kept of states for `Result.field`, as in `run`; by default all if a function is among the objectives.
+        Part of each state that is kept for `Result.field`, as in `run`; by default all if an objective is a function.
     client
-        A client of `dask.distributed`, on whose workers the cases run instead of on this machine's cores.
+        A client of `dask.distributed`. Cases run on its workers instead of on the cores of this machine.
     jobs
-        How many cases run at a time on this machine; by default, and by -1, as many as there are cores.
+        Number of cases that run at a time on this machine; by default, and by -1, the number of cores.
     progress
-        Whether a bar shows how far the study is; by default if there is a terminal or a notebook.
+        True for a progress bar; by default in terminals and notebooks.
 
     Raises
     ------
     ModelError
-        With all that is wrong with the model, or with the study, before anything is run. Cases that fail are rows.
+        If the model or the study is invalid, with all errors, before any case is run. Failed cases are rows.
     KeyboardInterrupt
-        After those cases were written that had finished.
+        After the rows of finished cases were written.
 
     """
     base = plain(data(model))
@@ -88,22 +89,22 @@ def study(
     place = None if folder is None else settings.writable(folder)
     kept = states or ("all" if objectives.need_states else "none")
     results = Results(design, base, objectives, kept, place)
-    results.take_over(retry=retry)
-    taken = frozenset([*COLUMNS, *(axis.path for axis in design.axes)])
-    carry_out(results, Work(base, objectives, kept, taken), client, settings.threads(jobs), progress)
+    results.reuse(retry=retry)
+    reserved = frozenset([*COLUMNS, *(axis.path for axis in design.axes)])
+    run_cases(results, Work(base, objectives, kept, reserved), client, settings.threads(jobs), progress)
     file = None if place is None else place / "cases.parquet"
     return Study(results.table().to_pandas(), [axis.path for axis in design.axes], results.names, file)
 
 
-def carry_out(results: Results, work: Work, client: Any, jobs: int, progress: bool | None) -> None:
-    """Run the cases that are missing; what is done is written in any event."""
+def run_cases(results: Results, work: Work, client: Any, jobs: int, progress: bool | None) -> None:
+    """Run the cases without a row. Rows are written also after an exception."""
     from tqdm.auto import tqdm
 
     values, missing = results.design.values, results.missing
     shown = is_seen() if progress is None else progress
     with tqdm(total=results.design.cases, initial=len(results.rows), unit="case", disable=not shown) as bar:
 
-        def ran(case: int, is_stopped: Callable[[], bool]) -> None:
+        def run_case(case: int, is_stopped: Callable[[], bool]) -> None:
             results.add(case, work.row(values(case), is_stopped))
 
         def tick() -> None:
@@ -112,7 +113,7 @@ def carry_out(results: Results, work: Work, client: Any, jobs: int, progress: bo
 
         try:
             if client is None:
-                threads.run(missing, jobs, ran, tick)
+                threads.run(missing, jobs, run_case, tick)
             else:
                 cluster.run(client, missing, work, values, results.add, tick)
         finally:

@@ -1,4 +1,4 @@
-"""Sensitivity: how much an objective depends on each parameter."""
+"""Sensitivity of an objective to each parameter."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-    from ancf.record import Array
+    from ancf.record.columns import Array
 
 
 def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -> pd.DataFrame:
-    """How much an objective y depends on each parameter x of numbers that varies.
+    """Estimate the sensitivity of an objective y to each varying numeric parameter x.
 
     `regression`
-        Standardised coefficient of the linear regression on all parameters: its square is the part of the variance
-        of y that x makes, if y is linear and parameters are independent.
+        Standardised coefficient of the linear regression on all parameters. Its square is the fraction of the
+        variance of y due to x, if y is linear and parameters are independent.
     `rank`
-        Rank correlation of Spearman (1904): 1 or -1 if y rises or falls with x alone.
+        Rank correlation of Spearman (1904): 1 or -1 if y is a monotonic function of x alone.
     `elasticity`
-        n of y ~ xⁿ, by regression of the logarithms; not a number unless all x, and all y or none, are positive.
+        n of y ~ xⁿ, by regression of the logarithms. NaN unless all x are positive and all y have the same sign.
 
-    The attribute `r2` of the table tells how much of the variance of y the linear regression explains.
+    The attribute `r2` of the table is the fraction of the variance of y that the linear regression explains.
 
     Raises
     ------
     ValueError
-        If no parameter of numbers varies, or there are fewer cases than coefficients.
+        If no numeric parameter varies, or there are fewer cases than coefficients.
 
     """
     import pandas as pd
@@ -46,7 +46,7 @@ def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -
         and rows[name].nunique() > 1
     ]
     if not names or len(rows) < len(names) + 2:
-        msg = f"{len(rows)} cases with {len(names)} varying parameters of numbers tell no sensitivity"
+        msg = f"{len(rows)} cases with {len(names)} varying numeric parameters determine no sensitivity"
         raise ValueError(msg)
     x, y = rows[names].to_numpy(dtype=float), rows[objective].to_numpy(dtype=float)
     slopes, r2 = regression(x, y)
@@ -65,7 +65,7 @@ def sensitivity(rows: pd.DataFrame, parameters: Sequence[str], objective: str) -
 
 
 def regression(x: Array, y: Array) -> tuple[Array, float]:
-    """Slopes of the linear regression of y on the columns of x, and the part of the variance that it explains."""
+    """Return the slopes of the linear regression of y on x, and the explained fraction of the variance."""
     deviations, offsets = x - x.mean(axis=0), y - y.mean()
     widths = deviations.std(axis=0)
     slopes, *_ = np.linalg.lstsq(deviations / widths, offsets, rcond=None)

@@ -1,4 +1,4 @@
-"""How a study is run: what can be wrong with it."""
+"""Settings of the execution of a study and their errors."""
 
 from __future__ import annotations
 
@@ -8,42 +8,42 @@ from tempfile import TemporaryFile
 from typing import TYPE_CHECKING, Any
 
 from ancf.errors import ModelError
-from ancf.studies.statement import choice, fault, is_whole, quoted, shown
-from ancf.studies.threads import cores
+from ancf.studies.definition.messages import choice_fault, fault, is_integer, quoted, shown
+from ancf.studies.execution.threads import cores
 
 if TYPE_CHECKING:
     from ancf.errors import Fault
 
 STATES = ("all", "positions", "none")
-"""What may be kept of states."""
+"""Parts of states that can be kept."""
 
 
 def faults(folder: object, states: object, client: object, jobs: object) -> list[Fault]:
-    """All that is wrong with the settings of a study."""
+    """Return all errors of the settings."""
     found: list[Fault | None] = []
     if folder is not None and not isinstance(folder, str | os.PathLike):
         found.append(fault("folder", shown(folder), "a path"))
     if states is not None:
-        found.append(choice("states", states, STATES))
+        found.append(choice_fault("states", states, STATES))
     if client is not None and not all(hasattr(client, name) for name in ("submit", "nthreads", "cancel")):
         found.append(fault("client", shown(client), "a client of dask.distributed"))
-    if jobs is not None and not is_whole(jobs, 1) and not (is_whole(jobs, -1) and jobs == -1):
-        found.append(fault("jobs", shown(jobs), "a whole number >= 1, or -1 for all cores"))
+    if jobs is not None and not is_integer(jobs, 1) and not (is_integer(jobs, -1) and jobs == -1):
+        found.append(fault("jobs", shown(jobs), "an integer >= 1, or -1 for all cores"))
     return [one for one in found if one is not None]
 
 
 def threads(jobs: Any) -> int:
-    """How many cases run at a time."""
+    """Return the number of cases that run at a time."""
     return cores() if jobs is None or jobs == -1 else int(jobs)
 
 
 def writable(folder: str | os.PathLike[str]) -> Path:
-    """A folder that is made if it is not there, and in which files can be written.
+    """Create a folder if necessary and check that files can be written to it.
 
     Raises
     ------
     ModelError
-        If none can.
+        If no file can be written.
 
     """
     place = Path(folder)

@@ -1,0 +1,110 @@
+"""Artists of matplotlib for lines, arms and values of bodies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ancf.graphics.style import ARM_GREY, COLOURS, GREY, colour_map
+
+if TYPE_CHECKING:
+    from ancf.graphics.lines import Lines
+    from ancf.graphics.view import Canvas, View
+    from ancf.record.columns import Array
+
+
+def body_colours(lines: Lines, color: str | None) -> list[str]:
+    """Return the colour of each body."""
+    if color is not None:
+        return [color] * len(lines.bodies)
+    if len(lines.bodies) > len(COLOURS):
+        return [COLOURS[0]] * len(lines.bodies)
+    return list(COLOURS[: len(lines.bodies)])
+
+
+def draw_lines(
+    ax: Canvas, view: View, lines: Lines, positions: Array, colours: list[str], look: dict[str, Any]
+) -> list[Any]:
+    """Draw a line for each flexible body and a dot for each rigid body."""
+    drawn = []
+    seen = view.coordinates(positions)
+    for (name, stations), colour in zip(lines.bodies.items(), colours, strict=True):
+        marker = {"marker": "o"} if stations.stop - stations.start == 1 else {}
+        keys = {"label": name, "color": colour, "linestyle": "-"} | marker | look
+        drawn.extend(ax.plot(*seen[stations].T, **keys))
+    return drawn
+
+
+def draw_reference(ax: Canvas, view: View, lines: Lines, positions: Array) -> None:
+    """Draw thin grey lines of the reference configuration."""
+    draw_lines(ax, view, lines, positions, [GREY] * len(lines.bodies), {"linewidth": 1, "zorder": 1})
+
+
+def draw_arms(
+    ax: Canvas, view: View, lines: Lines, row: int, positions: Array, look: dict[str, Any]
+) -> Canvas:
+    """Draw the arms of rigid bodies as one artist with gaps."""
+    keys = {"color": ARM_GREY, "linewidth": 3.0, "linestyle": "-", "zorder": 1.5, "label": "_arms"}
+    return ax.plot(*arm_coordinates(view, lines, row, positions), **keys, **alpha(look))[0]
+
+
+def arm_coordinates(view: View, lines: Lines, row: int, positions: Array) -> Array:
+    """Return the coordinates of the arms, `[axis, point]`, with a gap after each arm."""
+    tips = lines.arms.tips(row, positions)
+    ends = np.stack([positions[lines.arms.stations], tips, np.full_like(tips, np.nan)], axis=1)
+    coordinates: Array = view.coordinates(ends).reshape(-1, len(view.basis)).T
+    return coordinates
+
+
+def draw_values(
+    ax: Canvas,
+    view: View,
+    lines: Lines,
+    positions: Array,
+    values: Array,
+    limits: tuple[float, float],
+    look: dict[str, Any],
+) -> Canvas:
+    """Draw the lines of all bodies in the colours of values. A segment has the mean value of its ends."""
+    seen = view.coordinates(positions)
+    for stations in lines.bodies.values():
+        if stations.stop - stations.start == 1:
+            ax.plot(*seen[stations].T, **{"marker": "o", "color": ARM_GREY} | alpha(look))
+    firsts = lines.segments
+    keys = {
+        "array": (values[firsts] + values[firsts + 1]) / 2,
+        "cmap": colour_map(*limits),
+        "clim": limits,
+        "linewidths": look.get("linewidth", 3.0),
+        "capstyle": "round",
+        **alpha(look),
+    }
+    return _collection(ax, view, np.stack([seen[firsts], seen[firsts + 1]], axis=1), keys)
+
+
+def _collection(ax: Canvas, view: View, segments: Array, keys: dict[str, Any]) -> Canvas:
+    """Draw segments `[segment, end, axis]` as one artist."""
+    from matplotlib.collections import LineCollection
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection  # type: ignore[import-untyped]
+
+    if view.spatial:
+        return ax.add_collection3d(Line3DCollection(segments, **keys))
+    return ax.add_collection(LineCollection(list(segments), **keys))
+
+
+def alpha(look: dict[str, Any]) -> dict[str, Any]:
+    """Return the opacity among the properties of a line."""
+    return {"alpha": look["alpha"]} if "alpha" in look else {}
+
+
+def draw_legend(ax: Canvas, lines: Lines, *, beside: bool = True) -> None:
+    """Draw the names of the bodies beside the axes, or in the axes if the caller owns the figure."""
+    if not 1 < len(lines.bodies) <= len(COLOURS):
+        return
+    handles = {line.get_label(): line for line in ax.get_lines()}
+    chosen = [handles[name] for name in lines.bodies]
+    if beside:
+        ax.figure.legend(chosen, list(lines.bodies), loc="outside right upper", fontsize="small")
+    else:
+        ax.legend(chosen, list(lines.bodies))

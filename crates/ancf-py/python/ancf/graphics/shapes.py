@@ -1,0 +1,179 @@
+"""Plots of configurations and of mode shapes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ancf.graphics.artists import (
+    body_colours,
+    draw_arms,
+    draw_legend,
+    draw_lines,
+    draw_reference,
+    draw_values,
+)
+from ancf.graphics.frames import elastic_modes, frame_label, frame_numbers, require_int
+from ancf.graphics.lines import Lines
+from ancf.graphics.style import COLOURS, colour_limits, style, with_unit
+from ancf.graphics.view import View
+from ancf.record.columns import Array
+from ancf.record.result_data import ResultData
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from matplotlib.axes import Axes
+
+Grid: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
+"""Several axes of matplotlib."""
+
+
+class ShapePlots(ResultData):
+    """Plots of configurations and of mode shapes."""
+
+    def plot_shape(
+        self,
+        frame: int | Iterable[int] = -1,
+        *,
+        time: float | Iterable[float] | None = None,
+        plane: str | None = None,
+        color: str | None = None,
+        scale: float | None = None,
+        reference: bool = True,
+        parts: int = 8,
+        ax: Axes | None = None,
+        **line: object,
+    ) -> Axes:
+        """Plot the configuration in one row or in several. Earlier configurations are fainter.
+
+        Parameters
+        ----------
+        frame
+            Number of a row or of several, from the end if negative; modes are rows too. For a result of
+            `ancf.load`, numbers of the kept states, `Result.frames`.
+        time
+            A time or several, instead of `frame`; the closest states are plotted.
+        plane
+            Two letters such as `xz`, the first to the right, or `3d`; by default the plane of the model.
+        color
+            A colour, or the quantity to colour by: `N`, `Qy`, `Qz`, `T`, `My`, `Mz`, `displacement`, `velocity`,
+            `acceleration`, or components such as `displacement.y`.
+        scale
+            Factor of deflections; by default 1, for modes chosen automatically.
+        reference
+            True to plot the reference configuration in grey.
+        parts
+            Number of segments per element.
+        ax
+            Axes to plot in; new ones by default.
+        **line
+            Properties of the lines, such as `linewidth=3`.
+
+        """
+        lines = Lines(self, parts)
+        wanted = frame_numbers(self, frame, time)
+        positions = [lines.positions(row, scale) for row in wanted]
+        points = [lines.points(row, own) for row, own in zip(wanted, positions, strict=True)]
+        extent = np.concatenate([*points, lines.reference] if reference else points)
+        view = View.of(plane, extent, ax)
+        values = _values(self, lines, color, parts)
+        with style():
+            is_own_figure = ax is None
+            ax = view.axes(ax, self.field_units.get("position"))
+            if reference:
+                draw_reference(ax, view, lines, lines.reference)
+            opacities = np.linspace(0.25, 1, len(wanted) + 1)[1:].tolist()
+            for row, own, opacity in zip(wanted, positions, opacities, strict=True):
+                look = {"alpha": opacity} | line
+                draw_arms(ax, view, lines, row, own, look)
+                if values is None:
+                    draw_lines(ax, view, lines, own, body_colours(lines, color), look)
+                else:
+                    bands = draw_values(
+                        ax, view, lines, own, values[row], colour_limits(values[wanted]), look
+                    )
+            view.fit(ax, extent)
+            if values is not None:
+                pad = 0.1 if view.spatial else 0.03
+                ax.figure.colorbar(bands, ax=ax, label=quantity_label(self, color), shrink=0.8, pad=pad)
+            elif color is None:
+                draw_legend(ax, lines, beside=is_own_figure)
+            labels = dict.fromkeys(frame_label(self, row) for row in (wanted[0], wanted[-1]))
+            ax.set_title(" ... ".join(labels))
+        return ax
+
+    def plot_modes(
+        self,
+        count: int = 6,
+        *,
+        rigid: bool = False,
+        plane: str | None = None,
+        scale: float | None = None,
+        parts: int = 8,
+    ) -> Grid:
+        """Plot the first modes or buckling shapes, each in axes of its own. Returns the axes.
+
+        Parameters
+        ----------
+        count
+            Number of modes.
+        rigid
+            True to include rigid-body modes, whose frequency is zero.
+        plane
+            Two letters such as `xz`, the first to the right, or `3d`; by default the plane of the modes. Modes of
+            a straight line are each plotted in the plane of their largest deflection.
+        scale
+            Factor of the shapes; by default chosen automatically.
+        parts
+            Number of segments per element.
+
+        """
+        import matplotlib.pyplot as plt
+
+        lines = Lines(self, parts)
+        if not lines.modal:
+            msg = f"a result of {self.kind} has no shapes"
+            raise AttributeError(msg)
+        require_int("count", count, 1)
+        wanted = (list(range(len(lines.path))) if rigid else elastic_modes(self))[:count]
+        positions = [lines.positions(row, scale) for row in wanted]
+        straight = View.along(lines.path[0], positions[0] - lines.path[0]) if plane is None else None
+        extent = np.stack([*positions, lines.path[0]])
+        view = straight or View.of(plane, extent)
+        columns = min(3, len(wanted))
+        rows = -(-len(wanted) // columns)
+        projection = {"projection": "3d"} if view.spatial else {}
+        with style():
+            size = (3.1 * columns, 2.9 * rows)
+            _, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, subplot_kw=projection)
+            for ax in axes.flat[len(wanted) :]:
+                ax.remove()
+            for ax, row, own in zip(axes.flat, wanted, positions, strict=False):
+                path = lines.path[row]
+                chosen = view if straight is None else View.along(path, own - path) or view
+                draw_reference(ax, chosen, lines, path)
+                draw_lines(ax, chosen, lines, own, [COLOURS[0]] * len(lines.bodies), {})
+                chosen.fit(ax, extent, zoom=1.15)
+                ax.set_title(frame_label(self, row))
+                chosen.remove_labels(ax)
+        return axes.ravel()[: len(wanted)]
+
+
+def quantity_label(result: ResultData, color: str | None) -> str:
+    """Return the quantity to colour by with its unit. Shapes of modes have no unit."""
+    unit = None if result.is_modal else str(color).partition(".")[0]
+    return with_unit(str(color), result.field_units.get(unit or ""))
+
+
+def _values(result: ResultData, lines: Lines, color: str | None, parts: int) -> Array | None:
+    """Return the values to colour by, `[frame, station]`, or None if `color` is a colour."""
+    from matplotlib.colors import is_color_like
+
+    if color is None or is_color_like(color):
+        return None
+    if not len(lines.segments):
+        msg = f"color: found {color!r}, wanted a colour, since there is no beam or cable"
+        raise ValueError(msg)
+    return lines.values(result, color, parts)

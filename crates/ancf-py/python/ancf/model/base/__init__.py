@@ -1,0 +1,1 @@
+"""Foundations of the model classes: parts, places on bodies, functions of time."""

@@ -1,0 +1,83 @@
+"""Base classes of bodies: they make the places to which joints and loads attach."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ancf.model.base.part import Part, Vector
+from ancf.model.base.places import Place
+
+__all__ = ["Axis", "Frame", "Point"]
+
+
+class Axis(Part):
+    """A body with an axis on which places are given by arc length."""
+
+    __slots__ = ()
+
+    name: str
+
+    @property
+    def start(self) -> Place:
+        """Place at the start of the axis."""
+        return Place(body=self.name, at="start")
+
+    @property
+    def end(self) -> Place:
+        """Place at the end of the axis."""
+        return Place(body=self.name, at="end")
+
+    def at(self, at: Literal["start", "center", "end"] | float, *, offset: Vector | None = None) -> Place:
+        """Return the place at an arc length from the start, or at a named point.
+
+        Parameters
+        ----------
+        at
+            Arc length in the undeformed state, length, or ``"start"``, ``"center"``, ``"end"``.
+        offset
+            Rigid arm from there, fixed to the section, in the global frame at the start, length.
+
+        """
+        return Place(body=self.name, at=at, offset=offset)
+
+
+class Frame(Part):
+    """A rigid body. Each of its points is a place."""
+
+    __slots__ = ()
+
+    name: str
+
+    def at(self, at: Literal["center"] | Vector = "center", *, offset: Vector | None = None) -> Place:
+        """Return the place at a point, or at the centre of mass.
+
+        Parameters
+        ----------
+        at
+            Position of the point at the start, length, or ``"center"``.
+        offset
+            Rigid arm from there, in the global frame at the start, length.
+
+        """
+        return Place(body=self.name, at=at, offset=offset)
+
+
+class Point(Part):
+    """A body without extent."""
+
+    __slots__ = ()
+
+    name: str
+
+    def at(self, at: Literal["center"] = "center", *, offset: Vector | None = None) -> Place:
+        """Return the place of the point.
+
+        Parameters
+        ----------
+        at
+            ``"center"``, the only place of the body.
+        offset
+            Rigid arm from there, in the global frame at the start, length.
+
+        """
+        return Place(body=self.name, at=at, offset=offset)

@@ -1,0 +1,91 @@
+"""Columns and states of a run or of one instant."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ancf.record.columns import JOINT_COORDINATES, VECTORS, Array, Columns
+from ancf.record.suggestion import unknown_name
+from ancf.record.views import Energy, JointMotion, Probe, Reaction, Views
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ancf._ancf import States
+
+
+class Record(Columns):
+    """Columns and states: those of all rows in a `Result`, those of one row in an `Instant`."""
+
+    def __init__(
+        self, columns: list[str], data: Array, states: States, indices: dict[str, int] | None = None
+    ) -> None:
+        """Store columns `[..., column]` and the states from which fields are computed."""
+        super().__init__(columns, data, indices)
+        self.states = states
+
+    def probe(self, name: str) -> Probe:
+        """Return the recorded quantities of a probe."""
+        return self.probes[name]
+
+    @property
+    def probes(self) -> Mapping[str, Probe]:
+        """Recorded quantities of all probes, by name."""
+        firsts = [VECTORS[quantity][0] for quantity in Probe.QUANTITIES]
+        return Views(self._names(firsts), lambda name: Probe(self, name), "probe")
+
+    @property
+    def reactions(self) -> Mapping[str, Reaction]:
+        """Reactions that joints exert on their ends `a`, by the names of the joints."""
+        return Views(self._names(["fx"]), lambda name: Reaction(self, name), "joint")
+
+    @property
+    def joints(self) -> Mapping[str, JointMotion]:
+        """Motions of the joints that have joint coordinates, by name."""
+        return Views(self._names(list(JOINT_COORDINATES)), lambda name: JointMotion(self, name), "joint")
+
+    @property
+    def energy(self) -> Energy:
+        """Energies, work and the energy balance."""
+        return Energy(self)
+
+    def _names(self, suffixes: Sequence[str]) -> list[str]:
+        names = (column.rpartition(".") for column in self.columns)
+        return list(dict.fromkeys(name for name, dot, suffix in names if dot and suffix in suffixes))
+
+    def field(
+        self,
+        name: str,
+        body: str | None = None,
+        parts: int = 1,
+        rows: int | slice | Sequence[int] | None = None,
+    ) -> Array:
+        """Compute a quantity along the bodies, `[row, station, component]`, or `[station, component]` of one row.
+
+        * `position`, `displacement`, `velocity`, `acceleration`: x, y, z
+        * `directors`: (3, 3), normal, y and z of the section, or the axes of a rigid body, in global components
+        * `section_forces`: N, Qy, Qz, T, My, Mz; NaN for rigid bodies
+
+        Stations are the ends of elements and, with `parts` > 1, equidistant points within each. A rigid body has
+        one station, its centre. Stations are in the order of the bodies (see `stations`). `body` selects those of
+        one body, `rows` selects rows by a number, a slice or several numbers.
+
+        A result of `ancf.load` has the states that were kept: its rows of a field are at `Result.frames`.
+        """
+        chosen = np.arange(len(self.states))[slice(None) if rows is None else rows]
+        numbers = self.states.field(name, parts, None if rows is None else np.atleast_1d(chosen).tolist())
+        if body is not None:
+            names, numbers_of, _ = self.states.stations(parts)
+            if body not in names:
+                raise KeyError(unknown_name("body", body, names))
+            numbers = numbers[:, np.asarray(numbers_of) == names.index(body)]
+        if name == "directors":
+            numbers = numbers.reshape(*numbers.shape[:2], 3, 3)
+        return numbers[0] if np.ndim(chosen) == 0 or self.data.ndim == 1 else numbers
+
+    def stations(self, parts: int = 1) -> list[tuple[str, float]]:
+        """Return body and arc length of each station of a field."""
+        names, bodies, lengths = self.states.stations(parts)
+        return [(names[body], s) for body, s in zip(bodies, lengths, strict=True)]

@@ -1,0 +1,1 @@
+"""Definition of a study: parameters, samples, objectives, and the cases that they make."""

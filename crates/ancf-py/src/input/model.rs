@@ -1,0 +1,85 @@
+//! Functions of models.
+
+use std::path::PathBuf;
+
+use ancf::model::{ModelErrors, schema_text};
+use ancf::{Model, Scales};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use toml::Value;
+
+use super::data::{DataReader, read_table, to_python, to_python_with};
+use super::errors::{model_error, value_error};
+use super::signals::Signals;
+
+/// Returns the model of data. Raises `ModelError` if it is invalid.
+pub(crate) fn valid_model(py: Python<'_>, data: &Value) -> PyResult<Model> {
+    py.detach(|| Model::from_value(data)).map_err(|errors| model_error(py, &errors, None))
+}
+
+/// Reads and checks a model file. Returns its data as dictionaries with the keys of the file.
+#[pyfunction]
+pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> {
+    let file = path.display().to_string();
+    Model::read(&path).map_err(|errors| model_error(py, &errors, Some(&file)))?;
+    let text = std::fs::read_to_string(&path)?;
+    to_python(py, &Value::Table(text.parse().map_err(|error: toml::de::Error| value_error(error))?))
+}
+
+/// Sets the value of a path in the data of a model. Returns the data and the paths that were set.
+#[pyfunction]
+pub(crate) fn substitute<'py>(
+    data: &Bound<'py, PyAny>,
+    path: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
+    let (py, mut reader) = (data.py(), DataReader::default());
+    let mut model = reader.model(data)?;
+    reader.begin_at(path);
+    let Some(value) = reader.read(value)? else {
+        return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
+    };
+    let set = ancf::model::substitute(&mut model, path, value);
+    let set = set.map_err(|error| model_error(py, &ModelErrors(vec![error]), None))?;
+    Ok((to_python_with(py, &model, &reader.callables)?, set))
+}
+
+/// Returns the text of a model file.
+#[pyfunction]
+pub(crate) fn to_toml(data: &Bound<'_, PyAny>) -> PyResult<String> {
+    let mut reader = DataReader::default();
+    let value = reader.model(data)?;
+    if let Some(path) = reader.callables.first() {
+        let why = "found a function of Python, wanted what a file can say";
+        return Err(PyTypeError::new_err(format!("{path}: {why}")));
+    }
+    toml::to_string(&value).map_err(value_error)
+}
+
+/// Returns the model in the units of the solver, and these units: length, time, force.
+#[pyfunction]
+pub(crate) fn scaled<'py>(data: &Bound<'py, PyAny>) -> PyResult<(Bound<'py, PyAny>, [f64; 3])> {
+    let py = data.py();
+    let model = valid_model(py, &read_table(data)?)?;
+    let scales = model.scales().scales;
+    let Scales { length, time, force } = scales;
+    let scaled = py.detach(|| model.scaled(&scales));
+    let value = Value::try_from(&scaled).map_err(value_error)?;
+    Ok((to_python(py, &value)?, [length, time, force]))
+}
+
+/// Returns a description of the parts, constraints and degrees of freedom of a model.
+#[pyfunction]
+pub(crate) fn diagnose(data: &Bound<'_, PyAny>) -> PyResult<String> {
+    let (py, mut reader) = (data.py(), DataReader::default());
+    let value = reader.model(data)?;
+    let (model, signals) = (valid_model(py, &value)?, Signals::default());
+    let (_, diagnosis) = reader.callables.with(py, model, &signals, Model::diagnose)?;
+    Ok(diagnosis.to_string())
+}
+
+/// Returns the JSON Schema of models.
+#[pyfunction]
+pub(crate) fn schema() -> String {
+    schema_text()
+}

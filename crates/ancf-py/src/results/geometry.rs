@@ -1,0 +1,151 @@
+//! Shapes of bodies and positions of joints, as the report draws them.
+
+use std::sync::Arc;
+
+use ancf::model::{Body, Section};
+use ancf::system::State;
+use ancf::{Model, Simulation};
+use ancf_report::geometry::{self, Outline, SymbolKind, Symbols};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::prelude::*;
+
+use crate::input::{DataReader, deserialize_part, valid_model};
+use crate::run::States;
+
+/// Points of outlines, points of bores, edges.
+type OutlineArrays<'py, A> = (Bound<'py, A>, Option<Bound<'py, A>>, Bound<'py, PyArray2<i64>>);
+
+/// Returns the outline of a section: outer points and points of the bore `[point, 2]`, and edges `[edge, 2]`.
+#[pyfunction]
+pub(crate) fn outline<'py>(
+    section: &Bound<'py, PyAny>,
+    sides: usize,
+) -> PyResult<OutlineArrays<'py, PyArray2<f64>>> {
+    let py = section.py();
+    let outline = geometry::outline(&deserialize_part::<Section>("Section", section)?, sides);
+    let points = |points: &[[f64; 4]]| flat(py, points).reshape([points.len(), 2]);
+    let inner = outline.inner.as_deref().map(points).transpose()?;
+    Ok((points(&outline.outer)?, inner, edges(py, &outline)?))
+}
+
+/// Returns edges and principal axes of the box with the inertia of a rigid body.
+#[pyfunction]
+pub(crate) fn inertia_box<'py>(
+    body: &Bound<'py, PyAny>,
+    max_edge: f64,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+    let py = body.py();
+    let Body::Rigid(rigid) = deserialize_part::<Body>("Body", body)? else {
+        return Err(PyValueError::new_err("body: found another kind, wanted a rigid body"));
+    };
+    let inertia = geometry::inertia_box(&rigid, max_edge);
+    let axes = PyArray1::from_slice(py, inertia.axes.as_flattened()).reshape([3, 3])?;
+    Ok((PyArray1::from_slice(py, &inertia.edges), axes))
+}
+
+/// Geometry of a model and its states.
+#[pyclass(frozen, module = "ancf._ancf")]
+#[derive(Debug)]
+pub(crate) struct ModelGeometry {
+    model: Model,
+    simulation: Arc<Simulation>,
+    states: Py<States>,
+    symbols: Symbols,
+}
+
+#[pymethods]
+impl ModelGeometry {
+    /// Reads the model of states.
+    #[new]
+    fn new(states: &Bound<'_, States>) -> PyResult<Self> {
+        let py = states.py();
+        let own = states.get();
+        let data = DataReader::default().model(own.model.bind(py))?;
+        let model = valid_model(py, &data)?;
+        let simulation = Arc::clone(&own.simulation);
+        let symbols = geometry::symbols(&model, &simulation);
+        Ok(Self { model, simulation, states: states.clone().unbind(), symbols })
+    }
+
+    /// Returns the outlines of a beam or cable at fractions of its length: points `[fraction, point, 2]` and edges.
+    fn outlines<'py>(
+        &self,
+        py: Python<'py>,
+        body: &str,
+        fractions: Vec<f64>,
+        sides: usize,
+    ) -> PyResult<OutlineArrays<'py, PyArray3<f64>>> {
+        let body = self.body(body)?;
+        let at = |fraction: &f64| geometry::outline_at(&self.model, body, *fraction, sides);
+        let outlines: Option<Vec<Outline>> = fractions.iter().map(at).collect();
+        let Some(outlines) = outlines.filter(|outlines| !outlines.is_empty()) else {
+            return Err(PyValueError::new_err(format!("{}: the body has no section", body.name())));
+        };
+        let first = &outlines[0];
+        let shape = [outlines.len(), first.outer.len(), 2];
+        let outer: Vec<[f64; 4]> =
+            outlines.iter().flat_map(|outline| outline.outer.iter().copied()).collect();
+        let inner: Vec<[f64; 4]> =
+            outlines.iter().flat_map(|outline| outline.inner.iter().flatten().copied()).collect();
+        let inner = (!inner.is_empty()).then(|| flat(py, &inner).reshape(shape)).transpose()?;
+        Ok((flat(py, &outer).reshape(shape)?, inner, edges(py, first)?))
+    }
+
+    /// Returns the arms of a rigid body in its own axes, `[arm, 3]`.
+    fn arms<'py>(&self, py: Python<'py>, body: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let offsets: Vec<[f64; 3]> =
+            geometry::arms(&self.model, body).into_iter().map(|arm| arm.offset).collect();
+        PyArray1::from_slice(py, offsets.as_flattened()).reshape([offsets.len(), 3])
+    }
+
+    /// Returns names and positions `[joint, 3]` of joints in a frame, with deflections multiplied by `scale`.
+    fn joints<'py>(
+        &self,
+        py: Python<'py>,
+        frame: usize,
+        scale: f64,
+        modal: bool,
+    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>)> {
+        let state = self.states.get().state(frame, modal)?;
+        let state = deflected(&state, &self.simulation.assembly().rest(), scale, modal);
+        let joints = self.symbols.all.iter().filter(|symbol| symbol.kind == SymbolKind::Joint);
+        let (names, positions): (Vec<String>, Vec<[f64; 3]>) =
+            joints.map(|symbol| (symbol.name.clone(), symbol.position(&state))).unzip();
+        let positions = PyArray1::from_slice(py, positions.as_flattened()).reshape([names.len(), 3])?;
+        Ok((names, positions))
+    }
+}
+
+impl ModelGeometry {
+    fn body(&self, name: &str) -> PyResult<&Body> {
+        let body = self.model.bodies.iter().find(|body| body.name() == name);
+        body.ok_or_else(|| PyKeyError::new_err(format!("no body {name:?}")))
+    }
+}
+
+/// Returns a state with scaled deflections from the reference configuration, or displaced by a scaled mode shape.
+///
+/// Positions are linear in the coordinates, so that they scale like them. The velocities of a mode are its shape.
+fn deflected(state: &State, rest: &State, scale: f64, modal: bool) -> State {
+    let (from, along): (&[f64], Vec<f64>) = if modal {
+        (&state.q, state.v.clone())
+    } else {
+        (&rest.q, state.q.iter().zip(&rest.q).map(|(q, rest)| q - rest).collect())
+    };
+    let q = from.iter().zip(along).map(|(q, change)| q + scale * change).collect();
+    State { q, ..state.clone() }
+}
+
+/// Converts y and z of the points of outlines to an array.
+fn flat<'py>(py: Python<'py>, points: &[[f64; 4]]) -> Bound<'py, PyArray1<f64>> {
+    let numbers: Vec<f64> = points.iter().flat_map(|[y, z, ..]| [*y, *z]).collect();
+    PyArray1::from_vec(py, numbers)
+}
+
+/// Converts the edges of an outline to an array.
+fn edges<'py>(py: Python<'py>, outline: &Outline) -> PyResult<Bound<'py, PyArray2<i64>>> {
+    let edges: Vec<i64> = outline.edges().iter().flatten().map(|&point| point as i64).collect();
+    let count = edges.len() / 2;
+    PyArray1::from_vec(py, edges).reshape([count, 2])
+}

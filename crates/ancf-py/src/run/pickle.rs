@@ -1,0 +1,30 @@
+//! States from a pickle.
+
+use numpy::PyReadonlyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use super::frames::Frames;
+use super::keep::Keep;
+use super::simulation::Simulation;
+use super::states::States;
+
+/// Returns pickled states.
+#[pyfunction]
+pub(crate) fn states(
+    model: Bound<'_, PyAny>,
+    text: Option<String>,
+    keep: &str,
+    at: PyReadonlyArray1<'_, f64>,
+    numbers: PyReadonlyArray1<'_, f64>,
+) -> PyResult<States> {
+    let simulation = Simulation::new(&model)?;
+    let at = at.as_slice()?.as_chunks().0.to_vec();
+    let frames = Frames { keep: Keep::from_word(keep)?, at, numbers: numbers.as_slice()?.to_vec() };
+    let rest = simulation.simulation.assembly().rest();
+    let wanted = Frames::width(frames.keep, &rest).saturating_mul(frames.len());
+    if frames.numbers.len() != wanted {
+        return Err(PyValueError::new_err("these states are not of this model"));
+    }
+    Ok(States::new(&simulation.simulation, model.unbind(), frames).with_text(text))
+}

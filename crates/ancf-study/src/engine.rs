@@ -8,9 +8,9 @@ use ancf::analysis::Interrupt;
 use toml::Value;
 
 use crate::cases::{CaseDesign, CaseRow, run_cases};
-use crate::error::StudyError;
 use crate::part::StudyPart;
 use crate::source::StudySource;
+use crate::table::StudyError;
 use crate::table::{StudyResults, read_rows};
 
 /// Settings of one execution of a study.

@@ -21,7 +21,6 @@
 
 mod cases;
 mod engine;
-mod error;
 mod part;
 mod source;
 mod statement;
@@ -29,10 +28,10 @@ mod table;
 
 pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, run_cases};
 pub use engine::{StudyRun, StudySettings};
-pub use error::{StudyError, TableError};
+
 pub use part::StudyPart;
 pub use source::StudySource;
 pub use statement::{
     Combine, Objective, Objectives, Parameter, Sampling, Study, TABLE_COLUMNS, Take, ValueRule,
 };
-pub use table::{ObjectiveRange, StudyOutcome, StudyResults, StudyTable, read_rows};
+pub use table::{ObjectiveRange, StudyError, StudyOutcome, StudyResults, StudyTable, TableError, read_rows};

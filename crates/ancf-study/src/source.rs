@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use ancf::{Model, ModelError, ModelErrors};
 use toml::Value;
 
-use crate::error::StudyError;
 use crate::statement::{Study, read_failure};
+use crate::table::StudyError;
 
 /// Study with its text and the data of its model.
 #[derive(Clone, Debug)]

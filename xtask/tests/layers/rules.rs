@@ -92,3 +92,9 @@ fn one_tree_is_chosen() {
     let (is_success, said) = tree.run(&["--tree", "shed"]);
     assert!(!is_success && said.contains("no tree `shed`"), "{said}");
 }
+
+#[test]
+fn the_workspace_keeps_its_layers() {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_xtask")).arg("layers").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}

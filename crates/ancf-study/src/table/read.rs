@@ -8,8 +8,8 @@ use std::path::Path;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
+use super::error::{StudyError, TableError};
 use crate::cases::{CaseOutcome, CaseRow};
-use crate::error::{StudyError, TableError};
 use crate::statement::Objectives;
 
 /// Reads the rows of all tables in a folder, by their keys.

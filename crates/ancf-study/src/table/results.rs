@@ -6,9 +6,9 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
+use super::error::StudyError;
 use super::write::StudyTable;
 use crate::cases::{CaseDesign, CaseOutcome, CaseRow};
-use crate::error::StudyError;
 use crate::statement::Objectives;
 
 /// Minimum time between two writes.

@@ -14,8 +14,8 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use toml::Value;
 
+use super::error::{StudyError, TableError};
 use crate::cases::{CaseRow, ParameterAxis};
-use crate::error::{StudyError, TableError};
 use crate::statement::{Objectives, TABLE_COLUMNS};
 
 /// Column by the type of its values. `None` is a null.

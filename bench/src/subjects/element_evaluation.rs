@@ -1,4 +1,4 @@
-use ancf::system::Weights;
+use ancf::solver::equations::Weights;
 
 use super::cantilever::CantileverKind;
 use super::element_kernels::ElementKernels;

@@ -1,7 +1,9 @@
 use std::hint::black_box;
 
-use ancf::mechanics::BeamMesh;
-use ancf::system::{Batch, LANES, LOCAL, Lanes, Local, LocalLanes, LocalMatrix, State, Term, Weights};
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::solver::equations::{
+    Batch, LANES, LOCAL, Lanes, Local, LocalLanes, LocalMatrix, State, Term, Weights,
+};
 
 /// Elements of a mesh with their gathered coordinates in a state: batches of elements, and terms without a batch.
 pub struct ElementKernels {

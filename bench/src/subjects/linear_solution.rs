@@ -1,6 +1,8 @@
 use std::hint::black_box;
 
-use ancf::system::{EquationsOfMotion, Factor, SparseMatrix, State};
+use ancf::solver::equations::{EquationsOfMotion, State};
+use ancf::solver::factor::Factor;
+use ancf::solver::sparse::SparseMatrix;
 
 use super::cantilever::CantileverKind;
 use super::plant::Plant;

@@ -1,7 +1,10 @@
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, StepReport};
-use ancf::model::{self, Assembly};
-use ancf::system::{EquationsOfMotion, SparseMatrix, State, System, Weights};
+use ancf::assembly::Assembly;
+use ancf::model;
+use ancf::solver::dynamics::{Dynamics, Scheme, StepReport};
+use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
+use ancf::solver::newton::Newton;
+use ancf::solver::sparse::SparseMatrix;
 
 use super::cantilever::{CantileverKind, STEP, read_cantilever};
 use crate::Result;

@@ -1,6 +1,7 @@
 use std::hint::black_box;
 
-use ancf::system::{EquationsOfMotion, SparseMatrix, State, System, Weights};
+use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
+use ancf::solver::sparse::SparseMatrix;
 
 use super::cantilever::CantileverKind;
 use super::plant::Plant;

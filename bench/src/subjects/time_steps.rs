@@ -1,5 +1,5 @@
-use ancf::analysis::Dynamics;
-use ancf::system::System;
+use ancf::solver::dynamics::Dynamics;
+use ancf::solver::equations::System;
 
 use super::cantilever::CantileverKind;
 use super::plant::{Plant, step};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 use toml::Value;
 
 use crate::cases::{CaseDesign, CaseRow, run_cases};

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! ```no_run
-//! use ancf::analysis::Interrupt;
+//! use ancf::solver::newton::Interrupt;
 //! use ancf_study::{StudyRun, StudySettings, StudySource};
 //!
 //! let source = StudySource::read("study.toml".as_ref())?;

@@ -7,9 +7,10 @@
 use std::path::Path;
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton};
 use ancf::model::Step;
-use ancf::system::EquationsOfMotion;
+use ancf::solver::dynamics::Dynamics;
+use ancf::solver::equations::EquationsOfMotion;
+use ancf::solver::newton::Newton;
 
 /// Returns the number of allocations in 100 steps of a model, after 5 initial steps.
 fn allocations(name: &str) -> u64 {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use ancf::Model;
-use ancf::model::Diagnosis;
+use ancf::diagnosis::Diagnosis;
 use clap::Args;
 use serde::Serialize;
 

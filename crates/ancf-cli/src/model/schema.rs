@@ -11,6 +11,6 @@ With `#:schema ./model.schema.json` in the first line of a model, editors comple
 
 /// Prints the schema.
 pub fn print_schema() -> Ended {
-    print_output(&ancf::model::schema_text());
+    print_output(&ancf::schema::schema_text());
     Ended::Done
 }

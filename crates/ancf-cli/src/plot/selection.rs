@@ -1,7 +1,7 @@
 //! Selection of columns by names and patterns.
 
 use ancf::Column;
-use ancf::model::nearest;
+use ancf::errors::nearest;
 use ancf::record::Series;
 use ancf_results::Results;
 

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use ancf::record::Sink;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
 use ancf_results::{CheckpointInterval, Recorder};
 use anyhow::Result;

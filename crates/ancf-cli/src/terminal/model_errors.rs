@@ -64,7 +64,7 @@ fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> 
 
 #[cfg(test)]
 mod tests {
-    use ancf::model::Model;
+    use ancf::Model;
 
     use super::*;
 

@@ -5,7 +5,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 use anyhow::{Context, Result};
 
 /// True after SIGTERM.

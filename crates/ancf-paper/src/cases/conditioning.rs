@@ -1,7 +1,7 @@
 //! Condition numbers of the iteration matrix in the forms proposed for index-3 equations.
 
-use ancf::model::Model;
-use ancf::system::{EquationsOfMotion, Weights};
+use ancf::Model;
+use ancf::solver::equations::{EquationsOfMotion, Weights};
 use anyhow::{Context, Result};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;

@@ -2,7 +2,8 @@
 
 use std::time::Instant;
 
-use ancf::model::{Model, Stop};
+use ancf::Model;
+use ancf::model::Stop;
 use ancf::record::Series;
 use ancf::{Outcome, Summary, simulate};
 use anyhow::{Context, Result, ensure};

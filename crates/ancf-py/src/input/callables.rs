@@ -1,7 +1,7 @@
 //! Python callables as functions of time and forces of a model.
 
 use ancf::Model;
-use ancf::function::{External, ForceFunction, Instant};
+use ancf::mechanics::functions::{External, ForceFunction, Instant};
 use ancf::model::{Load, ModelErrors, Step, TimeFunction, Varying};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;

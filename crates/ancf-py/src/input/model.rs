@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use ancf::model::{ModelErrors, schema_text};
+use ancf::model::ModelErrors;
+use ancf::schema::schema_text;
 use ancf::{Model, Scales};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -39,7 +40,7 @@ pub(crate) fn substitute<'py>(
     let Some(value) = reader.read(value)? else {
         return Err(PyTypeError::new_err(format!("{path}: found None, wanted a value")));
     };
-    let set = ancf::model::substitute(&mut model, path, value);
+    let set = ancf::reading::substitute(&mut model, path, value);
     let set = set.map_err(|error| model_error(py, &ModelErrors(vec![error]), None))?;
     Ok((to_python_with(py, &model, &reader.callables)?, set))
 }

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 use pyo3::prelude::*;
 
 /// Signals of Python during a run, and the exception that ends the run.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ancf::model::{Body, Section};
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Model, Simulation};
 use ancf_report::geometry::{self, Outline, SymbolKind, Symbols};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};

@@ -2,7 +2,7 @@
 
 use std::collections::TryReserveError;
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 
 use super::keep::Keep;
 

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Observer, Simulation};
 use numpy::PyArray1;
 use pyo3::exceptions::PyMemoryError;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Field, Fields, Simulation};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};

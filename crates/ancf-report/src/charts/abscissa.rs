@@ -1,5 +1,5 @@
 use ancf::model::Analysis;
-use ancf::scales::Dimension;
+use ancf::units::Dimension;
 
 use crate::run::Recording;
 

@@ -1,7 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use ancf::model::{Analysis, Step};
-use ancf::scales::Dimension;
+use ancf::units::Dimension;
 
 use super::abscissa::Abscissa;
 use super::chart::{Chart, ChartColumn};

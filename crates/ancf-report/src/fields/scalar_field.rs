@@ -1,6 +1,7 @@
-use ancf::model::{Analysis, Assembly};
-use ancf::scales::{Dimension, Scales};
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::model::Analysis;
+use ancf::solver::equations::State;
+use ancf::units::{Dimension, Scales};
 use ancf::{Field, Model};
 use nalgebra::Vector3;
 

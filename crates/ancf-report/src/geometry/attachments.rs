@@ -1,5 +1,6 @@
-use ancf::mechanics::Attachment;
-use ancf::model::{Assembly, End, Joint, Place};
+use ancf::assembly::Assembly;
+use ancf::mechanics::kinematics::Attachment;
+use ancf::model::{End, Joint, Place};
 use ancf::{Model, Simulation};
 use nalgebra::Vector3;
 

@@ -1,7 +1,7 @@
 use ancf::joints::Symbol;
-use ancf::mechanics::{Attachment, Marker};
+use ancf::mechanics::kinematics::{Attachment, Marker};
 use ancf::model::Place;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
 use super::arms::{arm_to, places};

@@ -1,6 +1,7 @@
-use ancf::mechanics::{Attachment, Marker, across};
+use ancf::mechanics::bodies::across;
+use ancf::mechanics::kinematics::{Attachment, Marker};
 use ancf::model::Against;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
 use super::attachments::Attachments;

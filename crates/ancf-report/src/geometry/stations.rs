@@ -1,6 +1,6 @@
-use ancf::model::Assembly;
-use ancf::scales::Scales;
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::solver::equations::State;
+use ancf::units::Scales;
 use ancf::{Field, Fields, Model};
 use nalgebra::Vector3;
 

@@ -1,6 +1,6 @@
-use ancf::mechanics::{Attachment, Marker};
+use ancf::mechanics::kinematics::{Attachment, Marker};
 use ancf::model::{Load, Probe, Quantity};
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Model, Simulation};
 
 use super::attachments::Attachments;

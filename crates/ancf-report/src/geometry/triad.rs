@@ -1,6 +1,6 @@
 //! Orthonormal triads of directions that may be degenerate.
 
-use ancf::mechanics::across;
+use ancf::mechanics::bodies::across;
 use nalgebra::Vector3;
 
 /// Three orthonormal directors.

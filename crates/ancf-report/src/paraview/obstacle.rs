@@ -1,6 +1,6 @@
 use std::f64::consts::{PI, TAU};
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
 use super::grid::{Cell, Cells};

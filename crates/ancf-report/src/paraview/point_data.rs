@@ -1,7 +1,7 @@
 use ancf::Field;
-use ancf::model::Assembly;
-use ancf::scales::Scales;
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::solver::equations::State;
+use ancf::units::Scales;
 use nalgebra::Vector3;
 
 use super::array::{Array, Values};

@@ -1,5 +1,5 @@
 use ancf::model::Units;
-use ancf::scales::Dimension;
+use ancf::units::Dimension;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 

@@ -1,5 +1,5 @@
 use ancf::Field;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
 use crate::geometry::{Geometry, Placement, Triad};

@@ -3,7 +3,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 
 use super::array::{Array, Values};
 use super::collection::Collection;

@@ -1,7 +1,7 @@
 use ancf::model::Analysis;
 use ancf::record::Series;
-use ancf::scales::{Dimension, Scales};
-use ancf::system::State;
+use ancf::solver::equations::State;
+use ancf::units::{Dimension, Scales};
 use ancf::{Model, Outcome, Simulation};
 
 /// Run with its model, states, columns and messages.

@@ -1,7 +1,8 @@
 use std::borrow::Cow;
 
-use ancf::model::{Analysis, Assembly};
-use ancf::system::{EquationsOfMotion, State};
+use ancf::assembly::Assembly;
+use ancf::model::Analysis;
+use ancf::solver::equations::{EquationsOfMotion, State};
 
 use super::frame_label::frame_label;
 use super::messages;

@@ -1,6 +1,6 @@
 //! Entries of the header of a scene, with their arrays in the blob.
 
-use ancf::scales::Dimension;
+use ancf::units::Dimension;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use ancf::model::Units;
 use ancf::record::{Series, Sink};
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Model, Observer, Simulation, Summary};
 use ancf_report::{BUDGET, Ending, Recording, Snapshot, scene};
 use serde_json::Value;

@@ -5,7 +5,7 @@ use std::iter;
 use std::path::{Path, PathBuf};
 
 use ancf::record::{Series, Sink};
-use ancf::system::{EquationsOfMotion, State};
+use ancf::solver::equations::{EquationsOfMotion, State};
 use ancf::{Model, Simulation};
 
 use super::open_error::OpenError;

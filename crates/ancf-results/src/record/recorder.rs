@@ -3,7 +3,7 @@ use std::io;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Checkpoint, Model, Observer, Simulation, Summary};
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ancf::model::Output;
 use ancf::record::{Csv, Sink};
-use ancf::system::State;
+use ancf::solver::equations::State;
 use serde::{Deserialize, Serialize};
 
 use crate::folder::{Folder, with_path};

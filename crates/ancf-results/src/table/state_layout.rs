@@ -1,5 +1,5 @@
 use ancf::Simulation;
-use ancf::system::{EquationsOfMotion, State};
+use ancf::solver::equations::{EquationsOfMotion, State};
 
 use super::layout::Layout;
 

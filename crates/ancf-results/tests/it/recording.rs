@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use ancf::record::Series;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Field, Fields, Model, Observer, Simulation, simulate};
 use ancf_results::{Folder, OpenError, Recorder, Results, RunStatus, StoredState};
 use tempfile::TempDir;

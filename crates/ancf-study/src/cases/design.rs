@@ -3,7 +3,7 @@
 use std::hash::Hasher;
 
 use ancf::ModelError;
-use ancf::model::substitute;
+use ancf::reading::substitute;
 use siphasher::sip128::{Hasher128, SipHasher24};
 use toml::Value;
 

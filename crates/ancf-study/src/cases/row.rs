@@ -4,8 +4,8 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use ancf::analysis::Interrupt;
 use ancf::record::Every;
+use ancf::solver::newton::Interrupt;
 use ancf::{Model, Outcome, Simulation, Summary};
 use toml::Value;
 

@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use super::row::CaseRow;
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 
 /// Interval of the calls of `receive` while no case ends.
 const TICK: Duration = Duration::from_millis(200);

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use ancf::model::{join, nearest, parse_as};
+use ancf::errors::nearest;
+use ancf::reading::parse_as;
+use ancf::schema::join;
 use ancf::{Model, ModelError, ModelErrors, Simulation};
 use schemars::generate::SchemaSettings;
 use serde_json::Value as Json;

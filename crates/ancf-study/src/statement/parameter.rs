@@ -1,6 +1,6 @@
 //! Parameters of a study.
 
-use ancf::model::join;
+use ancf::schema::join;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value as Json;

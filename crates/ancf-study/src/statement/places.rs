@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use ancf::ModelError;
-use ancf::model::substitute;
+use ancf::reading::substitute;
 use toml::Value;
 
 use super::parameter::{Parameter, parameter_path};

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 use ancf_study::{
     CaseOutcome, ObjectiveRange, StudyError, StudyOutcome, StudyRun, StudySettings, StudySource,
 };

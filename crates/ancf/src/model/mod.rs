@@ -43,12 +43,6 @@ pub(crate) use functions::Clock;
 pub(crate) use loads::Stretch;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 
-// TEMPORARY FACADE
-#[doc(hidden)]
-pub use crate::errors::nearest;
-pub use crate::{assembly::*, diagnosis::*, reading::*, schema::*, units::*};
-// END
-
 /// Flexible multibody model as stated by the user.
 ///
 /// All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...). A model is read from TOML or built in Rust.

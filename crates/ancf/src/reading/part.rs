@@ -14,7 +14,7 @@ use crate::schema::{SCHEMA, Survey, did_you_mean};
 ///
 /// ```
 /// let circle = toml::toml! { kind = "circle" diameter = -1 };
-/// let errors = ancf::model::check_part("Section", &circle.into()).unwrap_err();
+/// let errors = ancf::reading::check_part("Section", &circle.into()).unwrap_err();
 /// assert_eq!(errors.to_string(), "diameter: found -1, wanted a number > 0");
 /// ```
 pub fn check_part(definition: &str, data: &Value) -> Result<(), ModelErrors> {

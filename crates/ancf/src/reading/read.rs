@@ -41,7 +41,7 @@ impl Model {
     /// All that is wrong, in the order of the text.
     ///
     /// ```
-    /// let errors = ancf::model::Model::parse("gravity = [0, -9.81]").unwrap_err();
+    /// let errors = ancf::Model::parse("gravity = [0, -9.81]").unwrap_err();
     /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {

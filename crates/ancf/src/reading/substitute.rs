@@ -36,10 +36,10 @@ const REFERENCES: [(&str, &str); 5] = [
 ///     materials.steel = { density = 7850, young = 2.1e11 }
 ///     bodies = [{ kind = "cable", name = "rope", material = "steel" }]
 /// "#)?;
-/// let set = ancf::model::substitute(&mut data, "bodies.rope.material.young", 2e11.into())?;
+/// let set = ancf::reading::substitute(&mut data, "bodies.rope.material.young", 2e11.into())?;
 /// assert_eq!(set, ["materials.steel.young"]);
 ///
-/// let error = ancf::model::substitute(&mut data, "bodies.rop.elements", 3.into()).unwrap_err();
+/// let error = ancf::reading::substitute(&mut data, "bodies.rop.elements", 3.into()).unwrap_err();
 /// assert_eq!(error.to_string(), "bodies.rop: found no `rop`, wanted `rope` (did you mean `rope`?)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -10,7 +10,7 @@ impl Model {
     /// A motor that a program controls:
     ///
     /// ```
-    /// use ancf::function::{External, Instant};
+    /// use ancf::mechanics::functions::{External, Instant};
     /// use ancf::record::Series;
     /// use ancf::{Model, simulate};
     ///
@@ -57,7 +57,7 @@ impl Model {
     /// A spring that holds a mass to the origin, with which it swings once in a unit of time:
     ///
     /// ```
-    /// use ancf::function::ForceFunction;
+    /// use ancf::mechanics::functions::ForceFunction;
     /// use ancf::record::Series;
     /// use ancf::{Model, simulate};
     ///

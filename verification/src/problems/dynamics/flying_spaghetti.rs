@@ -1,4 +1,4 @@
-use ancf::system::{EquationsOfMotion, State};
+use ancf::solver::equations::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
 use super::motion::{Inertia, advance, assemble, dynamics};

@@ -1,9 +1,11 @@
 //! Time integration by the types of the library, for initial velocities and momenta that model files do not state.
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, SolveError, Stop};
-use ancf::model::Assembly;
-use ancf::system::{EquationsOfMotion, SparseMatrix, State, System, Weights};
+use ancf::assembly::Assembly;
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
+use ancf::solver::newton::{Newton, SolveError, Stop};
+use ancf::solver::sparse::SparseMatrix;
 use nalgebra::Vector3;
 
 use crate::VerificationError;

@@ -1,8 +1,9 @@
 use std::sync::Arc;
 
-use ancf::mechanics::{Beam24, BeamShape, Profile};
+use ancf::mechanics::elements::{Beam24, Profile};
+use ancf::mechanics::kinematics::BeamShape;
 use ancf::model::{Material, Section};
-use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
+use ancf::solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
 
 use crate::problems::models::{Cantilever, KIM, KIM_AREA, ROD, end_probe, joint};

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use ancf::analysis::Interrupt;
+use ancf::solver::newton::Interrupt;
 use ancf::{Model, Simulation};
 use ancf_results::{CheckpointInterval, Folder, Recorder, Results};
 use sha2::{Digest, Sha256};

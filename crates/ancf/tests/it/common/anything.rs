@@ -6,7 +6,7 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf::function::Expression;
+use ancf::mechanics::functions::Expression;
 use ancf::model::{Analysis, Body, Step};
 use ancf::record::Sink;
 use ancf::{Model, Simulation};

@@ -4,7 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use ancf::mechanics::{Lame, gauss};
+use ancf::mechanics::kinematics::gauss;
+use ancf::mechanics::sections::Lame;
 use ancf::model::{Circle, Ellipse, Rectangle, Section, Tube};
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,6 +1,6 @@
 //! Random states of one term, and the evaluation of the term at them.
 
-use ancf::system::{Energy, LOCAL, Local, LocalMatrix, Term, Weights};
+use ancf::solver::equations::{Energy, LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector};
 
 use super::random::Random;

@@ -1,8 +1,10 @@
 //! Contact forces: impact, sliding, belt friction and static contact against closed forms.
 
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::{Assembly, At, Named, Place, Probe};
-use ancf::system::{State, System};
+use ancf::assembly::Assembly;
+use ancf::model::{At, Named, Place, Probe};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{State, System};
+use ancf::solver::newton::{Newton, Stop};
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
 

@@ -1,8 +1,8 @@
 //! Models of bodies in contact, and the contact forces.
 
 use ancf::Model;
-use ancf::model::Assembly;
-use ancf::system::{EquationsOfMotion, Local, State, Term};
+use ancf::assembly::Assembly;
+use ancf::solver::equations::{EquationsOfMotion, Local, State, Term};
 use nalgebra::Vector3;
 
 use crate::common::models::parse;

@@ -1,8 +1,8 @@
 //! Search of contact pairs, and momenta of contact forces.
 
-use ancf::mechanics::{BeamContacts, ContactLaw, Skin};
-use ancf::model::Assembly;
-use ancf::system::{Encounters, EquationsOfMotion, Local, State, Term};
+use ancf::assembly::Assembly;
+use ancf::mechanics::contact::{BeamContacts, ContactLaw, Skin};
+use ancf::solver::equations::{Encounters, EquationsOfMotion, Local, State, Term};
 use nalgebra::Vector3;
 
 use super::models::{model, rows};

@@ -1,9 +1,11 @@
 //! Step size control: errors are below the tolerance and of its order of magnitude.
 
 use ancf::Model;
-use ancf::analysis::{Adaptive, Control, Dynamics, Failure, Newton, Scheme, SolveError, Stop};
 use ancf::model::{self, ScaleChoice, Start, Step};
-use ancf::system::{EquationsOfMotion, Local, LocalMatrix, SparseMatrix, State, System, Term, Weights};
+use ancf::solver::dynamics::{Adaptive, Control, Dynamics, Scheme};
+use ancf::solver::equations::{EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::newton::{Failure, Newton, SolveError, Stop};
+use ancf::solver::sparse::SparseMatrix;
 
 use super::pendulum;
 use crate::common::models::rod;

@@ -3,9 +3,10 @@
 //! Differences of the results at h, h/2, h/4 have the ratio 2ᵖ for the order p.
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::{self, Clamped, Start};
-use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;

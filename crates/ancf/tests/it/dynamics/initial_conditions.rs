@@ -1,12 +1,14 @@
 //! Initial conditions: velocities of rigid-body motions, closed gaps.
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
+use ancf::assembly::Assembly;
 use ancf::model::{
-    Analysis, Assembly, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, Named, Place, Probe,
-    Spherical, Start, Statics,
+    Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, Named, Place, Probe, Spherical,
+    Start, Statics,
 };
-use ancf::system::{EquationsOfMotion, State};
+use ancf::solver::dynamics::{Dynamics, Scheme, consistent_velocities};
+use ancf::solver::equations::{EquationsOfMotion, State};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::newton::{Newton, Stop};
 
 /// Mass.
 pub(super) const MASS: f64 = 2.0;

@@ -1,8 +1,9 @@
 //! Time integration schemes: order in positions, velocities and multipliers, damping, constraint levels, drift.
 
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_velocities};
 use ancf::model::Section;
-use ancf::system::{EquationsOfMotion, Level, State, System};
+use ancf::solver::dynamics::{Dynamics, Scheme, consistent_velocities};
+use ancf::solver::equations::{EquationsOfMotion, Level, State, System};
+use ancf::solver::newton::{Newton, Stop};
 
 use super::pendulum;
 use crate::common::models::rod;

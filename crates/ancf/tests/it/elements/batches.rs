@@ -3,9 +3,9 @@
 //! A body has a full and a partial batch.
 
 use ancf::Model;
-use ancf::mechanics::BeamMesh;
+use ancf::mechanics::bodies::BeamMesh;
 use ancf::model::{Body, Cable, Damping, InitialMotion, MaterialLaw, Section, Slopes};
-use ancf::system::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
+use ancf::solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Term, Weights};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::common::models::beams::{BeamCase, beam_cases};

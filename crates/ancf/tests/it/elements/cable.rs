@@ -1,7 +1,7 @@
 //! Properties of the cable element beyond the laws of all terms.
 
-use ancf::mechanics::{CableDamping, CableRule};
-use ancf::system::{Term, Weights};
+use ancf::mechanics::elements::{CableDamping, CableRule};
+use ancf::solver::equations::{Term, Weights};
 use nalgebra::{DVector, Matrix4, Rotation3, SymmetricEigen, Vector3};
 
 use crate::common::models::cables::{Cable, DAMPING, LENGTH, SECTION, cables};

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ancf::mechanics::{Beam24, BeamShape, Profile};
+use ancf::mechanics::elements::{Beam24, Profile};
+use ancf::mechanics::kinematics::BeamShape;
 use ancf::model::{Material, Section};
 use nalgebra::{DVector, Rotation3, Vector3};
 

@@ -1,9 +1,10 @@
 //! Beam formulations against closed forms: exact cases and rates of convergence.
 
 use ancf::Model;
-use ancf::mechanics::Kind;
-use ancf::model::{Assembly, Clamped, Formulation, GeneralSection, Load, Material, Section};
-use ancf::system::{EquationsOfMotion, State};
+use ancf::assembly::Assembly;
+use ancf::mechanics::kinematics::Kind;
+use ancf::model::{Clamped, Formulation, GeneralSection, Load, Material, Section};
+use ancf::solver::equations::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;

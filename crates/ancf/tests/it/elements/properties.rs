@@ -1,7 +1,7 @@
 //! Properties of beam elements: rigid-body motions, rank of the stiffness, dissipation, energy of the continuum.
 
 use ancf::model::{Damping, Formulation, Material, MaterialLaw, Section};
-use ancf::system::Weights;
+use ancf::solver::equations::Weights;
 use nalgebra::{Cholesky, DVector, Rotation3, SymmetricEigen, Vector3};
 
 use crate::common::continuum;

@@ -3,9 +3,11 @@
 use std::f64::consts::PI;
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::{Analysis, Assembly, Load};
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::model::{Analysis, Load};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::State;
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 use crate::common::assertions::assert_relative;

@@ -4,7 +4,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf::record::Series;
-use ancf::system::State;
+use ancf::solver::equations::State;
 use ancf::{Model, Observer, Outcome, Simulation, simulate};
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;

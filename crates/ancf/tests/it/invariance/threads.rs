@@ -1,7 +1,8 @@
 //! Results do not depend on the number of threads.
 
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::system::State;
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::State;
+use ancf::solver::newton::{Newton, Stop};
 
 use crate::common::models::rod;
 

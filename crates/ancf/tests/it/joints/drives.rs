@@ -1,10 +1,11 @@
 //! Drives and gaps that statics closes.
 
 use ancf::Model;
-use ancf::analysis::{Newton, Stop};
-use ancf::mechanics::{Coincide, Marker};
+use ancf::mechanics::constraints::Coincide;
+use ancf::mechanics::kinematics::Marker;
 use ancf::model::ScaleChoice;
-use ancf::system::{EquationsOfMotion, State, System, Term, Weights};
+use ancf::solver::equations::{EquationsOfMotion, State, System, Term, Weights};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 use crate::common::models::parse;

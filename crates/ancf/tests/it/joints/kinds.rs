@@ -3,9 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
 use ancf::model::ScaleChoice;
-use ancf::system::{EquationsOfMotion, Level};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{EquationsOfMotion, Level};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::common::models::jointed_body::{DYNAMICS, STATICS, jointed_body};

@@ -1,9 +1,11 @@
 //! Free motions of models, by name.
 
 use ancf::Model;
-use ancf::analysis::{Interrupt, modes};
-use ancf::model::{At, Beam, Body, Clamped, End, Joint, Motion, Named, Place, Revolute, Spherical};
-use ancf::system::State;
+use ancf::diagnosis::Motion;
+use ancf::model::{At, Beam, Body, Clamped, End, Joint, Named, Place, Revolute, Spherical};
+use ancf::solver::eigen::modes;
+use ancf::solver::equations::State;
+use ancf::solver::newton::Interrupt;
 
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;

@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
-use ancf::analysis::{Dynamics, Failure, Newton, Scheme, Stop, consistent_start};
-use ancf::system::{
-    Energy, EquationsOfMotion, Level, Local, LocalMatrix, Sparse, State, System, Term, Weights,
-    constraint_rows, dependences,
+use ancf::solver::dynamics::{Dynamics, Scheme, consistent_start};
+use ancf::solver::equations::{
+    Energy, EquationsOfMotion, Level, Local, LocalMatrix, State, System, Term, Weights, constraint_rows,
+    dependences,
 };
+use ancf::solver::factor::Sparse;
+use ancf::solver::newton::{Failure, Newton, Stop};
 use nalgebra::Vector2;
 
 const GRAVITY: f64 = 9.81;

@@ -7,7 +7,8 @@ use ancf::model::{
     Modes, Named, Path, Place, Spherical, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
-use ancf::system::{Sparse, dependences};
+use ancf::solver::equations::dependences;
+use ancf::solver::factor::Sparse;
 use ancf::{Model, Outcome, simulate};
 use nalgebra::{DMatrix, Vector3};
 use proptest::prelude::*;

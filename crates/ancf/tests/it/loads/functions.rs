@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
-use ancf::function::{Expression, External, Function, Instant, Table};
-use ancf::model::{At, Load, Place, TimeFunction, Varying, schema};
+use ancf::mechanics::functions::{Expression, External, Function, Instant, Table};
+use ancf::model::{At, Load, Place, TimeFunction, Varying};
+use ancf::schema::schema;
 use ancf::{Model, Scales};
 use proptest::prelude::*;
 use serde_json::Value as Json;

@@ -1,8 +1,10 @@
 //! Moments, follower loads and drives on rotated, stretched and skewed sections.
 
-use ancf::function::{Function, Table};
-use ancf::mechanics::{Drive, FollowerForce, Marker, Moment};
-use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
+use ancf::mechanics::constraints::Drive;
+use ancf::mechanics::forces::{FollowerForce, Moment};
+use ancf::mechanics::functions::{Function, Table};
+use ancf::mechanics::kinematics::Marker;
+use ancf::solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use proptest::prelude::*;
 

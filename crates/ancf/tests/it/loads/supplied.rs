@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
 
-use ancf::function::{External, ForceFunction, Instant};
+use ancf::mechanics::functions::{External, ForceFunction, Instant};
 use ancf::model::ModelErrors;
 use ancf::record::Series;
 use ancf::{Error, Model, Outcome, Scales, simulate};

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ancf::model::{Body, Model, ModelError, ScaleChoice, Scheme, Step, schema, schema_text};
+use ancf::Model;
+use ancf::model::{Body, ModelError, ScaleChoice, Scheme, Step};
+use ancf::schema::{schema, schema_text};
 use proptest::prelude::*;
 
 fn folder(name: &str) -> PathBuf {

@@ -1,6 +1,6 @@
 //! Checks of single parts of a model.
 
-use ancf::model::check_part;
+use ancf::reading::check_part;
 use toml::{Table, Value};
 
 /// Error messages of a part.

@@ -1,7 +1,7 @@
 //! Substitution of values in the data of a model by paths, and errors of invalid paths.
 
 use ancf::Model;
-use ancf::model::substitute;
+use ancf::reading::substitute;
 use toml::Value;
 
 const MODEL: &str = r#"

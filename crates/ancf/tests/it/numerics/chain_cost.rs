@@ -7,7 +7,8 @@ use std::ops::Range;
 use std::sync::LazyLock;
 use std::time::Instant;
 
-use ancf::system::{EquationsOfMotion, Factor, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::equations::{EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::factor::Factor;
 
 const NODE: usize = 12;
 

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use ancf::system::{
-    EquationsOfMotion, Factor, Local, LocalMatrix, SparseMatrix, State, System, Term, Weights,
-};
+use ancf::solver::equations::{EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::factor::Factor;
+use ancf::solver::sparse::SparseMatrix;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 

@@ -3,9 +3,11 @@
 use std::ops::Range;
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop};
-use ancf::model::{Assembly, At, Body, End, Joint, Named, Place, Spherical};
-use ancf::system::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::assembly::Assembly;
+use ancf::model::{At, Body, End, Joint, Named, Place, Spherical};
+use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::newton::{Newton, Stop};
 
 use crate::common::models::rod;
 

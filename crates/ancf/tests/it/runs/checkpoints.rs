@@ -239,7 +239,7 @@ fn resume_damaged(model: &Model, damaged: &[u8]) {
     let simulation = Simulation::new(model).unwrap();
     let queries = std::sync::atomic::AtomicU32::new(0);
     let limit = move || queries.fetch_add(1, std::sync::atomic::Ordering::Relaxed) > 300;
-    let simulation = simulation.heeding(ancf::analysis::Interrupt::new(limit));
+    let simulation = simulation.heeding(ancf::solver::newton::Interrupt::new(limit));
     let _ = simulation.resume(&checkpoint, &mut Recorder::default());
 }
 

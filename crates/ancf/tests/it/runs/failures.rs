@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ancf::function::ForceFunction;
+use ancf::mechanics::functions::ForceFunction;
 use ancf::model::{Analysis, Statics, Step};
 use ancf::record::Series;
 use ancf::{Model, Outcome, Summary, simulate};

@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ancf::analysis::Interrupt;
 use ancf::model::ScaleChoice;
 use ancf::record::Series;
-use ancf::system::State;
+use ancf::solver::equations::State;
+use ancf::solver::newton::Interrupt;
 use ancf::{Field, Fields, Model, Observer, Outcome, Simulation};
 
 use crate::common::models::parse;

@@ -7,8 +7,8 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use ancf::analysis::Interrupt;
-use ancf::system::State;
+use ancf::solver::equations::State;
+use ancf::solver::newton::Interrupt;
 use ancf::{Checkpoint, Model, Observer, Simulation, Summary};
 
 use crate::common::models::parse;

@@ -3,9 +3,11 @@
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use ancf::mechanics::{SectionPoint, gauss};
-use ancf::model::{Circle, Ellipse, GeneralSection, Model, Rectangle, Section, Tube};
-use ancf::scales::Scales;
+use ancf::Model;
+use ancf::mechanics::kinematics::gauss;
+use ancf::mechanics::sections::SectionPoint;
+use ancf::model::{Circle, Ellipse, GeneralSection, Rectangle, Section, Tube};
+use ancf::units::Scales;
 use nalgebra::{DMatrix, DVector};
 
 use crate::common::assertions::assert_relative;

@@ -1,6 +1,6 @@
 //! Sections, elastic constants and directors of the tests of section laws.
 
-use ancf::mechanics::{Directors, Lame};
+use ancf::mechanics::sections::{Directors, Lame};
 use ancf::model::Section;
 use nalgebra::{Rotation3, Vector3};
 

@@ -1,6 +1,6 @@
 //! Elastic laws of sections: continuum by points and by moments of area, rods in closed form, twisted and curved references.
 
-use ancf::mechanics::{CrossSection, Directors, SectionLaw};
+use ancf::mechanics::sections::{CrossSection, Directors, SectionLaw};
 use ancf::model::Section;
 use nalgebra::{Rotation3, Vector3};
 

@@ -1,6 +1,6 @@
 //! Neo-Hookean law of a section: derivatives of the energy, limit of small strains, closed forms.
 
-use ancf::mechanics::{Directors, Lame, NeoHookean, SectionLaw, SectionPoint, Stiffness};
+use ancf::mechanics::sections::{Directors, Lame, NeoHookean, SectionLaw, SectionPoint, Stiffness};
 use ancf::model::Section;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 

@@ -1,9 +1,11 @@
 //! Section forces and moments against statics of the part beyond the section, in every formulation, at large rotations.
 
 use ancf::Model;
-use ancf::mechanics::{BeamMesh, gauss};
-use ancf::model::{Assembly, Clamped, Formulation, Load, Section, Shape, Slopes};
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::mechanics::kinematics::gauss;
+use ancf::model::{Clamped, Formulation, Load, Section, Shape, Slopes};
+use ancf::solver::equations::State;
 use nalgebra::{Rotation3, Vector3};
 
 use crate::common::models::beams::FORMULATIONS;

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use ancf::analysis::{EigenError, Interrupt, Modes, modes};
-use ancf::system::{Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::eigen::{EigenError, Modes, modes};
+use ancf::solver::equations::{Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::newton::Interrupt;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use crate::common::random::Random;

@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use ancf::Model;
-use ancf::analysis::{
-    ArcSteps, Equilibrium, EquilibriumError, Failure, Increments, Left, Newton, Path, PathPoint, Statics,
-    Stop, Until,
-};
-use ancf::model::{Assembly, Beam, Body, Formulation, Load, ScaleChoice};
-use ancf::system::{Energy, EquationsOfMotion, Factor, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::assembly::Assembly;
+use ancf::model::{Beam, Body, Formulation, Load, ScaleChoice};
+use ancf::solver::equations::{Energy, EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
+use ancf::solver::factor::Factor;
+use ancf::solver::newton::{EquilibriumError, Failure, Newton, Stop};
+use ancf::solver::statics::{ArcSteps, Equilibrium, Increments, Left, Path, PathPoint, Statics, Until};
 use nalgebra::{DMatrix, Vector3};
 
 use crate::common::models::rod;

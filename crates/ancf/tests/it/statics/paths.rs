@@ -3,10 +3,14 @@
 use std::ops::ControlFlow;
 
 use ancf::Model;
-use ancf::analysis::{ArcSteps, Left, Limit, Newton, Path, PathPoint, Stop, Until};
-use ancf::mechanics::{BeamMesh, Coincide, Force, Marker, Perpendicular};
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::mechanics::constraints::{Coincide, Perpendicular};
+use ancf::mechanics::forces::Force;
+use ancf::mechanics::kinematics::Marker;
 use ancf::model::{Beam, Body, Formulation, Material, Section};
-use ancf::system::{EquationsOfMotion, State, System};
+use ancf::solver::equations::{EquationsOfMotion, State, System};
+use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::statics::{ArcSteps, Left, Limit, Path, PathPoint, Until};
 use nalgebra::Vector3;
 
 use super::truss::Truss;

@@ -1,6 +1,6 @@
 //! Von Mises truss in closed form.
 
-use ancf::system::{Energy, Local, LocalMatrix, System, Term, Weights};
+use ancf::solver::equations::{Energy, Local, LocalMatrix, System, Term, Weights};
 
 /// Shallow von Mises truss: two bars from (±a, 0) to the apex (0, h), loaded through a spring.
 ///

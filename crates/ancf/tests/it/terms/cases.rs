@@ -1,9 +1,10 @@
 //! List of the terms under test.
 
-use ancf::function::{ForceFunction, Function};
-use ancf::mechanics::{CableDamping, ExternalForce, FollowerForce, Moment, RigidBody};
+use ancf::mechanics::elements::{CableDamping, RigidBody};
+use ancf::mechanics::forces::{ExternalForce, FollowerForce, Moment};
+use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::model::{Damping, MaterialLaw};
-use ancf::system::Term;
+use ancf::solver::equations::Term;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};

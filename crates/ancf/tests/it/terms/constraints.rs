@@ -1,11 +1,13 @@
 //! Two bodies with constraints and loads.
 
-use ancf::function::Function;
-use ancf::mechanics::{
-    BeamMesh, Blueprint, Coincide, Drive, Force, Formulation, Marker, Medium, Node, Perpendicular,
-};
+use ancf::mechanics::bodies::{BeamMesh, Blueprint};
+use ancf::mechanics::constraints::{Coincide, Drive, Perpendicular};
+use ancf::mechanics::elements::{Formulation, Medium};
+use ancf::mechanics::forces::Force;
+use ancf::mechanics::functions::Function;
+use ancf::mechanics::kinematics::{Marker, Node};
 use ancf::model::{Material, Section};
-use ancf::system::Term;
+use ancf::solver::equations::Term;
 use nalgebra::{Rotation3, Vector3};
 
 /// Length of an element.

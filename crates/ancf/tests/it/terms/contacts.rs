@@ -1,7 +1,9 @@
 //! Contacts with deep penetration, active for all small random states.
 
-use ancf::mechanics::{Attachment, BeamContact, BeamMesh, ContactLaw, Form, Obstacle, ObstacleContact};
-use ancf::system::Term;
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::mechanics::contact::{BeamContact, ContactLaw, Form, Obstacle, ObstacleContact};
+use ancf::mechanics::kinematics::Attachment;
+use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
 /// Mechanism of energy loss.

@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
-use ancf::function::Function;
-use ancf::mechanics::{BeamMesh, Blueprint, Fluid, Formulation, Hull, Medium, Morison, Node};
+use ancf::mechanics::bodies::{BeamMesh, Blueprint};
+use ancf::mechanics::elements::{Formulation, Medium};
+use ancf::mechanics::fluid::{Fluid, Hull, Morison};
+use ancf::mechanics::functions::Function;
+use ancf::mechanics::kinematics::Node;
 use ancf::model::{Material, Section};
 use nalgebra::{Rotation3, Vector3};
 

@@ -1,8 +1,11 @@
 //! Terms of joints, springs and drives between two bodies.
 
-use ancf::function::Function;
-use ancf::mechanics::{Angle, BeamMesh, Friction, Marker, Measure, Part, Slide, Spring, Strut, Target, Tie};
-use ancf::system::Term;
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::mechanics::constraints::{Angle, Measure, Part, Slide, Target, Tie};
+use ancf::mechanics::forces::{Friction, Spring, Strut};
+use ancf::mechanics::functions::Function;
+use ancf::mechanics::kinematics::Marker;
+use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
 use super::kind::TermKind;

@@ -4,7 +4,7 @@
 //! one magnitude. Most residuals are polynomials of degree three at most: five-point differences with large steps are exact
 //! to rounding. Other smooth residuals are differentiated by extrapolation.
 
-use ancf::system::{Energy, Level, Local, Power, Term, Weights};
+use ancf::solver::equations::{Energy, Level, Local, Power, Term, Weights};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::cases::{TermCase, terms};

@@ -1,6 +1,6 @@
 //! Load with a stiffness.
 
-use ancf::system::{Local, LocalMatrix, Term, Weights};
+use ancf::solver::equations::{Local, LocalMatrix, Term, Weights};
 
 /// Load proportional to the displacement of its point, in parallel with a spring.
 pub(super) struct Magnet;

@@ -1,7 +1,7 @@
 //! Geometric stiffness: the stiffness of initial stresses.
 
 use ancf::model::MaterialLaw;
-use ancf::system::Weights;
+use ancf::solver::equations::Weights;
 use nalgebra::{DVector, Vector3};
 
 use super::cases::{TermCase, terms};

@@ -7,11 +7,12 @@
 //! ```
 
 use ancf::Model;
-use ancf::analysis::{Dynamics, Newton, Scheme, Stop, consistent_start};
-use ancf::model::{
-    self, Assembly, At, Body, Clamp, Clamped, End, Joint, Named, Place, Revolute, Spherical, Start,
-};
-use ancf::system::{EquationsOfMotion, State, Weights};
+use ancf::assembly::Assembly;
+use ancf::model;
+use ancf::model::{At, Body, Clamp, Clamped, End, Joint, Named, Place, Revolute, Spherical, Start};
+use ancf::solver::dynamics::{Dynamics, Scheme, consistent_start};
+use ancf::solver::equations::{EquationsOfMotion, State, Weights};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::common::assertions::assert_near;

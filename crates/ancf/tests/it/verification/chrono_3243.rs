@@ -7,9 +7,10 @@
 
 use std::sync::Arc;
 
-use ancf::mechanics::{Beam24, BeamShape, Profile};
+use ancf::mechanics::elements::{Beam24, Profile};
+use ancf::mechanics::kinematics::BeamShape;
 use ancf::model::{Material, Section};
-use ancf::system::{LOCAL, Local, LocalMatrix, Term, Weights};
+use ancf::solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::Vector3;
 
 use crate::common::assertions::assert_relative;

@@ -9,8 +9,8 @@
 //! of St. Venant-Kirchhoff for ν = 0.
 
 use ancf::Model;
-use ancf::analysis::consistent_start;
 use ancf::model::{Clamped, Load};
+use ancf::solver::dynamics::consistent_start;
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;

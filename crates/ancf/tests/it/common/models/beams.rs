@@ -3,11 +3,11 @@
 use std::ops::AddAssign;
 
 use ancf::Model;
-use ancf::mechanics::NodalVector;
+use ancf::mechanics::kinematics::NodalVector;
 use ancf::model::{
     Beam, Damping, Formulation, GeneralSection, MaterialLaw, Rectangle, Section, Shape, Slopes,
 };
-use ancf::system::Term;
+use ancf::solver::equations::Term;
 use nalgebra::{DVector, Rotation3, Vector3};
 
 use super::rod;

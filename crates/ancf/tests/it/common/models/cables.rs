@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ancf::mechanics::{BeamShape, Cable12, CableDamping, CableProfile, CableRule, CableSection};
+use ancf::mechanics::elements::{Cable12, CableDamping, CableProfile, CableRule, CableSection};
+use ancf::mechanics::kinematics::BeamShape;
 use nalgebra::{Rotation3, Vector3};
 
 /// Length of an element.

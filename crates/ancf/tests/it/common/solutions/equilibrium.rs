@@ -3,9 +3,10 @@
 use std::ops::ControlFlow;
 
 use ancf::Model;
-use ancf::analysis::{Increments, Newton, Statics, Stop};
-use ancf::model::Assembly;
-use ancf::system::State;
+use ancf::assembly::Assembly;
+use ancf::solver::equations::State;
+use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::statics::{Increments, Statics};
 
 /// Returns the equilibrium under the full load; the first load increment is `1 / steps`.
 pub(crate) fn equilibrium(model: &Model, steps: u32) -> (Assembly, State) {

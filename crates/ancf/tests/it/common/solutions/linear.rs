@@ -1,7 +1,8 @@
 //! Linear static displacements.
 
-use ancf::model::Assembly;
-use ancf::system::{EquationsOfMotion, Factor, State, Weights};
+use ancf::assembly::Assembly;
+use ancf::solver::equations::{EquationsOfMotion, State, Weights};
+use ancf::solver::factor::Factor;
 
 /// Returns the linear static state under the loads of an assembly and additional generalised forces.
 pub(crate) fn linear(assembly: &Assembly, forces: &[(usize, f64)]) -> State {

@@ -1,7 +1,7 @@
 //! Linear and angular momentum.
 
-use ancf::model::Assembly;
-use ancf::system::{EquationsOfMotion, State, Weights};
+use ancf::assembly::Assembly;
+use ancf::solver::equations::{EquationsOfMotion, State, Weights};
 use nalgebra::Vector3;
 
 /// Returns ∑ M x and ∑ r × M x over the nodal vectors: the momenta about the origin for x = v.

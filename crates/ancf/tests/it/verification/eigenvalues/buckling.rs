@@ -10,12 +10,13 @@
 //! and Reissner's rod with k = 1 and the polar moment of area, bent in its plane by shooting and perturbed out of it.
 
 use ancf::Model;
-use ancf::analysis::{Critical, EigenError, Interrupt, Newton, Sense, Stop, buckling};
+use ancf::assembly::Assembly;
 use ancf::model::{
-    Assembly, At, Body, Cable, Clamp, Clamped, Formulation, GeneralSection, Joint, Load, MaterialLaw,
-    Section, Slopes,
+    At, Body, Cable, Clamp, Clamped, Formulation, GeneralSection, Joint, Load, MaterialLaw, Section, Slopes,
 };
-use ancf::system::{State, Weights};
+use ancf::solver::eigen::{Critical, EigenError, Sense, buckling};
+use ancf::solver::equations::{State, Weights};
+use ancf::solver::newton::{Interrupt, Newton, Stop};
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;

@@ -3,8 +3,9 @@
 //! Source: independent implementation of the element. Limits: Timoshenko's beam with k = 1 (bending: 13.714693124408,
 //! 85.85919781924, 240.0061199541, 469.17308113901 Hz), √(G/ρ)/4L in torsion, √(E/ρ)/4L along the axis.
 
-use ancf::analysis::Interrupt;
-use ancf::{Model, analysis};
+use ancf::Model;
+use ancf::solver::eigen;
+use ancf::solver::newton::Interrupt;
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;
@@ -27,14 +28,9 @@ const KINDS: [ModeKind; 12] = {
 /// Lowest frequencies of the straight rod in Hz, ascending, with the kind of motion.
 fn modes(model: &Model) -> Vec<(f64, ModeKind)> {
     let assembly = model.assemble().unwrap();
-    let modes = analysis::modes(
-        &assembly.system,
-        assembly.system.matrix(),
-        &assembly.rest(),
-        20,
-        &Interrupt::default(),
-    )
-    .unwrap();
+    let modes =
+        eigen::modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 20, &Interrupt::default())
+            .unwrap();
     assert_eq!(modes.rigid, 0, "the rod is clamped");
     let kind = |shape: &[f64]| {
         let size = |i: &usize| shape[*i].abs();

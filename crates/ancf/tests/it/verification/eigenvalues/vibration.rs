@@ -5,9 +5,10 @@
 //! its axis; Euler (1744) for the column.
 
 use ancf::Model;
-use ancf::analysis::{Interrupt, Newton, Stop, modes};
 use ancf::model::{Clamped, Load, Section, Slopes};
-use ancf::system::{State, Weights};
+use ancf::solver::eigen::modes;
+use ancf::solver::equations::{State, Weights};
+use ancf::solver::newton::{Interrupt, Newton, Stop};
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;

@@ -5,11 +5,12 @@
 use std::sync::Arc;
 
 use ancf::Model;
-use ancf::analysis::Scheme;
-use ancf::mechanics::{Beam24, BeamShape, Profile};
+use ancf::mechanics::elements::{Beam24, Profile};
+use ancf::mechanics::kinematics::BeamShape;
 use ancf::model::{Material, ScaleChoice, Section, Slopes};
-use ancf::scales::Scales;
-use ancf::system::{EquationsOfMotion, Local, State, Term, Weights};
+use ancf::solver::dynamics::Scheme;
+use ancf::solver::equations::{EquationsOfMotion, Local, State, Term, Weights};
+use ancf::units::Scales;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::common::assertions::assert_near;

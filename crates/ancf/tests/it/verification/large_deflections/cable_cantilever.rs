@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use ancf::analysis::{Newton, Stop};
-use ancf::mechanics::{BeamShape, CableProfile, CableSection};
-use ancf::system::Weights;
+use ancf::mechanics::elements::{CableProfile, CableSection};
+use ancf::mechanics::kinematics::BeamShape;
+use ancf::solver::equations::Weights;
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 use super::cable_chain::{CableCantilever, Root};

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-use ancf::analysis::{Newton, Stop};
-use ancf::mechanics::{BeamShape, Cable12, CableProfile, Coincide, Force, Marker, Perpendicular};
-use ancf::system::{State, System, Term, Weights};
+use ancf::mechanics::constraints::{Coincide, Perpendicular};
+use ancf::mechanics::elements::{Cable12, CableProfile};
+use ancf::mechanics::forces::Force;
+use ancf::mechanics::kinematics::{BeamShape, Marker};
+use ancf::solver::equations::{State, System, Term, Weights};
+use ancf::solver::newton::{Newton, Stop};
 use nalgebra::Vector3;
 
 /// Constrained coordinates at x = 0.

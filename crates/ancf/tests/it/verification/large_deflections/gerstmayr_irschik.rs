@@ -11,7 +11,8 @@
 //! elements; n = 16 is from a later list with an earlier end of the Newton iterations, error 2e-10.
 //! Limit by shooting of the rod without shear: (−0.508537304326, −1.207239854550).
 
-use ancf::mechanics::{BeamShape, CableProfile, CableRule, CableSection};
+use ancf::mechanics::elements::{CableProfile, CableRule, CableSection};
+use ancf::mechanics::kinematics::BeamShape;
 use nalgebra::Vector3;
 
 use super::cable_chain::{CableCantilever, Root};

@@ -31,23 +31,22 @@ __all__ = [
 ]
 
 NewtonMethod: TypeAlias = Literal["modified", "full"]
-"""When Newton's method makes a new tangent.
+"""Update of the tangent in Newton's method.
 
-* ``"modified"``: When it is cheaper than more iterations with an old one; the same solutions in less time.
-  Rules in absolute numbers for the end of the iteration, and redundant joints, want the full method and get
-  it.
-* ``"full"``: In each iteration.
+* ``"modified"``: Modified Newton: a new tangent only if it is cheaper than more iterations with the old one.
+  Absolute convergence criteria and redundant joints use the full method instead.
+* ``"full"``: Full Newton: a new tangent in each iteration.
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Newmark(Part):
-    """Newmark with any pair.
+    """Newmark with given parameters.
 
     Attributes
     ----------
     gamma
-        γ; 1/2 for second order, more for damping (>= 0, <= 1).
+        γ; 1/2 for second order, larger for numerical damping (>= 0, <= 1).
     beta
         β > 0 (>= 0, <= 1).
 
@@ -61,13 +60,13 @@ class Newmark(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GeneralizedAlpha(Part):
-    """Generalized-α: second order, in reactions too, damps what the step does not resolve.
+    """Generalized-α: second order, also in reactions. Damps frequencies that the step does not resolve.
 
     Attributes
     ----------
     spectral_radius
-        Part of a vibration of infinite frequency that survives a step: 0 ends it, 1 damps nothing, 0.8 is a
-        good choice (>= 0, <= 1).
+        Spectral radius at infinite frequency: 0 removes such vibrations in one step, 1 is without damping.
+        Recommended: 0.8 (>= 0, <= 1).
 
     """
 
@@ -78,12 +77,12 @@ class GeneralizedAlpha(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class HHT(Part):
-    """The scheme of Hilber, Hughes and Taylor: second order, in reactions too, damps high frequencies.
+    """Scheme of Hilber, Hughes and Taylor: second order, also in reactions. Damps high frequencies.
 
     Attributes
     ----------
     alpha
-        From −1/3, most damping, to 0, none (>= -0.3333333333333333, <= 0).
+        α from −1/3, maximum damping, to 0, no damping (>= -0.3333333333333333, <= 0).
 
     """
 
@@ -98,40 +97,40 @@ Scheme: TypeAlias = (
     | GeneralizedAlpha
     | HHT
 )
-"""A scheme of time integration, by name or by number.
+"""Time integration scheme, by name or by parameters.
 
 Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977); Chung & Hulbert (1993).
 
-* ``"adams"``: Newmark with γ = 0.70, β = 0.36: first order, strongly damping; the choice of the paper.
-* ``"average_acceleration"``: Newmark with γ = 1/2, β = 1/4: second order, keeps the energy of linear systems;
-  with joints, reactions alternate.
-* ``"linear_acceleration"``: Newmark with γ = 1/2, β = 1/6: second order, stable for small steps only; refused
-  with joints, where it never is.
-* ``"central_difference"``: Newmark with γ = 1/2, β = 0: explicit, hence refused for equations with
-  constraints.
+* ``"adams"``: Newmark with γ = 0.70, β = 0.36: first order, strong numerical damping. Used by Kim et al.
+  (2017).
+* ``"average_acceleration"``: Newmark with γ = 1/2, β = 1/4: second order, conserves the energy of linear
+  systems. Joint reactions oscillate.
+* ``"linear_acceleration"``: Newmark with γ = 1/2, β = 1/6: second order, conditionally stable. Rejected with
+  joints, where it is unstable.
+* ``"central_difference"``: Newmark with γ = 1/2, β = 0: explicit. Rejected for equations with constraints.
 """
 
 Start: TypeAlias = Literal["consistent", "zero"]
 """Accelerations and multipliers at the start.
 
-* ``"consistent"``: Those that satisfy the equations of motion.
-* ``"zero"``: All zero, as Kim et al. (2017) have it.
+* ``"consistent"``: Initial values that satisfy the equations of motion.
+* ``"zero"``: Zero, as in Kim et al. (2017).
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AdaptiveStep(Part):
-    """By error control; wants a scheme of second order.
+    """Step size by error control; requires a scheme of second order.
 
     Attributes
     ----------
     tolerance
-        Error that the motion may gather over the duration, a root mean square displacement relative to the
-        length of the longest body (> 0, <= 0.1).
+        Error tolerance of the motion over the duration: root mean square displacement relative to the length
+        of the longest body (> 0, <= 0.1).
     initial
-        First step, time; found by itself if left out (> 0).
+        First step, time; estimated by default (> 0).
     largest
-        Largest step, time (> 0).
+        Largest step, time; not limited by default (> 0).
 
     """
 
@@ -143,20 +142,20 @@ class AdaptiveStep(Part):
 
 
 StepSize: TypeAlias = float | AdaptiveStep
-"""Steps of one size, or as large as a tolerance permits."""
+"""Fixed or adaptive step size."""
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class EnergyStop(Part):
-    """Unit-blind.
+    """Energy criterion, independent of units.
 
-    The energy |Δz·r| of the increment is at most tolerance² times the largest energy met, or the residual is
-    down to its own rounding error.
+    The energy |Δz·r| of the increment is at most tolerance² times the largest energy of the run, or the
+    residual reaches its rounding error.
 
     Attributes
     ----------
     tolerance
-        Relative size of the increment in the energy norm (> 0, <= 0.01). Default: ``1e-8``.
+        Relative magnitude of the increment in the energy norm (> 0, <= 0.01). Default: ``1e-8``.
 
     """
 
@@ -169,12 +168,12 @@ class EnergyStop(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ResidualStop(Part):
-    """|r|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
+    """Residual |r|₂ below an absolute number *in the units of the solver*.
 
     Attributes
     ----------
     tolerance
-        Bound on the Euclidean norm of the residual (> 0).
+        Upper bound of the Euclidean norm of the residual (> 0).
 
     """
 
@@ -187,12 +186,12 @@ class ResidualStop(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class IncrementStop(Part):
-    """|Δq|₂ below an absolute number *in the units of the solver*, hence unit-dependent.
+    """Increment |Δq|₂ below an absolute number *in the units of the solver*.
 
     Attributes
     ----------
     tolerance
-        Bound on the Euclidean norm of the increment of the coordinates (> 0).
+        Upper bound of the Euclidean norm of the increment of the coordinates (> 0).
 
     """
 
@@ -204,49 +203,48 @@ class IncrementStop(Part):
 
 
 Stop: TypeAlias = EnergyStop | ResidualStop | IncrementStop
-"""When a Newton iteration ends."""
+"""Convergence criterion of a Newton iteration."""
 
 About: TypeAlias = Literal["reference", "equilibrium"]
-"""The state about which modes and critical loads are found.
+"""State about which natural modes are computed.
 
-* ``"reference"``: The undeformed state, free of loads and stress.
-* ``"equilibrium"``: The equilibrium under all loads.
+* ``"reference"``: Undeformed state, free of loads and stress.
+* ``"equilibrium"``: Equilibrium under all loads.
 """
 
 Sense: TypeAlias = Literal["stated", "reversed", "either"]
-"""Which way the loads grow.
+"""Sign of the load factors of buckling.
 
-* ``"stated"``: As they are stated.
-* ``"reversed"``: Reversed.
-* ``"either"``: Either way.
+* ``"stated"``: Positive: loads act as stated.
+* ``"reversed"``: Negative: loads are reversed.
+* ``"either"``: Both signs.
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Dynamics(Part):
-    """Motion from rest in the undeformed state.
+    """Motion that starts in the undeformed state.
 
     Attributes
     ----------
     duration
         Duration, time (> 0).
     step
-        Step, time; always the user's, whatever the scales.
+        Step size, time; in the units of the model, whatever the scales.
     max_halvings
-        How often a failed step of fixed size may be halved before the run ends (>= 0, <= 30). Default:
-        ``10``.
+        Maximum number of successive halvings of a failed step of fixed size (>= 0, <= 30). Default: ``10``.
     max_iterations
-        Newton iterations after which a step has failed (>= 1). Default: ``50``.
+        Maximum number of Newton iterations of a step (>= 1). Default: ``50``.
     newton
-        Newton's method with a new tangent in each iteration, or with tangents that are used again. One of
-        ``"modified"``, ``"full"``. Default: ``"modified"``.
+        Newton's method with a new tangent in each iteration, or with reused tangents. One of ``"modified"``,
+        ``"full"``. Default: ``"modified"``.
     scheme
-        Scheme of time integration. Default: ``"adams"``.
+        Time integration scheme. Default: ``"adams"``.
     start
         Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
         ``"consistent"``.
     stop
-        When the Newton iteration of a step ends. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
 
     """
 
@@ -266,18 +264,18 @@ class Dynamics(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Statics(Part):
-    """Equilibrium under growing loads.
+    """Equilibrium under increasing loads.
 
     Attributes
     ----------
     first
-        The part of the way that is tried first (> 0, <= 1). Default: ``1.0``.
+        First increment, as a fraction of the final load factor (> 0, <= 1). Default: ``1.0``.
     load
-        The load factor to reach. Default: ``1.0``.
+        Final load factor. Default: ``1.0``.
     max_iterations
-        Newton iterations after which an increment has failed (>= 1). Default: ``100``.
+        Maximum number of Newton iterations of an increment (>= 1). Default: ``100``.
     stop
-        When the Newton iteration of an increment ends. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
 
     """
 
@@ -293,23 +291,23 @@ class Statics(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Path(Part):
-    """A path of equilibria by arc length.
+    """Equilibrium path by arc length continuation.
 
     Attributes
     ----------
     first
-        The first step, as a change of the load factor (> 0). Default: ``0.05``.
+        First step, as a change of the load factor (> 0). Default: ``0.05``.
     largest
-        The largest step of arc length; one that begins the path changes the load factor by as much (> 0).
-        Default: ``0.2``.
+        Largest step of arc length, as the change of the load factor by a step of this length at the start of
+        the path (> 0). Default: ``0.2``.
     load
-        The load factor at which the path ends, when it first gets there. Default: ``1.0``.
+        Load factor at which the path ends when first reached. Default: ``1.0``.
     max_iterations
-        Newton iterations after which a step has failed (>= 1). Default: ``30``.
+        Maximum number of Newton iterations of a step (>= 1). Default: ``30``.
     points
-        The most points (>= 1, <= 1000000). Default: ``1000``.
+        Maximum number of points (>= 1, <= 1000000). Default: ``1000``.
     stop
-        When the Newton iteration of a point ends. Default: ``EnergyStop(tolerance=1e-8)``.
+        Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
 
     """
 
@@ -332,9 +330,10 @@ class Modes(Part):
     Attributes
     ----------
     about
-        About which state. One of ``"reference"``, ``"equilibrium"``. Default: ``"reference"``.
+        State about which the equations are linearised. One of ``"reference"``, ``"equilibrium"``. Default:
+        ``"reference"``.
     count
-        How many of the lowest, rigid ones included (>= 1, <= 10000). Default: ``10``.
+        Number of the lowest modes, rigid body modes included (>= 1, <= 10000). Default: ``10``.
 
     """
 
@@ -353,9 +352,9 @@ class Buckling(Part):
     Attributes
     ----------
     count
-        How many of the lowest (>= 1, <= 10000). Default: ``1``.
+        Number of the lowest load factors (>= 1, <= 10000). Default: ``1``.
     sense
-        Which way the loads grow. One of ``"stated"``, ``"reversed"``, ``"either"``. Default: ``"stated"``.
+        Sign of the load factors. One of ``"stated"``, ``"reversed"``, ``"either"``. Default: ``"stated"``.
 
     """
 
@@ -368,4 +367,4 @@ class Buckling(Part):
 
 
 Analysis: TypeAlias = Dynamics | Statics | Path | Modes | Buckling
-"""What to compute."""
+"""Analysis to run."""

@@ -27,27 +27,28 @@ __all__ = [
 ]
 
 Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
-"""Which element, and which of its strains are how stiff.
+"""Element type and elasticity law of a beam.
 
-* ``"continuum"``: Two nodes, 24 coordinates, three-dimensional elasticity: that of Kim et al. (2017), with
-  its locking. Bending has (λ+2G) I for E I, torsion the polar moment of area, and errors fall with 1/(3n²).
-* ``"enhanced"``: The same element with the elasticity of a rod: Poisson's effect on the axis only, shear
-  factors, St. Venant's torsion constant (Gerstmayr, Matikainen & Mikkola 2008).
-* ``"linked"``: The same with linked strains, which frees it from shear locking: one element is exact for end
+* ``"continuum"``: Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element
+  locks: the bending stiffness is (λ+2G) I instead of E I, the torsion constant is the polar moment of area.
+  Errors decrease as 1/(3n²).
+* ``"enhanced"``: Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008).
+  Poisson's effect acts on the axis only. Shear factors and St. Venant's torsion constant apply.
+* ``"linked"``: Enhanced element with linked strains, free of shear locking. One element is exact for end
   loads.
-* ``"quadratic"``: Three nodes, 27 coordinates, with the elasticity of a rod, integrated at two points
-  (Nachbagauer, Gruber & Gerstmayr 2013).
+* ``"quadratic"``: Three nodes, 27 coordinates, elasticity of a rod, two integration points (Nachbagauer,
+  Gruber & Gerstmayr 2013).
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class InitialMotion(Part):
-    """How a body moves at the start of a motion: as a rigid one, v(r) = v₀ + ω × (r − c).
+    """Initial motion of a body, that of a rigid body: v(r) = v₀ + ω × (r − c).
 
     Attributes
     ----------
     about
-        The point c, length; the start of the axis, or the centre of a rigid body, by default.
+        Point c, length; the start of the axis, or the centre of a rigid body, by default.
     spin
         Angular velocity ω in the global frame, radians/time. Default: ``[0.0, 0.0, 0.0]``.
     velocity
@@ -64,7 +65,7 @@ class InitialMotion(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Straight(Part):
-    """Along a line."""
+    """Straight line."""
 
     _form = "Shape"
     _tag = "kind"
@@ -73,12 +74,12 @@ class Straight(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Arc(Part):
-    """Along the arc of a circle.
+    """Arc of a circle.
 
     Attributes
     ----------
     through
-        A point between start and end.
+        Point between start and end, length.
 
     """
 
@@ -91,14 +92,14 @@ class Arc(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Helix(Part):
-    """Along a helix.
+    """Helix.
 
     Attributes
     ----------
     center
-        A point of the helix's axis.
+        Point of the helix's axis, length.
     axis
-        Direction of the helix's axis; the helix turns about it by the right hand.
+        Direction of the helix's axis. The helix turns about it by the right-hand rule.
     turns
         Number of turns (> 0).
 
@@ -115,12 +116,12 @@ class Helix(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spline(Part):
-    """Along a natural cubic spline.
+    """Natural cubic spline.
 
     Attributes
     ----------
     through
-        The points between start and end.
+        Points between start and end, length.
 
     """
 
@@ -132,52 +133,53 @@ class Spline(Part):
 
 
 Shape: TypeAlias = Straight | Arc | Helix | Spline
-"""How the axis of a beam goes from its start to its end in the reference state, which is free of stress."""
+"""Shape of the axis of a beam in the reference state, which is free of stress."""
 
 Slopes: TypeAlias = Literal["gradient", "length"]
-"""What the slope coordinates of a node are: ℓ r_x, ℓ r_y, ℓ r_z.
+"""Slope coordinates of a node: ℓ r_x, ℓ r_y, ℓ r_z.
 
-* ``"gradient"``: The gradients themselves, ℓ = 1 (Kim et al. 2017, eq. 2).
-* ``"length"``: The gradients times the length of an element, ℓ = l (Kim et al. 2017, eq. 10).
+* ``"gradient"``: Gradients, ℓ = 1 (Kim et al. 2017, eq. 2).
+* ``"length"``: Gradients times the element length, ℓ = l (Kim et al. 2017, eq. 10).
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Beam(Axis):
-    """A beam that bends, twists, stretches and shears.
+    """Beam with bending, torsion, axial and shear deformation.
 
     Attributes
     ----------
     name
-        The name by which joints, loads and probes refer to the beam.
+        Name of the beam in joints, loads and probes.
     from_
-        Where the axis starts, length.
+        Start of the axis, length.
     to
-        Where the axis ends, length.
+        End of the axis, length.
     elements
-        Number of elements, all of one length (>= 1).
+        Number of elements of equal length (>= 1).
     section
         Name of the section, a key of ``sections``. Or the section itself.
     material
         Name of the material, a key of ``materials``. Or the material itself.
     formulation
-        Which element, and which of its strains are how stiff. One of ``"continuum"``, ``"enhanced"``,
-        ``"linked"``, ``"quadratic"``. Default: ``"continuum"``.
+        Element type and elasticity law. One of ``"continuum"``, ``"enhanced"``, ``"linked"``,
+        ``"quadratic"``. Default: ``"continuum"``.
     motion
-        How it moves at the start of a motion; at rest by default.
+        Initial velocities in dynamics; at rest by default.
     section_end
-        Name of the section at the end, of the same kind; sizes in between are interpolated linearly. The same
-        by default. Or the section itself.
+        Name of the section at the end, of the same kind; dimensions vary linearly. The start section by
+        default. Or the section itself.
     shape
-        How the axis goes from start to end; straight by default. Free of stress.
+        Shape of the axis between start and end; straight by default. This state is free of stress.
     slopes
-        What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default: ``"gradient"``.
+        Definition of the nodal slope coordinates. One of ``"gradient"``, ``"length"``. Default:
+        ``"gradient"``.
     twist
-        Angle by which the section turns about the axis from start to end, in radians; free of stress.
+        Rotation of the section about the axis from start to end, in radians. This state is free of stress.
         Default: ``0.0``.
     up
-        A direction that fixes the section's y-axis at the start: its part normal to the axis. Global y by
-        default, global z for a beam along y.
+        Direction whose part normal to the axis is the section's y-axis at the start. Global y by default,
+        global z for a beam along y.
 
     """
 
@@ -207,27 +209,28 @@ class Beam(Axis):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cable(Axis):
-    """A cable: a line that stretches and bends, equally about every axis across, and has no torsion.
+    """Cable with axial and isotropic bending deformation, without torsion.
 
     Attributes
     ----------
     name
-        The name by which joints, loads and probes refer to the cable.
+        Name of the cable in joints, loads and probes.
     from_
-        Where the axis starts, length.
+        Start of the axis, length.
     to
-        Where the axis ends, length.
+        End of the axis, length.
     elements
-        Number of elements, all of one length (>= 1).
+        Number of elements of equal length (>= 1).
     section
-        Name of the section, a key of ``sections``; it bends equally about every axis across. Or the section
-        itself.
+        Name of the section, a key of ``sections``. Its two second moments of area must be equal. Or the
+        section itself.
     material
         Name of the material, a key of ``materials``. Or the material itself.
     motion
-        How it moves at the start of a motion; at rest by default.
+        Initial velocities in dynamics; at rest by default.
     slopes
-        What the nodal slope coordinates are. One of ``"gradient"``, ``"length"``. Default: ``"gradient"``.
+        Definition of the nodal slope coordinates. One of ``"gradient"``, ``"length"``. Default:
+        ``"gradient"``.
 
     """
 
@@ -251,12 +254,12 @@ class Cable(Axis):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class RigidBody(Frame):
-    """A body that does not deform.
+    """Rigid body.
 
     Attributes
     ----------
     name
-        The name by which joints, loads and probes refer to the body.
+        Name of the body in joints, loads and probes.
     center
         Centre of mass at the start, length.
     mass
@@ -264,9 +267,9 @@ class RigidBody(Frame):
     inertia
         Moments of inertia ``[xx, yy, zz]`` about the centre along the global axes at the start, mass length².
     motion
-        How it moves at the start of a motion; at rest by default.
+        Initial velocities in dynamics; at rest by default.
     products
-        Off-diagonal entries ``[xy, xz, yz]`` of the same tensor; none by default.
+        Off-diagonal entries ``[xy, xz, yz]`` of the inertia tensor, mass length²; zero by default.
 
     """
 
@@ -284,18 +287,18 @@ class RigidBody(Frame):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PointMass(Point):
-    """A point mass.
+    """Point mass.
 
     Attributes
     ----------
     name
-        The name by which joints, loads and probes refer to the mass.
+        Name of the mass in joints, loads and probes.
     center
-        Where it is at the start, length.
+        Position at the start, length.
     mass
         Mass, force time²/length (> 0).
     motion
-        How it moves at the start of a motion; at rest by default.
+        Initial velocities in dynamics; at rest by default.
 
     """
 
@@ -310,4 +313,4 @@ class PointMass(Point):
 
 
 Body: TypeAlias = Beam | Cable | RigidBody | PointMass
-"""A body of the model."""
+"""Body of the model."""

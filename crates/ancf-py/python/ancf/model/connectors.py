@@ -14,7 +14,7 @@ __all__ = ["Bushing", "Distance", "Spring"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Distance(Part):
-    """A massless rod with balls at its ends.
+    """A massless rod with balls at its ends: keeps the distance of two points, or leads it.
 
     Attributes
     ----------
@@ -45,6 +45,8 @@ class Distance(Part):
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Bushing(Part):
     """An elastic mount.
+
+    Springs and dampers between two places that coincide, three along and three about the axes.
 
     Attributes
     ----------

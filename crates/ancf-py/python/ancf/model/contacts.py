@@ -14,16 +14,16 @@ __all__ = ["Against", "Contact", "Cylinder", "EachOther", "Plane", "Sphere"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Plane(Part):
-    """The half space behind a plane.
+    """Half space behind a plane.
 
     Attributes
     ----------
     point
-        A point of it in the undeformed state, length.
+        Point of the plane in the undeformed state, length.
     normal
-        Its normal in the undeformed state, towards the bodies; its length does not matter.
+        Normal in the undeformed state, towards the bodies, of any length.
     on
-        What carries it; the ground by default.
+        Place that carries the obstacle; the ground by default.
 
     """
 
@@ -38,18 +38,18 @@ class Plane(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Sphere(Part):
-    """A ball, or a round hollow.
+    """Sphere, solid or hollow.
 
     Attributes
     ----------
     center
-        Its centre in the undeformed state, length.
+        Centre in the undeformed state, length.
     radius
-        Its radius, length (> 0).
+        Radius, length (> 0).
     inside
-        Whether the bodies are inside. Default: ``False``.
+        True if the bodies are inside. Default: ``False``.
     on
-        What carries it; the ground by default.
+        Place that carries the obstacle; the ground by default.
 
     """
 
@@ -65,20 +65,20 @@ class Sphere(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cylinder(Part):
-    """An endless cylinder, or a bore.
+    """Infinite cylinder, solid or hollow.
 
     Attributes
     ----------
     point
-        A point of its axis in the undeformed state, length.
+        Point of the axis in the undeformed state, length.
     axis
-        Direction of its axis in the undeformed state; its length does not matter.
+        Direction of the axis in the undeformed state, of any length.
     radius
-        Its radius, length (> 0).
+        Radius, length (> 0).
     inside
-        Whether the bodies are inside. Default: ``False``.
+        True if the bodies are inside. Default: ``False``.
     on
-        What carries it; the ground by default.
+        Place that carries the obstacle; the ground by default.
 
     """
 
@@ -95,7 +95,7 @@ class Cylinder(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class EachOther(Part):
-    """The bodies each other, and each itself."""
+    """Contact of the bodies with each other and of each body with itself."""
 
     _form = "Against"
     _tag = "kind"
@@ -103,39 +103,36 @@ class EachOther(Part):
 
 
 Against: TypeAlias = Plane | Sphere | Cylinder | EachOther
-"""What bodies may touch."""
+"""Contact partner: an obstacle, or the bodies themselves."""
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Contact(Part):
-    """What bodies may touch, and how hard and rough they are there.
-
-    Bodies are round tubes about their axes.
+    """Contact of bodies with an obstacle or with each other. Bodies are round tubes about their axes.
 
     Attributes
     ----------
     with_
-        What the bodies may touch.
+        Contact partner of the bodies.
     stiffness
         Force per length of a body and per depth, force/length² (> 0).
     bodies
-        Names of the beams and cables; all but the one that carries an obstacle, by default.
+        Names of the beams and cables; all except the body that carries the obstacle by default.
     damping
-        Part by which the force is less at each speed of parting, and more when meeting, time/length (>= 0).
-        Default: ``0.0``.
+        Damping coefficient c, time/length. The factor of the force is 1 − c v for small velocities v of
+        separation (>= 0). Default: ``0.0``.
     friction
-        Coefficient of friction; none in statics (>= 0). Default: ``0.0``.
+        Coefficient of friction; 0 by default. Statics ignores friction (>= 0).
     points
-        Contact points of each element; by default so many that their distance suits the obstacle and the
-        radius (>= 1, <= 10000).
+        Contact points of each element; by default a number that resolves the obstacle and the radius (>= 1,
+        <= 10000).
     radius
         Radius of the bodies, length; that of circles and tubes by default (> 0).
     slip_speed
-        Sliding speed below which friction is viscous, length/time; by default a thousandth of the length of
-        the longest body over the duration (> 0).
+        Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the
+        longest body divided by the duration (> 0).
     transition
-        Depth over which the stiffness grows from zero, length; a fiftieth of the smallest radius by default
-        (> 0).
+        Depth over which the stiffness grows from zero, length; 1/50 of the smallest radius by default (> 0).
 
     """
 

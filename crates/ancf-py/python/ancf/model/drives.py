@@ -29,12 +29,12 @@ class AngularDrive(Part):
     Attributes
     ----------
     angle
-        Angle by which the function of time is multiplied, in radians.
+        Angle, in radians. The function of time multiplies it.
     rate
-        Angular velocity by which the function of time is multiplied, 1/time.
+        Angular velocity, radians/time. The function of time multiplies it.
     time
-        Function of time; 1 by default. Statics turns by ``angle`` with the load, and does not turn by
-        ``rate``.
+        Function of time; 1 by default. In statics the load factor multiplies ``angle``, and ``rate`` has no
+        effect.
 
     """
 
@@ -47,16 +47,16 @@ class AngularDrive(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularSpring(Part):
-    """A torsion spring and a damper: the moment −stiffness (θ − angle) − damping dθ/dt.
+    """Torsion spring and damper with the moment −stiffness (θ − angle) − damping dθ/dt.
 
     Attributes
     ----------
     angle
-        The angle at which the spring is free of moment, in radians; 0 by default.
+        Angle at which the spring moment is zero, in radians; 0 by default.
     damping
-        Damping, force length time (>= 0). Default: ``0.0``.
+        Damping, force length time/radian (>= 0). Default: ``0.0``.
     stiffness
-        Stiffness, force length per radian (>= 0). Default: ``0.0``.
+        Stiffness, force length/radian (>= 0). Default: ``0.0``.
 
     """
 
@@ -69,14 +69,14 @@ class AngularSpring(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularFriction(Part):
-    """Dry friction of a hinge: the moment −moment tanh(ω/rate).
+    """Dry friction of a hinge with the moment −moment tanh(ω/rate).
 
     Attributes
     ----------
     moment
-        Moment of the friction, force length (>= 0).
+        Friction moment, force length (>= 0).
     rate
-        Angular velocity below which what should stick creeps, 1/time (> 0).
+        Angular velocity below which friction is viscous, radians/time (> 0).
 
     """
 
@@ -93,12 +93,12 @@ class LinearDrive(Part):
     Attributes
     ----------
     displacement
-        Displacement by which the function of time is multiplied, length.
+        Displacement, length. The function of time multiplies it.
     speed
-        Velocity by which the function of time is multiplied, length/time.
+        Velocity, length/time. The function of time multiplies it.
     time
-        Function of time; 1 by default. Statics moves by ``displacement`` with the load, and does not move by
-        ``speed``.
+        Function of time; 1 by default. In statics the load factor multiplies ``displacement``, and ``speed``
+        has no effect.
 
     """
 
@@ -111,14 +111,14 @@ class LinearDrive(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearSpring(Part):
-    """A spring and a damper: the force −stiffness (s − displacement) − damping ds/dt.
+    """Spring and damper with the force −stiffness (s − displacement) − damping ds/dt.
 
     Attributes
     ----------
     damping
         Damping, force time/length (>= 0). Default: ``0.0``.
     displacement
-        The displacement at which the spring is free of force, length; 0 by default.
+        Displacement at which the spring force is zero, length; 0 by default.
     stiffness
         Stiffness, force/length (>= 0). Default: ``0.0``.
 
@@ -133,14 +133,14 @@ class LinearSpring(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearFriction(Part):
-    """Dry friction of a slider: the force −force tanh(v/speed).
+    """Dry friction of a slider with the force −force tanh(v/speed).
 
     Attributes
     ----------
     force
-        Force of the friction (>= 0).
+        Friction force, force (>= 0).
     speed
-        Velocity below which what should stick creeps, length/time (> 0).
+        Velocity below which friction is viscous, length/time (> 0).
 
     """
 
@@ -151,16 +151,16 @@ class LinearFriction(Part):
 
 
 Freed: TypeAlias = Literal["angle", "displacement"]
-"""A freedom of a joint.
+"""Free coordinate of a joint.
 
-* ``"angle"``: The angle about the axis.
-* ``"displacement"``: The displacement along the axis.
+* ``"angle"``: Angle about the axis.
+* ``"displacement"``: Displacement along the axis.
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Coupled(Part):
-    """A joint of a coupling.
+    """Joint of a coupling.
 
     Attributes
     ----------
@@ -169,7 +169,7 @@ class Coupled(Part):
     factor
         Factor, not zero: a number for an angle, 1/length for a displacement.
     of
-        Which freedom of the joint; by default the angle, if it has one. One of ``"angle"``,
+        Coupled coordinate of the joint; by default the angle, if the joint has one. One of ``"angle"``,
         ``"displacement"``.
 
     """
@@ -183,16 +183,16 @@ class Coupled(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Coupling(Part):
-    """Joints that move together: the sum of their angles and displacements, times factors, stays zero.
+    """Coupled joints, such as gears, racks, belts and screws.
 
-    Gears, racks, belts, screws.
+    The sum of the angles and displacements of the joints, multiplied by their factors, is zero.
 
     Attributes
     ----------
     name
         Name in messages.
     joints
-        The joints and their factors, 63 at most.
+        Joints and their factors, at most 63.
 
     """
 

@@ -46,7 +46,7 @@ Clamped: TypeAlias = Literal["all", "section"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Clamp(Part):
-    """Ties position and orientation.
+    """A clamp: ties position and orientation.
 
     Attributes
     ----------
@@ -134,14 +134,14 @@ class Spherical(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Drive(Part):
-    """A clamp to a frame that turns about the place and moves as it is told.
+    """A clamp to a frame that rotates about the place and moves as prescribed.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that is led, and receives the reaction.
+        The end whose motion is prescribed; it receives the reaction.
     time
         Function of time; statics ignores it, turns and moves with the load.
     angle
@@ -174,6 +174,8 @@ class Drive(Part):
 class Universal(Part):
     """Two shafts that meet.
 
+    Ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
+
     Attributes
     ----------
     name
@@ -203,7 +205,7 @@ class Universal(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cylindrical(Part):
-    """A pin in a sleeve.
+    """A pin in a sleeve: leaves rotation about an axis and displacement along it.
 
     Attributes
     ----------
@@ -239,7 +241,7 @@ class Cylindrical(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Prismatic(Part):
-    """A slider in a straight guide.
+    """A slider in a straight guide: leaves displacement along an axis.
 
     Attributes
     ----------
@@ -275,7 +277,7 @@ class Prismatic(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Planar(Part):
-    """A plate on a plane.
+    """A plate on a plane: leaves displacements in a plane and rotation about its normal.
 
     Attributes
     ----------
@@ -302,7 +304,7 @@ class Planar(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PointOnLine(Part):
-    """A point on a straight line.
+    """A point on a straight line: leaves displacement along it and all rotations.
 
     Attributes
     ----------
@@ -329,7 +331,7 @@ class PointOnLine(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Slide(Part):
-    """A bead on a beam.
+    """A bead on a beam: a point slides along the axis of a beam, bent as it is.
 
     Attributes
     ----------

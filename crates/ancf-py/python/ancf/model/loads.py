@@ -25,13 +25,14 @@ __all__ = [
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Scales(Part):
-    """Units of length, time and force that turn a model into the same model in other numbers.
+    """Units of length, time and force in which a model is rewritten.
 
-    A quantity x of dimension Lˡ Tᵗ Fᶠ has the number x* = x / (Lˡ Tᵗ Fᶠ) in these units. Scales form a group:
-    ``Scales::UNIT`` changes nothing, ``Scales::then`` composes, ``Scales::inverse`` undoes.
+    A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units.
 
-    Units: the user's own, whatever coherent system that is. Source: Kim et al. (2017), eqs (7), (8), (26),
-    (33).
+    Scales form a group: identity ``Scales::UNIT``, composition ``Scales::then``, inverse ``Scales::inverse``.
+
+    Scales are measured in the units of the model, any coherent system. Source: Kim et al. (2017), eqs (7),
+    (8), (26), (33).
 
     Attributes
     ----------
@@ -53,18 +54,18 @@ class Scales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Force(Part):
-    """A force on a point of the axis.
+    """Force at a point of a body.
 
     Attributes
     ----------
     on
-        Where it acts.
+        Point of application.
     force
-        The force in the global frame; of a follower, in the undeformed state.
+        Force vector in the global frame, of a follower in the undeformed state; force.
     follower
-        Whether it turns with the section. Default: ``False``.
+        True for a load that rotates with the section. Default: ``False``.
     time
-        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
 
     """
 
@@ -80,18 +81,18 @@ class Force(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Moment(Part):
-    """A moment on a section.
+    """Moment on a section or on a rigid body.
 
     Attributes
     ----------
     on
-        Where it acts.
+        Point of application.
     moment
-        The moment in the global frame; of a follower, in the undeformed state.
+        Moment vector in the global frame, of a follower in the undeformed state; force length.
     follower
-        Whether it turns with the section. Default: ``False``.
+        True for a load that rotates with the section. Default: ``False``.
     time
-        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
 
     """
 
@@ -107,24 +108,26 @@ class Moment(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class DistributedForce(Part):
-    """A force per length along an axis.
+    """Force per length along the axis of a body.
 
     Attributes
     ----------
     body
         Name of the body.
     force
-        The force per undeformed length, in the global frame; of a follower, in that of each section.
+        Force per undeformed length in the global frame, of a follower in the frame of each section;
+        force/length.
     follower
-        Whether it turns with the sections. Default: ``False``.
+        True for a load that rotates with the sections. Default: ``False``.
     force_end
-        Likewise at ``to``, if it varies: linearly, from ``force`` at ``from``.
+        Force per undeformed length at ``to``, force/length. The load varies linearly from ``force`` at
+        ``from``. Constant by default.
     from_
-        Where it begins; at the start of the body by default.
+        Start of the load; the start of the axis by default.
     time
-        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
     to
-        Where it ends; at the end of the body by default.
+        End of the load; the end of the axis by default.
 
     """
 
@@ -143,24 +146,25 @@ class DistributedForce(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class DistributedMoment(Part):
-    """A moment per length on the sections of a beam.
+    """Moment per length on the sections of a beam.
 
     Attributes
     ----------
     body
         Name of the body.
     moment
-        The moment per undeformed length, in the global frame; of a follower, in that of each section.
+        Moment per undeformed length in the global frame, of a follower in the frame of each section; force.
     follower
-        Whether it turns with the sections. Default: ``False``.
+        True for a load that rotates with the sections. Default: ``False``.
     from_
-        Where it begins; at the start of the body by default.
+        Start of the load; the start of the axis by default.
     moment_end
-        Likewise at ``to``, if it varies: linearly, from ``moment`` at ``from``.
+        Moment per undeformed length at ``to``, force. The load varies linearly from ``moment`` at ``from``.
+        Constant by default.
     time
-        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
     to
-        Where it ends; at the end of the body by default.
+        End of the load; the end of the axis by default.
 
     """
 
@@ -179,14 +183,14 @@ class DistributedMoment(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class BaseAcceleration(Part):
-    """The ground accelerates without turning; all that is computed is relative to it.
+    """Translational acceleration of the ground. All results are relative to the ground.
 
     Attributes
     ----------
     acceleration
         Acceleration of the ground, length/time².
     time
-        Function of time by which it is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the load. Statics ignores it. Default: ``1.0``.
 
     """
 
@@ -200,14 +204,14 @@ class BaseAcceleration(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Fluid(Part):
-    """A fluid around bodies: drag, added mass and buoyancy.
+    """Fluid around bodies: drag, added mass and buoyancy.
 
     Attributes
     ----------
     bodies
         Names of the bodies in the fluid.
     density
-        Mass per volume of the fluid, ρ (> 0).
+        Density ρ of the fluid, mass/volume (> 0).
     drag
         Coefficients of drag across and along the axis: ½ρ d C_n |w_n| w_n and ½ρ π d C_t |w_t| w_t per
         length.
@@ -215,14 +219,13 @@ class Fluid(Part):
         Coefficients of added mass across and along the axis, in multiples of ρ A per length. Default: ``[1.0,
         0.0]``.
     area
-        Area A of the fluid that a section displaces, length²; that of a circle of the diameter by default (>
-        0).
+        Displaced area A of a section, length²; that of a circle of the diameter by default (> 0).
     current
-        Velocity of the fluid, the same everywhere; at rest by default.
+        Uniform velocity of the fluid, length/time; at rest by default.
     diameter
-        Diameter d that meets the flow, length; the outer one of circles and tubes by default (> 0).
+        Diameter d exposed to the flow, length; the outer diameter of circles and tubes by default (> 0).
     time
-        Function of time by which the current is multiplied; statics ignores it. Default: ``1.0``.
+        Function of time that multiplies the current. Statics ignores it. Default: ``1.0``.
 
     """
 
@@ -242,18 +245,19 @@ class Fluid(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalForce(Part):
-    """A force on a point that the program computes from time, position and velocity of the point.
+    """Force at a point, computed by a function of time, position and velocity of the point.
 
-    The command line has none. In statics the velocity is 0, the time 1.
+    The calling program supplies the function; the command line has none. In statics the velocity is 0 and the
+    time is 1.
 
     Attributes
     ----------
     name
         The name under which the program supplies it. Or the function itself, F(t, x, v).
     on
-        Where it acts.
+        Point of application.
     units
-        What the model's units of length, time and force are in those of the function; the same by default.
+        Units of length, time and force of the model, measured in units of the function; equal by default.
 
     """
 
@@ -269,4 +273,4 @@ class ExternalForce(Part):
 Load: TypeAlias = (
     Force | Moment | DistributedForce | DistributedMoment | BaseAcceleration | Fluid | ExternalForce
 )
-"""A load on bodies. Gravity is a property of the model."""
+"""Load on bodies. Gravity is a key of the model."""

@@ -22,7 +22,7 @@ __all__ = ["AutoScales", "GivenScales", "Model", "NoScales", "PaperScales", "Sca
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class NoScales(Part):
-    """The user's own: the dimensional form."""
+    """Units of the model: the dimensional form of the equations."""
 
     _form = "ScaleChoice"
     _tag = "kind"
@@ -31,9 +31,9 @@ class NoScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PaperScales(Part):
-    """Of Kim et al. (2017): length of the beam, weight of one element, time by eq. (7).
+    """Units of Kim et al. (2017), for one beam under gravity.
 
-    For one beam under gravity.
+    They are the length of the beam, the weight of one element and the time by eq. (7).
     """
 
     _form = "ScaleChoice"
@@ -43,11 +43,8 @@ class PaperScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AutoScales(Part):
-    """The longest body's length L.
-
-    The weight of that body, or E I/L² without gravity; time by eq. (7); each rounded to a power of two, so
-    that nothing is lost on the way to these units and back.
-    """
+    """Length L and weight of the longest body, or E I/L² without gravity, and time by eq. (7) of Kim et al.
+    (2017). Each is rounded to a power of two, so that conversion is exact."""
 
     _form = "ScaleChoice"
     _tag = "kind"
@@ -56,7 +53,7 @@ class AutoScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GivenScales(Part):
-    """Given by number.
+    """Given units.
 
     Attributes
     ----------
@@ -65,7 +62,7 @@ class GivenScales(Part):
     force
         Unit of force (> 0).
     time
-        Unit of time; by eq. (7) with the ρA of the longest body if left out (> 0).
+        Unit of time; by default eq. (7) of Kim et al. (2017) with the ρA of the longest body (> 0).
 
     """
 
@@ -79,23 +76,21 @@ class GivenScales(Part):
 
 
 ScaleChoice: TypeAlias = NoScales | PaperScales | AutoScales | GivenScales
-"""How the units of the equations are chosen."""
+"""Choice of the units in which the equations are solved."""
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Units(Part):
-    """What the units of the model's numbers are called.
-
-    Nothing is converted: these are names for axes, legends and result files.
+    """Names of the units of a model, for axes, legends and result files. Nothing is converted.
 
     Attributes
     ----------
     length
-        The unit of length, such as ``"m"``.
+        Name of the unit of length, such as ``"m"``.
     time
-        The unit of time, such as ``"s"``.
+        Name of the unit of time, such as ``"s"``.
     force
-        The unit of force, such as ``"N"``.
+        Name of the unit of force, such as ``"N"``.
 
     """
 
@@ -108,44 +103,43 @@ class Units(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Model(Document):
-    """A flexible multibody model.
+    """Flexible multibody model.
 
-    Every number is in your own coherent units (m-kg-s, mm-t-s, ...).
+    All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...).
 
     Attributes
     ----------
     bodies
         The bodies, flexible and rigid.
     analysis
-        What to compute.
+        Analysis to run.
     assemble
-        Whether gaps between the places of joints are closed before the analysis begins; they are refused by
-        default.
+        True to close gaps of joints before the analysis. Gaps are errors by default.
     contacts
-        What bodies may touch: obstacles and each other.
+        Contacts of bodies with obstacles and with each other.
     couplings
-        Gears, racks, belts: joints that move together.
+        Couplings of joints, such as gears, racks and belts.
     gravity
         Acceleration of gravity, length/time²; no gravity by default.
     joints
-        Joints that tie bodies to the ground or to each other.
+        Joints between bodies, or between a body and the ground.
     loads
         Loads besides gravity.
     materials
         Materials by name.
     output
-        What is written, and how often. Default: ``Output(csv=True, energy_parts=False, every=1, parquet=True,
-        states=200)``.
+        Content and frequency of the output. Default: ``Output(csv=True, energy_parts=False, every=1,
+        parquet=True, states=200)``.
     probes
-        Points whose motion is recorded.
+        Places where results are recorded.
     scales
-        Units in which the equations are solved; the user's own by default.
+        Units in which the equations are solved; those of the model by default.
     sections
         Cross-sections by name.
     title
-        A line that says what this model is.
+        Title in one line.
     units
-        What its units are called, for axes and result files; nothing is converted.
+        Names of the units, for axes and result files. Nothing is converted.
 
     """
 

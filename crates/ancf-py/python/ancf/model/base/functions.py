@@ -13,12 +13,12 @@ __all__ = ["Expression", "ExternalFunction", "Ramp", "Sine", "Step", "Table", "T
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Table(Part):
-    """Linear between points, held before the first and after the last.
+    """Linear interpolation between points, constant before the first and after the last.
 
     Attributes
     ----------
     times
-        Times of the points, in order; two equal ones are a jump. Time.
+        Times of the points in ascending order, time. Two equal times are a jump.
     values
         Values at these times.
 
@@ -34,14 +34,14 @@ class Table(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ramp(Part):
-    """0 until the start, then linear up to 1 at the end, then 1.
+    """Ramp: 0 until the start, linear up to 1 at the end, then 1.
 
     Attributes
     ----------
     end
-        Where it reaches 1, time.
+        Begin of the value 1, time.
     start
-        Where it leaves 0, time. Default: ``0.0``.
+        End of the value 0, time. Default: ``0.0``.
 
     """
 
@@ -55,14 +55,14 @@ class Ramp(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Step(Part):
-    """0, then 1 from a time on.
+    """Step: 0, then 1 from a time on.
 
     Attributes
     ----------
     at
-        Where it becomes 1, time. Default: ``0.0``.
+        Time of the step from 0 to 1, time. Default: ``0.0``.
     until
-        Where it becomes 0 again, time; never by default.
+        Time of the step back to 0, time; never by default.
 
     """
 
@@ -76,14 +76,14 @@ class Step(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Sine(Part):
-    """sin(2π f t + φ).
+    """Sine: sin(2π f t + φ).
 
     Attributes
     ----------
     frequency
-        Frequency f, cycles per time (>= 0).
+        Frequency f, cycles/time (>= 0).
     phase
-        Phase φ in radians. Default: ``0.0``.
+        Phase φ, in radians. Default: ``0.0``.
 
     """
 
@@ -97,14 +97,14 @@ class Sine(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Expression(Part):
-    """A formula in t.
+    """Formula in t.
 
     Attributes
     ----------
     text
-        The formula in t, the time, such as ``if(t < 2, t^2/4, 1)``.
+        Formula in the time t, such as ``if(t < 2, t^2/4, 1)``.
     unit
-        The t of the formula when one unit of time has passed; 1 by default (> 0).
+        Increase of the t of the formula per unit of time, 1/time; 1 by default (> 0).
 
     """
 
@@ -118,14 +118,14 @@ class Expression(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalFunction(Part):
-    """A function that the program supplies under this name; the command line has none.
+    """Function that the calling program supplies under a name. The command line has none.
 
     Attributes
     ----------
     name
         The name under which the program supplies it.
     unit
-        The t of the function when one unit of time has passed; 1 by default (> 0).
+        Increase of the t of the function per unit of time, 1/time; 1 by default (> 0).
 
     """
 
@@ -138,12 +138,10 @@ class ExternalFunction(Part):
 
 
 Varying: TypeAlias = Table | Ramp | Step | Sine | Expression | ExternalFunction
-"""How a function varies in time. All values are pure numbers."""
+"""Variation of a function in time. All values are pure numbers."""
 
 TimeFunction: TypeAlias = float | Varying | Callable[[float], float | tuple[float, float, float]]
-"""A function of time by which a load or an angle is multiplied.
-
-A number, or a table that says how it varies.
+"""Function of time that multiplies a load or the motion of a drive: a number or a table.
 
 Or a Python function of time that returns the value, or value, rate and acceleration.
 """

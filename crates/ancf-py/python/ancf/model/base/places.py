@@ -10,33 +10,33 @@ from ancf.model.base.part import Part, Vector
 __all__ = ["At", "End", "Ground", "Named", "Place"]
 
 Named: TypeAlias = Literal["start", "center", "end"]
-"""Positions that have names.
+"""Named positions.
 
-* ``"start"``: Where the axis starts.
-* ``"center"``: The middle of the axis, or the centre of mass of a rigid body.
-* ``"end"``: Where the axis ends.
+* ``"start"``: Start of the axis.
+* ``"center"``: Middle of the axis, or centre of mass of a rigid body.
+* ``"end"``: End of the axis.
 """
 
 At: TypeAlias = Named | float | Vector
-"""A position on a body.
+"""Position on a body.
 
-Of a beam or a cable ``"start"``, ``"center"``, ``"end"`` or the arc length from the start; of a rigid body
+On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length from the start. On a rigid body:
 ``"center"`` or a point.
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Place(Part):
-    """A point of a body.
+    """Point of a body.
 
     Attributes
     ----------
     body
         Name of the body.
     at
-        Where on its axis, or where on a rigid body.
+        Position on the axis, or on a rigid body.
     offset
-        A rigid arm from there, fixed to the section, in the global frame at the start, length; none by
+        Rigid arm from this position, fixed to the section, in the global frame at the start, length; none by
         default.
 
     """
@@ -50,12 +50,12 @@ class Place(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ground(Part):
-    """A point of the fixed frame.
+    """Point of the fixed frame.
 
     Attributes
     ----------
     point
-        The point, length.
+        Coordinates of the point, length.
 
     """
 
@@ -65,7 +65,7 @@ class Ground(Part):
 
 
 End: TypeAlias = Literal["ground"] | Place | Ground
-"""What a joint ties its first end to.
+"""Second end of a joint.
 
-* ``"ground"``: The fixed frame: ``"ground"``.
+* ``"ground"``: Fixed frame: ``"ground"``.
 """

@@ -77,7 +77,6 @@ pub struct Table6 {
 
 /// Physical step of both forms, s.
 #[derive(Clone, Copy, Debug, Serialize)]
-#[expect(clippy::struct_field_names, reason = "the fields are keys of results.json")]
 pub struct StepSizes {
     /// Dimensional form.
     pub step_dim: f64,
@@ -91,7 +90,6 @@ pub struct StepSizes {
 
 /// Analysis time of both forms, s.
 #[derive(Clone, Copy, Debug, Serialize)]
-#[expect(clippy::struct_field_names, reason = "the fields are keys of results.json")]
 pub struct AnalysisTimes {
     /// Dimensional form.
     pub seconds_dim: f64,

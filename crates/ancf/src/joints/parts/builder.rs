@@ -209,9 +209,7 @@ impl<'a> JointBuilder<'a> {
         let Some((axes, start)) = self.ends.beam.take() else { return };
         let (own, first) = (self.coordinate(), self.multipliers(3));
         // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
-        for (k, slide) in
-            Slide::along(axes.into_iter(), &self.a().point, own, start, first).into_iter().enumerate()
-        {
+        for (k, slide) in Slide::along(axes, &self.a().point, own, start, first).into_iter().enumerate() {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
         self.act(own, acting);

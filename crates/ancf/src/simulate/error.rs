@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::checkpoint::Mismatch;
 use crate::errors::ModelErrors;
 
-/// Why a run could not be done or recorded. That the numerics gave up is not an error but an [`Outcome`].
+/// Why a run could not be done or recorded. That the numerics gave up is not an error but an [`Outcome`](crate::Outcome).
 #[derive(Debug, Error)]
 pub enum Error {
     /// The model is not valid.

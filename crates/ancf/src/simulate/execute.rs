@@ -16,7 +16,7 @@ use crate::results::{Column, LOAD, TIME, columns};
 /// Runs a model: check, scale, assemble, analyse, record; the rows are those of [`Simulation::run`].
 ///
 /// # Errors
-/// If the model is not valid or a sink fails. What cannot be solved is an [`Outcome`], with all before it recorded.
+/// If the model is not valid or a sink fails. What cannot be solved is an [`Outcome`](crate::Outcome), with all before it recorded.
 pub fn simulate(model: &Model, mut sink: &mut dyn Sink) -> Result<Summary, Error> {
     Ok(Simulation::new(model)?.run(&mut sink)?)
 }
@@ -35,7 +35,7 @@ impl Simulation {
     /// | `p.x p.y p.z` | displacement of each probe in the shape x, xᵀ M x = 1 |
     ///
     /// # Errors
-    /// If the observer fails. What cannot be solved is an [`Outcome`], with all before it recorded.
+    /// If the observer fails. What cannot be solved is an [`Outcome`](crate::Outcome), with all before it recorded.
     pub fn run(&self, observer: &mut dyn Observer) -> io::Result<Summary> {
         let (mut run, scaled) = (self.begin(observer), &self.scaled);
         let ended = match &scaled.analysis {

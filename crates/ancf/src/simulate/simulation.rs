@@ -34,7 +34,7 @@ impl Simulation {
         Ok(Self { scaled, chosen, assembly, interrupt: Interrupt::default() })
     }
 
-    /// The same, heeding what may end it; such a run has [stopped](Outcome::Stopped).
+    /// The same, heeding what may end it; such a run has [stopped](crate::Outcome::Stopped).
     #[must_use]
     pub fn heeding(self, interrupt: Interrupt) -> Self {
         Self { interrupt, ..self }

@@ -14,7 +14,9 @@ pub enum ScaleChoice {
     /// Units of Kim et al. (2017), for one beam under gravity. They are the length of the beam, the weight of one element and
     /// the time by eq. (7).
     Paper,
-    /// Length L and weight of the longest body, or E I/L² without gravity, and time by eq. (7) of Kim et al. (2017). Each is
+    /// Length and weight of the longest body.
+    ///
+    /// Units are the length L, the weight, or E I/L² without gravity, and the time by eq. (7) of Kim et al. (2017). Each is
     /// rounded to a power of two, so that conversion is exact.
     Auto,
     /// Given units.

@@ -27,7 +27,7 @@ pub(crate) fn extend_add(
 ) {
     match runs {
         [run] if (run.parent_row as usize).is_multiple_of(QUAD) => {
-            extend_add_run(shape, front, run, form, update)
+            extend_add_run(shape, front, run, form, update);
         }
         runs => extend_add_runs(shape, front, runs, form, update),
     }

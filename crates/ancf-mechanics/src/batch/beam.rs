@@ -10,7 +10,7 @@ use super::lane::{Lane, LaneNumber, Pass, VectorLanes, dot, plus, scaled};
 use super::relative::RelativeLanes;
 use super::strain::SectionLanes;
 use super::triangle::{VectorBlocks, lower};
-use crate::elements::{Beam24, Beam27, Element};
+use crate::elements::{Beam24, Beam27, BeamElement};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 
 /// Batch of beam elements with N vectors: A + 1 of the axis and B of each kind of section vector.
@@ -35,10 +35,10 @@ impl BatchElements for Beam27 {
 }
 
 fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
-    elements: &[Element<N, S>],
+    elements: &[BeamElement<N, S>],
 ) -> Vec<(usize, Box<dyn Batch>)> {
     let mut batches: Vec<(usize, Box<dyn Batch>)> = Vec::new();
-    let mut last: Option<(&Element<N, S>, Arc<BeamLaw<N, A, B, f64>>)> = None;
+    let mut last: Option<(&BeamElement<N, S>, Arc<BeamLaw<N, A, B, f64>>)> = None;
     for (chunk, elements) in elements.chunks(LANES).enumerate() {
         let (first, head) = (chunk * LANES, &elements[0]);
         let congruent = elements.iter().all(|element| Arc::ptr_eq(&element.profile, &head.profile));
@@ -63,7 +63,7 @@ fn batches<const N: usize, const A: usize, const B: usize, S: Interpolation<N>>(
 }
 
 impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamBatch<N, A, B, C> {
-    fn new<S: Interpolation<N>>(elements: &[Element<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
+    fn new<S: Interpolation<N>>(elements: &[BeamElement<N, S>], law: Arc<BeamLaw<N, A, B, C>>) -> Self {
         let at = |s: usize| {
             let directors: Vec<_> = elements
                 .iter()
@@ -103,7 +103,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
     }
 
     fn is_damped(&self) -> bool {
-        self.law.drag != 0.0 || self.law.retardation != 0.0
+        self.law.mass_damping != 0.0 || self.law.retardation != 0.0
     }
 
     #[inline(always)]
@@ -131,7 +131,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
     fn set_tangent<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>, w: Weights, k: &mut [Lanes]) {
         let law = &*self.law;
         let mut blocks = VectorBlocks::<S, A, B>::zero(pass);
-        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `Station::stiffness`.
+        // Viscosity adds τ D to the stiffness by v. The other terms are omitted, see `BeamStation::stiffness`.
         let squares = w.q + w.v * law.retardation;
         if w.q != 0.0 || squares != 0.0 {
             let (q, v) = (RelativeLanes::of(pass, &law.layout, at.q), self.moving(pass, at));
@@ -147,7 +147,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BatchKernel 
             }
         }
         blocks.write::<N>(pass, &law.layout, k);
-        let inertia = w.a + law.drag * w.v;
+        let inertia = w.a + law.mass_damping * w.v;
         if inertia != 0.0 {
             let inertia = pass.splat(inertia);
             for (a, b, mass) in &law.mass {
@@ -248,9 +248,10 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A
             moved[a] = pass.vector(&at.a[3 * a..3 * a + 3]);
             rows[a] = scaled(gravity, self.first[a].lane(pass));
         }
-        if self.drag != 0.0 {
+        if self.mass_damping != 0.0 {
             for a in 0..N {
-                moved[a] = plus(moved[a], pass.vector(&at.v[3 * a..3 * a + 3]), pass.splat(self.drag));
+                moved[a] =
+                    plus(moved[a], pass.vector(&at.v[3 * a..3 * a + 3]), pass.splat(self.mass_damping));
             }
         }
         for &(a, b, mass) in &self.mass {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use super::lane::LaneNumber;
 use super::plan::Plan;
 use super::relative::{MixWeights, VectorLayout};
-use crate::elements::{Law, Profile};
+use crate::elements::{Profile, StationLaw};
 use crate::kinematics::Interpolation;
 use crate::sections::SectionMatrix;
 
@@ -17,7 +17,7 @@ pub(crate) struct BeamLaw<const N: usize, const A: usize, const B: usize, C> {
     /// First moments ∫ ρ S_a dV.
     pub first: [C; N],
     pub gravity: [f64; 3],
-    pub drag: f64,
+    pub mass_damping: f64,
     pub retardation: f64,
 }
 
@@ -38,8 +38,8 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A
         let mut stations: Vec<BatchStation<A, B, C>> = Vec::new();
         for s in 0..first.stations.len() {
             let forms = profiles.iter().map(|profile| match &profile.stations[s].law {
-                Law::Quadratic(law) => Some(law.form()),
-                Law::Hyperelastic(_) => None,
+                StationLaw::Quadratic(law) => Some(law.form()),
+                StationLaw::Hyperelastic(_) => None,
             });
             let forms: Vec<SectionMatrix> = forms.collect::<Option<_>>()?;
             let plan = Plan::new(&forms);
@@ -60,7 +60,7 @@ impl<const N: usize, const A: usize, const B: usize, C: LaneNumber> BeamLaw<N, A
             mass: mass.collect(),
             first: std::array::from_fn(moment),
             gravity: first.gravity.into(),
-            drag: first.drag,
+            mass_damping: first.mass_damping,
             retardation: first.retardation,
         })
     }

@@ -123,12 +123,12 @@ impl CableBatch {
     /// Computes M (a + α v) minus gravity.
     #[inline(always)]
     fn inertia<S: Simd>(&self, pass: Pass<S>, at: &LocalLanes<'_>) -> [VectorLanes<S>; 4] {
-        let (profile, drag) = (&*self.profile, self.profile.damping().mass);
+        let (profile, mass_damping) = (&*self.profile, self.profile.damping().mass);
         let (mut moved, mut rows) = ([pass.zeros(); 4], [pass.zeros(); 4]);
         for i in 0..4 {
             moved[i] = pass.vector(&at.a[3 * i..3 * i + 3]);
-            if drag != 0.0 {
-                moved[i] = plus(moved[i], pass.vector(&at.v[3 * i..3 * i + 3]), pass.splat(drag));
+            if mass_damping != 0.0 {
+                moved[i] = plus(moved[i], pass.vector(&at.v[3 * i..3 * i + 3]), pass.splat(mass_damping));
             }
         }
         for i in 0..4 {

@@ -2,7 +2,7 @@ use ancf_solver::equations::Lanes;
 use pulp::Simd;
 
 use super::lane::{Lane, Pass, VectorLanes, added, minus, plus, scaled};
-use crate::kinematics::Kind;
+use crate::kinematics::VectorKind;
 use crate::sections::STRAINS;
 
 /// Assignment of the vectors of an element to its axis and its sections.
@@ -19,13 +19,14 @@ pub(crate) struct VectorLayout<const A: usize, const B: usize> {
 
 impl<const A: usize, const B: usize> VectorLayout<A, B> {
     /// Creates the layout of vectors of the given kinds, starting with a position.
-    pub fn new(kinds: &[Kind]) -> Self {
-        let of = |wanted: &[Kind]| -> Vec<usize> {
-            (0..kinds.len()).filter(|&i| wanted.contains(&kinds[i])).collect()
+    pub fn new(kinds: &[VectorKind]) -> Self {
+        let of = |expected: &[VectorKind]| -> Vec<usize> {
+            (0..kinds.len()).filter(|&i| expected.contains(&kinds[i])).collect()
         };
-        let (axis, y, z) = (of(&[Kind::Position, Kind::Slope]), of(&[Kind::Y]), of(&[Kind::Z]));
+        let (axis, y, z) =
+            (of(&[VectorKind::Position, VectorKind::Slope]), of(&[VectorKind::Y]), of(&[VectorKind::Z]));
         Self {
-            axis: std::array::from_fn(|i| (axis[i + 1], kinds[axis[i + 1]] == Kind::Position)),
+            axis: std::array::from_fn(|i| (axis[i + 1], kinds[axis[i + 1]] == VectorKind::Position)),
             y: std::array::from_fn(|i| y[i]),
             z: std::array::from_fn(|i| z[i]),
         }

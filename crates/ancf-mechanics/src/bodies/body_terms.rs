@@ -3,18 +3,18 @@ use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
 use crate::elements::{RigidBody, StrainEnergy};
-use crate::kinematics::{Attachment, Kind, Marker, NodalVector};
+use crate::kinematics::{Attachment, Marker, NodalVector, VectorKind};
 
 /// Body as coordinates and terms.
 #[derive(Clone, Debug)]
-pub enum Body {
+pub enum BodyTerms {
     /// Beam or cable mesh.
     Flexible(BeamMesh),
     /// Rigid body or point mass.
     Rigid(RigidBody),
 }
 
-impl Body {
+impl BodyTerms {
     /// Returns the mesh of a flexible body.
     pub const fn mesh(&self) -> Option<&BeamMesh> {
         match self {
@@ -81,10 +81,10 @@ impl Body {
     }
 
     /// Returns the node, if any, and the kind of vector to which a coordinate of this body belongs.
-    pub fn place_of(&self, coordinate: usize) -> Option<(Option<usize>, Kind)> {
+    pub fn locate_coordinate(&self, coordinate: usize) -> Option<(Option<usize>, VectorKind)> {
         match self {
-            Self::Flexible(mesh) => mesh.place_of(coordinate).map(|(node, kind)| (Some(node), kind)),
-            Self::Rigid(body) => body.place_of(coordinate).map(|kind| (None, kind)),
+            Self::Flexible(mesh) => mesh.locate_coordinate(coordinate).map(|(node, kind)| (Some(node), kind)),
+            Self::Rigid(body) => body.locate_coordinate(coordinate).map(|kind| (None, kind)),
         }
     }
 

@@ -7,21 +7,21 @@ use crate::kinematics::{Marker, gauss, gauss3};
 
 /// Part of one element within an interval of arc length.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct ElementSpan {
     /// Index of the element.
     pub element: usize,
     /// Arc lengths of the start and the end.
     pub span: Range<f64>,
 }
 
-impl Piece {
+impl ElementSpan {
     /// Returns three Gauss points as arc lengths, with weights of unit length. Integrals are exact to degree five.
     pub fn points(&self) -> [(f64, f64); 3] {
         gauss3().map(|point| self.placed(point))
     }
 
     /// Returns five Gauss points. Integrals are exact to degree nine.
-    pub fn many_points(&self) -> [(f64, f64); 5] {
+    pub fn fine_points(&self) -> [(f64, f64); 5] {
         gauss().map(|point| self.placed(point))
     }
 
@@ -33,19 +33,19 @@ impl Piece {
 
 impl BeamMesh {
     /// Returns the parts of the elements within an interval of arc length. Parts of rounding size are dropped.
-    pub fn pieces(&self, span: Range<f64>) -> impl Iterator<Item = Piece> + '_ {
+    pub fn element_spans(&self, span: Range<f64>) -> impl Iterator<Item = ElementSpan> + '_ {
         (0..self.count()).filter_map(move |element| {
             let start = (element as f64 * self.length).max(span.start);
             let end = ((element + 1) as f64 * self.length).min(span.end);
-            (end - start > 1e-12 * self.length).then_some(Piece { element, span: start..end })
+            (end - start > 1e-12 * self.length).then_some(ElementSpan { element, span: start..end })
         })
     }
 
     /// Returns ∫ p(s) r(s) ds over a part as a marker, for p at most quadratic.
     ///
     /// A force f p(s) per length has the virtual work of f on this marker.
-    pub fn spread(&self, piece: &Piece, p: impl Fn(f64) -> f64) -> Marker {
-        let points = piece.points().map(|(s, w)| (w * p(s), self.point(s)));
+    pub fn distributed_marker(&self, span: &ElementSpan, p: impl Fn(f64) -> f64) -> Marker {
+        let points = span.points().map(|(s, w)| (w * p(s), self.point(s)));
         Marker::combined(points.iter().map(|(factor, point)| (*factor, point)))
     }
 
@@ -60,7 +60,7 @@ impl BeamMesh {
             };
             let kinds = self.node_kinds();
             let value = |i: usize| {
-                let is_position = kinds[i % kinds.len()] == crate::kinematics::Kind::Position;
+                let is_position = kinds[i % kinds.len()] == crate::kinematics::VectorKind::Position;
                 self.reference[offset + i] + if is_position { self.origin } else { Default::default() }
             };
             let reference = first.iter().enumerate().map(|(i, w)| value(i) * *w).sum();

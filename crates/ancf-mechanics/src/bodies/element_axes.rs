@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
-use crate::kinematics::{ElementAxis, Kind};
+use crate::kinematics::{ElementAxis, VectorKind};
 
 impl BeamMesh {
     /// Returns the axis of each element.
@@ -10,8 +10,10 @@ impl BeamMesh {
             let offset = element * self.stride();
             let kinds = self.weights(0.0).into_iter().map(|(kind, ..)| kind).enumerate();
             let (mut vectors, mut reference) = (Vec::new(), Vec::new());
-            for (i, kind) in kinds.filter(|(_, kind)| matches!(kind, Kind::Position | Kind::Slope)) {
-                let origin = if kind == Kind::Position { self.origin } else { Vector3::zeros() };
+            for (i, kind) in
+                kinds.filter(|(_, kind)| matches!(kind, VectorKind::Position | VectorKind::Slope))
+            {
+                let origin = if kind == VectorKind::Position { self.origin } else { Vector3::zeros() };
                 vectors.push(self.first + 3 * (offset + i));
                 reference.push(self.reference[offset + i] + origin);
             }

@@ -6,12 +6,12 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::batch::BatchElements;
 use crate::elements::{
-    Beam24, Beam27, Cable12, CableDamping, CableProfile, CableRule, CableSection, Formulation, Medium,
-    Profile, StrainEnergy,
+    Beam24, Beam27, BeamMaterial, Cable12, CableDamping, CableProfile, CableRule, CableSection, Profile,
+    StrainEnergy, TwoNodeLaw,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Interpolation, Kind, Marker, NodalVector, Node, QuadraticShape,
-    round_to_zero,
+    Attachment, BeamShape, Directions, Interpolation, Marker, NodalVector, QuadraticShape, ReferenceNode,
+    VectorKind, round_to_zero,
 };
 use crate::sections::{CrossSection, Lame};
 
@@ -57,7 +57,7 @@ pub struct BeamMesh {
 }
 
 /// Common data of all elements of a mesh.
-pub struct Blueprint<'a> {
+pub struct MeshParameters<'a> {
     /// First coordinate.
     pub first: usize,
     /// Origin of the positions of the nodes.
@@ -67,16 +67,16 @@ pub struct Blueprint<'a> {
     /// Slope length ℓ.
     pub slope: f64,
     /// Material, damping and gravity.
-    pub medium: &'a Medium,
+    pub medium: &'a BeamMaterial,
     /// Section at an arc length.
     pub section: &'a dyn Fn(f64) -> CrossSection,
     /// True if the section is constant along the beam.
     pub prismatic: bool,
 }
 
-impl fmt::Debug for Blueprint<'_> {
+impl fmt::Debug for MeshParameters<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Blueprint")
+        f.debug_struct("MeshParameters")
             .field("first", &self.first)
             .field("length", &self.length)
             .finish_non_exhaustive()
@@ -85,54 +85,59 @@ impl fmt::Debug for Blueprint<'_> {
 
 impl BeamMesh {
     /// Creates two-node elements between consecutive nodes.
-    pub fn two_node(blueprint: &Blueprint<'_>, nodes: &[Node], formulation: Formulation) -> Self {
-        let Blueprint { first, origin, length, slope, .. } = *blueprint;
+    pub fn two_node(
+        parameters: &MeshParameters<'_>,
+        nodes: &[ReferenceNode],
+        formulation: TwoNodeLaw,
+    ) -> Self {
+        let MeshParameters { first, origin, length, slope, .. } = *parameters;
         let shape = BeamShape { length, slope };
-        let reference = nodes
-            .iter()
-            .flat_map(|Node { position, frame: [x, y, z] }| [*position, x * slope, y * slope, z * slope]);
+        let reference = nodes.iter().flat_map(|ReferenceNode { position, frame: [x, y, z] }| {
+            [*position, x * slope, y * slope, z * slope]
+        });
         let reference: Vec<_> = reference.collect();
-        let elements = elements(blueprint, nodes, 1, &reference, 4, |local, section| {
-            Profile::two_node(shape, local, section, blueprint.medium, formulation)
+        let elements = elements(parameters, nodes, 1, &reference, 4, |local, section| {
+            Profile::two_node(shape, local, section, parameters.medium, formulation)
         });
         let elements = elements.into_iter().enumerate().map(|(k, (frame, profile))| {
             let first = first + 12 * k;
             Beam24::new(first..first + 24, frame, profile)
         });
-        let lame = blueprint.medium.lame;
+        let lame = parameters.medium.lame;
         let elasticity = match formulation {
-            Formulation::Continuum if blueprint.medium.neo_hookean => StressLaw::NeoHookean,
-            Formulation::Continuum => StressLaw::Continuum,
-            Formulation::Enhanced => StressLaw::Rod { linked: false },
-            Formulation::Linked => StressLaw::Rod { linked: true },
+            TwoNodeLaw::Continuum if parameters.medium.neo_hookean => StressLaw::NeoHookean,
+            TwoNodeLaw::Continuum => StressLaw::Continuum,
+            TwoNodeLaw::Enhanced => StressLaw::Rod { linked: false },
+            TwoNodeLaw::Linked => StressLaw::Rod { linked: true },
         };
         let elements = ElementList::Two(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
     /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
-    pub fn three_node(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
-        let Blueprint { first, origin, length, slope, .. } = *blueprint;
+    pub fn three_node(parameters: &MeshParameters<'_>, nodes: &[ReferenceNode]) -> Self {
+        let MeshParameters { first, origin, length, slope, .. } = *parameters;
         let shape = QuadraticShape { length, slope };
-        let reference =
-            nodes.iter().flat_map(|Node { position, frame: [_, y, z] }| [*position, y * slope, z * slope]);
+        let reference = nodes
+            .iter()
+            .flat_map(|ReferenceNode { position, frame: [_, y, z] }| [*position, y * slope, z * slope]);
         let reference: Vec<_> = reference.collect();
-        let elements = elements(blueprint, nodes, 2, &reference, 3, |local, section| {
-            Profile::three_node(shape, local, section, blueprint.medium)
+        let elements = elements(parameters, nodes, 2, &reference, 3, |local, section| {
+            Profile::three_node(shape, local, section, parameters.medium)
         });
         let elements = elements.into_iter().enumerate().map(|(k, (frame, profile))| {
             let first = first + 18 * k;
             Beam27::new(first..first + 27, frame, profile)
         });
-        let (lame, elasticity) = (blueprint.medium.lame, StressLaw::Rod { linked: false });
+        let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
         let elements = ElementList::Three(elements.collect());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
     /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
-    pub fn cable(blueprint: &Blueprint<'_>, nodes: &[Node]) -> Self {
-        let Blueprint { first, origin, length, slope, medium, section, .. } = *blueprint;
-        let Medium { lame, density, retardation, drag, gravity, .. } = *medium;
+    pub fn cable(parameters: &MeshParameters<'_>, nodes: &[ReferenceNode]) -> Self {
+        let MeshParameters { first, origin, length, slope, medium, section, .. } = *parameters;
+        let BeamMaterial { lame, density, retardation, mass_damping, gravity, .. } = *medium;
         let (young, moments) = (lame.young(), section(0.0).moments);
         let section = CableSection {
             axial: young * moments.area,
@@ -140,11 +145,13 @@ impl BeamMesh {
             line_density: density * moments.area,
         };
         let profile = CableProfile::new(BeamShape { length, slope }, section, gravity)
-            .damped(CableDamping { retardation, mass: drag })
-            .integrated(CableRule::Lobatto);
+            .with_damping(CableDamping { retardation, mass: mass_damping })
+            .with_rule(CableRule::Lobatto);
         let profile = Arc::new(profile);
-        let reference =
-            nodes.iter().flat_map(|Node { position, frame }| [*position, frame[0] * slope]).collect();
+        let reference = nodes
+            .iter()
+            .flat_map(|ReferenceNode { position, frame }| [*position, frame[0] * slope])
+            .collect();
         let elements = nodes[1..].iter().enumerate().map(|(k, node)| {
             let first = first + 6 * k;
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
@@ -226,11 +233,11 @@ impl BeamMesh {
     }
 
     /// Returns the kinds of the vectors of a node.
-    pub(crate) fn node_kinds(&self) -> &'static [Kind] {
+    pub(crate) fn node_kinds(&self) -> &'static [VectorKind] {
         match self.elements {
-            ElementList::Two(_) => &[Kind::Position, Kind::Slope, Kind::Y, Kind::Z],
-            ElementList::Three(_) => &[Kind::Position, Kind::Y, Kind::Z],
-            ElementList::Cable(_) => &[Kind::Position, Kind::Slope],
+            ElementList::Two(_) => &[VectorKind::Position, VectorKind::Slope, VectorKind::Y, VectorKind::Z],
+            ElementList::Three(_) => &[VectorKind::Position, VectorKind::Y, VectorKind::Z],
+            ElementList::Cable(_) => &[VectorKind::Position, VectorKind::Slope],
         }
     }
 
@@ -239,13 +246,13 @@ impl BeamMesh {
         let kinds = self.node_kinds();
         self.reference.iter().enumerate().map(move |(i, &reference)| {
             let (first, kind) = (self.first + 3 * i, kinds[i % kinds.len()]);
-            let reference = if kind == Kind::Position { reference + self.origin } else { reference };
+            let reference = if kind == VectorKind::Position { reference + self.origin } else { reference };
             NodalVector { first, kind, value: reference + Vector3::from_column_slice(&s.q[first..first + 3]) }
         })
     }
 
     /// Returns the node and the kind of vector to which a coordinate of this mesh belongs.
-    pub fn place_of(&self, coordinate: usize) -> Option<(usize, Kind)> {
+    pub fn locate_coordinate(&self, coordinate: usize) -> Option<(usize, VectorKind)> {
         let (vector, kinds) = (coordinate.checked_sub(self.first)? / 3, self.node_kinds());
         (vector < self.reference.len()).then(|| (vector / kinds.len(), kinds[vector % kinds.len()]))
     }
@@ -256,8 +263,8 @@ impl BeamMesh {
     }
 
     /// Returns the weights of the vectors of an element at ξ: in r, r_y or r_z, and in the directors.
-    pub(crate) fn weights(&self, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
-        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(Kind, f64, [f64; 3])> {
+    pub(crate) fn weights(&self, xi: f64) -> Vec<(VectorKind, f64, [f64; 3])> {
+        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(VectorKind, f64, [f64; 3])> {
             let (values, directors) = (shape.values(xi), shape.directors(xi));
             (0..N).map(|i| (S::KINDS[i], values[i], directors[i])).collect()
         }
@@ -267,7 +274,7 @@ impl BeamMesh {
             ElementList::Three(_) => of(&QuadraticShape { length, slope }, xi),
             ElementList::Cable(_) => {
                 let line = of(&BeamShape { length, slope }, xi).into_iter();
-                line.filter(|(kind, ..)| matches!(kind, Kind::Position | Kind::Slope)).collect()
+                line.filter(|(kind, ..)| matches!(kind, VectorKind::Position | VectorKind::Slope)).collect()
             }
         }
     }
@@ -280,9 +287,9 @@ impl BeamMesh {
     /// Returns the point of the body at an arc length and (y, z) in its section.
     pub fn material_point(&self, s: f64, y: f64, z: f64) -> Marker {
         self.marker(s, |kind, value, _| match kind {
-            Kind::Position | Kind::Slope => value,
-            Kind::Y => y * value,
-            Kind::Z => z * value,
+            VectorKind::Position | VectorKind::Slope => value,
+            VectorKind::Y => y * value,
+            VectorKind::Z => z * value,
         })
     }
 
@@ -304,21 +311,21 @@ impl BeamMesh {
     pub fn axes(&self, s: f64) -> [Marker; 3] {
         [0, 1, 2].map(|axis| {
             self.marker(s, |kind, value, directors| match (kind, axis) {
-                (Kind::Position | Kind::Slope, 0) => directors[0],
-                (Kind::Y, 1) | (Kind::Z, 2) => value,
+                (VectorKind::Position | VectorKind::Slope, 0) => directors[0],
+                (VectorKind::Y, 1) | (VectorKind::Z, 2) => value,
                 _ => 0.0,
             })
         })
     }
 
-    fn marker(&self, s: f64, weight: impl Fn(Kind, f64, [f64; 3]) -> f64) -> Marker {
+    fn marker(&self, s: f64, weight: impl Fn(VectorKind, f64, [f64; 3]) -> f64) -> Marker {
         let (element, xi) = self.locate(s);
         let offset = element * self.stride();
         let of = self.weights(xi);
         let weights: Vec<f64> =
             of.iter().map(|&(kind, value, directors)| weight(kind, value, directors)).collect();
         // The weights of positions sum to one for a point and to zero for a direction.
-        let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == Kind::Position);
+        let positions = weights.iter().zip(&of).filter(|(_, (kind, ..))| *kind == VectorKind::Position);
         let origin = self.origin * round_to_zero(positions.map(|(weight, _)| weight).sum());
         let vectors = &self.reference[offset..offset + weights.len()];
         let reference =
@@ -349,8 +356,8 @@ impl BeamMesh {
 
 /// Creates frame and profile of each element. Consecutive congruent elements share a profile.
 fn elements<const N: usize>(
-    blueprint: &Blueprint<'_>,
-    nodes: &[Node],
+    parameters: &MeshParameters<'_>,
+    nodes: &[ReferenceNode],
     span: usize,
     reference: &[Vector3<f64>],
     stride: usize,
@@ -369,15 +376,15 @@ fn elements<const N: usize>(
         let rounding = 8.0 * f64::EPSILON * (origin - nodes[0].position).norm();
         let congruent = |(known, _): &&([Vector3<f64>; N], Arc<Profile<N>>)| {
             let near = |(i, (x, y)): (usize, (&Vector3<f64>, &Vector3<f64>))| {
-                let size = if i % stride == 0 { blueprint.length } else { blueprint.slope };
+                let size = if i % stride == 0 { parameters.length } else { parameters.slope };
                 (x - y).amax() <= 1e-12 * size + rounding
             };
-            blueprint.prismatic && known.iter().zip(&local).enumerate().all(near)
+            parameters.prismatic && known.iter().zip(&local).enumerate().all(near)
         };
         if let Some((_, profile)) = last.as_ref().filter(congruent) {
             return (frame, Arc::clone(profile));
         }
-        let section = |xi: f64| (blueprint.section)((k as f64 + xi) * blueprint.length);
+        let section = |xi: f64| (parameters.section)((k as f64 + xi) * parameters.length);
         let profile = Arc::new(profile(&local, &section));
         last = Some((local, Arc::clone(&profile)));
         (frame, profile)

@@ -6,7 +6,7 @@ mod element_axes;
 mod mesh;
 mod resultants;
 
-pub use body_terms::Body;
-pub use distributed::Piece;
-pub use mesh::{BeamMesh, Blueprint};
-pub use resultants::across;
+pub use body_terms::BodyTerms;
+pub use distributed::ElementSpan;
+pub use mesh::{BeamMesh, MeshParameters};
+pub use resultants::normals_to;

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::mesh::{BeamMesh, StressLaw};
 use crate::constraints::Wrench;
-use crate::kinematics::Kind;
+use crate::kinematics::VectorKind;
 use crate::sections::{DIRECTORS, Directors, all_strains, linked_strain_terms, local_strains};
 
 impl BeamMesh {
@@ -53,7 +53,7 @@ impl BeamMesh {
             for (i, kind) in kinds.iter().enumerate() {
                 let place = first + i;
                 let force = Vector3::from_column_slice(&r[3 * place..3 * place + 3]);
-                if *kind == Kind::Position {
+                if *kind == VectorKind::Position {
                     wrench.force += force;
                 } else {
                     let vector = self.reference[offset + place]
@@ -73,7 +73,7 @@ impl BeamMesh {
         let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
         if !self.has_sections() {
             let normal = a.normalize();
-            let [y, z] = across(normal);
+            let [y, z] = normals_to(normal);
             return [normal, y, z];
         }
         let normal = d.cross(&e).normalize();
@@ -142,7 +142,7 @@ impl BeamMesh {
         let (mut g0, mut u) = ([Vector3::zeros(); DIRECTORS], [Vector3::zeros(); DIRECTORS]);
         for (i, (kind, _, weights)) in self.weights(xi).into_iter().enumerate() {
             let mut vectors = [self.reference[offset + i], self.displacement(state, offset + i)];
-            if kind == Kind::Position {
+            if kind == VectorKind::Position {
                 vectors = [vectors[0] - base[0], vectors[1] - base[1]];
             }
             for (director, weight) in kind.directors().into_iter().zip(weights) {
@@ -160,7 +160,7 @@ impl BeamMesh {
 }
 
 /// Returns two orthonormal vectors normal to a unit vector. Global axes are used where possible.
-pub fn across(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
+pub fn normals_to(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
     let least = axis.iamin();
     let guide = Vector3::from_fn(|i, _| if i == least { 1.0 } else { 0.0 });
     let first = (guide - axis * axis.dot(&guide)).normalize();

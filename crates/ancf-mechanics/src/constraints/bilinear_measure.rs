@@ -10,7 +10,7 @@ use crate::kinematics::Marker;
 /// this form. It is at most quadratic in q: the gradient is linear and the second derivative H constant. Changes g − g₀
 /// from the reference state are evaluated without cancellation.
 #[derive(Clone, Debug, Default)]
-pub struct Measure {
+pub struct BilinearMeasure {
     products: Vec<Product>,
     /// Coordinate and factor.
     coordinates: Vec<(usize, f64)>,
@@ -34,7 +34,7 @@ enum MarkerMotion {
 
 /// Factor of a product, with its relation to the first body of a joint.
 #[derive(Clone, Copy, Debug)]
-pub enum Part<'a> {
+pub enum MeasureFactor<'a> {
     /// Point of the first body relative to another point. It moves with the first point.
     Point(&'a Marker),
     /// Direction of the first body. It rotates with the body.
@@ -43,7 +43,7 @@ pub enum Part<'a> {
     Other(&'a Marker),
 }
 
-impl<'a> Part<'a> {
+impl<'a> MeasureFactor<'a> {
     const fn parts(self) -> (&'a Marker, MarkerMotion) {
         match self {
             Self::Point(marker) => (marker, MarkerMotion::Translates),
@@ -53,10 +53,10 @@ impl<'a> Part<'a> {
     }
 }
 
-impl Measure {
+impl BilinearMeasure {
     /// Creates a sum of products c a·b.
-    pub fn new<'a>(products: impl IntoIterator<Item = (f64, Part<'a>, Part<'a>)>) -> Self {
-        let product = |(factor, a, b): (f64, Part<'a>, Part<'a>)| {
+    pub fn new<'a>(products: impl IntoIterator<Item = (f64, MeasureFactor<'a>, MeasureFactor<'a>)>) -> Self {
+        let product = |(factor, a, b): (f64, MeasureFactor<'a>, MeasureFactor<'a>)| {
             let ((a, first), (b, second)) = (a.parts(), b.parts());
             Product { factor, markers: [a.clone(), b.clone()], roles: [first, second] }
         };

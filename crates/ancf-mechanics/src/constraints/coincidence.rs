@@ -34,7 +34,7 @@ pub(crate) fn direction(reference: Vector3<f64>) -> String {
 ///
 /// Units: those of the markers; λ is a force for points and a moment for directions.
 #[derive(Clone, Debug)]
-pub struct Coincide {
+pub struct CoincidenceConstraint {
     global: Marker,
     a: Marker,
     b: Marker,
@@ -47,7 +47,7 @@ pub struct Coincide {
     by_load: bool,
 }
 
-impl Coincide {
+impl CoincidenceConstraint {
     /// Constrains two points. Uses the three multipliers from `first`.
     pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
         Self::new(a, b, first, false)
@@ -55,7 +55,7 @@ impl Coincide {
 
     /// Moves a point to a ground point with the load factor. Uses the three multipliers from `first`.
     pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
-        Self::points(a, &Marker::fixed(target), first).drawn()
+        Self::points(a, &Marker::fixed(target), first).closed_by_load()
     }
 
     /// Closes the reference gap of the points.
@@ -77,7 +77,7 @@ impl Coincide {
 
     /// Closes the reference gap in proportion to the load factor.
     #[must_use]
-    pub fn drawn(self) -> Self {
+    pub fn closed_by_load(self) -> Self {
         Self { gap: self.gap(), by_load: true, ..self }
     }
 
@@ -116,7 +116,7 @@ impl Coincide {
     }
 }
 
-impl Term for Coincide {
+impl Term for CoincidenceConstraint {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -125,7 +125,7 @@ impl Term for Coincide {
         self.first..self.first + 3
     }
 
-    fn tie(&self, k: usize) -> String {
+    fn constraint_name(&self, k: usize) -> String {
         let what = if self.direction { direction(self.a.reference()) } else { "position".to_owned() };
         format!("{what} along {}", AXES[k])
     }
@@ -174,28 +174,28 @@ impl Term for Coincide {
 ///
 /// Units: none for directions; λ is a moment.
 #[derive(Clone, Debug)]
-pub struct Perpendicular {
+pub struct ConstantAngle {
     global: [Marker; 2],
     a: Marker,
     b: Marker,
     coordinates: Vec<usize>,
     multiplier: usize,
-    tie: &'static str,
+    name: &'static str,
 }
 
-impl Perpendicular {
+impl ConstantAngle {
     /// Keeps the angle of two directions with the given multiplier.
     pub fn new(a: &Marker, b: &Marker, multiplier: usize) -> Self {
         let coordinates = Marker::union_coordinates([a, b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
-        let (global, tie) = ([a.clone(), b.clone()], "angle of directions");
-        Self { global, a: local_a, b: local_b, coordinates, multiplier, tie }
+        let (global, name) = ([a.clone(), b.clone()], "angle of directions");
+        Self { global, a: local_a, b: local_b, coordinates, multiplier, name }
     }
 
     /// Sets the description of the constraint.
     #[must_use]
-    pub fn named(self, tie: &'static str) -> Self {
-        Self { tie, ..self }
+    pub fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
     }
 
     /// Returns the contribution to the joint reaction on the body of marker a: the moment a × (−λ b).
@@ -209,7 +209,7 @@ impl Perpendicular {
     }
 }
 
-impl Term for Perpendicular {
+impl Term for ConstantAngle {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -218,8 +218,8 @@ impl Term for Perpendicular {
         self.multiplier..self.multiplier + 1
     }
 
-    fn tie(&self, _: usize) -> String {
-        self.tie.to_owned()
+    fn constraint_name(&self, _: usize) -> String {
+        self.name.to_owned()
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {

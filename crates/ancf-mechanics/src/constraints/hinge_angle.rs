@@ -15,7 +15,7 @@ use crate::kinematics::Marker;
 ///
 /// Units: none; λ is the moment about the axis.
 #[derive(Clone, Debug)]
-pub struct Angle {
+pub struct HingeAngle {
     global: [Marker; 3],
     /// Directions p, u, v.
     markers: [Marker; 3],
@@ -37,7 +37,7 @@ struct AngleValues {
     along: Vector3<f64>,
 }
 
-impl Angle {
+impl HingeAngle {
     /// Defines the angle from u to p about u × v as a coordinate.
     pub fn new(coordinate: usize, p: &Marker, [u, v]: [&Marker; 2], multiplier: usize) -> Self {
         let global = [p, u, v].map(Marker::clone);
@@ -64,7 +64,7 @@ impl Angle {
     }
 }
 
-impl Term for Angle {
+impl Term for HingeAngle {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -73,7 +73,7 @@ impl Term for Angle {
         self.multiplier..self.multiplier + 1
     }
 
-    fn tie(&self, _: usize) -> String {
+    fn constraint_name(&self, _: usize) -> String {
         "definition of the angle".to_owned()
     }
 

@@ -2,9 +2,9 @@ use std::ops::Range;
 
 use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
-use super::bilinear_measure::Measure;
+use super::bilinear_measure::BilinearMeasure;
 use super::coincidence::Wrench;
-use super::measure_target::Target;
+use super::measure_target::MeasureTarget;
 
 /// Equation that prescribes the value of a measure. Joints, drives and couplings consist of such equations.
 ///
@@ -12,37 +12,37 @@ use super::measure_target::Target;
 ///
 /// Units: those of the measure; λ is energy per unit of the measure.
 #[derive(Clone, Debug)]
-pub struct Tie {
-    global: Measure,
-    measure: Measure,
-    target: Target,
+pub struct MeasureConstraint {
+    global: BilinearMeasure,
+    measure: BilinearMeasure,
+    target: MeasureTarget,
     coordinates: Vec<usize>,
     massless: Vec<usize>,
     multiplier: usize,
-    tie: &'static str,
+    name: &'static str,
 }
 
-impl Tie {
+impl MeasureConstraint {
     /// Keeps a measure at its reference value with the given multiplier.
-    pub fn new(measure: Measure, multiplier: usize) -> Self {
-        Self::driven(measure, Target::NONE, multiplier)
+    pub fn new(measure: BilinearMeasure, multiplier: usize) -> Self {
+        Self::driven(measure, MeasureTarget::NONE, multiplier)
     }
 
     /// Drives a measure to a target.
-    pub fn driven(measure: Measure, target: Target, multiplier: usize) -> Self {
+    pub fn driven(measure: BilinearMeasure, target: MeasureTarget, multiplier: usize) -> Self {
         let coordinates = measure.coordinates();
         let (local, massless) = (measure.within(&coordinates), Vec::new());
-        Self { global: measure, measure: local, target, coordinates, massless, multiplier, tie: "guide" }
+        Self { global: measure, measure: local, target, coordinates, massless, multiplier, name: "guide" }
     }
 
     /// Sets the description of the constraint.
     #[must_use]
-    pub fn named(self, tie: &'static str) -> Self {
-        Self { tie, ..self }
+    pub fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
     }
 
     /// Defines the change of a measure as a massless coordinate: Φ = g(q) − g₀ − q_c.
-    pub fn defining(coordinate: usize, measure: Measure, multiplier: usize) -> Self {
+    pub fn defining(coordinate: usize, measure: BilinearMeasure, multiplier: usize) -> Self {
         Self { massless: vec![coordinate], ..Self::new(measure.plus(coordinate, -1.0), multiplier) }
     }
 
@@ -52,7 +52,7 @@ impl Tie {
     }
 }
 
-impl Term for Tie {
+impl Term for MeasureConstraint {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -80,8 +80,8 @@ impl Term for Tie {
         self.measure.add_curvature(w.q * at.lambda[0], k);
     }
 
-    fn tie(&self, _: usize) -> String {
-        self.tie.to_owned()
+    fn constraint_name(&self, _: usize) -> String {
+        self.name.to_owned()
     }
 
     fn massless(&self) -> &[usize] {

@@ -1,6 +1,6 @@
 use ancf_solver::equations::Local;
 
-use crate::functions::{Function, Instant};
+use crate::functions::{Function, FunctionValue};
 
 /// Target of a measure, relative to its reference value: c = x + b x² with x = s α f(t).
 ///
@@ -8,13 +8,13 @@ use crate::functions::{Function, Instant};
 /// angle or a displacement. With b = 1/(2 L₀) the measure is half a squared length over L₀, and the target length is L₀
 /// + x.
 #[derive(Clone, Debug)]
-pub struct Target {
+pub struct MeasureTarget {
     amount: f64,
     function: Function,
     quadratic: f64,
 }
 
-impl Target {
+impl MeasureTarget {
     /// Target at the reference value.
     pub const NONE: Self = Self { amount: 0.0, function: Function::ONE, quadratic: 0.0 };
 
@@ -52,7 +52,7 @@ impl Target {
 
     /// Returns ċ and c̈ at full load.
     pub(crate) fn rates(&self, t: f64) -> [f64; 2] {
-        let Instant { value, rate, acceleration } = self.function.at(t);
+        let FunctionValue { value, rate, acceleration } = self.function.at(t);
         let [x, v, a] = [value, rate, acceleration].map(|f| self.amount * f);
         let slope = 1.0 + 2.0 * self.quadratic * x;
         [v * slope, a * slope + 2.0 * self.quadratic * v * v]

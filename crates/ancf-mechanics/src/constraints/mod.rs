@@ -9,10 +9,10 @@ mod rotation_drive;
 mod slide_constraint;
 
 pub(crate) use bilinear_measure::add_outer;
-pub use bilinear_measure::{Measure, Part};
-pub use coincidence::{Coincide, Perpendicular, Wrench};
-pub use hinge_angle::Angle;
-pub use measure_constraint::Tie;
-pub use measure_target::Target;
-pub use rotation_drive::Drive;
-pub use slide_constraint::Slide;
+pub use bilinear_measure::{BilinearMeasure, MeasureFactor};
+pub use coincidence::{CoincidenceConstraint, ConstantAngle, Wrench};
+pub use hinge_angle::HingeAngle;
+pub use measure_constraint::MeasureConstraint;
+pub use measure_target::MeasureTarget;
+pub use rotation_drive::RotationDrive;
+pub use slide_constraint::SlideConstraint;

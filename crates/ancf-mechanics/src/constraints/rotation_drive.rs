@@ -4,7 +4,7 @@ use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
 use super::coincidence::{AXES, Wrench, direction};
-use crate::functions::{Function, Instant};
+use crate::functions::{Function, FunctionValue};
 use crate::kinematics::Marker;
 
 /// Three linear equations that prescribe a direction by rotation of its reference value about an axis.
@@ -14,25 +14,33 @@ use crate::kinematics::Marker;
 ///
 /// Units: none for the direction; λ is a moment, α an angle in radians.
 #[derive(Clone, Debug)]
-pub struct Drive {
+pub struct RotationDrive {
     global: Marker,
     a: Marker,
     coordinates: Vec<usize>,
     first: usize,
     /// k × a₀ and k × (k × a₀).
-    across: [Vector3<f64>; 2],
+    cross_products: [Vector3<f64>; 2],
     angle: f64,
     function: Function,
 }
 
-impl Drive {
+impl RotationDrive {
     /// Rotates a direction about a unit vector by an angle times a function of time. Uses the three multipliers from
     /// `first`.
     pub fn new(a: &Marker, axis: Vector3<f64>, angle: f64, function: Function, first: usize) -> Self {
         let coordinates: Vec<usize> = a.coordinates().collect();
         let once = axis.cross(&a.reference());
-        let across = [once, axis.cross(&once)];
-        Self { global: a.clone(), a: a.within(&coordinates), coordinates, first, across, angle, function }
+        let cross_products = [once, axis.cross(&once)];
+        Self {
+            global: a.clone(),
+            a: a.within(&coordinates),
+            coordinates,
+            first,
+            cross_products,
+            angle,
+            function,
+        }
     }
 
     /// Returns the contribution to the reaction of the drive on the body: the moment a × (−λ).
@@ -44,11 +52,11 @@ impl Drive {
     /// Computes (R − I) a₀, with 1 − cos θ free of cancellation.
     fn turned(&self, at: &Local<'_>) -> Vector3<f64> {
         let angle = at.load * self.angle * self.function.value(at.t);
-        self.across[0] * angle.sin() + self.across[1] * (2.0 * (0.5 * angle).sin().powi(2))
+        self.cross_products[0] * angle.sin() + self.cross_products[1] * (2.0 * (0.5 * angle).sin().powi(2))
     }
 }
 
-impl Term for Drive {
+impl Term for RotationDrive {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -57,7 +65,7 @@ impl Term for Drive {
         self.first..self.first + 3
     }
 
-    fn tie(&self, k: usize) -> String {
+    fn constraint_name(&self, k: usize) -> String {
         format!("driven {} along {}", direction(self.global.reference()), AXES[k])
     }
 
@@ -75,7 +83,7 @@ impl Term for Drive {
         let angle = at.load * self.angle * self.function.value(at.t);
         for k in 0..3 {
             // The rounding error of an angle of many turns is ε times its value.
-            let size = self.across[0][k].abs() + self.across[1][k].abs();
+            let size = self.cross_products[0][k].abs() + self.cross_products[1][k].abs();
             equations[k] += f64::EPSILON * size * (1.0 + angle.abs());
         }
         for &(first, w) in self.a.parts() {
@@ -96,11 +104,11 @@ impl Term for Drive {
     }
 
     fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {
-        let Instant { value, rate, acceleration } = self.function.at(t);
+        let FunctionValue { value, rate, acceleration } = self.function.at(t);
         let [angle, omega, alpha] = [value, rate, acceleration].map(|x| self.angle * x);
         let (sin, cos) = angle.sin_cos();
-        let first = self.across[0] * cos + self.across[1] * sin;
-        let second = self.across[1] * cos - self.across[0] * sin;
+        let first = self.cross_products[0] * cos + self.cross_products[1] * sin;
+        let second = self.cross_products[1] * cos - self.cross_products[0] * sin;
         for k in 0..3 {
             rates[k] -= omega * first[k];
             accelerations[k] -= alpha * first[k] + omega * omega * second[k];

@@ -19,7 +19,7 @@ use crate::kinematics::{ElementAxis, Marker};
 /// Units: length; λ is a force.
 /// Source: Sugiyama, Escalona & Shabana (2003), sliding joints of the absolute nodal coordinate formulation.
 #[derive(Clone, Debug)]
-pub struct Slide {
+pub struct SlideConstraint {
     point: Marker,
     axis: ElementAxis,
     /// Coordinates, s minus its reference value first.
@@ -33,7 +33,7 @@ pub struct Slide {
 /// Position of s among the coordinates.
 const S: usize = 0;
 
-impl Slide {
+impl SlideConstraint {
     /// Creates the terms of a sliding joint along the elements of a beam, starting at the arc length `start`.
     ///
     /// Uses the three multipliers from `first`.
@@ -79,7 +79,7 @@ impl Slide {
     }
 }
 
-impl Term for Slide {
+impl Term for SlideConstraint {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -88,7 +88,7 @@ impl Term for Slide {
         self.first..self.first + 3
     }
 
-    fn tie(&self, k: usize) -> String {
+    fn constraint_name(&self, k: usize) -> String {
         format!("position along {}", AXES[k])
     }
 

@@ -218,9 +218,9 @@ impl Term for BeamContact {
             for (column, b) in weights.clone().filter(|(column, _)| *column <= row) {
                 for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
                     if row + i >= column + j {
-                        let across = a[0] * b[1] * h[(i, 3 + j)] + a[1] * b[0] * h[(3 + i, j)];
+                        let mixed = a[0] * b[1] * h[(i, 3 + j)] + a[1] * b[0] * h[(3 + i, j)];
                         let straight = a[0] * b[0] * h[(i, j)] + a[1] * b[1] * h[(3 + i, 3 + j)];
-                        k.add(row + i, column + j, straight + across);
+                        k.add(row + i, column + j, straight + mixed);
                     }
                 }
             }

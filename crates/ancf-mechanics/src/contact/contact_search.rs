@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Encounters, Pair, State, Term};
+use ancf_solver::equations::{ContactPair, ContactSearch, State, Term};
 use nalgebra::Vector3;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
@@ -13,7 +13,7 @@ use crate::kinematics::{ElementAxis, Marker};
 
 /// Contact geometry of a body: a round tube about its axis, with equidistant points on it.
 #[derive(Clone, Debug)]
-pub struct Skin {
+pub struct ContactTube {
     axes: Vec<ElementAxis>,
     points: Vec<Marker>,
     /// Number of points per element.
@@ -23,7 +23,7 @@ pub struct Skin {
     radius: f64,
 }
 
-impl Skin {
+impl ContactTube {
     /// Creates the tube of a body with a radius and a number of points per element.
     pub fn new(mesh: &BeamMesh, radius: f64, count: usize) -> Self {
         let all = mesh.count() * count;
@@ -48,31 +48,31 @@ pub struct ObstacleContacts {
 
 impl ObstacleContacts {
     /// Creates the search for every point of some bodies. The search margin is one radius.
-    pub fn new(obstacle: &Obstacle, skins: &[Skin], law: ContactLaw) -> Self {
+    pub fn new(obstacle: &Obstacle, tubes: &[ContactTube], law: ContactLaw) -> Self {
         let (mut contacts, mut margins) = (Vec::new(), Vec::new());
-        for skin in skins {
+        for tube in tubes {
             let contact =
-                |point: &Marker| ObstacleContact::new(obstacle, point, skin.radius, skin.length, law);
-            contacts.extend(skin.points.iter().filter_map(contact).map(Arc::new));
-            margins.resize(contacts.len(), skin.radius);
+                |point: &Marker| ObstacleContact::new(obstacle, point, tube.radius, tube.length, law);
+            contacts.extend(tube.points.iter().filter_map(contact).map(Arc::new));
+            margins.resize(contacts.len(), tube.radius);
         }
         Self { contacts, margins }
     }
 }
 
-impl Encounters for ObstacleContacts {
-    fn near(&self, s: &State) -> Vec<(Pair, f64)> {
+impl ContactSearch for ObstacleContacts {
+    fn near(&self, s: &State) -> Vec<(ContactPair, f64)> {
         let distance = |(i, contact): (usize, &Arc<ObstacleContact>)| {
             ([i as u32, 0], contact.gap_of_all(&s.q) / self.margins[i])
         };
         self.contacts.iter().enumerate().map(distance).filter(|(_, distance)| *distance <= 1.0).collect()
     }
 
-    fn has(&self, [contact, other]: Pair) -> bool {
+    fn contains(&self, [contact, other]: ContactPair) -> bool {
         (contact as usize) < self.contacts.len() && other == 0
     }
 
-    fn term(&self, pair: Pair) -> Arc<dyn Term> {
+    fn term(&self, pair: ContactPair) -> Arc<dyn Term> {
         Arc::clone(&self.contacts[pair[0] as usize]) as Arc<dyn Term>
     }
 }
@@ -84,14 +84,14 @@ impl Encounters for ObstacleContacts {
 /// contact. Examples are a point and its own element, or beams at a joint.
 #[derive(Debug)]
 pub struct BeamContacts {
-    skins: Vec<Skin>,
+    tubes: Vec<ContactTube>,
     law: ContactLaw,
     /// Body and local index of each element and each point, in the order of the bodies.
     elements: Vec<(usize, usize)>,
     points: Vec<(usize, usize)>,
     /// First point of each body.
     first: Vec<usize>,
-    joined: Vec<Pair>,
+    joined: Vec<ContactPair>,
 }
 
 /// Overlap in the reference state, relative to the sum of the radii, above which two parts count as joined.
@@ -102,37 +102,37 @@ type ElementBox = GeomWithData<Rectangle<Corner>, usize>;
 
 impl BeamContacts {
     /// Creates the search for all pairs of the given bodies, including each body with itself.
-    pub fn new(skins: Vec<Skin>, law: ContactLaw) -> Self {
-        let numbered = |count: &dyn Fn(&Skin) -> usize| -> Vec<(usize, usize)> {
-            let of = |(body, skin)| (0..count(skin)).map(move |i| (body, i));
-            skins.iter().enumerate().flat_map(of).collect()
+    pub fn new(tubes: Vec<ContactTube>, law: ContactLaw) -> Self {
+        let numbered = |count: &dyn Fn(&ContactTube) -> usize| -> Vec<(usize, usize)> {
+            let of = |(body, tube)| (0..count(tube)).map(move |i| (body, i));
+            tubes.iter().enumerate().flat_map(of).collect()
         };
-        let (elements, points) = (numbered(&|skin| skin.axes.len()), numbered(&|skin| skin.points.len()));
-        let starts = skins.iter().scan(0, |next, skin| {
-            *next += skin.points.len();
-            Some(*next - skin.points.len())
+        let (elements, points) = (numbered(&|tube| tube.axes.len()), numbered(&|tube| tube.points.len()));
+        let starts = tubes.iter().scan(0, |next, tube| {
+            *next += tube.points.len();
+            Some(*next - tube.points.len())
         });
         let first = starts.collect();
         let law = ContactLaw { stiffness: 0.5 * law.stiffness, ..law };
-        let contacts = Self { skins, law, elements, points, first, joined: Vec::new() };
-        let coordinates = contacts.skins.iter().flat_map(|skin| skin.axes.iter());
+        let contacts = Self { tubes, law, elements, points, first, joined: Vec::new() };
+        let coordinates = contacts.tubes.iter().flat_map(|tube| tube.axes.iter());
         let end = coordinates.flat_map(ElementAxis::coordinates).max().map_or(0, |last| last + 1);
-        contacts.joined_in(&State::rest(end, 0))
+        contacts.with_joined_pairs(&State::rest(end, 0))
     }
 
     /// Treats pairs that overlap in another state as joined too.
     #[must_use]
-    pub fn joined_in(mut self, s: &State) -> Self {
+    pub fn with_joined_pairs(mut self, s: &State) -> Self {
         self.joined.clear();
         let near = self.near(s).into_iter();
-        let overlaps = |pair: &Pair| self.contact(*pair).overlaps(s, JOINED_OVERLAP);
+        let overlaps = |pair: &ContactPair| self.contact(*pair).overlaps(s, JOINED_OVERLAP);
         self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
         self
     }
 
-    fn contact(&self, [point, element]: Pair) -> BeamContact {
+    fn contact(&self, [point, element]: ContactPair) -> BeamContact {
         let ((a, i), (b, k)) = (self.points[point as usize], self.elements[element as usize]);
-        let (own, other) = (&self.skins[a], &self.skins[b]);
+        let (own, other) = (&self.tubes[a], &self.tubes[b]);
         let ends = [k == 0, k + 1 == other.axes.len()];
         BeamContact::new(
             &own.points[i],
@@ -145,33 +145,33 @@ impl BeamContacts {
     }
 }
 
-impl Encounters for BeamContacts {
+impl ContactSearch for BeamContacts {
     /// An R*-tree (Beckmann et al. 1990) finds elements with near boxes, then the points of one near the box of the
     /// other.
-    fn near(&self, s: &State) -> Vec<(Pair, f64)> {
+    fn near(&self, s: &State) -> Vec<(ContactPair, f64)> {
         let boxes: Vec<AABB<Corner>> = self
             .elements
             .iter()
             .map(|&(body, k)| {
-                let hull = self.skins[body].axes[k].bezier_points(&s.q).map(Corner::from);
+                let hull = self.tubes[body].axes[k].bezier_points(&s.q).map(Corner::from);
                 AABB::from_points(&hull)
             })
             .collect();
         let boxed = |(i, b): (usize, &AABB<Corner>)| ElementBox::new(Rectangle::from_aabb(*b), i);
         let tree = RTree::bulk_load(boxes.iter().enumerate().map(boxed).collect());
-        let largest = self.skins.iter().map(|skin| skin.radius).fold(0.0, f64::max);
+        let largest = self.tubes.iter().map(|tube| tube.radius).fold(0.0, f64::max);
         let mut near = Vec::new();
         for (i, &(a, element)) in self.elements.iter().enumerate() {
-            let skin = &self.skins[a];
+            let tube = &self.tubes[a];
             // Both radii, and a margin of the same size.
-            let reach = 2.0 * (skin.radius + largest);
+            let reach = 2.0 * (tube.radius + largest);
             let around =
                 AABB::from_corners(boxes[i].lower().map(|x| x - reach), boxes[i].upper().map(|x| x + reach));
             let others: Vec<usize> = tree.locate_in_envelope_intersecting(around).map(|b| b.data).collect();
-            for (number, point) in skin.points_of(element) {
+            for (number, point) in tube.points_of(element) {
                 let value = point.value(s);
                 for &k in &others {
-                    let radii = skin.radius + self.skins[self.elements[k].0].radius;
+                    let radii = tube.radius + self.tubes[self.elements[k].0].radius;
                     let distance = (box_distance(&value, &boxes[k]) - radii) / radii;
                     let pair = [(self.first[a] + number) as u32, k as u32];
                     if distance <= 1.0 && self.joined.binary_search(&pair).is_err() {
@@ -184,13 +184,13 @@ impl Encounters for BeamContacts {
         near
     }
 
-    fn has(&self, pair: Pair) -> bool {
+    fn contains(&self, pair: ContactPair) -> bool {
         let [point, element] = pair.map(|i| i as usize);
         let is_there = point < self.points.len() && element < self.elements.len();
         is_there && self.joined.binary_search(&pair).is_err()
     }
 
-    fn term(&self, pair: Pair) -> Arc<dyn Term> {
+    fn term(&self, pair: ContactPair) -> Arc<dyn Term> {
         Arc::new(self.contact(pair))
     }
 }

@@ -7,5 +7,5 @@ mod obstacle;
 
 pub use beam_contact::BeamContact;
 pub use contact_law::ContactLaw;
-pub use contact_search::{BeamContacts, ObstacleContacts, Skin};
-pub use obstacle::{Form, Obstacle, ObstacleContact};
+pub use contact_search::{BeamContacts, ContactTube, ObstacleContacts};
+pub use obstacle::{Obstacle, ObstacleContact, ObstacleShape};

@@ -6,7 +6,7 @@ use crate::kinematics::{Attachment, Marker, Real, add_symmetric, constant};
 
 /// Shape of an obstacle about its point c with an axis a.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
+pub enum ObstacleShape {
     /// Half space behind the plane through c with the normal a.
     Plane,
     /// Ball with the centre c, or its exterior.
@@ -28,7 +28,7 @@ pub enum Form {
 /// Obstacle fixed to the ground or to a body.
 #[derive(Clone, Debug)]
 pub struct Obstacle {
-    form: Form,
+    shape: ObstacleShape,
     place: Attachment,
     /// Axis, as components in the directions of the carrier.
     axis: Vector3<f64>,
@@ -38,14 +38,14 @@ impl Obstacle {
     /// Creates an obstacle at the point of an attachment, with the axis `axis` in the reference state.
     ///
     /// Returns `None` if the attachment does not have three directions.
-    pub fn new(form: Form, place: Attachment, axis: Vector3<f64>) -> Option<Self> {
+    pub fn new(shape: ObstacleShape, place: Attachment, axis: Vector3<f64>) -> Option<Self> {
         let reference = place.axes()?.each_ref().map(Marker::reference);
         let axis = SMatrix::<f64, 3, 3>::from_columns(&reference).try_inverse()? * axis;
-        Some(Self { form, place, axis })
+        Some(Self { shape, place, axis })
     }
 }
 
-impl Form {
+impl ObstacleShape {
     /// Computes the gap of a point at d from c, and the gradients of the gap by d and by a.
     fn gap<D: Real>(self, d: &Vector3<D>, a: &Vector3<D>) -> (D, Vector3<D>, Vector3<D>) {
         let unit = |x: &Vector3<D>| {
@@ -85,7 +85,7 @@ impl Form {
 /// without friction and damping.
 #[derive(Clone, Debug)]
 pub struct ObstacleContact {
-    form: Form,
+    shape: ObstacleShape,
     axis: Vector3<f64>,
     /// Vector d and the directions of the carrier.
     markers: [Marker; 4],
@@ -114,14 +114,14 @@ impl ObstacleContact {
         let global = [d, x.clone(), y.clone(), z.clone()];
         let coordinates = Marker::union_coordinates(&global);
         let markers = global.each_ref().map(|marker| marker.within(&coordinates));
-        let Obstacle { form, axis, .. } = *obstacle;
-        Some(Self { form, axis, markers, coordinates, global, radius, length, law })
+        let Obstacle { shape, axis, .. } = *obstacle;
+        Some(Self { shape, axis, markers, coordinates, global, radius, length, law })
     }
 
     /// Returns the gap at the coordinates q of all bodies.
     pub(crate) fn gap_of_all(&self, q: &[f64]) -> f64 {
         let [d, axes @ ..] = self.global.each_ref().map(|marker| marker.reference() + marker.sum(q));
-        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
+        self.shape.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
     /// Returns the values of the markers and their velocities.
@@ -138,13 +138,13 @@ impl ObstacleContact {
 
     fn gap(&self, x: &MarkerValues<f64>) -> f64 {
         let [d, axes @ ..] = parts(x);
-        self.form.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
+        self.shape.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
     /// Computes the generalised forces on d, x, y and z.
     fn forces<D: Real>(&self, x: &MarkerValues<D>, v: &MarkerValues<D>) -> MarkerValues<D> {
         let ([d, axes @ ..], [rate, spins @ ..]) = (parts(x), parts(v));
-        let (gap, n, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let (gap, n, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let closing = n.dot(&rate) + b.dot(&combine(&spins, &self.axis));
         let normal = self.law.smooth_normal(gap - self.radius, closing) * self.length;
         let reach = components(&axes, &d);
@@ -196,9 +196,9 @@ fn combine<D: Real>([x, y, z]: &[Vector3<D>; 3], components: &Vector3<f64>) -> V
 
 /// Computes X⁻¹ d.
 fn components<D: Real>([x, y, z]: &[Vector3<D>; 3], d: &Vector3<D>) -> [D; 3] {
-    let across = [y.cross(z), z.cross(x), x.cross(y)];
-    let volume = across[0].dot(x);
-    across.map(|across| across.dot(d) / volume)
+    let cofactors = [y.cross(z), z.cross(x), x.cross(y)];
+    let volume = cofactors[0].dot(x);
+    cofactors.map(|cofactor| cofactor.dot(d) / volume)
 }
 
 impl Term for ObstacleContact {
@@ -228,9 +228,9 @@ impl Term for ObstacleContact {
         let [d, axes @ ..] = parts(&x);
         let tilt: f64 = (1..4).map(|k| self.markers[k].size(at.q) / axes[k - 1].norm()).sum();
         // Radius of the obstacle, and lever of the errors of the normal.
-        let (round, distance) = match self.form {
-            Form::Plane => (0.0, f64::INFINITY),
-            Form::Sphere { radius, inside } | Form::Cylinder { radius, inside } => {
+        let (round, distance) = match self.shape {
+            ObstacleShape::Plane => (0.0, f64::INFINITY),
+            ObstacleShape::Sphere { radius, inside } | ObstacleShape::Cylinder { radius, inside } => {
                 let reach = gap + self.radius;
                 (radius, if inside { radius - reach } else { radius + reach })
             }
@@ -242,7 +242,7 @@ impl Term for ObstacleContact {
             + (0..3).map(|k| reach[k].abs() * self.markers[k + 1].sum_of_sizes(at.v)).sum::<f64>()
             + spins.iter().map(|spin| spin.norm()).sum::<f64>() * place;
         let turned = tilt + place / distance;
-        let (_, _, b) = self.form.gap(&d, &combine(&axes, &self.axis));
+        let (_, _, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
         let speed = rate.norm() + b.norm() * combine(&spins, &self.axis).norm();
         let errors = [place + self.radius + round, turned, velocity_error];
         let bound = self.law.rounding(gap, speed, errors) * self.length;

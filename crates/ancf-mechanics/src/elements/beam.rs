@@ -4,21 +4,21 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
 use nalgebra::{Matrix3, Vector3};
 
-use super::station::{RelativeVectors, Station, StrainEnergy};
+use super::station::{BeamStation, RelativeVectors, StrainEnergy};
 use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
 use crate::sections::NO_STIFFNESS;
 
 /// Common data of congruent elements: quadrature points with their elasticity, inertia and body force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<const N: usize> {
-    pub(crate) stations: Vec<Station<N>>,
+    pub(crate) stations: Vec<BeamStation<N>>,
     /// Compact mass matrix M_ab = ∫ ρ S_a S_b dV; the mass matrix is M ⊗ I₃.
     pub(crate) mass: [[f64; N]; N],
     /// First moments ∫ ρ S_a dV.
     pub(crate) first: [f64; N],
     pub(crate) gravity: Vector3<f64>,
     /// Rate α of the mass-proportional damping α M v.
-    pub(crate) drag: f64,
+    pub(crate) mass_damping: f64,
     /// Retardation time τ.
     pub(crate) retardation: f64,
 }
@@ -40,7 +40,7 @@ impl<const N: usize> Profile<N> {
 /// Coordinates are the components of the vectors minus their reference values. The strain energy is the sum over the
 /// stations. The [`Profile`] defines the elastic law of each station.
 #[derive(Clone, Debug)]
-pub struct Element<const N: usize, S> {
+pub struct BeamElement<const N: usize, S> {
     coordinates: Vec<usize>,
     pub(crate) frame: Matrix3<f64>,
     pub(crate) profile: Arc<Profile<N>>,
@@ -50,14 +50,14 @@ pub struct Element<const N: usize, S> {
 /// Two-node, 24-coordinate, fully parameterised beam element.
 ///
 /// Source: Yakoub & Shabana (2001); Garcia-Vallejo et al. (2007); Kim et al. (2017), section 2.
-pub type Beam24 = Element<8, BeamShape>;
+pub type Beam24 = BeamElement<8, BeamShape>;
 
 /// Three-node, 27-coordinate beam element without axial slopes.
 ///
 /// Source: Nachbagauer, Gruber & Gerstmayr (2013).
-pub type Beam27 = Element<9, QuadraticShape>;
+pub type Beam27 = BeamElement<9, QuadraticShape>;
 
-impl<const N: usize, S: Interpolation<N>> Element<N, S> {
+impl<const N: usize, S: Interpolation<N>> BeamElement<N, S> {
     /// Creates an element on 3N coordinates. The orthonormal `frame` contains the x, y and z directions of its profile.
     pub fn new(
         coordinates: impl IntoIterator<Item = usize>,
@@ -104,7 +104,7 @@ pub(crate) fn vectors<const N: usize>(x: &[f64]) -> [Vector3<f64>; N] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
-impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
+impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, S> {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }
@@ -112,9 +112,9 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let profile = &self.profile;
         let mut force = self.mass_times(&vectors(at.a));
-        if profile.drag != 0.0 {
-            let drag = self.mass_times(&vectors(at.v));
-            force.iter_mut().zip(drag).for_each(|(force, drag)| *force += drag * profile.drag);
+        if profile.mass_damping != 0.0 {
+            let momentum = self.mass_times(&vectors(at.v));
+            force.iter_mut().zip(momentum).for_each(|(force, p)| *force += p * profile.mass_damping);
         }
         for (force, first) in force.iter_mut().zip(&profile.first) {
             *force -= profile.gravity * (at.load * first);
@@ -136,7 +136,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let (vectors_q, v) = (vectors::<N>(at.q), vectors::<N>(at.v));
         let moved = vectors::<N>(at.a).map(|a| a.norm());
         let mut bound: [f64; N] = std::array::from_fn(|a| {
-            let of = |b: usize| profile.mass[a][b].abs() * (moved[b] + profile.drag * v[b].norm());
+            let of = |b: usize| profile.mass[a][b].abs() * (moved[b] + profile.mass_damping * v[b].norm());
             let weight = (at.load * profile.first[a]).abs() * profile.gravity.norm();
             f64::EPSILON * ((0..N).map(of).sum::<f64>() + weight)
         });
@@ -169,7 +169,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
                 station.distribute_stiffness(&h, &mut blocks);
             }
         }
-        let inertia = w.a + self.profile.drag * w.v;
+        let inertia = w.a + self.profile.mass_damping * w.v;
         for a in 0..N {
             for b in 0..=a {
                 blocks[a][b] += Matrix3::from_diagonal_element(inertia * self.profile.mass[a][b]);
@@ -204,7 +204,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
         let moved: Vector3<f64> = q.iter().zip(&self.profile.first).map(|(q, m)| q * *m).sum();
         let relative = RelativeVectors::new::<S>(&q);
         let of =
-            |s: &Station<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
+            |s: &BeamStation<N>| s.weight * s.energy(&s.reference(&self.frame), &s.directors::<S>(&relative));
         let strain = self.profile.stations.iter().map(of).sum();
         Energy {
             kinetic: 0.5 * momentum.iter().zip(&v).map(|(p, v)| p.dot(v)).sum::<f64>(),
@@ -214,7 +214,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for Element<N, S> {
     }
 
     fn power(&self, at: &Local<'_>) -> Power {
-        let damped = self.profile.drag != 0.0 || self.moving(at).is_some();
+        let damped = self.profile.mass_damping != 0.0 || self.moving(at).is_some();
         Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
     }
 }

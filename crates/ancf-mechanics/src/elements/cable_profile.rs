@@ -129,18 +129,18 @@ impl CableProfile {
             }
         }
         let (damping, axial, bending) = (CableDamping::default(), Vec::new(), Vec::new());
-        Self { shape, section, damping, gravity, axial, bending, mass, first }.integrated(CableRule::Full)
+        Self { shape, section, damping, gravity, axial, bending, mass, first }.with_rule(CableRule::Full)
     }
 
     /// Sets the damping.
     #[must_use]
-    pub fn damped(self, damping: CableDamping) -> Self {
+    pub fn with_damping(self, damping: CableDamping) -> Self {
         Self { damping, ..self }
     }
 
     /// Sets the quadrature rule.
     #[must_use]
-    pub fn integrated(self, rule: CableRule) -> Self {
+    pub fn with_rule(self, rule: CableRule) -> Self {
         let stations = |points: Vec<(f64, f64)>| {
             points.into_iter().map(|(xi, w)| CableStation::new(self.shape, xi, w)).collect()
         };

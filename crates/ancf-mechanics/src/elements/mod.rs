@@ -7,11 +7,11 @@ mod profile;
 mod rigid;
 mod station;
 
-pub use beam::{Beam24, Beam27, Element, Profile};
+pub use beam::{Beam24, Beam27, BeamElement, Profile};
 pub(crate) use cable::CRUSHED;
 pub use cable::Cable12;
 pub(crate) use cable_profile::CableStation;
 pub use cable_profile::{CableDamping, CableProfile, CableRule, CableSection};
-pub use profile::{Formulation, Medium};
-pub use rigid::{RigidBody, is_inertia};
-pub use station::{Law, Station, StrainEnergy};
+pub use profile::{BeamMaterial, TwoNodeLaw};
+pub use rigid::{RigidBody, is_physical_inertia};
+pub use station::{BeamStation, StationLaw, StrainEnergy};

@@ -1,13 +1,13 @@
 use nalgebra::Vector3;
 
 use super::beam::Profile;
-use super::station::{DirectorWeights, Law, RelativeVectors, Station};
-use crate::kinematics::{BeamShape, Interpolation, Kind, QuadraticShape, gauss, gauss2, lobatto3};
+use super::station::{BeamStation, DirectorWeights, RelativeVectors, StationLaw};
+use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, VectorKind, gauss, gauss2, lobatto3};
 use crate::sections::{CrossSection, DIRECTORS, Directors, Lame, Moments, NeoHookean, SectionLaw, straight};
 
 /// Material, damping and gravity of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Medium {
+pub struct BeamMaterial {
     /// Lamé's constants.
     pub lame: Lame,
     /// True for the neo-Hookean law, false for St. Venant-Kirchhoff. Applies to the continuum formulation.
@@ -17,14 +17,14 @@ pub struct Medium {
     /// Retardation time τ of the Kelvin-Voigt model: stresses follow from the strains E + τ dE/dt.
     pub retardation: f64,
     /// Rate α of the mass-proportional damping α M v.
-    pub drag: f64,
+    pub mass_damping: f64,
     /// Acceleration of gravity.
     pub gravity: Vector3<f64>,
 }
 
 /// Elastic law of the two-node element: stiffness of the strains and their quadrature points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Formulation {
+pub enum TwoNodeLaw {
     /// Full three-dimensional elasticity at five points. The quadrature is exact, so the element has all kinds of
     /// locking.
     Continuum,
@@ -48,7 +48,8 @@ fn at<'a>(rule: &[(f64, f64)], law: &'a SectionLawFn<'a>) -> Vec<LawPoint<'a>> {
 impl Profile<8> {
     /// Creates the profile of a straight prismatic beam in the continuum formulation.
     pub fn new(shape: BeamShape, lame: Lame, density: f64, moments: Moments, gravity: Vector3<f64>) -> Self {
-        let medium = Medium { lame, neo_hookean: false, density, retardation: 0.0, drag: 0.0, gravity };
+        let medium =
+            BeamMaterial { lame, neo_hookean: false, density, retardation: 0.0, mass_damping: 0.0, gravity };
         let section = CrossSection {
             moments,
             inertia: [moments.yy, moments.zz],
@@ -62,7 +63,7 @@ impl Profile<8> {
         let mut reference = [zero; 8];
         reference[..4].copy_from_slice(&near);
         reference[4..].copy_from_slice(&far);
-        Self::two_node(shape, &reference, &|_| section.clone(), &medium, Formulation::Continuum)
+        Self::two_node(shape, &reference, &|_| section.clone(), &medium, TwoNodeLaw::Continuum)
     }
 
     /// Creates the profile of two-node elements. The reference vectors are in any frame; `section` is the section at ξ.
@@ -70,8 +71,8 @@ impl Profile<8> {
         shape: BeamShape,
         reference: &[Vector3<f64>; 8],
         section: &dyn Fn(f64) -> CrossSection,
-        medium: &Medium,
-        formulation: Formulation,
+        medium: &BeamMaterial,
+        formulation: TwoNodeLaw,
     ) -> Self {
         let (lame, length) = (medium.lame, shape.length);
         let continuum = |_: f64, g0: &Directors, section: &CrossSection| match is_straight(g0) {
@@ -88,9 +89,9 @@ impl Profile<8> {
             if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
         };
         let rule = match formulation {
-            Formulation::Continuum => at(&gauss(), &continuum),
-            Formulation::Enhanced => at(&gauss(), &enhanced),
-            Formulation::Linked => at(&lobatto3(), &linked),
+            TwoNodeLaw::Continuum => at(&gauss(), &continuum),
+            TwoNodeLaw::Enhanced => at(&gauss(), &enhanced),
+            TwoNodeLaw::Linked => at(&lobatto3(), &linked),
         };
         Self::build(&shape, reference, section, medium, &rule)
     }
@@ -111,7 +112,7 @@ impl Profile<9> {
         shape: QuadraticShape,
         reference: &[Vector3<f64>; 9],
         section: &dyn Fn(f64) -> CrossSection,
-        medium: &Medium,
+        medium: &BeamMaterial,
     ) -> Self {
         let lame = medium.lame;
         let rod = |_: f64, g0: &Directors, section: &CrossSection| {
@@ -135,7 +136,7 @@ impl<const N: usize> Profile<N> {
         shape: &S,
         reference: &[Vector3<f64>; N],
         section: &dyn Fn(f64) -> CrossSection,
-        medium: &Medium,
+        medium: &BeamMaterial,
         rule: &[LawPoint<'_>],
     ) -> Self {
         let relative = RelativeVectors::new::<S>(reference);
@@ -152,33 +153,33 @@ impl<const N: usize> Profile<N> {
             g0[reach..].fill(Vector3::zeros());
             let viscosity = (medium.retardation != 0.0).then(|| quadratic.times(medium.retardation));
             let law = if medium.neo_hookean {
-                Law::Hyperelastic(NeoHookean::new(medium.lame, section.points))
+                StationLaw::Hyperelastic(NeoHookean::new(medium.lame, section.points))
             } else {
-                Law::Quadratic(quadratic)
+                StationLaw::Quadratic(quadratic)
             };
-            Station { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
+            BeamStation { weight: w * shape.length(), parts: parts(reach), reference: g0, law, viscosity }
         });
         let (mut mass, mut first) = ([[0.0; N]; N], [0.0; N]);
         for (xi, w) in gauss() {
             let (section, values) = (section(xi), shape.values(xi));
             let weight = w * shape.length() * medium.density;
             for a in 0..N {
-                if matches!(S::KINDS[a], Kind::Position | Kind::Slope) {
+                if matches!(S::KINDS[a], VectorKind::Position | VectorKind::Slope) {
                     first[a] += weight * section.moments.area * values[a];
                 }
                 for b in 0..N {
                     let moment = match (S::KINDS[a], S::KINDS[b]) {
-                        (Kind::Y, Kind::Y) => section.inertia[0],
-                        (Kind::Z, Kind::Z) => section.inertia[1],
-                        (Kind::Y | Kind::Z, _) | (_, Kind::Y | Kind::Z) => continue,
+                        (VectorKind::Y, VectorKind::Y) => section.inertia[0],
+                        (VectorKind::Z, VectorKind::Z) => section.inertia[1],
+                        (VectorKind::Y | VectorKind::Z, _) | (_, VectorKind::Y | VectorKind::Z) => continue,
                         _ => section.moments.area,
                     };
                     mass[a][b] += weight * moment * values[a] * values[b];
                 }
             }
         }
-        let Medium { gravity, drag, retardation, .. } = *medium;
-        Self { stations: stations.collect(), mass, first, gravity, drag, retardation }
+        let BeamMaterial { gravity, mass_damping, retardation, .. } = *medium;
+        Self { stations: stations.collect(), mass, first, gravity, mass_damping, retardation }
     }
 }
 

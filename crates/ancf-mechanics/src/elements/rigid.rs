@@ -1,8 +1,8 @@
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
-use crate::constraints::Perpendicular;
-use crate::kinematics::{Attachment, Directions, Kind, Marker, NodalVector};
+use crate::constraints::ConstantAngle;
+use crate::kinematics::{Attachment, Directions, Marker, NodalVector, VectorKind};
 
 /// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///
@@ -98,7 +98,7 @@ impl RigidBody {
             let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
             let rows = pairs.iter().enumerate();
             terms.extend(rows.map(|(k, &(i, j))| {
-                Box::new(Perpendicular::new(&d[i], &d[j], self.multiplier + k)) as Box<dyn Term>
+                Box::new(ConstantAngle::new(&d[i], &d[j], self.multiplier + k)) as Box<dyn Term>
             }));
         }
         terms
@@ -107,8 +107,8 @@ impl RigidBody {
     /// Returns all nodal vectors of the body in a state.
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
         let centre = Attachment { point: self.attachment(self.centre).point, directions: Directions::None };
-        let points = std::iter::once((Kind::Position, centre.point));
-        let kinds = [Kind::Slope, Kind::Y, Kind::Z].into_iter().zip(self.directors());
+        let points = std::iter::once((VectorKind::Position, centre.point));
+        let kinds = [VectorKind::Slope, VectorKind::Y, VectorKind::Z].into_iter().zip(self.directors());
         let directors = kinds.filter(|_| self.has_directors());
         points.chain(directors).enumerate().map(move |(k, (kind, marker))| NodalVector {
             first: self.first + 3 * k,
@@ -118,9 +118,9 @@ impl RigidBody {
     }
 
     /// Returns the kind of vector to which a coordinate belongs, if it is a coordinate of this body.
-    pub fn place_of(&self, coordinate: usize) -> Option<Kind> {
+    pub fn locate_coordinate(&self, coordinate: usize) -> Option<VectorKind> {
         let place = coordinate.checked_sub(self.first).filter(|place| *place < self.coordinates())?;
-        Some([Kind::Position, Kind::Slope, Kind::Y, Kind::Z][place / 3])
+        Some([VectorKind::Position, VectorKind::Slope, VectorKind::Y, VectorKind::Z][place / 3])
     }
 }
 
@@ -130,7 +130,7 @@ fn euler_tensor(inertia: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 /// Returns true if the moments of inertia are physical: E has no negative principal value.
-pub fn is_inertia(inertia: &Matrix3<f64>) -> bool {
+pub fn is_physical_inertia(inertia: &Matrix3<f64>) -> bool {
     let values = SymmetricEigen::new(euler_tensor(inertia)).eigenvalues;
     values.max() > 0.0 && values.min() >= -MIN_INERTIA_RATIO * values.max()
 }

@@ -2,7 +2,7 @@ use std::ops::{AddAssign, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{Interpolation, Kind};
+use crate::kinematics::{Interpolation, VectorKind};
 use crate::sections::{
     AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, DIRECTORS, Directors, EE, EH, HH,
     NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
@@ -10,14 +10,14 @@ use crate::sections::{
 
 /// Elastic law of a cross-section.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Law {
+pub enum StationLaw {
     /// Quadratic in the section strains.
     Quadratic(SectionLaw),
     /// Compressible neo-Hookean.
     Hyperelastic(NeoHookean),
 }
 
-impl Law {
+impl StationLaw {
     fn is_admissible(&self, g0: &Directors, u: &Directors) -> bool {
         match self {
             Self::Quadratic(_) => true,
@@ -71,7 +71,7 @@ impl Law {
 
 /// Quadrature point of the axis with its weight, reference directors and elastic law.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Station<const N: usize> {
+pub struct BeamStation<const N: usize> {
     /// Gauss weight times the length of the element.
     pub(crate) weight: f64,
     /// Weights of the vectors of the element in the directors.
@@ -79,7 +79,7 @@ pub struct Station<const N: usize> {
     /// Directors of the reference state in the frame of the element.
     pub(crate) reference: Directors,
     /// Elastic law.
-    pub(crate) law: Law,
+    pub(crate) law: StationLaw,
     /// Viscous law: resultants of strain rates.
     pub(crate) viscosity: Option<SectionLaw>,
 }
@@ -163,13 +163,14 @@ pub(crate) struct RelativeVectors<const N: usize> {
 
 impl<const N: usize> RelativeVectors<N> {
     pub(crate) fn new<S: Interpolation<N>>(q: &[Vector3<f64>; N]) -> Self {
-        let first = |kind: Kind| S::KINDS.iter().position(|&k| k == kind).map_or(Vector3::zeros(), |i| q[i]);
-        let [r, y, z] = [Kind::Position, Kind::Y, Kind::Z].map(first);
+        let first =
+            |kind: VectorKind| S::KINDS.iter().position(|&k| k == kind).map_or(Vector3::zeros(), |i| q[i]);
+        let [r, y, z] = [VectorKind::Position, VectorKind::Y, VectorKind::Z].map(first);
         let difference = std::array::from_fn(|i| match S::KINDS[i] {
-            Kind::Position => q[i] - r,
-            Kind::Slope => q[i],
-            Kind::Y => q[i] - y,
-            Kind::Z => q[i] - z,
+            VectorKind::Position => q[i] - r,
+            VectorKind::Slope => q[i],
+            VectorKind::Y => q[i] - y,
+            VectorKind::Z => q[i] - z,
         });
         Self { difference, base: [y, z] }
     }
@@ -182,8 +183,8 @@ impl<const N: usize> RelativeVectors<N> {
             for &(director, weight) in parts[i].as_slice() {
                 u[director] += self.difference[i] * weight;
                 match (S::KINDS[i], director) {
-                    (Kind::Y, 3) => d += weight,
-                    (Kind::Z, 4) => e += weight,
+                    (VectorKind::Y, 3) => d += weight,
+                    (VectorKind::Z, 4) => e += weight,
                     _ => {}
                 }
             }
@@ -194,7 +195,7 @@ impl<const N: usize> RelativeVectors<N> {
     }
 }
 
-impl<const N: usize> Station<N> {
+impl<const N: usize> BeamStation<N> {
     /// Computes the increments of the directors.
     pub(crate) fn directors<S: Interpolation<N>>(&self, q: &RelativeVectors<N>) -> Directors {
         q.directors::<S>(&self.parts)
@@ -233,7 +234,7 @@ impl<const N: usize> Station<N> {
 
     /// Returns the strain energy per length by part.
     pub(crate) fn strain_energy(&self, g0: &Directors, u: &Directors) -> StrainEnergy {
-        let Law::Quadratic(law) = &self.law else {
+        let StationLaw::Quadratic(law) = &self.law else {
             return StrainEnergy { volume: self.law.energy(g0, u), ..StrainEnergy::default() };
         };
         let shares = law.shares(g0, u);

@@ -4,7 +4,7 @@ use crate::functions::Function;
 
 /// Unbounded fluid with a uniform current u = U f(t).
 #[derive(Clone, Debug)]
-pub struct Fluid {
+pub struct FlowField {
     /// Density ρ, mass/volume.
     pub density: f64,
     /// Acceleration of gravity g.
@@ -15,7 +15,7 @@ pub struct Fluid {
     pub function: Function,
 }
 
-impl Fluid {
+impl FlowField {
     /// Returns the velocity u.
     pub(crate) fn velocity(&self, t: f64) -> Vector3<f64> {
         self.current * self.function.value(t)
@@ -31,7 +31,7 @@ impl Fluid {
 ///
 /// Coefficients are given for the normal and for the tangential direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hull {
+pub struct HydroSection {
     /// Diameter d exposed to the flow.
     pub diameter: f64,
     /// Displaced area A.
@@ -76,13 +76,13 @@ pub(crate) struct ForceDerivatives {
 }
 
 impl HydroCoefficients {
-    pub(crate) fn new(fluid: &Fluid, hull: &Hull, length: f64) -> Self {
+    pub(crate) fn new(fluid: &FlowField, section: &HydroSection, length: f64) -> Self {
         let (dynamic_pressure, displaced) =
-            (0.5 * fluid.density * hull.diameter * length, fluid.density * hull.area * length);
-        let [normal, tangential] = hull.drag;
+            (0.5 * fluid.density * section.diameter * length, fluid.density * section.area * length);
+        let [normal, tangential] = section.drag;
         Self {
             drag: [dynamic_pressure * normal, dynamic_pressure * std::f64::consts::PI * tangential],
-            added: hull.added_mass.map(|c| c * displaced),
+            added: section.added_mass.map(|c| c * displaced),
             displaced,
         }
     }
@@ -94,16 +94,17 @@ impl HydroCoefficients {
 
     /// Returns the drag ½ρ d C_n |w_n| w_n + ½ρ π d C_t |w_t| w_t t.
     pub(crate) fn drag(&self, flow: &RelativeFlow) -> Vector3<f64> {
-        let (along, across) = flow.parts(&flow.relative);
+        let (along, normal_part) = flow.parts(&flow.relative);
         let [normal, tangential] = self.drag;
-        let drag = across * (normal * across.norm()) + flow.tangent * (tangential * along.abs() * along);
+        let drag =
+            normal_part * (normal * normal_part.norm()) + flow.tangent * (tangential * along.abs() * along);
         drag * flow.load
     }
 
     /// Multiplies a vector by the added mass.
     pub(crate) fn added(&self, flow: &RelativeFlow, x: &Vector3<f64>) -> Vector3<f64> {
-        let (along, across) = flow.parts(x);
-        across * self.added[0] + flow.tangent * (along * self.added[1])
+        let (along, normal_part) = flow.parts(x);
+        normal_part * self.added[0] + flow.tangent * (along * self.added[1])
     }
 
     /// Returns ½ v·Ṁv of the added mass M on a line whose gradient changes at the rate ṗ.
@@ -115,18 +116,19 @@ impl HydroCoefficients {
     /// Computes the derivatives of drag and added mass.
     pub(crate) fn derivatives(&self, flow: &RelativeFlow) -> ForceDerivatives {
         let (t, w, b) = (&flow.tangent, &flow.relative, &flow.relative_acceleration);
-        let (along, across) = flow.parts(w);
-        let speed = across.norm();
+        let (along, normal_part) = flow.parts(w);
+        let speed = normal_part.norm();
         let [normal, tangential] = self.drag.map(|c| c * flow.load);
         let projector = Matrix3::identity() - t * t.transpose();
         // |w| w has no second derivative at w = 0; its first derivative is zero there.
-        let flat = if speed > 0.0 { across * across.transpose() / speed } else { Matrix3::zeros() };
+        let flat = if speed > 0.0 { normal_part * normal_part.transpose() / speed } else { Matrix3::zeros() };
         let velocity =
             (projector * speed + flat) * normal + t * t.transpose() * (2.0 * tangential * along.abs());
         let identity = Matrix3::identity();
         // Derivatives by the tangent t: of w_n = w − t (t·w), of t·w, and of (M_t − M_n) t (t·b).
         let sideways = identity * along + t * w.transpose();
-        let of_speed = if speed > 0.0 { across * across.transpose() * (along / speed) } else { flat };
+        let of_speed =
+            if speed > 0.0 { normal_part * normal_part.transpose() * (along / speed) } else { flat };
         let turned = sideways * (-normal * speed) - of_speed * normal
             + (t * w.transpose() * 2.0 + identity * along) * (tangential * along.abs())
             + (identity * t.dot(b) + t * b.transpose()) * (self.added[1] - self.added[0]);

@@ -4,5 +4,5 @@ mod flow_field;
 mod hydrodynamic_loads;
 mod morison;
 
-pub use flow_field::{Fluid, Hull};
-pub use morison::Morison;
+pub use flow_field::{FlowField, HydroSection};
+pub use morison::MorisonLoad;

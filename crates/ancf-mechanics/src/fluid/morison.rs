@@ -3,7 +3,7 @@ use std::sync::Arc;
 use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use super::flow_field::{Fluid, HydroCoefficients, RelativeFlow};
+use super::flow_field::{FlowField, HydroCoefficients, RelativeFlow};
 use crate::kinematics::ElementAxis;
 
 /// Hydrodynamic load of one element of a slender line: drag, added mass and buoyancy.
@@ -25,9 +25,9 @@ use crate::kinematics::ElementAxis;
 /// The mass and the derivative by v are exact. The derivative by q is not symmetric, and the tangent contains its
 /// symmetric part.
 #[derive(Clone, Debug)]
-pub struct Morison {
+pub struct MorisonLoad {
     coordinates: Vec<usize>,
-    fluid: Arc<Fluid>,
+    fluid: Arc<FlowField>,
     stations: [MorisonStation; 5],
 }
 
@@ -48,11 +48,11 @@ struct FluidMotion {
     acceleration: Vector3<f64>,
 }
 
-impl Morison {
+impl MorisonLoad {
     /// Creates the load from the weights, the tangent and the section properties at five points of an axis.
     pub(crate) fn new(
         axis: &ElementAxis,
-        fluid: Arc<Fluid>,
+        fluid: Arc<FlowField>,
         points: [([[f64; 4]; 3], Vector3<f64>, HydroCoefficients); 5],
     ) -> Self {
         let stations = points.map(|([values, slopes, _], tangent, coefficients)| MorisonStation {
@@ -110,7 +110,7 @@ fn size(weights: &[f64; 4], x: &[f64]) -> f64 {
     vectors(x).zip(weights).map(|(x, w)| x.norm() * w.abs()).sum()
 }
 
-impl Term for Morison {
+impl Term for MorisonLoad {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
     }

@@ -1,6 +1,6 @@
 use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
 
-use crate::constraints::{Measure, Wrench};
+use crate::constraints::{BilinearMeasure, Wrench};
 
 /// Dry friction of given magnitude against the rate of a measure: f = −F tanh(ġ/ε) ∂g/∂q.
 ///
@@ -10,8 +10,8 @@ use crate::constraints::{Measure, Wrench};
 /// Units: F is energy per unit of the measure, ε the measure per time.
 #[derive(Clone, Debug)]
 pub struct Friction {
-    global: Measure,
-    measure: Measure,
+    global: BilinearMeasure,
+    measure: BilinearMeasure,
     force: f64,
     creep: f64,
     coordinates: Vec<usize>,
@@ -19,7 +19,7 @@ pub struct Friction {
 
 impl Friction {
     /// Creates friction of a given magnitude, fully developed above the rate `creep`.
-    pub fn new(measure: Measure, force: f64, creep: f64) -> Self {
+    pub fn new(measure: BilinearMeasure, force: f64, creep: f64) -> Self {
         let coordinates = measure.coordinates();
         let local = measure.within(&coordinates);
         Self { global: measure, measure: local, force, creep, coordinates }

@@ -70,12 +70,12 @@ impl Moment {
         };
         let c = d.cross(&e);
         let square = c.dot(&c);
-        let (across, along) = ([-(m.dot(&e) / square), m.dot(&d) / square], m.dot(&c) * 0.5 / square);
-        let force = |across: D, x: &Vector3<D>| {
+        let (transverse, along) = ([-(m.dot(&e) / square), m.dot(&d) / square], m.dot(&c) * 0.5 / square);
+        let force = |transverse: D, x: &Vector3<D>| {
             let drill = along / x.dot(x);
-            c.map(|c| c * across) + c.cross(x).map(|y| y * drill)
+            c.map(|c| c * transverse) + c.cross(x).map(|y| y * drill)
         };
-        let (fd, fe) = (force(across[0], &d), force(across[1], &e));
+        let (fd, fe) = (force(transverse[0], &d), force(transverse[1], &e));
         SVector::from([fd.x, fd.y, fd.z, fe.x, fe.y, fe.z])
     }
 

@@ -1,6 +1,6 @@
 use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Term, Weights};
 
-use crate::constraints::{Measure, Target, Wrench, add_outer};
+use crate::constraints::{BilinearMeasure, MeasureTarget, Wrench, add_outer};
 
 /// Spring and parallel damper that resist the change of a measure.
 ///
@@ -12,22 +12,27 @@ use crate::constraints::{Measure, Target, Wrench, add_outer};
 /// Units: k is energy, d energy × time, each per square of the measure.
 #[derive(Clone, Debug)]
 pub struct Spring {
-    global: Measure,
-    measure: Measure,
+    global: BilinearMeasure,
+    measure: BilinearMeasure,
     stiffness: f64,
     damping: f64,
-    rest: Target,
+    rest: MeasureTarget,
     coordinates: Vec<usize>,
 }
 
 impl Spring {
     /// Creates a spring without force in the reference state.
-    pub fn new(measure: Measure, stiffness: f64, damping: f64) -> Self {
-        Self::set(measure, stiffness, damping, Target::NONE)
+    pub fn new(measure: BilinearMeasure, stiffness: f64, damping: f64) -> Self {
+        Self::with_set_point(measure, stiffness, damping, MeasureTarget::NONE)
     }
 
     /// Creates a spring with a set point, scaled by the load factor.
-    pub fn set(measure: Measure, stiffness: f64, damping: f64, rest: Target) -> Self {
+    pub fn with_set_point(
+        measure: BilinearMeasure,
+        stiffness: f64,
+        damping: f64,
+        rest: MeasureTarget,
+    ) -> Self {
         let coordinates = measure.coordinates();
         let local = measure.within(&coordinates);
         Self { global: measure, measure: local, stiffness, damping, rest, coordinates }

@@ -52,13 +52,13 @@ impl Strut {
 
     /// Sets the free length to the reference distance, which gives zero force in the reference state.
     #[must_use]
-    pub fn neutral(self) -> Self {
+    pub fn unstressed(self) -> Self {
         Self { preload_length: 0.0, ..self }
     }
 
     /// Restricts the force to tension.
     #[must_use]
-    pub fn rope(self) -> Self {
+    pub fn tension_only(self) -> Self {
         Self { rope: true, ..self }
     }
 
@@ -138,10 +138,10 @@ impl Term for Strut {
             return;
         }
         let along = unit * unit.transpose();
-        let across = (Matrix3::identity() - along) / length;
+        let transverse = (Matrix3::identity() - along) / length;
         // ∂(dl/dt)/∂d is the transverse velocity over l.
-        let turning = unit * (across * speed).transpose() * (0.5 * self.damping);
-        let stiffness = along * self.stiffness + across * force + turning + turning.transpose();
+        let turning = unit * (transverse * speed).transpose() * (0.5 * self.damping);
+        let stiffness = along * self.stiffness + transverse * force + turning + turning.transpose();
         self.add(&(stiffness * w.q + along * (w.v * self.damping)), k);
     }
 

@@ -1,4 +1,4 @@
-use super::function_value::Instant;
+use super::function_value::FunctionValue;
 use super::grammar::{ExpressionError, parse};
 use super::syntax_node::{Jet, SyntaxNode};
 
@@ -30,8 +30,8 @@ impl Expression {
     }
 
     /// Returns the value with its first and second derivative.
-    pub fn at(&self, t: f64) -> Instant {
+    pub fn at(&self, t: f64) -> FunctionValue {
         let Jet { re, v1, v2 } = self.root.at(Jet::new(t, 1.0, 0.0));
-        Instant { value: re, rate: v1, acceleration: v2 }
+        FunctionValue { value: re, rate: v1, acceleration: v2 }
     }
 }

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::function_value::Instant;
+use super::function_value::FunctionValue;
 
 /// User-defined function of time.
 ///
@@ -12,24 +12,24 @@ use super::function_value::Instant;
 ///
 /// Clones are the same function and compare equal. Separately created functions differ.
 #[derive(Clone)]
-pub struct External(Arc<UserFunction>);
+pub struct ExternalFunction(Arc<UserFunction>);
 
 struct UserFunction {
-    function: Box<dyn Fn(f64) -> Instant + Send + Sync>,
-    last: Mutex<Option<(f64, Instant)>>,
+    function: Box<dyn Fn(f64) -> FunctionValue + Send + Sync>,
+    last: Mutex<Option<(f64, FunctionValue)>>,
 }
 
-impl External {
+impl ExternalFunction {
     /// Creates a function from a user function that returns value and rates at a time.
     ///
     /// Loads use the value, currents of fluids also the first rate, and drives both rates. There the rates must be the
     /// derivatives of the value.
-    pub fn new(f: impl Fn(f64) -> Instant + Send + Sync + 'static) -> Self {
+    pub fn new(f: impl Fn(f64) -> FunctionValue + Send + Sync + 'static) -> Self {
         Self(Arc::new(UserFunction { function: Box::new(f), last: Mutex::new(None) }))
     }
 
     /// Returns value and rates.
-    pub fn at(&self, t: f64) -> Instant {
+    pub fn at(&self, t: f64) -> FunctionValue {
         // The stored result is valid even after a panic in the user function.
         let mut last = self.0.last.lock().unwrap_or_else(PoisonError::into_inner);
         match *last {
@@ -43,14 +43,14 @@ impl External {
     }
 }
 
-impl PartialEq for External {
+impl PartialEq for ExternalFunction {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
-impl fmt::Debug for External {
+impl fmt::Debug for ExternalFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("External").finish_non_exhaustive()
+        f.debug_struct("ExternalFunction").finish_non_exhaustive()
     }
 }

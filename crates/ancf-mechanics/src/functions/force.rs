@@ -38,7 +38,7 @@ impl ForceFunction {
 
     /// Freezes the force at a time.
     #[must_use]
-    pub fn held(&self, t: f64) -> Self {
+    pub fn frozen_at(&self, t: f64) -> Self {
         let own = self.clone();
         Self::new(move |_, x, v| own.at(t, x, v))
     }

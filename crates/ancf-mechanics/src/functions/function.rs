@@ -2,9 +2,9 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::expression::Expression;
-use super::external_function::External;
-use super::function_value::Instant;
-use super::time_table::Table;
+use super::external_function::ExternalFunction;
+use super::function_value::FunctionValue;
+use super::time_table::TimeTable;
 
 /// Dimensionless function f of time t.
 ///
@@ -15,7 +15,7 @@ pub enum Function {
     /// Constant.
     Constant(f64),
     /// Piecewise linear between points.
-    Table(Table),
+    Table(TimeTable),
     /// Ramp: 0, then linear from `start` to `end`, then 1.
     Ramp {
         /// Time at the start of the ramp.
@@ -47,7 +47,7 @@ pub enum Function {
     /// User-defined function.
     External {
         /// Function.
-        function: External,
+        function: ExternalFunction,
         /// Argument t of the function at time 1.
         unit: f64,
     },
@@ -75,19 +75,19 @@ impl Function {
     }
 
     /// Returns value and rates.
-    pub fn at(&self, t: f64) -> Instant {
+    pub fn at(&self, t: f64) -> FunctionValue {
         match self {
-            Self::Constant(value) => Instant { value: *value, ..Instant::default() },
+            Self::Constant(value) => FunctionValue { value: *value, ..FunctionValue::default() },
             Self::Table(table) => table.at(t),
             Self::Ramp { start, end } => ramp(t, *start, *end),
             Self::Step { at, until } => {
                 let on = t >= *at && until.is_none_or(|until| t < until);
-                Instant { value: f64::from(u8::from(on)), ..Instant::default() }
+                FunctionValue { value: f64::from(u8::from(on)), ..FunctionValue::default() }
             }
             Self::Sine { frequency, phase } => {
                 let omega = TAU * frequency;
                 let (sin, cos) = (omega * t + phase).sin_cos();
-                Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
+                FunctionValue { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
             }
             Self::Integral(integral) => integral.at(t),
             Self::Expression { formula, unit } => formula.at(t * unit).with_scaled_rates(*unit),
@@ -110,14 +110,14 @@ impl Function {
     }
 }
 
-fn ramp(t: f64, start: f64, end: f64) -> Instant {
+fn ramp(t: f64, start: f64, end: f64) -> FunctionValue {
     let slope = 1.0 / (end - start);
     if t < start {
-        Instant::default()
+        FunctionValue::default()
     } else if t < end {
-        Instant { value: (t - start) * slope, rate: slope, acceleration: 0.0 }
+        FunctionValue { value: (t - start) * slope, rate: slope, acceleration: 0.0 }
     } else {
-        Instant { value: 1.0, ..Instant::default() }
+        FunctionValue { value: 1.0, ..FunctionValue::default() }
     }
 }
 
@@ -145,9 +145,9 @@ impl Integral {
     }
 
     /// Returns the integral, the function and its rate.
-    pub(crate) fn at(&self, t: f64) -> Instant {
-        let Instant { value, rate, .. } = self.of.at(t);
-        Instant { value: self.primitive(t) - self.origin, rate: value, acceleration: rate }
+    pub(crate) fn at(&self, t: f64) -> FunctionValue {
+        let FunctionValue { value, rate, .. } = self.of.at(t);
+        FunctionValue { value: self.primitive(t) - self.origin, rate: value, acceleration: rate }
     }
 
     /// Returns the times of jumps and kinks of the function.

@@ -22,19 +22,19 @@ const OPERATOR: &str = "an operator or the end; powers of powers in brackets";
 
 /// Syntax error in a formula.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("character {}: wanted {wanted}", .at + 1)]
+#[error("character {}: expected {expected}", .at + 1)]
 pub struct ExpressionError {
     /// Position as the index of the character, from 0.
     pub at: usize,
     /// Expected input at this position.
-    pub wanted: String,
+    pub expected: String,
 }
 
 type ParseFailure = ErrMode<ContextError>;
 
 /// Parses a whole formula.
 pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
-    let error = |at, wanted: &str| Err(ExpressionError { at, wanted: wanted.into() });
+    let error = |at, expected: &str| Err(ExpressionError { at, expected: expected.into() });
     if text.chars().count() > LENGTH {
         return error(LENGTH, "at most 1000 characters");
     }
@@ -56,7 +56,7 @@ pub(crate) fn parse(text: &str) -> Result<SyntaxNode, ExpressionError> {
             _ => None,
         });
         let at = text[..failure.char_span().start.min(text.len())].chars().count();
-        ExpressionError { at, wanted: said.unwrap_or(OPERAND).into() }
+        ExpressionError { at, expected: said.unwrap_or(OPERAND).into() }
     })
 }
 

@@ -10,9 +10,9 @@ mod syntax_node;
 mod time_table;
 
 pub use expression::Expression;
-pub use external_function::External;
+pub use external_function::ExternalFunction;
 pub use force::ForceFunction;
 pub use function::{Function, Integral};
-pub use function_value::Instant;
+pub use function_value::FunctionValue;
 pub use grammar::ExpressionError;
-pub use time_table::Table;
+pub use time_table::TimeTable;

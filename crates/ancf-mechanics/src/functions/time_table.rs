@@ -1,32 +1,32 @@
-use super::function_value::Instant;
+use super::function_value::FunctionValue;
 
 /// Piecewise linear function through points in time, constant before the first and after the last point.
 ///
 /// Two points at the same time define a jump.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct TimeTable {
     points: Vec<[f64; 2]>,
 }
 
-impl Table {
+impl TimeTable {
     /// Creates the table through points (t, f) in ascending order of time.
     pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self { points: points.into_iter().collect() }
     }
 
     /// Returns value and slope, and 0 for a table without points.
-    pub(crate) fn at(&self, t: f64) -> Instant {
+    pub(crate) fn at(&self, t: f64) -> FunctionValue {
         let next = self.points.partition_point(|[time, _]| *time <= t);
         let before = next.checked_sub(1).map(|last| self.points[last]);
-        let held = |value| Instant { value, ..Instant::default() };
+        let held = |value| FunctionValue { value, ..FunctionValue::default() };
         match (before, self.points.get(next)) {
             (Some([t0, f0]), Some([t1, f1])) => {
                 let slope = (f1 - f0) / (t1 - t0);
-                Instant { value: f0 + slope * (t - t0), rate: slope, acceleration: 0.0 }
+                FunctionValue { value: f0 + slope * (t - t0), rate: slope, acceleration: 0.0 }
             }
             (Some([_, value]), None) => held(value),
             (None, Some([_, value])) => held(*value),
-            (None, None) => Instant::default(),
+            (None, None) => FunctionValue::default(),
         }
     }
 

@@ -6,7 +6,7 @@ use super::quadrature::gauss;
 
 /// Point of a reference axis with the orthonormal directions of x (the tangent), y and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Node {
+pub struct ReferenceNode {
     /// Position.
     pub position: Vector3<f64>,
     /// Directions of the axis and of the y and z axes of the section.
@@ -15,7 +15,7 @@ pub struct Node {
 
 /// Reference axis of a beam, parameterised by arc length.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Curve {
+pub enum ReferenceCurve {
     /// Straight line.
     Line {
         /// Start.
@@ -40,7 +40,7 @@ pub enum Curve {
     Spline(Spline),
 }
 
-impl Curve {
+impl ReferenceCurve {
     /// Creates the circular arc through three points. Returns `None` for collinear points.
     pub fn arc(from: Vector3<f64>, through: Vector3<f64>, to: Vector3<f64>) -> Option<Self> {
         let (u, v) = (through - from, to - from);
@@ -87,7 +87,7 @@ impl Curve {
     /// tangent, plus a uniform twist of `twist` radians in total.
     ///
     /// Source: Wang, Jüttler, Zheng & Liu (2008), double reflection, for the frames without twist.
-    pub fn nodes(&self, up: Vector3<f64>, twist: f64, at: &[f64]) -> Vec<Node> {
+    pub fn nodes(&self, up: Vector3<f64>, twist: f64, at: &[f64]) -> Vec<ReferenceNode> {
         let mut here = 0.0;
         let (mut point, mut tangent) = self.at(0.0);
         let mut y = (up - tangent * tangent.dot(&up)).normalize();
@@ -106,7 +106,7 @@ impl Curve {
             let z = tangent.cross(&y);
             let frame =
                 if twist == 0.0 { [tangent, y, z] } else { [tangent, y * cos + z * sin, z * cos - y * sin] };
-            Node { position: point, frame }
+            ReferenceNode { position: point, frame }
         });
         nodes.collect()
     }
@@ -229,18 +229,18 @@ mod tests {
         let (from, to) = (Vector3::zeros(), Vector3::new(70.71067811865476, 29.28932188134524, 0.0));
         let half = PI / 8.0;
         let through = Vector3::new(half.sin(), 1.0 - half.cos(), 0.0) * 100.0;
-        let arc = Curve::arc(from, through, to).unwrap();
+        let arc = ReferenceCurve::arc(from, through, to).unwrap();
         assert!((arc.length() - 25.0 * PI).abs() < 1e-12);
         assert!((arc.at(0.0).1 - Vector3::x()).norm() < 1e-14);
         assert!((arc.at(arc.length()).0 - to).norm() < 1e-13);
         assert!((arc.at(12.5 * PI).0 - through).norm() < 1e-13);
-        assert_eq!(Curve::arc(from, to * 0.5, to), None);
+        assert_eq!(ReferenceCurve::arc(from, to * 0.5, to), None);
     }
 
     /// An arc longer than a semicircle follows the longer side.
     #[test]
     fn long_arc() {
-        let arc = Curve::arc(Vector3::x(), -Vector3::x(), -Vector3::y()).unwrap();
+        let arc = ReferenceCurve::arc(Vector3::x(), -Vector3::x(), -Vector3::y()).unwrap();
         assert!((arc.length() - 1.5 * PI).abs() < 1e-14);
     }
 
@@ -248,7 +248,7 @@ mod tests {
     #[test]
     fn frames_of_a_helix_do_not_spin() {
         let (radius, rise) = (2.0, 1.5);
-        let helix = Curve::Helix {
+        let helix = ReferenceCurve::Helix {
             center: Vector3::zeros(),
             radius: Vector3::x() * radius,
             axis: Vector3::z(),
@@ -263,7 +263,7 @@ mod tests {
         // After one turn the principal normal is −x again.
         let angle = (-Vector3::x()).dot(&last[2]).atan2((-Vector3::x()).dot(&last[1]));
         assert!((angle - (torsion * length).rem_euclid(TAU)).abs() < 1e-5, "{angle}");
-        for Node { frame: [x, y, z], .. } in nodes {
+        for ReferenceNode { frame: [x, y, z], .. } in nodes {
             assert!((x.cross(&y) - z).norm() < 1e-14 && x.dot(&y).abs() < 1e-14);
         }
     }
@@ -275,7 +275,7 @@ mod tests {
         for (i, point) in points.iter().enumerate() {
             assert!((spline.at(spline.arcs[PARTS * i]).0 - point).norm() < 1e-12);
         }
-        let curve = Curve::Spline(spline);
+        let curve = ReferenceCurve::Spline(spline);
         for k in 1..20 {
             let (s, h) = (curve.length() * f64::from(k) / 20.0, 1e-4);
             let slope = (curve.at(s + h).0 - curve.at(s - h).0) / (2.0 * h);
@@ -285,7 +285,7 @@ mod tests {
 
     #[test]
     fn twist_is_in_proportion_to_the_length() {
-        let line = Curve::Line { from: Vector3::zeros(), to: Vector3::x() * 2.0 };
+        let line = ReferenceCurve::Line { from: Vector3::zeros(), to: Vector3::x() * 2.0 };
         let nodes = line.nodes(Vector3::y(), PI, &[0.0, 1.0, 2.0]);
         assert!((nodes[1].frame[1] - Vector3::z()).norm() < 1e-15);
         assert!((nodes[2].frame[1] + Vector3::y()).norm() < 1e-15);

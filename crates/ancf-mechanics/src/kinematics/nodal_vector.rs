@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::shape::Kind;
+use super::shape::VectorKind;
 
 /// Nodal vector of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,7 +8,7 @@ pub struct NodalVector {
     /// First of its three coordinates.
     pub first: usize,
     /// Kind of vector.
-    pub kind: Kind,
+    pub kind: VectorKind,
     /// Value in a state.
     pub value: Vector3<f64>,
 }
@@ -16,6 +16,6 @@ pub struct NodalVector {
 impl NodalVector {
     /// Returns true for a position, which translations change, and false for a direction.
     pub fn is_position(&self) -> bool {
-        self.kind == Kind::Position
+        self.kind == VectorKind::Position
     }
 }

@@ -55,7 +55,7 @@ impl BeamShape {
 
 /// Kind of a nodal vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum VectorKind {
     /// Position r of the axis.
     Position,
     /// Axial slope ℓ r_x.
@@ -66,7 +66,7 @@ pub enum Kind {
     Z,
 }
 
-impl Kind {
+impl VectorKind {
     /// Returns the directors that depend on the vector: a, h and k, or d and b, or e and c. Only the axis has a third
     /// one.
     pub(crate) const fn directors(self) -> [usize; 3] {
@@ -81,7 +81,7 @@ impl Kind {
 /// Interpolation of axis and sections from N vectors of an element.
 pub trait Interpolation<const N: usize> {
     /// Kind of each vector.
-    const KINDS: [Kind; N];
+    const KINDS: [VectorKind; N];
 
     /// Returns the length of the element.
     fn length(&self) -> f64;
@@ -89,13 +89,21 @@ pub trait Interpolation<const N: usize> {
     /// Returns the weights of the vectors at ξ, in r, r_y or r_z according to their kind.
     fn values(&self, xi: f64) -> [f64; N];
 
-    /// Returns the weights of the vectors in their directors ([`Kind`]) at ξ: a, h and k, or d and b, or e and c.
+    /// Returns the weights of the vectors in their directors ([`VectorKind`]) at ξ: a, h and k, or d and b, or e and c.
     fn directors(&self, xi: f64) -> [[f64; 3]; N];
 }
 
 impl Interpolation<8> for BeamShape {
-    const KINDS: [Kind; 8] =
-        [Kind::Position, Kind::Slope, Kind::Y, Kind::Z, Kind::Position, Kind::Slope, Kind::Y, Kind::Z];
+    const KINDS: [VectorKind; 8] = [
+        VectorKind::Position,
+        VectorKind::Slope,
+        VectorKind::Y,
+        VectorKind::Z,
+        VectorKind::Position,
+        VectorKind::Slope,
+        VectorKind::Y,
+        VectorKind::Z,
+    ];
 
     fn length(&self) -> f64 {
         self.length
@@ -143,16 +151,16 @@ impl QuadraticShape {
 }
 
 impl Interpolation<9> for QuadraticShape {
-    const KINDS: [Kind; 9] = [
-        Kind::Position,
-        Kind::Y,
-        Kind::Z,
-        Kind::Position,
-        Kind::Y,
-        Kind::Z,
-        Kind::Position,
-        Kind::Y,
-        Kind::Z,
+    const KINDS: [VectorKind; 9] = [
+        VectorKind::Position,
+        VectorKind::Y,
+        VectorKind::Z,
+        VectorKind::Position,
+        VectorKind::Y,
+        VectorKind::Z,
+        VectorKind::Position,
+        VectorKind::Y,
+        VectorKind::Z,
     ];
 
     fn length(&self) -> f64 {

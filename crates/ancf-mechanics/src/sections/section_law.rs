@@ -21,7 +21,7 @@ impl Lame {
 /// J(y, z) = [a + y b + z c, d, e] with a = r_x on the axis, b = ∂r_y/∂x, c = ∂r_z/∂x, d = r_y, e = r_z. The other
 /// directors describe the variation of a along an element: h is the coefficient of its highest power of ξ, and k = a(1)
 /// − a(0). They reduce the variation of strains that would cause locking
-/// ([`Formulation`](crate::elements::Formulation)).
+/// ([`TwoNodeLaw`](crate::elements::TwoNodeLaw)).
 pub type Directors = [Vector3<f64>; DIRECTORS];
 
 /// Number of directors.

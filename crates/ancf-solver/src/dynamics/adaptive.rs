@@ -1,15 +1,15 @@
 use serde::{Deserialize, Serialize};
 
 use super::error_estimate::{ErrorEstimate, ErrorHistory};
-use super::integration_state::Unknown;
+use super::integration_state::CheckpointMismatch;
 use super::step_report::StepReport;
-use super::time_stepper::Dynamics;
+use super::time_stepper::TimeStepper;
 use crate::equations::EquationsOfMotion;
-use crate::newton::{Failure, SolveError};
+use crate::newton::{SolveError, SolveFailure};
 
 /// Settings of the step size control.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Control {
+pub struct ErrorControl {
     /// Tolerance of the global error: a mass-weighted root mean square displacement at the end, relative to `length`.
     pub tolerance: f64,
     /// Reference length of the model, such as the length of its longest body.
@@ -26,12 +26,12 @@ pub struct Control {
     pub smallest: f64,
 }
 
-impl Control {
+impl ErrorControl {
     /// Default of the smallest step size, relative to the duration.
     pub const SMALLEST: f64 = 1e-9;
 }
 
-/// Step size control of [`Dynamics`] for second-order schemes.
+/// Step size control of [`TimeStepper`] for second-order schemes.
 ///
 /// The error e of each step is estimated as a displacement. Errors accumulate, so each step receives a proportional
 /// share of the tolerance: e/h ≤ tolerance × length / duration. The controller aims at a fraction of this share. The
@@ -44,8 +44,8 @@ impl Control {
 ///
 /// Source: Söderlind (2003), the digital filter H211b.
 #[derive(Debug)]
-pub struct Adaptive {
-    control: Control,
+pub struct AdaptiveStepper {
+    control: ErrorControl,
     estimate: ErrorEstimate,
     sizes: StepSizes,
 }
@@ -59,9 +59,9 @@ struct StepSizes {
     last: Option<(f64, f64)>,
 }
 
-/// Saved state of [`Adaptive`], on which later steps depend.
+/// Saved state of [`AdaptiveStepper`], on which later steps depend.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct AdaptiveMemory {
+pub struct AdaptiveCheckpoint {
     sizes: StepSizes,
     history: ErrorHistory,
 }
@@ -73,9 +73,9 @@ const FILTER: (f64, f64) = (0.125, 0.25);
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
 const REDUCTION: f64 = 0.25;
 
-impl Adaptive {
+impl AdaptiveStepper {
     /// Creates the step size control of an integration.
-    pub fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, control: Control) -> Self {
+    pub fn new<E: EquationsOfMotion>(dynamics: &TimeStepper<'_, E>, control: ErrorControl) -> Self {
         let mut estimate = ErrorEstimate::new(dynamics, control.mass);
         let a = estimate.norm(&dynamics.state().a);
         // During this step the acceleration moves the system by about a hundredth of the tolerance.
@@ -90,7 +90,7 @@ impl Adaptive {
     /// If the smallest step fails or exceeds the tolerance. The state is then that of the last accepted step.
     pub fn step<E: EquationsOfMotion>(
         &mut self,
-        dynamics: &mut Dynamics<'_, E>,
+        dynamics: &mut TimeStepper<'_, E>,
         to: f64,
     ) -> Result<StepReport, SolveError> {
         let mut report = StepReport::default();
@@ -112,7 +112,10 @@ impl Adaptive {
                 }
                 Ok(x) => {
                     size = h * x.sqrt().max(REDUCTION);
-                    SolveError { worst: self.estimate.worst(), ..SolveError::at(end, Failure::StepTooSmall) }
+                    SolveError {
+                        worst: self.estimate.worst(),
+                        ..SolveError::at(end, SolveFailure::StepTooSmall)
+                    }
                 }
                 Err(error) if error.is_final() => return Err(error),
                 Err(error) => {
@@ -132,7 +135,7 @@ impl Adaptive {
     /// Attempts a step and returns x = target error / estimated error. The step is accepted for x ≥ [`TARGET`].
     fn attempt<E: EquationsOfMotion>(
         &mut self,
-        dynamics: &mut Dynamics<'_, E>,
+        dynamics: &mut TimeStepper<'_, E>,
         h: f64,
         end: f64,
         report: &mut StepReport,
@@ -168,23 +171,23 @@ impl Adaptive {
     }
 
     /// Returns the saved state as of the last accepted step.
-    pub fn memory(&self) -> AdaptiveMemory {
-        AdaptiveMemory { sizes: self.sizes, history: self.estimate.history.clone() }
+    pub fn checkpoint(&self) -> AdaptiveCheckpoint {
+        AdaptiveCheckpoint { sizes: self.sizes, history: self.estimate.history.clone() }
     }
 
     /// Resumes from a saved state.
     ///
     /// # Errors
     /// If the saved state does not belong to this control.
-    pub fn recall(&mut self, memory: &AdaptiveMemory) -> Result<(), Unknown> {
-        let AdaptiveMemory { sizes: StepSizes { next, last }, history } = memory;
+    pub fn restore(&mut self, checkpoint: &AdaptiveCheckpoint) -> Result<(), CheckpointMismatch> {
+        let AdaptiveCheckpoint { sizes: StepSizes { next, last }, history } = checkpoint;
         let is_size = |h: f64| h >= self.control.smallest && h.is_finite();
         // An error of zero makes x infinite.
         let were_sizes = last.is_none_or(|(x, h)| x > 0.0 && h > 0.0 && h.is_finite());
-        if !is_size(*next) || !were_sizes || !history.is_sound(self.estimate.history.size()) {
-            return Err(Unknown);
+        if !is_size(*next) || !were_sizes || !history.is_valid(self.estimate.history.size()) {
+            return Err(CheckpointMismatch);
         }
-        (self.sizes, self.estimate.history) = (memory.sizes, history.clone());
+        (self.sizes, self.estimate.history) = (checkpoint.sizes, history.clone());
         Ok(())
     }
 }

@@ -1,9 +1,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::initial_conditions::solve;
-use super::time_stepper::Dynamics;
+use super::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, Weights};
-use crate::newton::{Failure, Report, SolveError};
+use crate::newton::{NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
 /// Error estimate of a step of a second-order scheme, as a mass-weighted root mean square displacement.
@@ -48,14 +48,14 @@ impl ErrorHistory {
     }
 
     /// Returns true if the history has the given number of unknowns and is finite.
-    pub(crate) fn is_sound(&self, size: usize) -> bool {
+    pub(crate) fn is_valid(&self, size: usize) -> bool {
         let mut numbers = self.error.iter().chain(&self.h).chain(&self.integrals);
         self.error.len() == size && numbers.all(|x| x.is_finite())
     }
 }
 
 impl ErrorEstimate {
-    pub(crate) fn new<E: EquationsOfMotion>(dynamics: &Dynamics<'_, E>, mass: f64) -> Self {
+    pub(crate) fn new<E: EquationsOfMotion>(dynamics: &TimeStepper<'_, E>, mass: f64) -> Self {
         let mut matrix = dynamics.newton.tangent.matrix.clone();
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
@@ -79,8 +79,8 @@ impl ErrorEstimate {
     /// Estimates the error of the attempted step.
     pub(crate) fn error<E: EquationsOfMotion>(
         &mut self,
-        dynamics: &mut Dynamics<'_, E>,
-        done: &Report,
+        dynamics: &mut TimeStepper<'_, E>,
+        done: &NewtonReport,
         h: f64,
     ) -> Result<f64, SolveError> {
         let n = dynamics.motion.state.q.len();
@@ -99,7 +99,7 @@ impl ErrorEstimate {
             solve(&*dynamics.eom, matrix, factor, s, w, &mut self.now)?;
         } else {
             let solved = newton.tangent.factor.solve(&newton.tangent.matrix, &mut self.now);
-            solved.map_err(|_| SolveError::at(s.t, Failure::Singular))?;
+            solved.map_err(|_| SolveError::at(s.t, SolveFailure::Singular))?;
         }
         self.now[n..].fill(0.0);
         self.squares = [square(&self.matrix, &self.now, &mut self.force, self.mass), 0.0];

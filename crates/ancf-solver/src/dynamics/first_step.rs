@@ -1,5 +1,5 @@
 use super::initial_conditions::{accelerations, solve};
-use super::scheme::Scheme;
+use super::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
@@ -20,7 +20,7 @@ const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
 /// Source: Arnold, Brüls & Cardona (2015), on the order reduction of the first steps and perturbed start values.
 pub(crate) fn start_values<E: EquationsOfMotion>(
     eom: &E,
-    scheme: Scheme,
+    scheme: SchemeCoefficients,
     newton: &mut Newton,
     s: &mut State,
     auxiliary: &mut [f64],

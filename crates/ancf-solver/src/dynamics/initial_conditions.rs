@@ -1,6 +1,6 @@
 use crate::equations::{EquationsOfMotion, Level, State, Weights};
 use crate::factor::Factor;
-use crate::newton::{Failure, SolveError};
+use crate::newton::{SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
 /// Computes the accelerations and multipliers that satisfy the equations of motion at given q and v.
@@ -9,7 +9,7 @@ use crate::sparse::SparseMatrix;
 ///
 /// # Errors
 /// If the matrix is singular.
-pub fn consistent_start<E: EquationsOfMotion>(
+pub fn consistent_accelerations<E: EquationsOfMotion>(
     eom: &E,
     matrix: &mut SparseMatrix,
     s: &mut State,
@@ -35,11 +35,11 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
 
 /// Allocates a factorisation and a right-hand side.
 fn storage(matrix: &SparseMatrix) -> Result<(Factor, Vec<f64>), SolveError> {
-    let factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(Failure::Memory))?;
+    let factor = Factor::new(matrix.pattern()).map_err(|_| SolveError::at_start(SolveFailure::Memory))?;
     Ok((factor, vec![0.0; matrix.pattern().size()]))
 }
 
-/// Computes consistent accelerations as [`consistent_start`], in given working storage.
+/// Computes consistent accelerations as [`consistent_accelerations`], in given working storage.
 pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,
@@ -90,5 +90,5 @@ pub(crate) fn solve<E: EquationsOfMotion + ?Sized>(
 ) -> Result<(), SolveError> {
     eom.tangent(s, w, matrix);
     let solved = factor.factorise(matrix).and_then(|()| factor.solve(matrix, rhs));
-    solved.map_err(|_| SolveError::at(s.t, Failure::Singular))
+    solved.map_err(|_| SolveError::at(s.t, SolveFailure::Singular))
 }

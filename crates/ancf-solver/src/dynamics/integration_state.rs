@@ -3,8 +3,8 @@ use thiserror::Error;
 
 use super::predictor::Predictor;
 use super::step_report::StepReport;
-use crate::equations::{Energy, EquationsOfMotion, Met, Power, State};
-use crate::newton::NewtonMemory;
+use crate::equations::{ActivePair, Energy, EquationsOfMotion, Power, State};
+use crate::newton::NewtonCheckpoint;
 
 /// Integration state that each accepted step advances.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -37,19 +37,19 @@ pub(crate) struct DividedStep {
     pub(crate) report: StepReport,
 }
 
-/// Saved state of [`Dynamics`](super::time_stepper::Dynamics), without equations, scheme and rules.
+/// Saved state of [`TimeStepper`](super::time_stepper::TimeStepper), without equations, scheme and rules.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct DynamicsMemory {
+pub struct StepperCheckpoint {
     pub(crate) motion: IntegrationState,
     /// Pairs included in the equations. They determine the order of elimination and hence the rounding.
-    pub(crate) met: Vec<Met>,
-    pub(crate) newton: NewtonMemory,
+    pub(crate) active: Vec<ActivePair>,
+    pub(crate) newton: NewtonCheckpoint,
 }
 
 /// The saved state does not belong to this integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the saved state is damaged or belongs to other equations or rules")]
-pub struct Unknown;
+pub struct CheckpointMismatch;
 
 /// Largest plausible count in a report. Larger counts indicate damaged data.
 const MAX_COUNT: u32 = u32::MAX / 4;
@@ -71,47 +71,47 @@ impl IntegrationState {
     }
 
     /// Returns true if the state has the given sizes and is plausible.
-    pub(crate) fn is_sound(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
+    pub(crate) fn is_valid(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
         let Self { energy, power, exchanged, h, .. } = self;
         let energies = [energy.kinetic, energy.strain, energy.potential];
         let powers = [power.work, power.dissipation, exchanged.work, exchanged.dissipation];
-        self.state.is_sound(coordinates, multipliers)
+        self.state.is_valid(coordinates, multipliers)
             && self.auxiliary.len() == coordinates
             && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
             && h.is_finite()
             && *h >= 0.0
             && self.halvings <= max_halvings
-            && self.divided.is_none_or(|divided| divided.is_sound(self.state.t, max_halvings))
-            && self.predictor.is_sound(coordinates + multipliers)
+            && self.divided.is_none_or(|divided| divided.is_valid(self.state.t, max_halvings))
+            && self.predictor.is_valid(coordinates + multipliers)
     }
 }
 
 impl DividedStep {
-    fn is_sound(&self, t: f64, max_halvings: u32) -> bool {
+    fn is_valid(&self, t: f64, max_halvings: u32) -> bool {
         let Self { to, h, left, halvings, report } = *self;
         halvings <= max_halvings
             && (1..1_u64 << halvings).contains(&left)
             && t < to
             && (0.0..=to).contains(&h)
-            && report.is_sound()
+            && report.is_valid()
     }
 }
 
 impl StepReport {
     /// Returns true if the counts can be summed without overflow.
-    pub fn is_sound(&self) -> bool {
+    pub fn is_valid(&self) -> bool {
         [self.iterations, self.substeps, self.rejected].iter().all(|count| *count <= MAX_COUNT)
     }
 }
 
-impl DynamicsMemory {
+impl StepperCheckpoint {
     /// Returns the time of the state.
     pub fn time(&self) -> f64 {
         self.motion.state.t
     }
 
     /// Returns the end time of a divided step that is not complete.
-    pub fn under_way(&self) -> Option<f64> {
+    pub fn pending_time(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }
 }

@@ -10,9 +10,9 @@ mod scheme;
 mod step_report;
 mod time_stepper;
 
-pub use adaptive::{Adaptive, AdaptiveMemory, Control};
-pub use initial_conditions::{consistent_start, consistent_velocities};
-pub use integration_state::{DynamicsMemory, Unknown};
-pub use scheme::Scheme;
+pub use adaptive::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl};
+pub use initial_conditions::{consistent_accelerations, consistent_velocities};
+pub use integration_state::{CheckpointMismatch, StepperCheckpoint};
+pub use scheme::SchemeCoefficients;
 pub use step_report::StepReport;
-pub use time_stepper::Dynamics;
+pub use time_stepper::TimeStepper;

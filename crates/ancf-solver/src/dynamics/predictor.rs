@@ -25,7 +25,7 @@ impl Predictor {
     }
 
     /// Returns true if the predictor has the given number of unknowns and is finite.
-    pub(crate) fn is_sound(&self, size: usize) -> bool {
+    pub(crate) fn is_valid(&self, size: usize) -> bool {
         self.change.len() == size && self.change.iter().chain(&self.h).all(|x| x.is_finite())
     }
 

@@ -14,7 +14,7 @@ use crate::equations::{State, Weights};
 /// Source: Arnold & Brüls (2007); Chung & Hulbert (1993); Newmark (1959), Kim et al. (2017), eq. (36), where vₙ₊₁
 /// is misprinted for vₙ in the first formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scheme {
+pub struct SchemeCoefficients {
     /// Coefficient αm.
     pub alpha_m: f64,
     /// Coefficient αf.
@@ -25,7 +25,7 @@ pub struct Scheme {
     pub gamma: f64,
 }
 
-impl Scheme {
+impl SchemeCoefficients {
     /// Newmark's scheme with γ = 0.70, β = 0.36, the values of ADAMS in Kim et al. (2017).
     pub const ADAMS: Self = Self::newmark(0.70, 0.36);
     /// Newmark's scheme with γ = 1/2, β = 1/4: the trapezoidal rule.

@@ -1,22 +1,22 @@
 use super::first_step::start_values;
 use super::initial_conditions::{accelerations, velocities};
-use super::integration_state::{DividedStep, DynamicsMemory, IntegrationState, Unknown};
-use super::scheme::Scheme;
+use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
+use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
-use crate::equations::{Energy, EquationsOfMotion, Level, Met, Power, State};
-use crate::newton::{ActiveSet, Failure, Newton, Report, SolveError};
+use crate::equations::{ActivePair, Energy, EquationsOfMotion, Level, Power, State};
+use crate::newton::{ActiveSet, Newton, NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
 /// Time integration of the equations of motion.
 #[derive(Debug)]
-pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
+pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) eom: ActiveSet<'a, E>,
-    pub(crate) scheme: Scheme,
+    pub(crate) scheme: SchemeCoefficients,
     pub(crate) newton: Newton,
     max_halvings: u32,
     pub(crate) motion: IntegrationState,
     /// Pairs at the last accepted step, if they have changed since.
-    met: Option<Vec<Met>>,
+    active: Option<Vec<ActivePair>>,
     /// State before the current attempt.
     before: State,
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
@@ -24,11 +24,17 @@ pub struct Dynamics<'a, E: EquationsOfMotion + ?Sized> {
     phi: Vec<f64>,
 }
 
-impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
+impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     /// Starts from a state with its accelerations (see [`restart`](Self::restart)).
     ///
     /// A step whose iteration fails is halved up to `max_halvings` times.
-    pub fn new(eom: &'a E, scheme: Scheme, mut newton: Newton, max_halvings: u32, start: State) -> Self {
+    pub fn new(
+        eom: &'a E,
+        scheme: SchemeCoefficients,
+        mut newton: Newton,
+        max_halvings: u32,
+        start: State,
+    ) -> Self {
         newton.permit_reuse(&start);
         let auxiliary = start.a.clone();
         Self {
@@ -36,7 +42,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
             scheme,
             newton,
             max_halvings,
-            met: None,
+            active: None,
             before: start.clone(),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
@@ -55,7 +61,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     }
 
     /// Returns the work supplied and the energy dissipated since the start, by the trapezoidal rule.
-    pub fn exchanged(&self) -> Power {
+    pub fn energy_exchange(&self) -> Power {
         self.motion.exchanged
     }
 
@@ -83,7 +89,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
 
     fn start_at(&mut self, t: f64) -> Result<(), SolveError> {
         self.motion.state.t = t;
-        self.take_in()?;
+        self.include_near_terms()?;
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
         let before = self.motion.energy.kinetic;
@@ -151,15 +157,15 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     }
 
     /// Returns the end time of a divided step that is not complete.
-    pub fn under_way(&self) -> Option<f64> {
+    pub fn pending_time(&self) -> Option<f64> {
         self.motion.divided.map(|divided| divided.to)
     }
 
     /// Attempts a step h that ends at the time `to`.
     ///
     /// The caller accepts or reverts the result. A failed attempt has already been reverted.
-    pub(crate) fn attempt(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
-        self.take_in()?;
+    pub(crate) fn attempt(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
+        self.include_near_terms()?;
         self.before.copy_from(&self.motion.state);
         let mut spent = 0;
         loop {
@@ -174,8 +180,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
                     continue;
                 }
             };
-            let Some((eom, matrix)) = self.eom.completed(&self.motion.state) else {
-                return Ok(Report { iterations: spent + done.iterations, ..done });
+            let Some((eom, matrix)) = self.eom.with_active_terms(&self.motion.state) else {
+                return Ok(NewtonReport { iterations: spent + done.iterations, ..done });
             };
             // A term that is active at the end was not included.
             self.revert();
@@ -190,8 +196,8 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     ///
     /// # Errors
     /// If the memory does not suffice.
-    pub fn take_in(&mut self) -> Result<(), SolveError> {
-        match self.eom.ahead(&self.motion.state) {
+    pub fn include_near_terms(&mut self) -> Result<(), SolveError> {
+        match self.eom.with_near_terms(&self.motion.state) {
             Some((eom, matrix)) => {
                 self.replace_equations(eom, matrix)?;
                 self.motion.energy = self.eom.energy(&self.motion.state);
@@ -202,14 +208,14 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     }
 
     fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
-        if self.met.is_none() {
-            self.met = Some(self.eom.met());
+        if self.active.is_none() {
+            self.active = Some(self.eom.active_pairs());
         }
         self.eom.replace(eom);
         self.newton.replace_matrix(matrix)
     }
 
-    fn solve(&mut self, h: f64, to: f64) -> Result<Report, SolveError> {
+    fn solve(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
         let [auxiliary, next] = &mut self.attempted;
         if self.motion.at_start && !self.scheme.is_newmark() {
             start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
@@ -229,7 +235,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         }
         let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
-            return Err(SolveError::after(done, to, Failure::Inverted, worst));
+            return Err(SolveError::after(done, to, SolveFailure::Inverted, worst));
         }
         for i in 0..next.len() {
             next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
@@ -243,7 +249,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
     }
 
     /// Accepts the end of the attempt as the current state.
-    pub(crate) fn accept(&mut self, done: &Report, report: &mut StepReport) {
+    pub(crate) fn accept(&mut self, done: &NewtonReport, report: &mut StepReport) {
         self.motion.h = self.motion.state.t - self.before.t;
         self.motion.predictor.record(
             &self.before,
@@ -254,7 +260,7 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
         self.motion.at_start = false;
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.motion.energy = self.eom.energy(&self.motion.state);
-        self.newton.met(self.motion.energy.largest());
+        self.newton.record_energy(self.motion.energy.largest());
         let power = self.eom.power(&self.motion.state);
         self.motion.exchanged.work += 0.5 * self.motion.h * (self.motion.power.work + power.work);
         self.motion.exchanged.dissipation +=
@@ -272,37 +278,37 @@ impl<'a, E: EquationsOfMotion> Dynamics<'a, E> {
 
     /// Saves the state to which a failed next step returns.
     fn save_restart_point(&mut self) {
-        self.met = None;
+        self.active = None;
         self.newton.tangent.save();
     }
 
     /// Returns the saved state as of the last accepted step.
-    pub fn memory(&self) -> DynamicsMemory {
-        let met = self.met.clone().unwrap_or_else(|| self.eom.met());
-        DynamicsMemory { motion: self.motion.clone(), met, newton: self.newton.memory() }
+    pub fn checkpoint(&self) -> StepperCheckpoint {
+        let active = self.active.clone().unwrap_or_else(|| self.eom.active_pairs());
+        StepperCheckpoint { motion: self.motion.clone(), active, newton: self.newton.checkpoint() }
     }
 
     /// Resumes from a saved state. Later steps are identical to the last bit.
     ///
     /// # Errors
     /// If the saved state does not belong to this integration. The integration is then in an undefined state.
-    pub fn recall(&mut self, memory: &DynamicsMemory) -> Result<(), Unknown> {
-        let DynamicsMemory { motion, met, newton } = memory;
+    pub fn restore(&mut self, checkpoint: &StepperCheckpoint) -> Result<(), CheckpointMismatch> {
+        let StepperCheckpoint { motion, active, newton } = checkpoint;
         let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
-        if !motion.is_sound(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
-            return Err(Unknown);
+        if !motion.is_valid(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
+            return Err(CheckpointMismatch);
         }
-        if *met != self.eom.met() {
-            let (eom, matrix) = self.eom.having_met(met).ok_or(Unknown)?;
-            self.replace_equations(eom, matrix).map_err(|_| Unknown)?;
+        if *active != self.eom.active_pairs() {
+            let (eom, matrix) = self.eom.with_pairs(active).ok_or(CheckpointMismatch)?;
+            self.replace_equations(eom, matrix).map_err(|_| CheckpointMismatch)?;
         }
         self.motion = motion.clone();
         let mut residual = vec![0.0; n + m];
         self.eom.residual(&self.motion.state, &mut residual);
         let is_finite = residual.iter().all(|x| x.is_finite());
-        let recalled = self.newton.recall(&*self.eom, newton);
+        let recalled = self.newton.restore(&*self.eom, newton);
         self.save_restart_point();
-        if is_finite && recalled.is_ok() { Ok(()) } else { Err(Unknown) }
+        if is_finite && recalled.is_ok() { Ok(()) } else { Err(CheckpointMismatch) }
     }
 
     /// Returns the largest magnitude of the constraints at a level.

@@ -9,7 +9,7 @@ use crate::sparse::SparseMatrix;
 
 /// Critical load factor with its buckling shape.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Critical {
+pub struct CriticalLoad {
     /// Critical factor s of the loads at load factor one, in addition to the loads already applied in the state.
     pub factor: f64,
     /// Buckling shape x over the coordinates with xᵀ M x = 1.
@@ -18,7 +18,7 @@ pub struct Critical {
 
 /// Direction of the loads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sense {
+pub enum LoadDirection {
     /// Stated direction: s > 0.
     #[default]
     Stated,
@@ -54,7 +54,7 @@ const MIN_WORK: f64 = 1e-12;
 /// 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)) if both ratios are small.
 ///
 /// For an equilibrium under load, K₀ includes the displacement so far. The remaining factor is zero where the nonlinear
-/// path is critical. [`Path`](crate::statics::Path) finds that point by the negative pivots of K.
+/// path is critical. [`ArcLength`](crate::statics::ArcLength) finds that point by the negative pivots of K.
 ///
 /// Returns fewer than `count` factors if the loads have no more in this direction. `matrix` is any matrix of the
 /// pattern of `eom`.
@@ -70,11 +70,11 @@ pub fn buckling(
     matrix: SparseMatrix,
     s: &State,
     count: usize,
-    sense: Sense,
+    sense: LoadDirection,
     interrupt: &Interrupt,
-) -> Result<Vec<Critical>, EigenError> {
+) -> Result<Vec<CriticalLoad>, EigenError> {
     let lowest = modes(eom, matrix.clone(), s, 1, interrupt)?.modes;
-    match lowest.first().map(|mode| mode.squared) {
+    match lowest.first().map(|mode| mode.omega_squared) {
         None => return Ok(Vec::new()),
         Some(0.0) => return Err(EigenError::Singular),
         Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
@@ -92,9 +92,9 @@ pub fn buckling(
     let factor = &mut factor;
     let mut op = Operator { factor, left: inner, right: &softening, inner, coordinates: n, interrupt };
     let key: fn(f64) -> f64 = match sense {
-        Sense::Stated => |theta| theta,
-        Sense::Reversed => |theta| -theta,
-        Sense::Either => f64::abs,
+        LoadDirection::Stated => |theta| theta,
+        LoadDirection::Reversed => |theta| -theta,
+        LoadDirection::Either => f64::abs,
     };
     let search = EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH };
     let mut start = op.start(count + GUARD)?;
@@ -120,11 +120,11 @@ fn critical(
     softening: &SparseMatrix,
     mass: &SparseMatrix,
     n: usize,
-) -> Critical {
+) -> CriticalLoad {
     let product = |matrix: &SparseMatrix| x.dot(&DVector::from(matrix.times(x.as_slice())));
     let size = product(mass).max(0.0).sqrt();
     let shape = x.iter().take(n).map(|x| x / size).collect();
-    Critical { factor: product(stiffness) / product(softening), shape }
+    CriticalLoad { factor: product(stiffness) / product(softening), shape }
 }
 
 /// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Returns `None` for loads without effect.

@@ -9,7 +9,7 @@ use crate::sparse::SparseMatrix;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum EigenError {
     /// The matrix to be inverted has no usable factorisation.
-    #[error("the matrix is singular: a joint repeats another, or a motion is held by nothing")]
+    #[error("the matrix is singular: a joint is redundant, or a motion is unconstrained")]
     Singular,
     /// The inner product is not positive definite: missing stiffness or negative mass.
     #[error("the matrix of the inner product is not positive definite: the state is unstable")]

@@ -4,6 +4,6 @@ mod buckling;
 mod krylov;
 mod modes;
 
-pub use buckling::{Critical, Sense, buckling};
+pub use buckling::{CriticalLoad, LoadDirection, buckling};
 pub use krylov::EigenError;
-pub use modes::{Mode, Modes, modes};
+pub use modes::{EigenModes, Mode, modes};

@@ -12,7 +12,7 @@ use crate::sparse::SparseMatrix;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
     /// Squared circular frequency ω², 1/time². It is exactly zero for a rigid mode and negative for an unstable state.
-    pub squared: f64,
+    pub omega_squared: f64,
     /// Mode shape x over the coordinates with xᵀ M x = 1. Its largest entry, weighted by the root of the mass, is
     /// positive.
     pub shape: Vec<f64>,
@@ -23,13 +23,13 @@ pub struct Mode {
 impl Mode {
     /// Returns the frequency ω / 2π, or `None` for an unstable mode.
     pub fn frequency(&self) -> Option<f64> {
-        (self.squared >= 0.0).then(|| self.squared.sqrt() / TAU)
+        (self.omega_squared >= 0.0).then(|| self.omega_squared.sqrt() / TAU)
     }
 }
 
 /// Lowest modes of vibration about a state.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Modes {
+pub struct EigenModes {
     /// Modes in ascending order of ω².
     pub modes: Vec<Mode>,
     /// Number of rigid modes, whose ω² is within the rounding error of K.
@@ -68,10 +68,10 @@ pub fn modes(
     s: &State,
     count: usize,
     interrupt: &Interrupt,
-) -> Result<Modes, EigenError> {
-    let count = count.min(eom.freedoms(s));
+) -> Result<EigenModes, EigenError> {
+    let count = count.min(eom.degrees_of_freedom(s));
     if count == 0 {
-        return Ok(Modes { modes: Vec::new(), rigid: 0 });
+        return Ok(EigenModes { modes: Vec::new(), rigid: 0 });
     }
     let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
     let mut search =
@@ -166,7 +166,7 @@ impl<'a> Pencil<'a> {
     }
 
     /// Computes the modes of converged pairs, with one more iteration each.
-    fn finish(&mut self, found: EigenSearchResult) -> Result<Modes, EigenError> {
+    fn finish(&mut self, found: EigenSearchResult) -> Result<EigenModes, EigenError> {
         let mut modes = Vec::with_capacity(found.requested);
         for pair in &found.pairs[..found.requested] {
             let image = self.operator().apply(&pair.vector)?;
@@ -174,11 +174,15 @@ impl<'a> Pencil<'a> {
             let residual = self.size(&rest) / pair.value;
             let x = &image * (self.sign(&image) / self.size(&image));
             let squared = self.squared(&x);
-            modes.push(Mode { squared, shape: x.as_slice()[..self.eom.coordinates()].to_vec(), residual });
+            modes.push(Mode {
+                omega_squared: squared,
+                shape: x.as_slice()[..self.eom.coordinates()].to_vec(),
+                residual,
+            });
         }
-        modes.sort_by(|a, b| a.squared.total_cmp(&b.squared));
-        let rigid = modes.iter().filter(|mode| mode.squared == 0.0).count();
-        Ok(Modes { modes, rigid })
+        modes.sort_by(|a, b| a.omega_squared.total_cmp(&b.omega_squared));
+        let rigid = modes.iter().filter(|mode| mode.omega_squared == 0.0).count();
+        Ok(EigenModes { modes, rigid })
     }
 
     /// Computes √(xᵀ M x).

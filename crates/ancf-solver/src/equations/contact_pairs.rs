@@ -4,38 +4,38 @@ use std::sync::Arc;
 use super::state::State;
 use super::term::Term;
 
-/// Pair of possible contact partners, by indices of its [`Encounters`].
-pub type Pair = [u32; 2];
+/// Pair of possible contact partners, by indices of its [`ContactSearch`].
+pub type ContactPair = [u32; 2];
 
 /// Search for terms that are active in some states only, such as contacts.
 ///
 /// A term that is active in a state has a distance of at most 0 there. Pairs at a positive distance contribute zero.
 /// Neither their selection nor their order may affect the motion.
-pub trait Encounters: Debug + Send + Sync {
+pub trait ContactSearch: Debug + Send + Sync {
     /// Returns the near pairs in ascending order, with lower bounds of their distances relative to the search margin.
     ///
     /// The bound is at most 0 for all active pairs and at most 1 for all returned pairs.
-    fn near(&self, s: &State) -> Vec<(Pair, f64)>;
+    fn near(&self, s: &State) -> Vec<(ContactPair, f64)>;
 
     /// Returns true if the pair belongs to this search.
-    fn has(&self, pair: Pair) -> bool;
+    fn contains(&self, pair: ContactPair) -> bool;
 
     /// Creates the term of a pair that belongs to this search.
-    fn term(&self, pair: Pair) -> Arc<dyn Term>;
+    fn term(&self, pair: ContactPair) -> Arc<dyn Term>;
 }
 
 /// Pair together with the index of its search.
-pub type Met = (usize, Pair);
+pub type ActivePair = (usize, ContactPair);
 
 /// Returns the near pairs of several searches in ascending order.
-pub(crate) fn near_pairs(searches: &[Arc<dyn Encounters>], s: &State) -> Vec<(Met, f64)> {
-    let of = |(i, each): (usize, &Arc<dyn Encounters>)| {
+pub(crate) fn near_pairs(searches: &[Arc<dyn ContactSearch>], s: &State) -> Vec<(ActivePair, f64)> {
+    let of = |(i, each): (usize, &Arc<dyn ContactSearch>)| {
         each.near(s).into_iter().map(move |(pair, distance)| ((i, pair), distance))
     };
     searches.iter().enumerate().flat_map(of).collect()
 }
 
 /// Returns true if a pair within a distance is missing from the sorted active pairs.
-pub(crate) fn is_missing(met: &[Met], near: &[(Met, f64)], within: f64) -> bool {
-    near.iter().any(|(pair, distance)| *distance <= within && met.binary_search(pair).is_err())
+pub(crate) fn is_missing(active: &[ActivePair], near: &[(ActivePair, f64)], within: f64) -> bool {
+    near.iter().any(|(pair, distance)| *distance <= within && active.binary_search(pair).is_err())
 }

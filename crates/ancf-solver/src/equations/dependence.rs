@@ -2,13 +2,13 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::state::{State, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use crate::factor::Sparse;
+use crate::factor::SparseVector;
 
 /// Linear dependence of a row on earlier rows: Σ cᵢ rowᵢ = 0, where the last cᵢ belongs to the dependent row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dependence {
     /// Coefficients cᵢ by row.
-    pub coefficients: Sparse,
+    pub coefficients: SparseVector,
 }
 
 impl Dependence {
@@ -25,7 +25,7 @@ impl Dependence {
 }
 
 /// Redundancy tolerance: a row is redundant if its independent part is smaller, relative to the row.
-pub const INDEPENDENT: f64 = 1e-8;
+pub const REDUNDANCY_TOLERANCE: f64 = 1e-8;
 /// Pivot threshold, relative to the largest entry of the row.
 const PIVOT: f64 = 0.1;
 /// Rounding threshold of entries and coefficients, relative to the summands.
@@ -44,7 +44,7 @@ const SWEEPS: usize = 20;
 /// number of entries.
 ///
 /// Source: Markowitz (1957) for the pivot order; Curtis & Reid (1972) for the scaling.
-pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
+pub fn dependences(rows: Vec<SparseVector>, tolerance: f64) -> Vec<Dependence> {
     let mut rows = rows;
     rows.iter_mut().for_each(|row| row.retain(|_, x| *x != 0.0));
     let scales = equilibrate(&mut rows);
@@ -61,7 +61,7 @@ pub fn dependences(rows: Vec<Sparse>, tolerance: f64) -> Vec<Dependence> {
 }
 
 /// Scales rows and columns until the mean logarithm of their entries is zero. Returns the row scales.
-fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
+fn equilibrate(rows: &mut [SparseVector]) -> Vec<f64> {
     // Powers of two scale without rounding.
     let of = |logarithms: f64, count: usize| (-logarithms / count.max(1) as f64).round().exp2();
     let mut scales = vec![1.0; rows.len()];
@@ -85,7 +85,7 @@ fn equilibrate(rows: &mut [Sparse]) -> Vec<f64> {
 /// State of a Gaussian elimination.
 struct RowElimination {
     /// Remainder of each row.
-    rows: Vec<Sparse>,
+    rows: Vec<SparseVector>,
     /// Active rows with an entry, by column.
     columns: HashMap<usize, BTreeSet<usize>>,
     /// Active rows, sorted by their number of entries.
@@ -100,7 +100,7 @@ struct RowElimination {
 }
 
 impl RowElimination {
-    fn new(rows: Vec<Sparse>, tolerance: f64) -> Self {
+    fn new(rows: Vec<SparseVector>, tolerance: f64) -> Self {
         let mut columns: HashMap<usize, BTreeSet<usize>> = HashMap::new();
         for (i, row) in rows.iter().enumerate() {
             row.keys().for_each(|&j| _ = columns.entry(j).or_default().insert(i));
@@ -138,7 +138,7 @@ impl RowElimination {
         self.step += 1;
     }
 
-    fn subtract(&mut self, i: usize, factor: f64, pivot: &Sparse, at: usize) {
+    fn subtract(&mut self, i: usize, factor: f64, pivot: &SparseVector, at: usize) {
         let target = &mut self.rows[i];
         self.left.remove(&(target.len(), i));
         target.remove(&at);
@@ -158,10 +158,10 @@ impl RowElimination {
     }
 
     /// Returns the linear combination of the given rows that produced a remaining row.
-    fn combination(&self, row: usize) -> Sparse {
+    fn combination(&self, row: usize) -> SparseVector {
         // Pivots in descending order of steps: a pivot row is complete before the step in which it is used.
         let mut open: BTreeMap<(usize, usize), f64> = BTreeMap::from([((usize::MAX, row), 1.0)]);
-        let mut sum = Sparse::new();
+        let mut sum = SparseVector::new();
         while let Some(((_, row), c)) = open.pop_last() {
             sum.insert(row, c);
             for &(step, pivot, factor) in &self.subtracted[row] {
@@ -173,8 +173,8 @@ impl RowElimination {
 }
 
 /// Reduces the dependences until their last rows are distinct.
-fn latest(dependences: Vec<Sparse>) -> Vec<Dependence> {
-    let mut found: BTreeMap<usize, Sparse> = BTreeMap::new();
+fn latest(dependences: Vec<SparseVector>) -> Vec<Dependence> {
+    let mut found: BTreeMap<usize, SparseVector> = BTreeMap::new();
     for mut sum in dependences {
         loop {
             let size = largest(&sum);
@@ -194,12 +194,12 @@ fn latest(dependences: Vec<Sparse>) -> Vec<Dependence> {
     found.into_values().map(|coefficients| Dependence { coefficients }).collect()
 }
 
-fn largest(row: &Sparse) -> f64 {
+fn largest(row: &SparseVector) -> f64 {
     row.values().fold(0.0, |max: f64, x| max.max(x.abs()))
 }
 
 /// Returns the rows of Φ_q of a term in a state, one for each multiplier.
-pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<Sparse> {
+pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<SparseVector> {
     let (coordinates, n, m) = (term.coordinates(), term.coordinates().len(), term.multipliers().len());
     let zero = [0.0; LOCAL];
     let mut q = [0.0; LOCAL];
@@ -220,8 +220,8 @@ pub fn all_constraint_rows<'a>(
     terms: impl IntoIterator<Item = &'a dyn Term>,
     multipliers: usize,
     s: &State,
-) -> Vec<Sparse> {
-    let mut rows = vec![Sparse::new(); multipliers];
+) -> Vec<SparseVector> {
+    let mut rows = vec![SparseVector::new(); multipliers];
     for term in terms {
         for (multiplier, row) in term.multipliers().zip(constraint_rows(term, s)) {
             // The terms of a sliding joint share multipliers, and one of these terms is active.

@@ -12,8 +12,8 @@ mod term;
 mod thread_parts;
 
 pub use batch::{Batch, LANES, Lanes, LocalLanes};
-pub use contact_pairs::{Encounters, Met, Pair};
-pub use dependence::{Dependence, INDEPENDENT, all_constraint_rows, constraint_rows, dependences};
+pub use contact_pairs::{ActivePair, ContactPair, ContactSearch};
+pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, constraint_rows, dependences};
 pub use energy::{Energy, Level, Power};
 pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;

@@ -1,4 +1,4 @@
-use super::contact_pairs::Met;
+use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
 use super::state::{State, Weights};
 use crate::sparse::{Pattern, SparseMatrix};
@@ -49,8 +49,8 @@ pub trait EquationsOfMotion {
     /// Extends the equations by the terms that may become active soon, before a step.
     ///
     /// Returns the extended equations and a matrix of their pattern, or `None` if all near terms are included. Terms
-    /// such as contacts are active in some states only ([`Encounters`](super::contact_pairs::Encounters)).
-    fn ahead(&self, _s: &State) -> Option<(Self, SparseMatrix)>
+    /// such as contacts are active in some states only ([`ContactSearch`](super::contact_pairs::ContactSearch)).
+    fn with_near_terms(&self, _s: &State) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
     {
@@ -61,7 +61,7 @@ pub trait EquationsOfMotion {
     ///
     /// Returns the extended equations and a matrix of their pattern, or `None` if all active terms are included. The
     /// step is then repeated with the extended equations.
-    fn completed(&self, _s: &State) -> Option<(Self, SparseMatrix)>
+    fn with_active_terms(&self, _s: &State) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
     {
@@ -69,13 +69,13 @@ pub trait EquationsOfMotion {
     }
 
     /// Returns the included pairs in ascending order.
-    fn met(&self) -> Vec<Met> {
+    fn active_pairs(&self) -> Vec<ActivePair> {
         Vec::new()
     }
 
     /// Returns the equations with exactly these pairs and a matrix of their pattern, or `None` if a pair does not
     /// exist.
-    fn having_met(&self, _met: &[Met]) -> Option<(Self, SparseMatrix)>
+    fn with_pairs(&self, _pairs: &[ActivePair]) -> Option<(Self, SparseMatrix)>
     where
         Self: Sized,
     {
@@ -83,7 +83,7 @@ pub trait EquationsOfMotion {
     }
 
     /// Returns the number of degrees of freedom in a state: n minus the rank of the constraints.
-    fn freedoms(&self, _s: &State) -> usize {
+    fn degrees_of_freedom(&self, _s: &State) -> usize {
         self.coordinates().saturating_sub(self.multipliers())
     }
 

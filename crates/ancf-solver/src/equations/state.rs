@@ -48,7 +48,7 @@ impl State {
     }
 
     /// Returns true if the state has the given sizes and all its numbers are finite.
-    pub fn is_sound(&self, coordinates: usize, multipliers: usize) -> bool {
+    pub fn is_valid(&self, coordinates: usize, multipliers: usize) -> bool {
         let Self { t, q, v, a, lambda, load } = self;
         let of_coordinates = [q, v, a].iter().all(|x| x.len() == coordinates);
         let numbers = [q, v, a, lambda].into_iter().flatten().chain([t, load]);

@@ -3,8 +3,8 @@ use std::ops::AddAssign;
 use std::sync::Arc;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
-use super::contact_pairs::{Encounters, Met, is_missing, near_pairs};
-use super::dependence::{INDEPENDENT, all_constraint_rows, dependences};
+use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
+use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
@@ -19,8 +19,8 @@ pub struct System {
     multipliers: usize,
     terms: Vec<Arc<dyn Term>>,
     /// Searches that add terms, and the pairs of the last terms in ascending order.
-    searches: Arc<[Arc<dyn Encounters>]>,
-    met: Vec<Met>,
+    searches: Arc<[Arc<dyn ContactSearch>]>,
+    active: Vec<ActivePair>,
     /// Indices of the terms with multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
@@ -91,10 +91,10 @@ impl System {
 
     /// Adds searches for terms that are active in some states only.
     ///
-    /// None of these terms is included before [`ahead`](EquationsOfMotion::ahead) or
-    /// [`completed`](EquationsOfMotion::completed) is called.
+    /// None of these terms is included before [`with_near_terms`](EquationsOfMotion::with_near_terms) or
+    /// [`with_active_terms`](EquationsOfMotion::with_active_terms) is called.
     #[must_use]
-    pub fn with(self, searches: Vec<Arc<dyn Encounters>>) -> Self {
+    pub fn with_searches(self, searches: Vec<Arc<dyn ContactSearch>>) -> Self {
         Self { searches: searches.into(), ..self }
     }
 
@@ -102,8 +102,8 @@ impl System {
         coordinates: usize,
         multipliers: usize,
         terms: Vec<Arc<dyn Term>>,
-        searches: Arc<[Arc<dyn Encounters>]>,
-        met: Vec<Met>,
+        searches: Arc<[Arc<dyn ContactSearch>]>,
+        active: Vec<ActivePair>,
     ) -> Self {
         let blocks: IndexLists = terms.iter().map(|term| unknowns(&**term, coordinates)).collect();
         assert!(blocks.iter().all(|block| block.len() <= LOCAL), "a term has at most {LOCAL} unknowns");
@@ -118,7 +118,7 @@ impl System {
             multipliers,
             terms,
             searches,
-            met,
+            active,
             constraints,
             pattern,
             scatters,
@@ -134,7 +134,7 @@ impl System {
     /// # Panics
     /// If the terms of a batch differ in size. This is a programming error, not an input error.
     #[must_use]
-    pub fn batched(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
+    pub fn with_batches(self, batches: impl IntoIterator<Item = (usize, Box<dyn Batch>)>) -> Self {
         let batches = batches.into_iter().map(|(first, batch)| PlacedBatch::new(first, batch, &self.terms));
         let batches = batches.collect();
         self.in_batches(batches)
@@ -154,13 +154,14 @@ impl System {
     }
 
     /// Replaces the terms of the pairs by those of other pairs, in ascending order.
-    fn with_pair_terms(&self, met: Vec<Met>) -> (Self, SparseMatrix) {
-        let lasting = self.terms[..self.terms.len() - self.met.len()].iter().cloned();
-        let terms = lasting.chain(met.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
+    fn with_pair_terms(&self, active: Vec<ActivePair>) -> (Self, SparseMatrix) {
+        let lasting = self.terms[..self.terms.len() - self.active.len()].iter().cloned();
+        let terms = lasting.chain(active.iter().map(|&(i, pair)| self.searches[i].term(pair))).collect();
         let system =
-            Self::from_terms(self.coordinates, self.multipliers, terms, Arc::clone(&self.searches), met)
+            Self::from_terms(self.coordinates, self.multipliers, terms, Arc::clone(&self.searches), active)
                 .in_batches(Arc::clone(&self.batches));
-        let system = system.sharing(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
+        let system =
+            system.with_shared_multipliers(self.pattern.sharing().map(|unknown| unknown - self.coordinates));
         let matrix = system.matrix();
         (system, matrix)
     }
@@ -169,7 +170,7 @@ impl System {
     ///
     /// The factorisation distributes their forces in the least-squares sense ([`Factor`](crate::factor::Factor)).
     #[must_use]
-    pub fn sharing(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
+    pub fn with_shared_multipliers(mut self, multipliers: impl IntoIterator<Item = usize>) -> Self {
         let coordinates = self.coordinates;
         let unknowns = multipliers.into_iter().map(|multiplier| coordinates + multiplier);
         Arc::make_mut(&mut self.pattern).share(unknowns);
@@ -336,40 +337,40 @@ impl EquationsOfMotion for System {
         wrong.and_then(|term| term.coordinates().first().copied())
     }
 
-    fn ahead(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+    fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near_pairs(&self.searches, s);
-        let met = || near.iter().map(|(pair, _)| *pair).collect();
-        is_missing(&self.met, &near, INCLUSION_DISTANCE).then(|| self.with_pair_terms(met()))
+        let active = || near.iter().map(|(pair, _)| *pair).collect();
+        is_missing(&self.active, &near, INCLUSION_DISTANCE).then(|| self.with_pair_terms(active()))
     }
 
-    fn completed(&self, s: &State) -> Option<(Self, SparseMatrix)> {
+    fn with_active_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near_pairs(&self.searches, s);
-        is_missing(&self.met, &near, 0.0).then(|| {
+        is_missing(&self.active, &near, 0.0).then(|| {
             // The pairs of the start of the step are kept, so that repetitions of the step terminate.
-            let mut met: Vec<Met> =
-                near.iter().map(|(pair, _)| *pair).chain(self.met.iter().copied()).collect();
-            met.sort_unstable();
-            met.dedup();
-            self.with_pair_terms(met)
+            let mut active: Vec<ActivePair> =
+                near.iter().map(|(pair, _)| *pair).chain(self.active.iter().copied()).collect();
+            active.sort_unstable();
+            active.dedup();
+            self.with_pair_terms(active)
         })
     }
 
-    fn met(&self) -> Vec<Met> {
-        self.met.clone()
+    fn active_pairs(&self) -> Vec<ActivePair> {
+        self.active.clone()
     }
 
-    fn having_met(&self, met: &[Met]) -> Option<(Self, SparseMatrix)> {
-        let is_here = |(i, pair): &Met| self.searches.get(*i).is_some_and(|each| each.has(*pair));
-        (met.is_sorted_by(|a, b| a < b) && met.iter().all(is_here))
-            .then(|| self.with_pair_terms(met.to_vec()))
+    fn with_pairs(&self, active: &[ActivePair]) -> Option<(Self, SparseMatrix)> {
+        let is_here = |(i, pair): &ActivePair| self.searches.get(*i).is_some_and(|each| each.contains(*pair));
+        (active.is_sorted_by(|a, b| a < b) && active.iter().all(is_here))
+            .then(|| self.with_pair_terms(active.to_vec()))
     }
 
-    fn freedoms(&self, s: &State) -> usize {
+    fn degrees_of_freedom(&self, s: &State) -> usize {
         let terms = self.constraints.iter().map(|&i| self.terms[i].as_ref());
         // Constraints are redundant only where multipliers are shared.
         let excess = match self.pattern.shared() {
             [] => 0,
-            _ => dependences(all_constraint_rows(terms, self.multipliers, s), INDEPENDENT).len(),
+            _ => dependences(all_constraint_rows(terms, self.multipliers, s), REDUNDANCY_TOLERANCE).len(),
         };
         (self.coordinates + excess).saturating_sub(self.multipliers)
     }

@@ -155,7 +155,7 @@ pub trait Term: Send + Sync {
     }
 
     /// Returns a description of the k-th constraint, such as "position along x".
-    fn tie(&self, k: usize) -> String {
+    fn constraint_name(&self, k: usize) -> String {
         format!("equation {}", k + 1)
     }
 

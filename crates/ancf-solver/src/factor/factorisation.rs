@@ -21,7 +21,7 @@ use crate::sparse::{Pattern, SparseMatrix};
 /// performed once.
 ///
 /// With redundant constraints, K is singular and multipliers are *shared*
-/// ([`System::sharing`](crate::equations::System::sharing)). The factorised matrix K_ε = K − εE then has a compliance
+/// ([`System::with_shared_multipliers`](crate::equations::System::with_shared_multipliers)). The factorised matrix K_ε = K − εE then has a compliance
 /// −ε/D² on their diagonal. Among all multipliers that satisfy the equations it selects those with minimal λᵀEλ, since
 /// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. Steps K_ε Δx = b − K x remove the other effects of ε. Each step
 /// reduces them by a factor of about ε.
@@ -44,14 +44,14 @@ pub struct Factor {
 
 /// History of a factorisation, from which it can be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Course {
+pub struct FactorHistory {
     /// True if the LU fallback is active.
     lu: bool,
     /// True if the factors have solved equations without refinement.
     verified: bool,
 }
 
-impl Course {
+impl FactorHistory {
     /// History of a new factorisation.
     pub const NEW: Self = Self { lu: false, verified: false };
 }
@@ -136,17 +136,17 @@ impl Factor {
     }
 
     /// Returns the history of the current factors.
-    pub fn course(&self) -> Course {
-        Course { lu: self.lu.is_some(), verified: self.verified }
+    pub fn history(&self) -> FactorHistory {
+        FactorHistory { lu: self.lu.is_some(), verified: self.verified }
     }
 
     /// Repeats a factorisation with its history, which reproduces the final factors.
     ///
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
-    pub fn factorise_again(&mut self, k: &SparseMatrix, course: Course) -> Result<(), SingularMatrix> {
+    pub fn refactorise(&mut self, k: &SparseMatrix, history: FactorHistory) -> Result<(), SingularMatrix> {
         self.factorise(k)?;
-        if course.lu && self.lu.is_none() {
+        if history.lu && self.lu.is_none() {
             match self.shared.take() {
                 None => self.factorise_by_lu(k)?,
                 Some(shared) => {
@@ -156,7 +156,7 @@ impl Factor {
                 }
             }
         }
-        self.verified = course.verified;
+        self.verified = history.verified;
         Ok(())
     }
 

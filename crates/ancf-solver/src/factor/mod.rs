@@ -7,5 +7,5 @@ mod ldlt;
 mod null_space;
 mod substitution;
 
-pub use factorisation::{Course, Factor, SingularMatrix};
-pub use null_space::{Kernel, Sparse};
+pub use factorisation::{Factor, FactorHistory, SingularMatrix};
+pub use null_space::{NullSpace, SparseVector};

@@ -1,27 +1,27 @@
 use std::collections::BTreeMap;
 
 /// Sparse row or column: entries by index.
-pub type Sparse = BTreeMap<usize, f64>;
+pub type SparseVector = BTreeMap<usize, f64>;
 
 /// Null space of a set of rows, by Gauss-Jordan elimination row by row.
 ///
 /// Some unknowns become *pivots*, which depend on the *free* unknowns. The null space has one basis vector for each
 /// free unknown, with 1 at this unknown and 0 at the other free ones.
 #[derive(Clone, Debug, Default)]
-pub struct Kernel {
+pub struct NullSpace {
     /// Coefficients c of each pivot p: x_p + Σⱼ cⱼ xⱼ = 0, j free.
-    pivots: BTreeMap<usize, Sparse>,
+    pivots: BTreeMap<usize, SparseVector>,
 }
 
 /// Rounding threshold of entries, relative to the largest entry of the row.
 const ROUNDING: f64 = 1e-12;
 
-impl Kernel {
+impl NullSpace {
     /// Adds a row. A dependent row, in which elimination leaves no entry above `tolerance`, is ignored.
     ///
     /// Unknowns accepted by `prefer` become pivots unless their entries are small, so that the other unknowns remain
     /// free.
-    pub fn restrict(&mut self, mut row: Sparse, tolerance: f64, prefer: impl Fn(usize) -> bool) {
+    pub fn add_row(&mut self, mut row: SparseVector, tolerance: f64, prefer: impl Fn(usize) -> bool) {
         let known: Vec<usize> = row.keys().copied().filter(|j| self.pivots.contains_key(j)).collect();
         for p in known {
             eliminate(&mut row, p, &self.pivots[&p]);
@@ -50,9 +50,10 @@ impl Kernel {
     }
 
     /// Returns the basis vectors by their free unknowns, for the given total number of unknowns.
-    pub fn vectors(&self, unknowns: usize) -> BTreeMap<usize, Sparse> {
+    pub fn basis(&self, unknowns: usize) -> BTreeMap<usize, SparseVector> {
         let free = (0..unknowns).filter(|j| !self.pivots.contains_key(j));
-        let mut vectors: BTreeMap<usize, Sparse> = free.map(|j| (j, Sparse::from([(j, 1.0)]))).collect();
+        let mut vectors: BTreeMap<usize, SparseVector> =
+            free.map(|j| (j, SparseVector::from([(j, 1.0)]))).collect();
         for (&pivot, row) in &self.pivots {
             for (j, c) in row {
                 if let Some(vector) = vectors.get_mut(j) {
@@ -65,7 +66,7 @@ impl Kernel {
 }
 
 /// Replaces x_p in a row by −Σ c x.
-fn eliminate(row: &mut Sparse, p: usize, pivot_row: &Sparse) {
+fn eliminate(row: &mut SparseVector, p: usize, pivot_row: &SparseVector) {
     if let Some(entry) = row.remove(&p) {
         for (&j, c) in pivot_row {
             *row.entry(j).or_default() -= entry * c;

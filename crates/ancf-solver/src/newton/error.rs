@@ -1,12 +1,12 @@
 use thiserror::Error;
 
-use super::newton_report::Report;
+use super::newton_report::NewtonReport;
 
 /// Cause of failure of a Newton iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum Failure {
+pub enum SolveFailure {
     /// The iteration matrix has no usable factorisation.
-    #[error("the iteration matrix is singular: a joint repeats another, or a motion is held by nothing")]
+    #[error("the iteration matrix is singular: a joint is redundant, or a motion is unconstrained")]
     Singular,
     /// The factors of the iteration matrix do not fit into memory.
     #[error("the memory does not suffice for the factors of the iteration matrix")]
@@ -44,7 +44,7 @@ pub enum Failure {
 #[error("{failure}{}", format_norms(*iterations, *residual, *increment))]
 pub struct SolveError {
     /// Cause of failure.
-    pub failure: Failure,
+    pub failure: SolveFailure,
     /// Time at the end of the step.
     pub t: f64,
     /// Number of iterations.
@@ -69,22 +69,22 @@ fn format_norms(iterations: u32, residual: f64, increment: f64) -> String {
 impl SolveError {
     /// Returns true if a smaller step cannot help because the analysis was interrupted.
     pub(crate) fn is_final(&self) -> bool {
-        self.failure == Failure::Interrupted
+        self.failure == SolveFailure::Interrupted
     }
 
     /// Creates a failure before the first iteration.
-    pub(crate) const fn at_start(failure: Failure) -> Self {
+    pub(crate) const fn at_start(failure: SolveFailure) -> Self {
         Self::at(0.0, failure)
     }
 
     /// Creates a failure after an iteration with the given report and worst equation.
-    pub(crate) const fn after(report: Report, t: f64, failure: Failure, worst: usize) -> Self {
-        let Report { iterations, residual, increment, .. } = report;
+    pub(crate) const fn after(report: NewtonReport, t: f64, failure: SolveFailure, worst: usize) -> Self {
+        let NewtonReport { iterations, residual, increment, .. } = report;
         Self { failure, t, iterations, residual, increment, worst: Some(worst) }
     }
 
     /// Creates a failure at a time outside an iteration.
-    pub(crate) const fn at(t: f64, failure: Failure) -> Self {
+    pub(crate) const fn at(t: f64, failure: SolveFailure) -> Self {
         Self { failure, t, iterations: 0, residual: 0.0, increment: 0.0, worst: None }
     }
 }

@@ -1,4 +1,4 @@
-use super::error::Failure;
+use super::error::SolveFailure;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::sparse::SparseMatrix;
@@ -19,14 +19,14 @@ pub(crate) struct LinearSolution<'a> {
 /// Update of a state by a Newton increment.
 pub(crate) trait StateUpdate {
     /// Updates the state. On return `z` is the full increment, which the stopping rule evaluates.
-    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure>;
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure>;
 }
 
 /// Update by the full increment.
 pub(crate) struct FullUpdate;
 
 impl StateUpdate for FullUpdate {
-    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
         s.add(at.z, w);
         Ok(())
     }
@@ -84,7 +84,7 @@ impl LineSearch {
 }
 
 impl StateUpdate for LineSearch {
-    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
         let (start, mut alpha) = (dot(at.z, at.r), 1.0);
         self.try_part(alpha, at.z, s, w);
         for _ in 0..TRIALS {

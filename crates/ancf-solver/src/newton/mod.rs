@@ -10,9 +10,9 @@ mod rounding_floor;
 mod tangent;
 
 pub(crate) use active_set::ActiveSet;
-pub use error::{EquilibriumError, Failure, SolveError};
+pub use error::{EquilibriumError, SolveError, SolveFailure};
 pub use interrupt::Interrupt;
 pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot};
-pub(crate) use newton_method::NewtonMemory;
-pub use newton_method::{Newton, Stop};
-pub use newton_report::Report;
+pub(crate) use newton_method::NewtonCheckpoint;
+pub use newton_method::{Newton, StopRule};
+pub use newton_report::NewtonReport;

@@ -2,18 +2,18 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use super::error::{Failure, SolveError};
+use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
-use super::newton_report::Report;
+use super::newton_report::NewtonReport;
 use super::rounding_floor::raise_to_achievable;
-use super::tangent::{NewtonTangent, TangentMemory};
+use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::sparse::SparseMatrix;
 
 /// Stopping rule of a Newton iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stop {
+pub enum StopRule {
     /// Energy of the increment: |Δq·r| + |Δλ·Φ| ≤ tolerance² × the largest energy so far, or residual at its rounding
     /// error.
     ///
@@ -31,14 +31,14 @@ pub enum Stop {
 
 /// Newton's method with the exact tangent of the equations of motion, with its working storage.
 ///
-/// [`Dynamics`](crate::dynamics::Dynamics) with the rule [`Stop::Energy`] reuses a tangent while this costs less than a
+/// [`TimeStepper`](crate::dynamics::TimeStepper) with the rule [`StopRule::Energy`] reuses a tangent while this costs less than a
 /// new one. The absolute rules serve comparisons with other programs and use a new tangent in each iteration.
 #[derive(Debug)]
 pub struct Newton {
-    stop: Stop,
+    stop: StopRule,
     max_iterations: u32,
     stagnation_limit: u32,
-    full: bool,
+    new_tangents: bool,
     interrupt: Interrupt,
     pub(crate) tangent: NewtonTangent,
     pub(crate) r: Vec<f64>,
@@ -51,9 +51,9 @@ pub struct Newton {
 
 /// State of [`Newton`] on which later iterations depend.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct NewtonMemory {
+pub(crate) struct NewtonCheckpoint {
     energy: f64,
-    tangent: TangentMemory,
+    tangent: TangentCheckpoint,
 }
 
 /// Multiple of the rounding bound below which a residual counts as zero.
@@ -68,13 +68,13 @@ impl Newton {
     ///
     /// # Errors
     /// If the memory does not suffice for the factorisation.
-    pub fn new(matrix: SparseMatrix, stop: Stop, max_iterations: u32) -> Result<Self, SolveError> {
+    pub fn new(matrix: SparseMatrix, stop: StopRule, max_iterations: u32) -> Result<Self, SolveError> {
         let zeros = vec![0.0; matrix.pattern().size()];
         Ok(Self {
             stop,
             max_iterations,
             stagnation_limit: STAGNATION_LIMIT,
-            full: false,
+            new_tangents: false,
             interrupt: Interrupt::default(),
             tangent: NewtonTangent::new(matrix).map_err(SolveError::at_start)?,
             r: zeros.clone(),
@@ -95,19 +95,19 @@ impl Newton {
 
     /// Uses a new tangent in each iteration, also in time steps.
     #[must_use]
-    pub fn full(self) -> Self {
-        Self { full: true, ..self }
+    pub fn with_new_tangents(self) -> Self {
+        Self { new_tangents: true, ..self }
     }
 
     /// Sets the interrupt flag that stops the iteration.
     #[must_use]
-    pub fn heeding(self, interrupt: Interrupt) -> Self {
+    pub fn with_interrupt(self, interrupt: Interrupt) -> Self {
         Self { interrupt, ..self }
     }
 
     /// Permits the reuse of tangents, if the stopping rule estimates the remaining error.
     pub(crate) fn permit_reuse(&mut self, s: &State) {
-        if matches!(self.stop, Stop::Energy(_)) && !self.full {
+        if matches!(self.stop, StopRule::Energy(_)) && !self.new_tangents {
             self.tangent.permit_reuse(s);
         }
     }
@@ -115,28 +115,33 @@ impl Newton {
     /// Adds the energy of a converged state to the reference energy of the energy rule.
     ///
     /// Before the first call the rule uses the energy of the current iterate.
-    pub fn met(&mut self, energy: f64) {
+    pub fn record_energy(&mut self, energy: f64) {
         self.energy = self.energy.max(energy);
     }
 
     /// Returns the state on which later iterations depend, as of the last accepted step.
-    pub(crate) fn memory(&self) -> NewtonMemory {
-        NewtonMemory { energy: self.energy, tangent: self.tangent.memory() }
+    pub(crate) fn checkpoint(&self) -> NewtonCheckpoint {
+        NewtonCheckpoint { energy: self.energy, tangent: self.tangent.checkpoint() }
     }
 
     /// Resumes from a saved state.
-    pub(crate) fn recall(
+    pub(crate) fn restore(
         &mut self,
         eom: &dyn EquationsOfMotion,
-        memory: &NewtonMemory,
+        checkpoint: &NewtonCheckpoint,
     ) -> Result<(), SolveError> {
-        self.energy = memory.energy;
-        self.tangent.recall(eom, &memory.tangent).map_err(SolveError::at_start)
+        self.energy = checkpoint.energy;
+        self.tangent.restore(eom, &checkpoint.tangent).map_err(SolveError::at_start)
     }
 
     /// Returns true if a saved state is valid for this solver.
-    pub(crate) fn accepts(&self, memory: &NewtonMemory, coordinates: usize, multipliers: usize) -> bool {
-        let NewtonMemory { energy, tangent } = memory;
+    pub(crate) fn accepts(
+        &self,
+        checkpoint: &NewtonCheckpoint,
+        coordinates: usize,
+        multipliers: usize,
+    ) -> bool {
+        let NewtonCheckpoint { energy, tangent } = checkpoint;
         energy.is_finite() && self.tangent.accepts(tangent, coordinates, multipliers)
     }
 
@@ -157,7 +162,7 @@ impl Newton {
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
-    ) -> Result<Report, SolveError> {
+    ) -> Result<NewtonReport, SolveError> {
         self.solve_with(&mut FullUpdate, eom, s, w)
     }
 
@@ -168,7 +173,7 @@ impl Newton {
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
-    ) -> Result<Report, SolveError> {
+    ) -> Result<NewtonReport, SolveError> {
         let mut progress = IterationProgress::default();
         self.weights = w;
         self.z.fill(0.0);
@@ -196,15 +201,15 @@ impl Newton {
         eom: &dyn EquationsOfMotion,
         s: &mut State,
         w: Weights,
-        report: &mut Report,
-    ) -> Result<f64, Failure> {
+        report: &mut NewtonReport,
+    ) -> Result<f64, SolveFailure> {
         let n = s.q.len();
         self.tangent.prepare(eom, s, w)?;
         for (i, (z, r)) in self.z.iter_mut().zip(&self.r).enumerate() {
             *z = if i < n { -r } else { -r / w.q };
         }
         let Self { tangent: NewtonTangent { matrix, factor, .. }, r, z, .. } = self;
-        factor.solve_increment(matrix, z, &s.lambda).map_err(|_| Failure::Singular)?;
+        factor.solve_increment(matrix, z, &s.lambda).map_err(|_| SolveFailure::Singular)?;
         update.apply(LinearSolution { eom, matrix, factor, r, z }, s, w)?;
         report.iterations += 1;
         report.increment = w.q * norm(&self.z[..n]);
@@ -224,25 +229,25 @@ impl Newton {
         eom: &dyn EquationsOfMotion,
         s: &State,
         progress: &IterationProgress,
-    ) -> ControlFlow<Result<Report, Failure>> {
+    ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
         let report = progress.report;
         if self.interrupt.is_set() {
-            return ControlFlow::Break(Err(Failure::Interrupted));
+            return ControlFlow::Break(Err(SolveFailure::Interrupted));
         }
         if !report.residual.is_finite() {
-            return ControlFlow::Break(Err(Failure::Diverged));
+            return ControlFlow::Break(Err(SolveFailure::Diverged));
         }
-        if matches!(self.stop, Stop::Residual(tolerance) if report.residual <= tolerance) {
+        if matches!(self.stop, StopRule::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
         if progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR {
-            return ControlFlow::Break(Ok(Report { floor: true, ..report }));
+            return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {
-            return ControlFlow::Break(Err(Failure::Stagnated));
+            return ControlFlow::Break(Err(SolveFailure::Stagnated));
         }
         if report.iterations >= self.max_iterations {
-            return ControlFlow::Break(Err(Failure::NotConverged));
+            return ControlFlow::Break(Err(SolveFailure::NotConverged));
         }
         ControlFlow::Continue(())
     }
@@ -254,9 +259,9 @@ impl Newton {
         s: &State,
         energy: f64,
         progress: &mut IterationProgress,
-    ) -> ControlFlow<Result<Report, Failure>> {
+    ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
         match self.stop {
-            Stop::Energy(tolerance) => {
+            StopRule::Energy(tolerance) => {
                 // The energy of an increment is no reference: in large steps of stiff beams it far exceeds the energy
                 // of the motion.
                 let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
@@ -266,16 +271,16 @@ impl Newton {
                     return ControlFlow::Break(Ok(progress.report));
                 }
                 if !self.tangent.plan_iteration(REMAINDER * wanted / size) {
-                    return ControlFlow::Break(Err(Failure::Stagnated));
+                    return ControlFlow::Break(Err(SolveFailure::Stagnated));
                 }
                 progress.record(energy);
             }
-            Stop::Increment(tolerance) if progress.report.increment <= tolerance => {
+            StopRule::Increment(tolerance) if progress.report.increment <= tolerance => {
                 return ControlFlow::Break(Ok(progress.report));
             }
             // The absolute rules have no rounding floor. Near the rounding error the iterates vary randomly until a
             // residual is small enough, as in Kim et al. (2017), fig. 7.
-            Stop::Increment(_) | Stop::Residual(_) => {}
+            StopRule::Increment(_) | StopRule::Residual(_) => {}
         }
         ControlFlow::Continue(())
     }
@@ -296,10 +301,10 @@ impl Newton {
 
     fn error(
         &mut self,
-        failure: Failure,
+        failure: SolveFailure,
         eom: &dyn EquationsOfMotion,
         s: &State,
-        last: Report,
+        last: NewtonReport,
     ) -> SolveError {
         SolveError::after(last, s.t, failure, self.excess(eom, s).0)
     }
@@ -308,7 +313,7 @@ impl Newton {
 /// Progress of one iteration.
 #[derive(Default)]
 struct IterationProgress {
-    report: Report,
+    report: NewtonReport,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
     /// Energy of the last increment.

@@ -1,6 +1,6 @@
 /// Report of a Newton iteration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Report {
+pub struct NewtonReport {
     /// Number of linear solutions.
     pub iterations: u32,
     /// Euclidean norm of the last residual that was evaluated.

@@ -1,8 +1,8 @@
 use serde::{Deserialize, Serialize};
 
-use super::error::Failure;
+use super::error::SolveFailure;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{Course, Factor};
+use crate::factor::{Factor, FactorHistory};
 use crate::sparse::SparseMatrix;
 
 /// Factorised tangent of Newton's method with the policy of its reuse.
@@ -47,7 +47,7 @@ struct TangentUsage {
     pause: u32,
     last_pause: u32,
     /// History of the factors until the last accepted step, if they are reusable.
-    factor: Course,
+    factor: FactorHistory,
 }
 
 /// States at which tangents were computed.
@@ -61,7 +61,7 @@ struct TangentStates {
 
 /// Saved state of a tangent. The factors are large, so they are not saved but computed again.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct TangentMemory {
+pub(crate) struct TangentCheckpoint {
     usage: TangentUsage,
     /// State at which the tangent was computed, if it is reusable.
     made: Option<State>,
@@ -95,14 +95,14 @@ const MAX_PAUSE: u32 = 64;
 
 impl NewtonTangent {
     /// Creates storage for tangents with the pattern of `matrix`, with a new tangent in each iteration.
-    pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, Failure> {
-        let factor = Factor::new(matrix.pattern()).map_err(|_| Failure::Memory)?;
+    pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, SolveFailure> {
+        let factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
         let usage = TangentUsage::new();
         Ok(Self { matrix, factor, usage, saved: usage, made: None })
     }
 
     /// Replaces the matrix by one of another pattern.
-    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), Failure> {
+    pub(crate) fn replace_matrix(&mut self, matrix: SparseMatrix) -> Result<(), SolveFailure> {
         let TangentUsage { policy, pause, last_pause, .. } = self.usage;
         let Self { matrix, factor, usage, .. } = Self::new(matrix)?;
         (self.matrix, self.factor) = (matrix, factor);
@@ -113,7 +113,7 @@ impl NewtonTangent {
     /// Permits the reuse of tangents, except with redundant constraints, which are consistent only along the exact
     /// tangent.
     pub(crate) fn permit_reuse(&mut self, s: &State) {
-        if !self.matrix.pattern().is_sharing() {
+        if !self.matrix.pattern().has_shared_multipliers() {
             self.usage.policy = TangentPolicy::WhenDue;
             self.made = Some(Box::new(TangentStates { now: s.clone(), saved: s.clone(), is_new: false }));
         }
@@ -180,7 +180,7 @@ impl NewtonTangent {
         eom: &dyn EquationsOfMotion,
         s: &State,
         w: Weights,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), SolveFailure> {
         if self.usage.weights.is_some() {
             self.usage.reused = true;
             self.usage.age =
@@ -189,7 +189,7 @@ impl NewtonTangent {
         }
         eom.tangent(s, w, &mut self.matrix);
         self.made.iter_mut().for_each(|made| made.record(s));
-        self.factor.factorise(&self.matrix).map_err(|_| Failure::Singular)?;
+        self.factor.factorise(&self.matrix).map_err(|_| SolveFailure::Singular)?;
         self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
         self.usage.age = TangentAge::Iteration;
         (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);
@@ -250,7 +250,7 @@ impl TangentUsage {
             extra_iterations: 0,
             pause: 0,
             last_pause: 0,
-            factor: Course::NEW,
+            factor: FactorHistory::NEW,
         }
     }
 }
@@ -268,29 +268,29 @@ impl TangentStates {
 impl NewtonTangent {
     /// Saves the usage after an accepted step, to which a failed next step returns.
     pub(crate) fn save(&mut self) {
-        let factor = self.usage.weights.map_or(Course::NEW, |_| self.factor.course());
+        let factor = self.usage.weights.map_or(FactorHistory::NEW, |_| self.factor.history());
         self.saved = TangentUsage { factor, ..self.usage };
         self.made.iter_mut().for_each(|made| made.is_new = false);
     }
 
     /// Returns the saved state as of the last accepted step.
-    pub(crate) fn memory(&self) -> TangentMemory {
+    pub(crate) fn checkpoint(&self) -> TangentCheckpoint {
         let at = |made: &TangentStates| if made.is_new { made.saved.clone() } else { made.now.clone() };
         let made = self.made.as_deref().filter(|_| self.saved.weights.is_some()).map(at);
-        TangentMemory { usage: self.saved, made }
+        TangentCheckpoint { usage: self.saved, made }
     }
 
     /// Resumes from a saved state of this size. The tangent is computed again at its original state.
-    pub(crate) fn recall(
+    pub(crate) fn restore(
         &mut self,
         eom: &dyn EquationsOfMotion,
-        memory: &TangentMemory,
-    ) -> Result<(), Failure> {
-        self.usage = memory.usage;
-        if let (Some(w), Some(s)) = (memory.usage.weights, &memory.made) {
+        checkpoint: &TangentCheckpoint,
+    ) -> Result<(), SolveFailure> {
+        self.usage = checkpoint.usage;
+        if let (Some(w), Some(s)) = (checkpoint.usage.weights, &checkpoint.made) {
             eom.tangent(s, w, &mut self.matrix);
-            let made = self.factor.factorise_again(&self.matrix, memory.usage.factor);
-            made.map_err(|_| Failure::Singular)?;
+            let made = self.factor.refactorise(&self.matrix, checkpoint.usage.factor);
+            made.map_err(|_| SolveFailure::Singular)?;
             self.made.iter_mut().for_each(|made| made.now.copy_from(s));
         }
         self.save();
@@ -298,14 +298,19 @@ impl NewtonTangent {
     }
 
     /// Returns true if a saved state is valid for this tangent.
-    pub(crate) fn accepts(&self, memory: &TangentMemory, coordinates: usize, multipliers: usize) -> bool {
-        let TangentMemory { usage, made } = memory;
+    pub(crate) fn accepts(
+        &self,
+        checkpoint: &TangentCheckpoint,
+        coordinates: usize,
+        multipliers: usize,
+    ) -> bool {
+        let TangentCheckpoint { usage, made } = checkpoint;
         let finite = |w: Weights| [w.q, w.v, w.a].iter().all(|x| x.is_finite());
         let is_reusable = |usage: &TangentUsage| usage.policy != TangentPolicy::Always;
         is_reusable(usage) == is_reusable(&self.usage)
             && usage.weights.is_some() == made.is_some()
             && usage.weights.is_none_or(finite)
-            && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_sound(coordinates, multipliers))
+            && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_valid(coordinates, multipliers))
             && usage.extra_iterations <= u32::MAX / 2
             && usage.pause.max(usage.last_pause) <= MAX_PAUSE
     }

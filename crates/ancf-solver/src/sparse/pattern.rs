@@ -103,7 +103,7 @@ impl Pattern {
     }
 
     /// Returns true if the equations leave some multipliers undetermined.
-    pub fn is_sharing(&self) -> bool {
+    pub fn has_shared_multipliers(&self) -> bool {
         !self.shared.is_empty()
     }
 

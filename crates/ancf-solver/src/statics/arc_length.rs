@@ -2,9 +2,9 @@ use std::ops::ControlFlow;
 
 use super::arc_metric::{Metric, PathTangent, PlaneUpdate, response};
 use super::equilibrium::Equilibrium;
-use super::path_point::{ArcSteps, Left, Limit, PathPoint, Until};
+use super::path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{ActiveSet, EquilibriumError, Failure, FullUpdate, Newton, SolveError};
+use crate::newton::{ActiveSet, EquilibriumError, FullUpdate, Newton, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
 /// Smallest cosine between the tangents at both ends of a step (60°), and between the chord and the first tangent
@@ -30,10 +30,10 @@ const STAGNATION_LIMIT: u32 = 6;
 ///
 /// Source: Keller (1977); Riks (1979); Crisfield (1981).
 #[derive(Debug)]
-pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
+pub struct ArcLength<'a, E: EquationsOfMotion + ?Sized> {
     eom: ActiveSet<'a, E>,
     newton: Newton,
-    steps: ArcSteps,
+    steps: ArcLengthSteps,
     metric: Metric,
     state: State,
     tangent: PathTangent,
@@ -54,13 +54,13 @@ pub struct Path<'a, E: EquationsOfMotion + ?Sized> {
 struct StepEnd {
     found: Equilibrium,
     length: f64,
-    limit: Option<Limit>,
+    limit: Option<LimitPoint>,
     at_target: bool,
     /// Number of unstable directions beyond the end point.
     unstable: Option<usize>,
 }
 
-impl<'a, E: EquationsOfMotion> Path<'a, E> {
+impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
     /// Starts from a state at or near equilibrium under its load factor, in the direction of increasing load.
     ///
     /// # Errors
@@ -68,7 +68,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     pub fn new(
         eom: &'a E,
         mut newton: Newton,
-        steps: ArcSteps,
+        steps: ArcLengthSteps,
         mut start: State,
     ) -> Result<Self, EquilibriumError> {
         start.v.fill(0.0);
@@ -79,7 +79,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let mut begin = |newton: &mut Newton, start: &mut State| {
             loop {
                 let found = Equilibrium::find(newton, &mut FullUpdate, &*eom, start)?;
-                let Some((complete, matrix)) = eom.completed(start) else {
+                let Some((complete, matrix)) = eom.with_active_terms(start) else {
                     return response(newton, &*eom, start).map_err(|failure| found.reject(failure, start));
                 };
                 eom.replace(complete);
@@ -93,7 +93,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         })?;
         let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), &response);
         let tangent = metric.tangent(response, start.q.len());
-        newton.met(eom.energy(&start).largest());
+        newton.record_energy(eom.energy(&start).largest());
         let unstable = newton.unstable(&*eom);
         let trial_tangent = PathTangent::zero(tangent.z.len());
         let (trial, step) = (start.clone(), steps.first);
@@ -138,9 +138,9 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
     /// If the smallest permitted step fails. The state is then the last point.
     pub fn follow(
         &mut self,
-        until: &Until,
+        until: &EndConditions,
         mut each: impl FnMut(&State, &PathPoint) -> ControlFlow<()>,
-    ) -> Result<Left, EquilibriumError> {
+    ) -> Result<EndReason, EquilibriumError> {
         let end = self.length + until.length;
         for _ in 0..until.points {
             let left = end - self.length;
@@ -149,21 +149,21 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             let at_target = step_end.at_target;
             let point = self.accept_trial(step_end);
             if each(&self.state, &point).is_break() {
-                return Ok(Left::Broken);
+                return Ok(EndReason::Stopped);
             }
             if at_target {
-                return Ok(Left::Load);
+                return Ok(EndReason::Load);
             }
             if last {
-                return Ok(Left::Length);
+                return Ok(EndReason::Length);
             }
         }
-        Ok(Left::Points)
+        Ok(EndReason::Points)
     }
 
     /// Accepts the trial point as the current point.
     fn accept_trial(&mut self, step_end: StepEnd) -> PathPoint {
-        self.newton.met(step_end.found.energy.largest());
+        self.newton.record_energy(step_end.found.energy.largest());
         self.state.copy_from(&self.trial);
         std::mem::swap(&mut self.tangent, &mut self.trial_tangent);
         self.length += step_end.length;
@@ -194,7 +194,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                 }
                 Err(cause) => {
                     found.failed(&cause);
-                    if cause.failure == Failure::Unstable {
+                    if cause.failure == SolveFailure::Unstable {
                         self.unconfirmed_step.get_or_insert(step);
                     }
                     self.step = 0.5 * step;
@@ -213,11 +213,11 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let (iterations, unstable) = (found.iterations, found.unstable);
         let mut step_end = StepEnd { found, length: step, limit: None, at_target: false, unstable };
         if self.hides_limits(step) {
-            return Err(found.reject(Failure::Turned, &self.trial));
+            return Err(found.reject(SolveFailure::Turned, &self.trial));
         }
         let unconfirmed = self.unconfirmed_step.is_none_or(|first| step > CONFIRMED * first);
         if unconfirmed && self.hides_bifurcation(unstable) {
-            return Err(found.reject(Failure::Unstable, &self.trial));
+            return Err(found.reject(SolveFailure::Unstable, &self.trial));
         }
         if self.trial_tangent.load * self.direction < 0.0 {
             let start = self.direction * self.tangent.load.abs();
@@ -229,7 +229,8 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
                 |_, trial_tangent| trial_tangent.load,
                 |slope, curvature| 0.5 * slope * slope <= LIMIT * largest * curvature.abs(),
             )?;
-            step_end.limit = Some(if self.direction > 0.0 { Limit::Maximum } else { Limit::Minimum });
+            step_end.limit =
+                Some(if self.direction > 0.0 { LimitPoint::Maximum } else { LimitPoint::Minimum });
         }
         if let Some(target) = target {
             let (before, after) = (self.state.load - target, self.trial.load - target);
@@ -267,7 +268,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
 
     /// Solves for the equilibrium at a length σ beyond the current point, and for its tangent.
     fn attempt(&mut self, length: f64) -> Result<Equilibrium, SolveError> {
-        if let Some((eom, matrix)) = self.eom.ahead(&self.state) {
+        if let Some((eom, matrix)) = self.eom.with_near_terms(&self.state) {
             self.replace_equations(eom, matrix)?;
         }
         let mut found = Equilibrium::default();
@@ -276,7 +277,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             self.tangent.move_by(length, &mut self.trial);
             let Self { newton, eom, tangent, trial, .. } = self;
             found = found.repeated(Equilibrium::find(newton, &mut PlaneUpdate(tangent), &**eom, trial)?);
-            let Some((eom, matrix)) = eom.completed(trial) else { return self.update_tangent(found) };
+            let Some((eom, matrix)) = eom.with_active_terms(trial) else { return self.update_tangent(found) };
             // A term that is active there was not included.
             self.replace_equations(eom, matrix)?;
         }
@@ -299,7 +300,7 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
         let chord = self.metric.distance(&self.state, &self.trial);
         let along = self.tangent.length(&self.state, &self.trial);
         if self.trial_tangent.product(&self.tangent) < TURN || along < CHORD * chord {
-            return Err(found.reject(Failure::Turned, &self.trial));
+            return Err(found.reject(SolveFailure::Turned, &self.trial));
         }
         Ok(found)
     }
@@ -331,14 +332,14 @@ impl<'a, E: EquationsOfMotion> Path<'a, E> {
             }
             (b, at_b) = (length, at_length);
         }
-        Err(step_end.found.reject(Failure::NotConverged, &self.trial))
+        Err(step_end.found.reject(SolveFailure::NotConverged, &self.trial))
     }
 
     /// Moves the trial state to a nearby load factor.
     fn solve_at_load(&mut self, target: f64, step_end: &mut StepEnd) -> Result<(), SolveError> {
         self.trial.load = target;
         let mut found = Equilibrium::find(&mut self.newton, &mut FullUpdate, &*self.eom, &mut self.trial)?;
-        while let Some((eom, matrix)) = self.eom.completed(&self.trial) {
+        while let Some((eom, matrix)) = self.eom.with_active_terms(&self.trial) {
             self.replace_equations(eom, matrix)?;
             found = found.repeated(Equilibrium::find(
                 &mut self.newton,

@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, LinearSolution, Newton, StateUpdate, dot};
+use crate::newton::{LinearSolution, Newton, SolveFailure, StateUpdate, dot};
 use crate::sparse::SparseMatrix;
 
 /// Direction in the space of states and load factors, with its dual in the metric of the path.
@@ -118,13 +118,13 @@ pub(crate) fn response(
     newton: &mut Newton,
     eom: &dyn EquationsOfMotion,
     s: &mut State,
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Vec<f64>, SolveFailure> {
     let mut r = vec![0.0; s.q.len() + s.lambda.len()];
     eom.residual(s, &mut r);
     let mut response = load_rate(eom, s, &r);
     response.iter_mut().for_each(|x| *x = -*x);
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    newton.tangent.factor.solve(&newton.tangent.matrix, &mut response).map_err(|_| Failure::Singular)?;
+    newton.tangent.factor.solve(&newton.tangent.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
     Ok(response)
 }
 
@@ -137,10 +137,10 @@ pub(crate) fn response(
 pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
 impl StateUpdate for PlaneUpdate<'_> {
-    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), Failure> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
         let mut response = load_rate(at.eom, s, at.r);
         response.iter_mut().for_each(|x| *x = -*x);
-        at.factor.solve(at.matrix, &mut response).map_err(|_| Failure::Singular)?;
+        at.factor.solve(at.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
         let load = -dot(&tangent.dual, at.z) / (dot(&tangent.dual, &response) + 0.5 * tangent.load);
         at.z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);

@@ -1,5 +1,5 @@
 use crate::equations::{Energy, EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, Newton, Report, SolveError, StateUpdate};
+use crate::newton::{Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
 
 /// Report of an equilibrium solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,20 +35,20 @@ impl Equilibrium {
         if report.iterations == 1 {
             // The first increment of a mechanism may have negligible energy compared with the state that it leads to.
             let repeated = newton.solve_with(update, eom, s, Weights::STIFFNESS)?;
-            report = Report { iterations: 1 + repeated.iterations, ..repeated };
+            report = NewtonReport { iterations: 1 + repeated.iterations, ..repeated };
         }
         if let Some(worst) = eom.inadmissible(s) {
-            return Err(SolveError::after(report, s.t, Failure::Inverted, worst));
+            return Err(SolveError::after(report, s.t, SolveFailure::Inverted, worst));
         }
-        let Report { iterations, residual, increment, floor } = report;
+        let NewtonReport { iterations, residual, increment, floor } = report;
         let (unstable, energy) = (newton.unstable(eom), eom.energy(s));
         Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
     /// Creates the error that rejects this equilibrium.
-    pub(crate) fn reject(&self, failure: Failure, s: &State) -> SolveError {
+    pub(crate) fn reject(&self, failure: SolveFailure, s: &State) -> SolveError {
         let Self { iterations, residual, increment, floor, .. } = *self;
-        SolveError::after(Report { iterations, residual, increment, floor }, s.t, failure, 0)
+        SolveError::after(NewtonReport { iterations, residual, increment, floor }, s.t, failure, 0)
     }
 
     /// Adds the cost of this attempt to that of the next one and returns the next one.

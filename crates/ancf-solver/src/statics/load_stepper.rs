@@ -2,18 +2,18 @@ use std::ops::ControlFlow;
 
 use super::equilibrium::Equilibrium;
 use crate::equations::{Energy, EquationsOfMotion, State};
-use crate::newton::{ActiveSet, EquilibriumError, Failure, LineSearch, Newton, SolveError};
+use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
 /// Sizes of load increments, relative to the interval between the first and the last load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Increments {
+pub struct LoadIncrements {
     /// First increment.
     pub first: f64,
     /// Smallest permitted increment.
     pub smallest: f64,
     /// Iteration count up to which the next increment is doubled.
-    pub quick: u32,
+    pub fast_iterations: u32,
     /// Largest increment after which a loss of stability is accepted.
     ///
     /// Newton's method also finds unstable equilibria, such as the straight state of a buckling column. After larger
@@ -21,10 +21,10 @@ pub struct Increments {
     pub trusted: f64,
 }
 
-impl Default for Increments {
+impl Default for LoadIncrements {
     /// A single increment, halved down to 2⁻²⁰, trusted from 2⁻¹⁶.
     fn default() -> Self {
-        Self { first: 1.0, smallest: 0.5_f64.powi(20), quick: 12, trusted: 0.5_f64.powi(16) }
+        Self { first: 1.0, smallest: 0.5_f64.powi(20), fast_iterations: 12, trusted: 0.5_f64.powi(16) }
     }
 }
 
@@ -37,12 +37,12 @@ const END_TOLERANCE: f64 = 1e-12;
 ///
 /// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
 /// corrects it. Failed increments are halved, and increments follow that double after fast convergence. Beyond a limit
-/// point, use [`Path`](super::arc_length::Path).
+/// point, use [`ArcLength`](super::arc_length::ArcLength).
 #[derive(Debug)]
-pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
+pub struct LoadStepper<'a, E: EquationsOfMotion + ?Sized> {
     eom: ActiveSet<'a, E>,
     newton: Newton,
-    increments: Increments,
+    increments: LoadIncrements,
     search: LineSearch,
     state: State,
     /// Number of unstable directions of the current state.
@@ -52,11 +52,11 @@ pub struct Statics<'a, E: EquationsOfMotion + ?Sized> {
     trial: State,
 }
 
-impl<'a, E: EquationsOfMotion> Statics<'a, E> {
+impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
     /// Starts from a state at or near equilibrium under its load factor, such as the state at rest with `load` = 0.
     ///
     /// Velocities and accelerations are set to zero. The start is assumed to be stable.
-    pub fn new(eom: &'a E, mut newton: Newton, increments: Increments, mut start: State) -> Self {
+    pub fn new(eom: &'a E, mut newton: Newton, increments: LoadIncrements, mut start: State) -> Self {
         start.v.fill(0.0);
         start.a.fill(0.0);
         newton.set_stagnation_limit(STAGNATION_LIMIT);
@@ -95,7 +95,7 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
                         return Ok(total);
                     }
                     found = Equilibrium::default();
-                    part *= if last.iterations <= self.increments.quick { 2.0 } else { 1.0 };
+                    part *= if last.iterations <= self.increments.fast_iterations { 2.0 } else { 1.0 };
                 }
                 Err(cause) => {
                     total.failed(&cause);
@@ -111,21 +111,21 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
 
     /// Solves for the equilibrium at a load factor and makes it the current state.
     fn attempt(&mut self, load: f64, check_stability: bool) -> Result<Equilibrium, SolveError> {
-        self.take_in()?;
+        self.include_near_terms()?;
         let mut found = Equilibrium::default();
         loop {
             self.predict(load);
             let Self { newton, search, eom, trial, .. } = self;
             found = found.repeated(Equilibrium::find(newton, search, &**eom, trial)?);
-            let Some((eom, matrix)) = eom.completed(trial) else { break };
+            let Some((eom, matrix)) = eom.with_active_terms(trial) else { break };
             // A term that is active there was not included.
             self.replace_equations(eom, matrix)?;
         }
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
         if check_stability && lost {
-            return Err(found.reject(Failure::Unstable, &self.trial));
+            return Err(found.reject(SolveFailure::Unstable, &self.trial));
         }
-        self.newton.met(found.energy.largest());
+        self.newton.record_energy(found.energy.largest());
         let before = self.before.get_or_insert_with(|| self.state.clone());
         before.copy_from(&self.state);
         self.state.copy_from(&self.trial);
@@ -144,8 +144,8 @@ impl<'a, E: EquationsOfMotion> Statics<'a, E> {
     ///
     /// # Errors
     /// If the memory does not suffice.
-    pub fn take_in(&mut self) -> Result<(), SolveError> {
-        match self.eom.ahead(&self.state) {
+    pub fn include_near_terms(&mut self) -> Result<(), SolveError> {
+        match self.eom.with_near_terms(&self.state) {
             Some((eom, matrix)) => self.replace_equations(eom, matrix),
             None => Ok(()),
         }

@@ -7,8 +7,8 @@ mod load_stepper;
 mod path_point;
 mod regularised;
 
-pub use arc_length::Path;
+pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
-pub use load_stepper::{Increments, Statics};
-pub use path_point::{ArcSteps, Left, Limit, PathPoint, Until};
-pub use regularised::settle;
+pub use load_stepper::{LoadIncrements, LoadStepper};
+pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
+pub use regularised::solve_regularised;

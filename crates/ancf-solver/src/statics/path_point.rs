@@ -2,7 +2,7 @@ use super::equilibrium::Equilibrium;
 
 /// Step sizes along an equilibrium path as arc lengths σ. At the start of the path dσ is the change of the load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArcSteps {
+pub struct ArcLengthSteps {
     /// First step size.
     pub first: f64,
     /// Smallest permitted step size.
@@ -13,7 +13,7 @@ pub struct ArcSteps {
     pub iterations: u32,
 }
 
-impl ArcSteps {
+impl ArcLengthSteps {
     /// Creates adaptive step sizes from a first change of the load factor.
     pub const fn from(first: f64) -> Self {
         Self { first, smallest: 1e-8 * first, largest: f64::INFINITY, iterations: 7 }
@@ -22,7 +22,7 @@ impl ArcSteps {
 
 /// End conditions of an equilibrium path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Until {
+pub struct EndConditions {
     /// Load factor at which the path ends exactly, at the first crossing.
     pub load: Option<f64>,
     /// Maximum number of points.
@@ -33,7 +33,7 @@ pub struct Until {
 
 /// Condition that ended the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Left {
+pub enum EndReason {
     /// The load factor was reached.
     Load,
     /// The number of points was reached.
@@ -41,12 +41,12 @@ pub enum Left {
     /// The arc length was reached.
     Length,
     /// The caller stopped the path.
-    Broken,
+    Stopped,
 }
 
 /// Limit point of the load factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
+pub enum LimitPoint {
     /// Local maximum of the load factor.
     Maximum,
     /// Local minimum of the load factor.
@@ -63,5 +63,5 @@ pub struct PathPoint {
     /// Slope ds/dσ of the load factor.
     pub slope: f64,
     /// Type of the limit point, if the slope vanishes here.
-    pub limit: Option<Limit>,
+    pub limit: Option<LimitPoint>,
 }

@@ -1,5 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::newton::{Failure, LinearSolution, Newton, SolveError, StateUpdate};
+use crate::newton::{LinearSolution, Newton, SolveError, SolveFailure, StateUpdate};
 
 /// Stagnation limit for increments of slowly decreasing energy.
 const STAGNATION_LIMIT: u32 = 100;
@@ -8,7 +8,7 @@ const STAGNATION_LIMIT: u32 = 100;
 struct CoordinateUpdate;
 
 impl StateUpdate for CoordinateUpdate {
-    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, _: Weights) -> Result<(), Failure> {
+    fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, _: Weights) -> Result<(), SolveFailure> {
         s.add(at.z, Weights::STIFFNESS);
         Ok(())
     }
@@ -21,7 +21,7 @@ impl StateUpdate for CoordinateUpdate {
 ///
 /// # Errors
 /// If there is no equilibrium, such as for a falling body.
-pub fn settle(
+pub fn solve_regularised(
     eom: &dyn EquationsOfMotion,
     newton: &mut Newton,
     s: &mut State,
@@ -30,5 +30,6 @@ pub fn settle(
     let weights = Weights { a: rate * rate, ..Weights::STIFFNESS };
     newton.set_stagnation_limit(STAGNATION_LIMIT);
     let report = newton.solve_with(&mut CoordinateUpdate, eom, s, weights)?;
-    eom.inadmissible(s).map_or(Ok(()), |worst| Err(SolveError::after(report, s.t, Failure::Inverted, worst)))
+    eom.inadmissible(s)
+        .map_or(Ok(()), |worst| Err(SolveError::after(report, s.t, SolveFailure::Inverted, worst)))
 }

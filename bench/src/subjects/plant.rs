@@ -1,7 +1,7 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model;
-use ancf::solver::dynamics::{Dynamics, Scheme, StepReport};
+use ancf::solver::dynamics::{SchemeCoefficients, StepReport, TimeStepper};
 use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
 use ancf::solver::newton::Newton;
 use ancf::solver::sparse::SparseMatrix;
@@ -40,7 +40,7 @@ impl Plant {
         self.scheme().weights(STEP)
     }
 
-    fn scheme(&self) -> Scheme {
+    fn scheme(&self) -> SchemeCoefficients {
         self.settings.scheme.numbers()
     }
 
@@ -48,13 +48,13 @@ impl Plant {
     ///
     /// # Errors
     /// If memory does not suffice, or the mass matrix is singular.
-    pub fn motion(&self) -> Result<Dynamics<'static, System>> {
+    pub fn motion(&self) -> Result<TimeStepper<'static, System>> {
         let system = self.system();
         let newton = Newton::new(system.matrix(), self.settings.stop.into(), self.settings.max_iterations)
             .map_err(|error| error.to_string())?;
         let start = self.assembly.start(self.model);
-        let mut motion = Dynamics::new(system, self.scheme(), newton, self.settings.max_halvings, start);
-        motion.take_in().and_then(|()| motion.restart(0.0)).map_err(|error| error.to_string())?;
+        let mut motion = TimeStepper::new(system, self.scheme(), newton, self.settings.max_halvings, start);
+        motion.include_near_terms().and_then(|()| motion.restart(0.0)).map_err(|error| error.to_string())?;
         Ok(motion)
     }
 
@@ -82,7 +82,7 @@ impl Plant {
 ///
 /// # Errors
 /// If the step fails.
-pub fn step(motion: &mut Dynamics<'static, System>) -> Result<StepReport> {
+pub fn step(motion: &mut TimeStepper<'static, System>) -> Result<StepReport> {
     let to = motion.state().t + STEP;
     motion.advance(to).map_err(|error| error.to_string())
 }

@@ -1,4 +1,4 @@
-use ancf::solver::dynamics::Dynamics;
+use ancf::solver::dynamics::TimeStepper;
 use ancf::solver::equations::System;
 
 use super::cantilever::CantileverKind;
@@ -10,7 +10,7 @@ use crate::Result;
 #[derive(Debug)]
 pub struct TimeSteps {
     plant: Plant,
-    motion: Option<Dynamics<'static, System>>,
+    motion: Option<TimeStepper<'static, System>>,
     elements: u32,
     steps: u32,
     iterations: u32,

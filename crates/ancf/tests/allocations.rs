@@ -8,7 +8,7 @@ use std::path::Path;
 
 use ancf::Model;
 use ancf::model::Step;
-use ancf::solver::dynamics::Dynamics;
+use ancf::solver::dynamics::TimeStepper;
 use ancf::solver::equations::EquationsOfMotion;
 use ancf::solver::newton::Newton;
 
@@ -23,7 +23,7 @@ fn allocations(name: &str) -> u64 {
     let newton =
         Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations).unwrap();
     let start = assembly.start(&model);
-    let mut dynamics = Dynamics::new(&assembly.system, settings.scheme.numbers(), newton, 5, start);
+    let mut dynamics = TimeStepper::new(&assembly.system, settings.scheme.numbers(), newton, 5, start);
     dynamics.restart(0.0).unwrap();
     let mut advance = |steps: std::ops::Range<u32>| {
         for i in steps {

@@ -1,7 +1,7 @@
 //! Python callables as functions of time and forces of a model.
 
 use ancf::Model;
-use ancf::mechanics::functions::{External, ForceFunction, Instant};
+use ancf::mechanics::functions::{ExternalFunction, ForceFunction, FunctionValue};
 use ancf::model::{Load, ModelErrors, Step, TimeFunction, Varying};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
@@ -83,7 +83,7 @@ impl Callables {
                 let step = (!model.loads.iter().any(|load| takes_value(load, &name)))
                     .then_some(step * DIFFERENCE_STEP);
                 let function = TimeCallable { name: name.clone(), function, signals, step };
-                model.supply(&name, External::new(move |t| function.at(t)));
+                model.supply(&name, ExternalFunction::new(move |t| function.at(t)));
             }
         }
     }
@@ -122,22 +122,22 @@ struct TimeCallable {
 
 impl TimeCallable {
     /// Returns value and rates: those of the callable, or finite differences.
-    fn at(&self, t: f64) -> Instant {
+    fn at(&self, t: f64) -> FunctionValue {
         Python::attach(|py| self.evaluate(py, t)).unwrap_or_else(|error| {
             self.signals.raise(error);
-            Instant { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN }
+            FunctionValue { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN }
         })
     }
 
-    fn evaluate(&self, py: Python<'_>, t: f64) -> PyResult<Instant> {
+    fn evaluate(&self, py: Python<'_>, t: f64) -> PyResult<FunctionValue> {
         let answer = self.function.call1(py, (t,))?.into_bound(py);
         let three = answer.extract::<[f64; 3]>().ok().filter(are_finite);
         if let Some([value, rate, acceleration]) = three {
-            return Ok(Instant { value, rate, acceleration });
+            return Ok(FunctionValue { value, rate, acceleration });
         }
         let value = self.number(t, &answer)?;
         match self.step {
-            None => Ok(Instant { value, ..Instant::default() }),
+            None => Ok(FunctionValue { value, ..FunctionValue::default() }),
             Some(h) => self.differences(py, t, value, h),
         }
     }
@@ -149,7 +149,7 @@ impl TimeCallable {
     }
 
     /// Computes rates by finite differences of fourth order: central, near t = 0 forward, as negative times are undefined.
-    fn differences(&self, py: Python<'_>, t: f64, value: f64, h: f64) -> PyResult<Instant> {
+    fn differences(&self, py: Python<'_>, t: f64, value: f64, h: f64) -> PyResult<FunctionValue> {
         let of = |k: i32| {
             let there = t + f64::from(k) * h;
             self.number(there, &self.function.call1(py, (there,))?.into_bound(py))
@@ -164,7 +164,7 @@ impl TimeCallable {
             let [a, b, c, d] = [of(-2)?, of(-1)?, of(1)?, of(2)?];
             (a - 8.0 * b + 8.0 * c - d, -a + 16.0 * b - 30.0 * value + 16.0 * c - d)
         };
-        Ok(Instant { value, rate: rate / (12.0 * h), acceleration: acceleration / (12.0 * h * h) })
+        Ok(FunctionValue { value, rate: rate / (12.0 * h), acceleration: acceleration / (12.0 * h * h) })
     }
 }
 

@@ -1,4 +1,4 @@
-use ancf::mechanics::bodies::across;
+use ancf::mechanics::bodies::normals_to;
 use ancf::mechanics::kinematics::{Attachment, Marker};
 use ancf::model::Against;
 use ancf::solver::equations::State;
@@ -97,7 +97,7 @@ fn obstacle(attachments: Attachments<'_>, number: usize, with: &Against) -> Opti
         inside,
         moves: with.on().is_some(),
         axis: carrier.direction(axis),
-        second: carrier.direction(across(axis)[0]),
+        second: carrier.direction(normals_to(axis)[0]),
         point: carrier.point,
         length: attachments.length,
     })

@@ -1,6 +1,6 @@
 //! Orthonormal triads of directions that may be degenerate.
 
-use ancf::mechanics::bodies::across;
+use ancf::mechanics::bodies::normals_to;
 use nalgebra::Vector3;
 
 /// Three orthonormal directors.
@@ -11,7 +11,7 @@ pub(crate) type Triad = [Vector3<f64>; 3];
 /// Without a first direction, the triad is that of the global axes.
 pub(crate) fn triad(first: Vector3<f64>, second: Vector3<f64>) -> Triad {
     let Some(x) = unit(first) else { return [Vector3::x(), Vector3::y(), Vector3::z()] };
-    let y = unit(second - x * x.dot(&second)).unwrap_or_else(|| across(x)[0]);
+    let y = unit(second - x * x.dot(&second)).unwrap_or_else(|| normals_to(x)[0]);
     [x, y, x.cross(&y)]
 }
 

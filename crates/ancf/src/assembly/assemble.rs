@@ -45,7 +45,7 @@ impl Model {
         let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
-        let system = System::new(coordinates, multipliers, terms).batched(batches);
+        let system = System::new(coordinates, multipliers, terms).with_batches(batches);
         let (breaks, inputs) = (self.breaks(clock), self.inputs(&bodies, clock));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
@@ -67,21 +67,21 @@ impl Model {
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };
         let mut assembly = Assembly { closed, ..assembly };
         let encounters = self.encounters(&assembly.bodies, &assembly.initial());
-        assembly.system = assembly.system.with(encounters);
+        assembly.system = assembly.system.with_searches(encounters);
         Ok(assembly)
     }
 
     /// Number of the body, arc length and place of a probe.
     fn probed(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         probe: &Probe,
     ) -> (usize, f64, Attachment) {
         let index = self.body_of(&probe.on);
         let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
         let place = self.attachment(bodies, &probe.on);
         let point = match (place.axes(), &bodies[index].1) {
-            (Some([_, d, e]), ancf_mechanics::bodies::Body::Flexible(_)) => {
+            (Some([_, d, e]), ancf_mechanics::bodies::BodyTerms::Flexible(_)) => {
                 Marker::combined([(1.0, &place.point), (y, d), (z, e)])
             }
             _ => place.point.clone(),

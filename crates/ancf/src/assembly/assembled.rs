@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use ancf_mechanics::bodies::BeamMesh;
 use ancf_mechanics::constraints::Wrench;
-use ancf_mechanics::kinematics::{Attachment, Kind, Marker};
+use ancf_mechanics::kinematics::{Attachment, Marker, VectorKind};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
@@ -22,7 +22,7 @@ pub struct Assembly {
     pub measures: Vec<Measure>,
     /// Whether strain energies of bodies are recorded by part.
     pub energy_parts: bool,
-    pub(crate) bodies: Vec<(String, ancf_mechanics::bodies::Body)>,
+    pub(crate) bodies: Vec<(String, ancf_mechanics::bodies::BodyTerms)>,
     pub(crate) joints: Vec<JointEquations>,
     pub(crate) couplings: Vec<String>,
     pub(crate) redundant: Vec<Redundant>,
@@ -73,12 +73,12 @@ impl Assembly {
     }
 
     /// The bodies and their names.
-    pub fn bodies(&self) -> impl Iterator<Item = (&str, &ancf_mechanics::bodies::Body)> {
+    pub fn bodies(&self) -> impl Iterator<Item = (&str, &ancf_mechanics::bodies::BodyTerms)> {
         self.bodies.iter().map(|(name, body)| (name.as_str(), body))
     }
 
     /// The body of a number, as [`Measure`] has it.
-    pub fn body_of(&self, number: usize) -> &ancf_mechanics::bodies::Body {
+    pub fn body_of(&self, number: usize) -> &ancf_mechanics::bodies::BodyTerms {
         &self.bodies[number].1
     }
 
@@ -106,7 +106,7 @@ impl Assembly {
     pub(crate) fn name_in(&self, equation: usize, length: f64) -> String {
         let mut first = 0;
         for (name, body) in &self.bodies {
-            if let Some((node, kind)) = body.place_of(equation) {
+            if let Some((node, kind)) = body.locate_coordinate(equation) {
                 let axis = ["x", "y", "z"][(equation - first) % 3];
                 return match node {
                     Some(node) => {
@@ -165,21 +165,21 @@ fn short(x: f64) -> String {
 }
 
 /// A vector of a node.
-const fn word(kind: Kind) -> &'static str {
+const fn word(kind: VectorKind) -> &'static str {
     match kind {
-        Kind::Position => "r",
-        Kind::Slope => "r_x",
-        Kind::Y => "r_y",
-        Kind::Z => "r_z",
+        VectorKind::Position => "r",
+        VectorKind::Slope => "r_x",
+        VectorKind::Y => "r_y",
+        VectorKind::Z => "r_z",
     }
 }
 
 /// A vector of a rigid body.
-const fn director(kind: Kind) -> &'static str {
+const fn director(kind: VectorKind) -> &'static str {
     match kind {
-        Kind::Position => "its centre",
-        Kind::Slope => "its first director",
-        Kind::Y => "its second director",
-        Kind::Z => "its third director",
+        VectorKind::Position => "its centre",
+        VectorKind::Slope => "its first director",
+        VectorKind::Y => "its second director",
+        VectorKind::Z => "its third director",
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies of a model as coordinates and terms.
 
-use ancf_mechanics::bodies::{BeamMesh, Blueprint};
-use ancf_mechanics::elements::{Medium, RigidBody};
+use ancf_mechanics::bodies::{BeamMesh, MeshParameters};
+use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Place};
 
 impl Model {
     /// The bodies, coordinates and multipliers counted on from body to body.
-    pub(crate) fn meshes(&self) -> Vec<(String, ancf_mechanics::bodies::Body)> {
+    pub(crate) fn meshes(&self) -> Vec<(String, ancf_mechanics::bodies::BodyTerms)> {
         let mut first = [0, 0];
         let meshes = self.bodies.iter().map(|body| {
             let mesh = self.body(body, first);
@@ -19,18 +19,18 @@ impl Model {
         meshes.collect()
     }
 
-    fn body(&self, body: &Body, first: [usize; 2]) -> ancf_mechanics::bodies::Body {
+    fn body(&self, body: &Body, first: [usize; 2]) -> ancf_mechanics::bodies::BodyTerms {
         let (centre, gravity) = (Vector3::from(body.span()[0]), Vector3::from(self.gravity));
         match body {
             Body::Rigid(rigid) => {
                 let rigid = RigidBody::new(first, centre, rigid.mass, rigid.tensor(), gravity);
-                ancf_mechanics::bodies::Body::Rigid(rigid)
+                ancf_mechanics::bodies::BodyTerms::Rigid(rigid)
             }
-            Body::Mass(point) => {
-                ancf_mechanics::bodies::Body::Rigid(RigidBody::point(first[0], centre, point.mass, gravity))
-            }
+            Body::Mass(point) => ancf_mechanics::bodies::BodyTerms::Rigid(RigidBody::point(
+                first[0], centre, point.mass, gravity,
+            )),
             Body::Beam(_) | Body::Cable(_) => {
-                ancf_mechanics::bodies::Body::Flexible(self.mesh(body, first[0]))
+                ancf_mechanics::bodies::BodyTerms::Flexible(self.mesh(body, first[0]))
             }
         }
     }
@@ -38,12 +38,12 @@ impl Model {
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
         let (_, material) = body.stuff().expect("a flexible body has a section and a material");
         let material = &self.materials[material];
-        let medium = Medium {
+        let medium = BeamMaterial {
             lame: material.lame(),
             neo_hookean: material.law == MaterialLaw::NeoHookean,
             density: material.density,
             retardation: material.damping.strain,
-            drag: material.damping.mass,
+            mass_damping: material.damping.mass,
             gravity: Vector3::from(self.gravity),
         };
         let elements = body.elements() as usize;
@@ -61,7 +61,7 @@ impl Model {
         let prismatic = !matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
         let origin = Vector3::from(body.span()[0]);
         let blueprint =
-            Blueprint { first, origin, length, slope, medium: &medium, section: &section, prismatic };
+            MeshParameters { first, origin, length, slope, medium: &medium, section: &section, prismatic };
         match body {
             Body::Beam(beam) => match beam.formulation.two_node() {
                 Some(formulation) => {
@@ -82,7 +82,7 @@ impl Model {
     /// What a place holds on to.
     pub(crate) fn attachment(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         place: &Place,
     ) -> Attachment {
         let index = self.body_of(place);
@@ -95,11 +95,11 @@ impl Model {
 
 impl Formulation {
     /// The formulation of the two-node element, if it is one.
-    const fn two_node(self) -> Option<ancf_mechanics::elements::Formulation> {
+    const fn two_node(self) -> Option<ancf_mechanics::elements::TwoNodeLaw> {
         match self {
-            Self::Continuum => Some(ancf_mechanics::elements::Formulation::Continuum),
-            Self::Enhanced => Some(ancf_mechanics::elements::Formulation::Enhanced),
-            Self::Linked => Some(ancf_mechanics::elements::Formulation::Linked),
+            Self::Continuum => Some(ancf_mechanics::elements::TwoNodeLaw::Continuum),
+            Self::Enhanced => Some(ancf_mechanics::elements::TwoNodeLaw::Enhanced),
+            Self::Linked => Some(ancf_mechanics::elements::TwoNodeLaw::Linked),
             Self::Quadratic => None,
         }
     }

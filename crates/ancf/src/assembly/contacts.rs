@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BeamMesh;
-use ancf_mechanics::contact::{BeamContacts, ContactLaw, Form, Obstacle, ObstacleContacts, Skin};
+use ancf_mechanics::contact::{
+    BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts, ObstacleShape,
+};
 use ancf_mechanics::kinematics::Attachment;
-use ancf_solver::equations::{Encounters, State};
+use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
 use crate::model::{Against, Contact, Model};
@@ -19,14 +21,14 @@ const POINTS: [f64; 2] = [4.0, 1e4];
 
 impl Against {
     /// The form, the point and the axis of an obstacle.
-    fn obstacle(&self) -> Option<(Form, Vector3<f64>, Vector3<f64>)> {
+    fn obstacle(&self) -> Option<(ObstacleShape, Vector3<f64>, Vector3<f64>)> {
         Some(match *self {
-            Self::Plane { point, normal, .. } => (Form::Plane, point.into(), normal.into()),
+            Self::Plane { point, normal, .. } => (ObstacleShape::Plane, point.into(), normal.into()),
             Self::Sphere { center, radius, inside, .. } => {
-                (Form::Sphere { radius, inside }, center.into(), Vector3::x())
+                (ObstacleShape::Sphere { radius, inside }, center.into(), Vector3::x())
             }
             Self::Cylinder { point, axis, radius, inside, .. } => {
-                (Form::Cylinder { radius, inside }, point.into(), axis.into())
+                (ObstacleShape::Cylinder { radius, inside }, point.into(), axis.into())
             }
             Self::Bodies => return None,
         })
@@ -64,10 +66,10 @@ impl Model {
     /// The contacts of a valid model; what overlaps in the state in which analyses begin is joined.
     pub(crate) fn encounters(
         &self,
-        built: &[(String, ancf_mechanics::bodies::Body)],
+        built: &[(String, ancf_mechanics::bodies::BodyTerms)],
         begin: &State,
-    ) -> Vec<Arc<dyn Encounters>> {
-        let of = |contact: &Contact| -> Option<Arc<dyn Encounters>> {
+    ) -> Vec<Arc<dyn ContactSearch>> {
+        let of = |contact: &Contact| -> Option<Arc<dyn ContactSearch>> {
             let bodies = contact.bodies(self).into_iter();
             let sized: Vec<_> = bodies
                 .filter_map(|i| Some((built[i].1.mesh()?, contact.radius(self, &self.bodies[i])?)))
@@ -75,11 +77,11 @@ impl Model {
             let thinnest = sized.iter().map(|(_, radius)| *radius).fold(f64::INFINITY, f64::min);
             let skin = |&(mesh, radius): &(&BeamMesh, f64)| {
                 let length = mesh.length() / mesh.count() as f64;
-                Skin::new(mesh, radius, contact.points(length, radius))
+                ContactTube::new(mesh, radius, contact.points(length, radius))
             };
             let (skins, law) = (sized.iter().map(skin).collect::<Vec<_>>(), contact.law(self, thinnest));
             let Some((form, point, axis)) = contact.with.obstacle() else {
-                return Some(Arc::new(BeamContacts::new(skins, law).joined_in(begin)));
+                return Some(Arc::new(BeamContacts::new(skins, law).with_joined_pairs(begin)));
             };
             let place = contact.with.on().map_or_else(
                 || Attachment::ground(point),

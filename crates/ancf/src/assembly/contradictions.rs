@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use ancf_solver::equations::{INDEPENDENT, State, Term};
+use ancf_solver::equations::{REDUNDANCY_TOLERANCE, State, Term};
 
 use super::redundant::{Constraints, Owner, Redundant};
 use crate::errors::{Finding, ModelError};
@@ -28,7 +28,7 @@ pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
     );
     let [coordinates, _] = Model::numbers(&meshes, &joints);
     let rest = State::rest(coordinates, constraints.multipliers);
-    let found = constraints.dependences(&rest, INDEPENDENT);
+    let found = constraints.dependences(&rest, REDUNDANCY_TOLERANCE);
     if found.is_empty() {
         return Vec::new();
     }

@@ -1,8 +1,8 @@
 //! Gaps between the places that joints connect, and how they are closed before an analysis begins.
 
-use ancf_mechanics::bodies::Body;
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_solver::equations::{EquationsOfMotion, State, System, Weights};
-use ancf_solver::newton::{Failure, Newton, SolveError, Stop};
+use ancf_solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 
 use super::assembled::Assembly;
 use crate::errors::{ModelError, ModelErrors};
@@ -45,7 +45,8 @@ impl Model {
         let mut terms = meshes.iter().flat_map(|(_, mesh)| mesh.terms()).collect::<Vec<_>>();
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         let rest = assembly.rest();
-        let system = System::new(rest.q.len(), rest.lambda.len(), terms).sharing(assembly.undetermined());
+        let system = System::new(rest.q.len(), rest.lambda.len(), terms)
+            .with_shared_multipliers(assembly.undetermined());
         let gaps: Vec<(String, f64)> = joints
             .iter()
             .filter(|joint| joint.gap().norm() > GAP * self.length())
@@ -69,7 +70,7 @@ impl Model {
 }
 
 /// The largest displacement of the nodes of a body.
-fn displacement(body: &Body, s: &State) -> f64 {
+fn displacement(body: &BodyTerms, s: &State) -> f64 {
     let positions = body.vectors(s).into_iter().filter(|vector| vector.is_position());
     let moved = positions.map(|vector| {
         let q = &s.q[vector.first..vector.first + 3];
@@ -82,7 +83,7 @@ fn displacement(body: &Body, s: &State) -> f64 {
 fn closed(system: &System, length: f64) -> Result<State, SolveError> {
     let mut s = State { load: 0.0, ..State::rest(system.coordinates(), system.multipliers()) };
     let mut rate = RATE.0 * slowest(system, &s);
-    let stop = Stop::Increment(INCREMENT * length);
+    let stop = StopRule::Increment(INCREMENT * length);
     let mut newton = Newton::new(system.matrix(), stop, ITERATIONS)?;
     let mut part = 1.0;
     while s.load < 1.0 {
@@ -113,7 +114,7 @@ fn settle(system: &System, newton: &mut Newton, s: &mut State, rate: f64) -> Res
     match system.inadmissible(s) {
         None => Ok(()),
         Some(worst) => {
-            let failure = Failure::Inverted;
+            let failure = SolveFailure::Inverted;
             Err(SolveError {
                 failure,
                 t: s.t,

@@ -47,7 +47,11 @@ impl Inputs {
 
 impl Model {
     /// The functions of an assembly of this model by a clock.
-    pub(crate) fn inputs(&self, bodies: &[(String, ancf_mechanics::bodies::Body)], clock: Clock) -> Inputs {
+    pub(crate) fn inputs(
+        &self,
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
+        clock: Clock,
+    ) -> Inputs {
         let times = self.time_functions().into_iter();
         let times = times.map(|(path, time)| {
             let drives = path.starts_with("joints");
@@ -56,7 +60,7 @@ impl Model {
         let forces = loads_of(self).filter_map(|(path, load)| {
             let Load::External { on, units, supplied, .. } = load else { return None };
             let own = supplied.as_ref()?;
-            let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
+            let own = if clock == Clock::Runs { own.clone() } else { own.frozen_at(1.0) };
             let force = own.in_units(units.length, units.time, units.force);
             Some((path, self.attachment(bodies, on).point, force))
         });

@@ -1,6 +1,6 @@
 //! Joints and couplings of a model as equations.
 
-use ancf_mechanics::constraints::{Measure as Measured, Tie};
+use ancf_mechanics::constraints::{BilinearMeasure as Measured, MeasureConstraint};
 use ancf_mechanics::kinematics::{Attachment, ElementAxis};
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
@@ -14,7 +14,7 @@ use crate::model::{Beam, Body, Clock, Formulation, Model, Place};
 impl Model {
     /// Numbers of coordinates and multipliers of bodies and joints.
     pub(crate) fn numbers(
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         joints: &[JointEquations],
     ) -> [usize; 2] {
         let of_bodies = bodies.iter().map(|(_, body)| [body.coordinates(), body.multipliers()]);
@@ -25,7 +25,7 @@ impl Model {
     /// The equations of the joints; coordinates and multipliers are numbered after those of the bodies.
     pub(crate) fn joint_equations(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         clock: Clock,
     ) -> Vec<JointEquations> {
         let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
@@ -43,7 +43,7 @@ impl Model {
     fn equations_of(
         &self,
         joint: &dyn JointKind,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         numbering: Numbering,
         coupled: &dyn Fn(Freed) -> bool,
     ) -> JointEquations {
@@ -76,7 +76,7 @@ impl Model {
     /// Element axes of a flexible body, and the arc length of a place on it.
     fn beam(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         place: &Place,
     ) -> Option<(Vec<ElementAxis>, f64)> {
         let index = self.body_of(place);
@@ -87,7 +87,7 @@ impl Model {
     /// The equations of the couplings, by multipliers after those of the joints.
     pub(crate) fn coupling_terms(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         joints: &[JointEquations],
     ) -> Vec<Box<dyn Term>> {
         let [_, first] = Self::numbers(bodies, joints);
@@ -99,7 +99,7 @@ impl Model {
         let tie = |(k, coupling): (usize, &Coupling)| {
             let measure = coupling.joints.iter().try_fold(Measured::default(), part);
             let measure = measure.expect("a checked coupling names freedoms that are there");
-            Box::new(Tie::new(measure, first + k).named("coupling")) as Box<dyn Term>
+            Box::new(MeasureConstraint::new(measure, first + k).named("coupling")) as Box<dyn Term>
         };
         self.couplings.iter().enumerate().map(tie).collect()
     }

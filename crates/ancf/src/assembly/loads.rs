@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ancf_mechanics::bodies::{BeamMesh, Piece};
+use ancf_mechanics::bodies::{BeamMesh, ElementSpan};
 use ancf_mechanics::forces::{ExternalForce, FollowerForce, Force, Moment};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::Attachment;
@@ -18,7 +18,7 @@ impl Model {
     pub(crate) fn spread_load(
         &self,
         load: &Load,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         clock: Clock,
     ) -> Terms {
         let function = load.function(clock);
@@ -43,7 +43,7 @@ impl Model {
         &self,
         load: &Load,
         on: &Stretch<'_>,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         function: &Function,
     ) -> Terms {
         let pairs =
@@ -55,7 +55,7 @@ impl Model {
         let [first, last] = on.loads.map(Vector3::from);
         let part = |s: f64| (s - from) / (to - from);
         let mut terms = Terms::new();
-        for piece in mesh.pieces(from..to) {
+        for piece in mesh.element_spans(from..to) {
             if !load.is_follower() && !load.is_moment() {
                 terms.extend(dead(mesh, &piece, [first, last], &part, function));
                 continue;
@@ -79,7 +79,7 @@ impl Model {
     fn immersed(
         &self,
         fluid: &Fluid,
-        bodies: &[(String, ancf_mechanics::bodies::Body)],
+        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         clock: Clock,
     ) -> Terms {
         let medium = fluid.medium(self.gravity, clock);
@@ -88,7 +88,7 @@ impl Model {
                 let hull = self.section_at(body, s / mesh.length()).and_then(|section| fluid.hull(&section));
                 hull.expect("a checked model says the diameters of its bodies in fluids")
             };
-            mesh.immersed(&medium, hull)
+            mesh.hydrodynamic_loads(&medium, hull)
         };
         let wet = self.bodies.iter().zip(bodies).filter_map(|(body, (_, built))| Some((body, built.mesh()?)));
         let wet = wet.filter(|(body, _)| fluid.bodies.iter().any(|name| name == body.name()));
@@ -99,13 +99,13 @@ impl Model {
 /// A load per length that stays, on a piece: exactly the forces that do its work on a cubic axis.
 fn dead(
     mesh: &BeamMesh,
-    piece: &Piece,
+    piece: &ElementSpan,
     [first, last]: [Vector3<f64>; 2],
     part: &dyn Fn(f64) -> f64,
     function: &Function,
 ) -> Terms {
     let force = |p: &dyn Fn(f64) -> f64, force: Vector3<f64>| {
-        Box::new(Force::varying(&mesh.spread(piece, p), force, function.clone())) as Box<dyn Term>
+        Box::new(Force::varying(&mesh.distributed_marker(piece, p), force, function.clone())) as Box<dyn Term>
     };
     if first == last {
         return vec![force(&|_| 1.0, first)];
@@ -138,7 +138,7 @@ impl Load {
             }
             Self::External { units, supplied, .. } => {
                 let own = supplied.as_ref()?;
-                let own = if clock == Clock::Runs { own.clone() } else { own.held(1.0) };
+                let own = if clock == Clock::Runs { own.clone() } else { own.frozen_at(1.0) };
                 let function = own.in_units(units.length, units.time, units.force);
                 Box::new(ExternalForce::new(&on.point, function, length))
             }
@@ -148,8 +148,8 @@ impl Load {
 }
 
 impl Fluid {
-    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::Fluid> {
-        Arc::new(ancf_mechanics::fluid::Fluid {
+    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::FlowField> {
+        Arc::new(ancf_mechanics::fluid::FlowField {
             density: self.density,
             gravity: Vector3::from(gravity),
             current: Vector3::from(self.current),

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt;
 
 use ancf_solver::equations::{Dependence, Level, Local, State, Term, all_constraint_rows, dependences};
-use ancf_solver::factor::Sparse;
+use ancf_solver::factor::SparseVector;
 
 use crate::joints::JointEquations;
 
@@ -76,7 +76,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// The rows of Φ_q in a state, by multiplier.
-    fn rows(&self, s: &State) -> Vec<Sparse> {
+    fn rows(&self, s: &State) -> Vec<SparseVector> {
         all_constraint_rows(self.terms.iter().copied(), self.multipliers, s)
     }
 

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Dependence, INDEPENDENT, State};
+use ancf_solver::equations::{Dependence, REDUNDANCY_TOLERANCE, State};
 
 use super::assembled::Assembly;
 use super::redundant::{APART, Constraints, Redundant};
@@ -20,7 +20,7 @@ impl Assembly {
     /// The joint equations that contradict others in a state, by name.
     pub fn contradicting(&self, s: &State) -> Vec<Redundant> {
         let constraints = self.constraints();
-        let found = constraints.dependences(s, INDEPENDENT);
+        let found = constraints.dependences(s, REDUNDANCY_TOLERANCE);
         let wrong = constraints.contradictions(&found, None, std::iter::once(s.clone()));
         wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
     }
@@ -29,7 +29,7 @@ impl Assembly {
     /// not linear, where [`contradicting`](Self::contradicting) does not judge. The state is that of a solution but for its time.
     pub(crate) fn parting(&self, s: &State) -> Vec<Redundant> {
         let constraints = self.constraints();
-        let found = constraints.dependences(s, INDEPENDENT);
+        let found = constraints.dependences(s, REDUNDANCY_TOLERANCE);
         let [phi, floor] = constraints.values(s);
         let parts = |dependence: &&Dependence| {
             let sum = |of: &dyn Fn(usize) -> f64| {
@@ -45,7 +45,7 @@ impl Assembly {
 
     /// By how much the constraint equations exceed their rank in the reference state.
     pub(crate) fn rank_deficiency(&self) -> usize {
-        self.constraints().dependences(&self.rest(), INDEPENDENT).len()
+        self.constraints().dependences(&self.rest(), REDUNDANCY_TOLERANCE).len()
     }
 
     /// Multipliers that redundant equations leave undetermined.
@@ -60,10 +60,10 @@ impl Assembly {
     /// Finds out what is redundant, and has its multipliers shared.
     pub(crate) fn sharing(mut self) -> Self {
         let (rest, constraints) = (self.rest(), self.constraints());
-        let found = constraints.dependences(&rest, INDEPENDENT);
+        let found = constraints.dependences(&rest, REDUNDANCY_TOLERANCE);
         let undetermined = constraints.undetermined(&found, &rest);
         self.redundant = constraints.words(&found);
-        self.system = self.system.sharing(undetermined.iter().copied());
+        self.system = self.system.with_shared_multipliers(undetermined.iter().copied());
         self.undetermined = undetermined;
         self
     }

@@ -1,6 +1,6 @@
 //! The rules of bodies that the schema cannot say.
 
-use ancf_mechanics::elements::is_inertia;
+use ancf_mechanics::elements::is_physical_inertia;
 use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, is_direction, no_direction, unknown};
@@ -39,7 +39,7 @@ pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
 /// Moments of inertia are those of matter: none exceeds the sum of the others.
 fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
     let Body::Rigid(rigid) = body else { return None };
-    (!is_inertia(&rigid.tensor())).then(|| {
+    (!is_physical_inertia(&rigid.tensor())).then(|| {
         let wanted = "principal moments above 0, none larger than the sum of the other two";
         let listed = rigid.inertia.map(number).join(", ");
         finding(format!("{path}.inertia"), format!("[{listed}]"), wanted)

@@ -52,7 +52,7 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
                 rest => quoted(rest),
             };
             let found = format!("{found} at character {}", error.at + 1);
-            Some(finding(path, found, error.wanted))
+            Some(finding(path, found, error.expected))
         }
         Ok(function) => {
             let value = function.value(0.0);

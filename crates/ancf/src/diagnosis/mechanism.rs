@@ -2,7 +2,7 @@ use std::fmt;
 
 use ancf_mechanics::kinematics::NodalVector;
 use ancf_solver::equations::{EquationsOfMotion, State, Term, Weights, constraint_rows};
-use ancf_solver::factor::{Kernel, Sparse};
+use ancf_solver::factor::{NullSpace, SparseVector};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use crate::assembly::Assembly;
@@ -57,7 +57,7 @@ impl Assembly {
     pub fn free_motions(&self, s: &State) -> Vec<FreeMotion> {
         let rigid = Rigid::new(self, s);
         let unknowns = 6 * rigid.bodies.len() + rigid.own.len();
-        let motions: Vec<(usize, Sparse)> = rigid.kernel(self, s).vectors(unknowns).into_iter().collect();
+        let motions: Vec<(usize, SparseVector)> = rigid.kernel(self, s).basis(unknowns).into_iter().collect();
         let free = self.without_stiffness(s, &rigid, &motions);
         let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
         moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
@@ -68,12 +68,12 @@ impl Assembly {
         &self,
         s: &State,
         rigid: &Rigid,
-        motions: &[(usize, Sparse)],
-    ) -> Vec<(usize, Sparse)> {
+        motions: &[(usize, SparseVector)],
+    ) -> Vec<(usize, SparseVector)> {
         let mut stiffness = self.system.matrix();
         self.system.tangent(s, Weights::STIFFNESS, &mut stiffness);
         let size = stiffness.pattern().size();
-        let mut rows = vec![Sparse::new(); motions.len()];
+        let mut rows = vec![SparseVector::new(); motions.len()];
         // By coordinate: the motions that move it, and how far.
         let mut movers = vec![Vec::new(); size];
         for (i, (_, y)) in motions.iter().enumerate() {
@@ -94,13 +94,13 @@ impl Assembly {
                 }
             }
         }
-        let mut kernel = Kernel::default();
+        let mut kernel = NullSpace::default();
         for (i, mut row) in rows.into_iter().enumerate() {
             row.iter_mut().for_each(|(&j, x)| *x *= scale[i] * scale[j]);
-            kernel.restrict(row, 1.0, |_| false);
+            kernel.add_row(row, 1.0, |_| false);
         }
-        let combine = |(leader, parts): (usize, Sparse)| {
-            let mut sum = Sparse::new();
+        let combine = |(leader, parts): (usize, SparseVector)| {
+            let mut sum = SparseVector::new();
             for (k, part) in parts {
                 // Parts were scaled for their products to be compared.
                 let part = if scale[leader] > 0.0 { part * scale[k] / scale[leader] } else { part };
@@ -108,7 +108,7 @@ impl Assembly {
             }
             (motions[leader].0, sum)
         };
-        kernel.vectors(motions.len()).into_iter().map(combine).collect()
+        kernel.basis(motions.len()).into_iter().map(combine).collect()
     }
 }
 
@@ -157,27 +157,27 @@ impl Rigid {
     }
 
     /// The velocities that all joints admit and that move something.
-    fn kernel(&self, assembly: &Assembly, s: &State) -> Kernel {
-        let mut kernel = Kernel::default();
+    fn kernel(&self, assembly: &Assembly, s: &State) -> NullSpace {
+        let mut kernel = NullSpace::default();
         let translation = |unknown: usize| unknown >= 6 * self.bodies.len() || unknown % 6 < 3;
         for (b, body) in self.bodies.iter().enumerate() {
             for spin in body.idle_spins() {
                 let row = (0..3).map(|k| (6 * b + 3 + k, spin[k])).collect();
-                kernel.restrict(row, SMALL, translation);
+                kernel.add_row(row, SMALL, translation);
             }
         }
         for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
             for row in self.rows(term.as_ref(), s) {
-                kernel.restrict(row, SMALL, translation);
+                kernel.add_row(row, SMALL, translation);
             }
         }
         kernel
     }
 
     /// The rows Φ_q of one term on rigid motions, relative to the magnitudes that they are sums of.
-    fn rows(&self, term: &dyn Term, s: &State) -> Vec<Sparse> {
-        let on_rigid = |of_term: Sparse| {
-            let (mut row, mut magnitude) = (Sparse::new(), Sparse::new());
+    fn rows(&self, term: &dyn Term, s: &State) -> Vec<SparseVector> {
+        let on_rigid = |of_term: SparseVector| {
+            let (mut row, mut magnitude) = (SparseVector::new(), SparseVector::new());
             for (c, entry) in of_term {
                 for (unknown, x) in self.motions_of(c) {
                     let product = entry * x;
@@ -208,13 +208,13 @@ impl Rigid {
     }
 
     /// Whether a motion, told by a free unknown, is one of bodies.
-    fn moves_bodies(&self, leader: usize, motion: &Sparse) -> bool {
+    fn moves_bodies(&self, leader: usize, motion: &SparseVector) -> bool {
         let bodies = 6 * self.bodies.len();
         leader < bodies || motion.keys().any(|&unknown| unknown < bodies)
     }
 
     /// The coordinates that a motion moves, and how far.
-    fn moved(&self, motion: &Sparse) -> Vec<(usize, f64)> {
+    fn moved(&self, motion: &SparseVector) -> Vec<(usize, f64)> {
         let mut moved = Vec::new();
         for (b, body) in self.bodies.iter().enumerate() {
             let part: Vec<(usize, f64)> = motion.range(6 * b..6 * b + 6).map(|(j, y)| (j % 6, *y)).collect();
@@ -230,7 +230,7 @@ impl Rigid {
     }
 
     /// A motion in words, beginning with one body.
-    fn describe(&self, assembly: &Assembly, leader: usize, motion: &Sparse) -> FreeMotion {
+    fn describe(&self, assembly: &Assembly, leader: usize, motion: &SparseVector) -> FreeMotion {
         let mut moves: Vec<(bool, (String, Motion))> = Vec::new();
         let largest = motion.values().fold(0.0, |max: f64, y| max.max(y.abs()));
         for (b, ((name, _), body)) in assembly.bodies().zip(&self.bodies).enumerate() {

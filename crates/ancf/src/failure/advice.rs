@@ -1,7 +1,7 @@
 //! What to try after a failure.
 
 use ancf_solver::eigen::EigenError;
-use ancf_solver::newton::Failure;
+use ancf_solver::newton::SolveFailure;
 
 use crate::model::{Analysis, Dynamics, Step};
 
@@ -12,12 +12,12 @@ const OF_INVERTED: &str = "more elements there and smaller steps; loads that the
                            reaches the end of its beam, for a spring, whether its ends meet";
 
 /// What to try after an iteration failed.
-pub(crate) fn after(failure: Failure, analysis: &Analysis) -> String {
+pub(crate) fn after(failure: SolveFailure, analysis: &Analysis) -> String {
     match (failure, analysis) {
-        (Failure::Singular, _) => OF_SINGULAR.into(),
-        (Failure::Memory, _) => OF_MEMORY.into(),
-        (Failure::Inverted, _) => OF_INVERTED.into(),
-        (Failure::StepTooSmall, _) => "a larger `step.tolerance`; ramps in the place of jumps of loads and drives; softer \
+        (SolveFailure::Singular, _) => OF_SINGULAR.into(),
+        (SolveFailure::Memory, _) => OF_MEMORY.into(),
+        (SolveFailure::Inverted, _) => OF_INVERTED.into(),
+        (SolveFailure::StepTooSmall, _) => "a larger `step.tolerance`; ramps in the place of jumps of loads and drives; softer \
                                        or damped contacts; a scheme that damps, such as `scheme = { spectral_radius = 0.6 }`"
             .into(),
         (_, Analysis::Dynamics(settings)) => of_motion(settings),

@@ -1,7 +1,7 @@
 //! What has to do with a failure besides the iteration that failed: functions of the user, joints, stability.
 
 use ancf_solver::equations::State;
-use ancf_solver::newton::{Failure, SolveError};
+use ancf_solver::newton::{SolveError, SolveFailure};
 
 use super::stability::{instability, is_held};
 use crate::assembly::{Assembly, Redundant};
@@ -38,7 +38,7 @@ const OF_BUCKLING: &str = "an analysis of kind \"buckling\" for the critical loa
 
 /// What is to blame for an iteration that failed on its way from a state, at a load factor.
 pub(crate) fn blame(assembly: &Assembly, from: &State, load: f64, error: &SolveError) -> Option<Blame> {
-    if matches!(error.failure, Failure::Interrupted | Failure::Memory) {
+    if matches!(error.failure, SolveFailure::Interrupted | SolveFailure::Memory) {
         return None;
     }
     let there = State { t: error.t, load, ..from.clone() };
@@ -65,7 +65,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
         return blame("joints contradict each other", &wrong, OF_CONTRADICTIONS);
     }
     // Without pivoting, what is singular but for rounding may be seen in the iteration only.
-    let nearly = if error.failure == Failure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
+    let nearly = if error.failure == SolveFailure::Singular { &NEARLY[..] } else { &NEARLY[..2] };
     let new = |tolerance| {
         let found = assembly.redundant_in(from, tolerance);
         let before = assembly.redundant_in(&assembly.rest(), tolerance);
@@ -77,7 +77,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
 
 /// A last state that is unstable.
 fn buckling(assembly: &Assembly, from: &State, error: &SolveError) -> Option<Blame> {
-    if error.failure == Failure::Inverted || !is_held(assembly) {
+    if error.failure == SolveFailure::Inverted || !is_held(assembly) {
         return None;
     }
     let found = instability(assembly, from)?;

@@ -40,7 +40,7 @@ pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability>
     if !s.q.iter().chain(&s.lambda).all(|x| x.is_finite()) {
         return None;
     }
-    match assembly.system.completed(s) {
+    match assembly.system.with_active_terms(s) {
         Some((complete, _)) => of(&complete, assembly, s),
         None => of(&assembly.system, assembly, s),
     }

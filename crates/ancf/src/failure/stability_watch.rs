@@ -94,6 +94,6 @@ impl Watch {
 
 /// True if a coordinate belongs to a body with significant bending stiffness; slack cables are not reported.
 fn is_on_beam(assembly: &Assembly, coordinate: usize) -> bool {
-    let owner = assembly.bodies().find(|(_, body)| body.place_of(coordinate).is_some());
+    let owner = assembly.bodies().find(|(_, body)| body.locate_coordinate(coordinate).is_some());
     owner.and_then(|(_, body)| body.mesh()).is_some_and(|mesh| mesh.has_sections())
 }

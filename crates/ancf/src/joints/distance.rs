@@ -1,4 +1,4 @@
-use ancf_mechanics::constraints::Target;
+use ancf_mechanics::constraints::MeasureTarget;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -51,7 +51,7 @@ impl JointKind for Distance {
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
         let (measure, length) = measures::half_square(builder.a(), builder.b());
-        let target = Target::of_length(length, self.change, builder.function(&self.time));
+        let target = MeasureTarget::of_length(length, self.change, builder.function(&self.time));
         builder.prescribe("length", measure, target);
         builder.length();
     }

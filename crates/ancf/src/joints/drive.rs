@@ -1,4 +1,4 @@
-use ancf_mechanics::constraints::Target;
+use ancf_mechanics::constraints::MeasureTarget;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -89,7 +89,7 @@ impl JointKind for DrivenClamp {
             for (measure, way) in
                 measures::meeting(builder.a(), builder.b()).into_iter().zip(self.displacement)
             {
-                builder.prescribe("driven position", measure, Target::new(way, function.clone()));
+                builder.prescribe("driven position", measure, MeasureTarget::new(way, function.clone()));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Functions that the program supplies to a model, by the names under which the model asks for them.
 
-use ancf_mechanics::functions::{External, ForceFunction};
+use ancf_mechanics::functions::{ExternalFunction, ForceFunction};
 
 use crate::model::{Load, Model, TimeFunction, Varying};
 
@@ -10,7 +10,7 @@ impl Model {
     /// A motor that a program controls:
     ///
     /// ```
-    /// use ancf::mechanics::functions::{External, Instant};
+    /// use ancf::mechanics::functions::{ExternalFunction, FunctionValue};
     /// use ancf::record::Series;
     /// use ancf::{Model, simulate};
     ///
@@ -40,7 +40,7 @@ impl Model {
     /// assert!((angle - 0.5).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn supply(&mut self, name: &str, function: External) -> bool {
+    pub fn supply(&mut self, name: &str, function: ExternalFunction) -> bool {
         let mut asked = false;
         for time in self.time_functions_mut() {
             if let TimeFunction::Varying(Varying::External { name: own, supplied, .. }) = time

@@ -1,4 +1,4 @@
-use ancf_mechanics::bodies::Body;
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::Attachment;
 use ancf_solver::equations::State;
@@ -71,7 +71,7 @@ pub struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// Stations at the ends of elements and at `parts` − 1 places between, evenly spaced by arc length.
     pub fn new(assembly: &'a Assembly, scales: Scales, parts: u32) -> Self {
-        let along = |(number, (_, body)): (usize, (&str, &'a Body))| {
+        let along = |(number, (_, body)): (usize, (&str, &'a BodyTerms))| {
             stations_of(body, parts.max(1)).into_iter().map(move |(arc_length, place)| {
                 let s = arc_length * scales.unit(Dimension::LENGTH);
                 Station { body: number, s, arc_length, place }
@@ -127,13 +127,13 @@ impl<'a> Fields<'a> {
 }
 
 /// Arc lengths and places of the stations of a body.
-fn stations_of(body: &Body, parts: u32) -> Vec<(f64, Attachment)> {
+fn stations_of(body: &BodyTerms, parts: u32) -> Vec<(f64, Attachment)> {
     match body {
-        Body::Flexible(mesh) => {
+        BodyTerms::Flexible(mesh) => {
             let count = mesh.count() * parts as usize;
             let at = |i: usize| mesh.length() * (i as f64 / count as f64);
             (0..=count).map(|i| (at(i), mesh.attachment(at(i)))).collect()
         }
-        Body::Rigid(body) => vec![(0.0, body.attachment(body.centre()))],
+        BodyTerms::Rigid(body) => vec![(0.0, body.attachment(body.centre()))],
     }
 }

@@ -126,7 +126,7 @@ impl<'a> Run<'a> {
         let dynamics = pace.dynamics();
         let s = dynamics.state();
         let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
-        let row = rows.fill(self.assembly, s, t, &own, energy, Some(dynamics.exchanged()));
+        let row = rows.fill(self.assembly, s, t, &own, energy, Some(dynamics.energy_exchange()));
         let flow = self.observer.record(row, s)?;
         pace.recorded();
         Ok(flow)

@@ -1,9 +1,9 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf_solver::eigen::{Critical, EigenError, Mode, buckling, modes};
+use ancf_solver::eigen::{CriticalLoad, EigenError, Mode, buckling, modes};
 use ancf_solver::equations::{EquationsOfMotion, State};
-use ancf_solver::newton::Failure;
+use ancf_solver::newton::SolveFailure;
 
 use super::equilibria::{equilibrium, settled};
 use super::run::{Ended, Reason, Run};
@@ -45,11 +45,11 @@ impl Run<'_> {
                 // What nothing holds without loads may hang on them.
                 let settled = settled(self.assembly, model, start, self.interrupt);
                 let settled = settled.map_err(|error| match error.failure {
-                    Failure::Interrupted => error.into(),
+                    SolveFailure::Interrupted => error.into(),
                     _ => free,
                 })?;
                 self.held(&settled)?;
-                match self.assembly.system.completed(&settled) {
+                match self.assembly.system.with_active_terms(&settled) {
                     Some(_) => equilibrium(self.assembly, settled, self.interrupt),
                     None => Ok(settled),
                 }
@@ -62,7 +62,7 @@ impl Run<'_> {
         self.begin(&MODES)?;
         let found = self.state_about(model, settings.about).and_then(|s| {
             let (system, count) = (&self.assembly.system, settings.count as usize);
-            let found = match system.completed(&s) {
+            let found = match system.with_active_terms(&s) {
                 Some((complete, matrix)) => modes(&complete, matrix, &s, count, self.interrupt)?,
                 None => modes(system, system.matrix(), &s, count, self.interrupt)?,
             };
@@ -77,7 +77,7 @@ impl Run<'_> {
             Ok((about, found)) => self.shapes(
                 about,
                 found.iter().map(|mode| {
-                    let Mode { squared, shape, residual } = mode;
+                    let Mode { omega_squared: squared, shape, residual } = mode;
                     let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
                     (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
                 }),
@@ -92,14 +92,16 @@ impl Run<'_> {
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
         let found = self.held(&s).and_then(|()| {
             let (count, sense) = (settings.count as usize, settings.sense.into());
-            Ok(match system.completed(&s) {
+            Ok(match system.with_active_terms(&s) {
                 Some((complete, matrix)) => buckling(&complete, matrix, &s, count, sense, self.interrupt)?,
                 None => buckling(system, system.matrix(), &s, count, sense, self.interrupt)?,
             })
         });
         match found {
-            Ok(found) => self
-                .shapes(s, found.iter().map(|Critical { factor, shape }| (vec![*factor], shape.as_slice()))),
+            Ok(found) => self.shapes(
+                s,
+                found.iter().map(|CriticalLoad { factor, shape }| (vec![*factor], shape.as_slice())),
+            ),
             Err(reason) => Ok(Err(reason)),
         }
     }

@@ -2,8 +2,10 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::equations::State;
-use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, Stop};
-use ancf_solver::statics::{ArcSteps, Equilibrium, Increments, Limit, PathPoint, Until, settle};
+use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, StopRule};
+use ancf_solver::statics::{
+    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, PathPoint, solve_regularised,
+};
 
 use super::outcome::mechanism;
 use super::run::{Ended, Reason, Run};
@@ -27,15 +29,15 @@ fn own(found: &Equilibrium) -> [f64; 4] {
 pub(crate) fn equilibrium(assembly: &Assembly, start: State, interrupt: &Interrupt) -> Result<State, Reason> {
     let Statics { stop, max_iterations, .. } = Statics::default();
     let newton = Newton::new(assembly.system.matrix(), stop.into(), max_iterations)?;
-    let newton = newton.heeding(interrupt.clone());
+    let newton = newton.with_interrupt(interrupt.clone());
     let mut statics =
-        ancf_solver::statics::Statics::new(&assembly.system, newton, Increments::default(), start);
+        ancf_solver::statics::LoadStepper::new(&assembly.system, newton, LoadIncrements::default(), start);
     statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
     Ok(statics.state().clone())
 }
 
 /// Down to rounding: what is left of the loads would be taken for stiffness.
-const SETTLED: Stop = Stop::Energy(1e-14);
+const SETTLED: StopRule = StopRule::Energy(1e-14);
 /// Iterations until then, of which each may gain little.
 const SETTLING: u32 = 1000;
 
@@ -50,8 +52,8 @@ pub(crate) fn settled(
     let own = Model { scales: ScaleChoice::Auto, ..model.clone() }.scales().scales;
     s.load = 1.0;
     let newton = Newton::new(assembly.system.matrix(), SETTLED, SETTLING)?;
-    let mut newton = newton.heeding(interrupt.clone());
-    settle(&assembly.system, &mut newton, &mut s, own.time.recip())?;
+    let mut newton = newton.with_interrupt(interrupt.clone());
+    solve_regularised(&assembly.system, &mut newton, &mut s, own.time.recip())?;
     Ok(s)
 }
 
@@ -81,14 +83,14 @@ impl Run<'_> {
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));
         }
-        let increments = Increments { first: settings.first, ..Increments::default() };
+        let increments = LoadIncrements { first: settings.first, ..LoadIncrements::default() };
         let matrix = assembly.system.matrix();
         let newton = match Newton::new(matrix, settings.stop.into(), settings.max_iterations) {
-            Ok(newton) => newton.heeding(self.interrupt.clone()),
+            Ok(newton) => newton.with_interrupt(self.interrupt.clone()),
             Err(error) => return Ok(Err(error.into())),
         };
-        let mut statics = ancf_solver::statics::Statics::new(&assembly.system, newton, increments, start);
-        if let Err(error) = statics.take_in() {
+        let mut statics = ancf_solver::statics::LoadStepper::new(&assembly.system, newton, increments, start);
+        if let Err(error) = statics.include_near_terms() {
             return Ok(Err(error.into()));
         }
         let (none, energy) = (own(&Equilibrium::default()), statics.energy());
@@ -116,13 +118,15 @@ impl Run<'_> {
         if let Err(reason) = self.held(&start) {
             return Ok(Err(reason));
         }
-        let steps = ArcSteps { largest: settings.largest, ..ArcSteps::from(settings.first) };
+        let steps = ArcLengthSteps { largest: settings.largest, ..ArcLengthSteps::from(settings.first) };
         let system = &assembly.system;
         let newton = Newton::new(system.matrix(), settings.stop.into(), settings.max_iterations);
-        let begun =
-            newton.map_err(Reason::from).map(|newton| newton.heeding(self.interrupt.clone())).and_then(
-                |newton| ancf_solver::statics::Path::new(system, newton, steps, start).map_err(Reason::from),
-            );
+        let begun = newton
+            .map_err(Reason::from)
+            .map(|newton| newton.with_interrupt(self.interrupt.clone()))
+            .and_then(|newton| {
+                ancf_solver::statics::ArcLength::new(system, newton, steps, start).map_err(Reason::from)
+            });
         let mut path = match begun {
             Ok(path) => path,
             Err(reason) => return Ok(Err(reason)),
@@ -133,7 +137,8 @@ impl Run<'_> {
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, Reason>(()));
         }
-        let until = Until { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
+        let until =
+            EndConditions { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
             let (own, energy) = (of_point(point), point.equilibrium.energy);
@@ -155,8 +160,8 @@ fn blamed(assembly: &Assembly, s: &State, error: EquilibriumError) -> Reason {
 fn of_point(point: &PathPoint) -> Vec<f64> {
     let limit = match point.limit {
         None => 0.0,
-        Some(Limit::Maximum) => 1.0,
-        Some(Limit::Minimum) => -1.0,
+        Some(LimitPoint::Maximum) => 1.0,
+        Some(LimitPoint::Minimum) => -1.0,
     };
     [own(&point.equilibrium).as_slice(), &[point.length, point.slope, limit]].concat()
 }

@@ -2,7 +2,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::eigen::EigenError;
-use ancf_solver::newton::{EquilibriumError, Failure, Interrupt, SolveError};
+use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure};
 
 use super::observer::Observer;
 use super::summary::Summary;
@@ -33,8 +33,8 @@ pub(crate) enum Reason {
 impl Reason {
     pub(crate) fn is_interruption(&self) -> bool {
         match self {
-            Self::Motion(error, _) => error.failure == Failure::Interrupted,
-            Self::Equilibrium(error, _) => error.cause.failure == Failure::Interrupted,
+            Self::Motion(error, _) => error.failure == SolveFailure::Interrupted,
+            Self::Equilibrium(error, _) => error.cause.failure == SolveFailure::Interrupted,
             Self::Eigen(error) => *error == EigenError::Interrupted,
             Self::Mechanism(_) => false,
         }

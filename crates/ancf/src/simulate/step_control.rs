@@ -1,5 +1,6 @@
 use ancf_solver::dynamics::{
-    Adaptive, AdaptiveMemory, Control, Dynamics, DynamicsMemory, StepReport, Unknown,
+    AdaptiveCheckpoint, AdaptiveStepper, CheckpointMismatch, ErrorControl, StepReport, StepperCheckpoint,
+    TimeStepper,
 };
 use ancf_solver::equations::System;
 use ancf_solver::newton::{Interrupt, Newton, SolveError};
@@ -10,7 +11,7 @@ use crate::model::{Model, NewtonMethod, Start, Step};
 
 /// Steps through a dynamic analysis from one recorded instant to the next.
 pub(crate) struct Pace<'a> {
-    dynamics: Dynamics<'a, System>,
+    dynamics: TimeStepper<'a, System>,
     duration: f64,
     /// Recorded instants are the multiples of this, if not all steps, and the end.
     interval: Option<f64>,
@@ -30,7 +31,7 @@ pub(crate) struct Pace<'a> {
 enum Steps {
     /// At most of this size.
     Fixed(f64),
-    Adaptive(Box<Adaptive>),
+    Adaptive(Box<AdaptiveStepper>),
 }
 
 /// Of a step, what is left of the duration at its end and still counts as nothing.
@@ -46,12 +47,12 @@ impl<'a> Pace<'a> {
     ) -> Result<Self, SolveError> {
         let duration = settings.duration;
         let newton = Newton::new(assembly.system.matrix(), settings.stop.into(), settings.max_iterations)?;
-        let newton = newton.heeding(interrupt);
-        let newton = if settings.newton == NewtonMethod::Full { newton.full() } else { newton };
+        let newton = newton.with_interrupt(interrupt);
+        let newton = if settings.newton == NewtonMethod::Full { newton.with_new_tangents() } else { newton };
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics =
-            Dynamics::new(system, scheme, newton, settings.max_halvings, assembly.start(model));
-        dynamics.take_in()?;
+            TimeStepper::new(system, scheme, newton, settings.max_halvings, assembly.start(model));
+        dynamics.include_near_terms()?;
         match settings.start {
             Start::Consistent => dynamics.restart(0.0)?,
             Start::Zero => dynamics.project_velocities()?,
@@ -59,16 +60,16 @@ impl<'a> Pace<'a> {
         let (steps, every) = match settings.step {
             Step::Fixed(step) => (Steps::Fixed(step), Some(step)),
             Step::Adaptive { tolerance, initial, largest } => {
-                let control = Control {
+                let control = ErrorControl {
                     tolerance,
                     length: model.length(),
                     mass: model.mass(),
                     duration,
                     initial,
                     largest: largest.unwrap_or(duration),
-                    smallest: Control::SMALLEST * duration,
+                    smallest: ErrorControl::SMALLEST * duration,
                 };
-                (Steps::Adaptive(Box::new(Adaptive::new(&dynamics, control))), None)
+                (Steps::Adaptive(Box::new(AdaptiveStepper::new(&dynamics, control))), None)
             }
         };
         let sliver = SLIVER * settings.step.fixed().unwrap_or(duration);
@@ -89,7 +90,7 @@ impl<'a> Pace<'a> {
         })
     }
 
-    pub(crate) fn dynamics(&self) -> &Dynamics<'a, System> {
+    pub(crate) fn dynamics(&self) -> &TimeStepper<'a, System> {
         &self.dynamics
     }
 
@@ -157,7 +158,7 @@ impl<'a> Pace<'a> {
         match &mut self.steps {
             Steps::Adaptive(adaptive) => adaptive.step(&mut self.dynamics, to),
             Steps::Fixed(h) => {
-                if let Some(to) = self.dynamics.under_way() {
+                if let Some(to) = self.dynamics.pending_time() {
                     return self.dynamics.advance(to);
                 }
                 let (now, left) = (self.dynamics.state().t, to - self.dynamics.state().t);
@@ -175,8 +176,8 @@ pub(crate) struct PaceMemory {
     report: StepReport,
     /// Number of jumps still to come.
     jumps: usize,
-    dynamics: DynamicsMemory,
-    adaptive: Option<AdaptiveMemory>,
+    dynamics: StepperCheckpoint,
+    adaptive: Option<AdaptiveCheckpoint>,
 }
 
 impl PaceMemory {
@@ -198,30 +199,30 @@ impl Pace<'_> {
     pub(crate) fn memory(&self) -> PaceMemory {
         let adaptive = match &self.steps {
             Steps::Fixed(_) => None,
-            Steps::Adaptive(adaptive) => Some(adaptive.memory()),
+            Steps::Adaptive(adaptive) => Some(adaptive.checkpoint()),
         };
         PaceMemory {
             count: self.count,
             report: self.report,
             jumps: self.jumps.len(),
-            dynamics: self.dynamics.memory(),
+            dynamics: self.dynamics.checkpoint(),
             adaptive,
         }
     }
 
     /// Goes on from a memory.
-    pub(crate) fn recall(&mut self, memory: &PaceMemory) -> Result<(), Unknown> {
+    pub(crate) fn recall(&mut self, memory: &PaceMemory) -> Result<(), CheckpointMismatch> {
         if !self.knows(memory) {
-            return Err(Unknown);
+            return Err(CheckpointMismatch);
         }
         match (&mut self.steps, &memory.adaptive) {
             (Steps::Fixed(_), None) => {}
-            (Steps::Adaptive(adaptive), Some(memory)) => adaptive.recall(memory)?,
-            _ => return Err(Unknown),
+            (Steps::Adaptive(adaptive), Some(memory)) => adaptive.restore(memory)?,
+            _ => return Err(CheckpointMismatch),
         }
         (self.count, self.is_due, self.report) = (memory.count, false, memory.report);
         self.jumps.truncate(memory.jumps);
-        self.dynamics.recall(&memory.dynamics)
+        self.dynamics.restore(&memory.dynamics)
     }
 
     /// Whether the instant of a memory is among its own.
@@ -240,7 +241,7 @@ impl Pace<'_> {
         let is_before_jumps = self.jumps[..*jumps].last().is_none_or(|jump| t < *jump);
         is_in_turn
             && is_before_jumps
-            && report.is_sound()
-            && dynamics.under_way().is_none_or(|to| to <= self.duration + self.sliver)
+            && report.is_valid()
+            && dynamics.pending_time().is_none_or(|to| to <= self.duration + self.sliver)
     }
 }

@@ -2,9 +2,9 @@
 
 use ancf::Model;
 use ancf::assembly::Assembly;
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{EquationsOfMotion, State, System, Weights};
-use ancf::solver::newton::{Newton, SolveError, Stop};
+use ancf::solver::newton::{Newton, SolveError, StopRule};
 use ancf::solver::sparse::SparseMatrix;
 use nalgebra::Vector3;
 
@@ -72,11 +72,11 @@ pub(super) fn dynamics(
     assembly: &Assembly,
     spectral_radius: f64,
     start: State,
-) -> Result<Dynamics<'_, System>, VerificationError> {
-    let newton =
-        Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).map_err(|e| failed(assembly, &e))?;
-    let scheme = Scheme::generalized_alpha(spectral_radius);
-    let mut dynamics = Dynamics::new(&assembly.system, scheme, newton, 10, start);
+) -> Result<TimeStepper<'_, System>, VerificationError> {
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 50)
+        .map_err(|e| failed(assembly, &e))?;
+    let scheme = SchemeCoefficients::generalized_alpha(spectral_radius);
+    let mut dynamics = TimeStepper::new(&assembly.system, scheme, newton, 10, start);
     dynamics.restart(0.0).map_err(|e| failed(assembly, &e))?;
     Ok(dynamics)
 }
@@ -86,7 +86,7 @@ pub(super) fn dynamics(
 /// If the loads jump at `to`, the last step uses the loads before the jump, and the integration restarts.
 pub(super) fn advance(
     assembly: &Assembly,
-    dynamics: &mut Dynamics<'_, System>,
+    dynamics: &mut TimeStepper<'_, System>,
     to: f64,
     steps: u32,
     show: &mut dyn FnMut(&State),

@@ -1,6 +1,6 @@
 //! Drives, springs with dampers, and friction along a free coordinate of a joint.
 
-use ancf_mechanics::constraints::Target;
+use ancf_mechanics::constraints::MeasureTarget;
 use ancf_mechanics::functions::Function;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -173,14 +173,17 @@ impl<'a> Acting<'a> {
 
 impl Led<'_> {
     /// Prescribed value as a function of time: as stated, or the integral of the stated rate. In statics the rate is zero.
-    pub(crate) fn target(&self, clock: Clock) -> Target {
+    pub(crate) fn target(&self, clock: Clock) -> MeasureTarget {
         match self.amounts {
-            [Some(amount), _] => Target::new(amount, clock.function(self.time)),
+            [Some(amount), _] => MeasureTarget::new(amount, clock.function(self.time)),
             [None, Some(rate)] if clock == Clock::Runs => {
                 let integral = clock.function(self.time).integral();
-                Target::new(rate, integral.expect("a checked model prescribes rates that can be integrated"))
+                MeasureTarget::new(
+                    rate,
+                    integral.expect("a checked model prescribes rates that can be integrated"),
+                )
             }
-            _ => Target::new(0.0, Function::ONE),
+            _ => MeasureTarget::new(0.0, Function::ONE),
         }
     }
 }

@@ -1,7 +1,10 @@
 use std::fmt;
 
-use ancf_mechanics::bodies::across;
-use ancf_mechanics::constraints::{Angle, Coincide, Drive, Measure, Perpendicular, Slide, Target, Tie};
+use ancf_mechanics::bodies::normals_to;
+use ancf_mechanics::constraints::{
+    BilinearMeasure, CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, MeasureTarget,
+    RotationDrive, SlideConstraint,
+};
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, ElementAxis, Marker};
@@ -115,8 +118,10 @@ impl<'a> JointBuilder<'a> {
     pub fn coincide(&mut self) {
         let first = self.multipliers(3);
         self.equations.position = Some(match self.ends.stated {
-            End::Point(Ground { point }) => Coincide::toward(&self.a().point, Vector3::from(*point), first),
-            _ => Coincide::points(&self.a().point, &self.b().point, first),
+            End::Point(Ground { point }) => {
+                CoincidenceConstraint::toward(&self.a().point, Vector3::from(*point), first)
+            }
+            _ => CoincidenceConstraint::points(&self.a().point, &self.b().point, first),
         });
     }
 
@@ -131,7 +136,7 @@ impl<'a> JointBuilder<'a> {
         let here = self.a();
         for &direction in self.fixed(fix).of(&reference(here)) {
             let first = self.multipliers(3);
-            self.add(Drive::new(&here.direction(direction), axis, angle, function.clone(), first));
+            self.add(RotationDrive::new(&here.direction(direction), axis, angle, function.clone(), first));
         }
     }
 
@@ -143,14 +148,14 @@ impl<'a> JointBuilder<'a> {
     /// Constrains two directions to keep their angle.
     pub fn keep_angle(&mut self, a: &Marker, b: &Marker, name: Option<&'static str>) {
         let first = self.multipliers(1);
-        let angle = Perpendicular::new(a, b, first);
+        let angle = ConstantAngle::new(a, b, first);
         self.add(if let Some(name) = name { angle.named(name) } else { angle });
     }
 
     /// Constrains an axis of unit length of the first end to stay parallel to that of the second one.
     pub fn parallel(&mut self, axis: impl Into<Vector3<f64>>, name: &'static str) {
         let axis = axis.into();
-        for normal in across(axis) {
+        for normal in normals_to(axis) {
             self.keep_angle(&self.a().direction(axis), &self.b().direction(normal), Some(name));
         }
     }
@@ -160,20 +165,20 @@ impl<'a> JointBuilder<'a> {
         for &direction in directions {
             let first = self.multipliers(3);
             let (a, b) = (self.a().direction(direction), self.b().direction(direction));
-            self.add(Coincide::directions(&a, &b, first));
+            self.add(CoincidenceConstraint::directions(&a, &b, first));
         }
     }
 
     /// Constrains a measure to its target.
-    pub fn prescribe(&mut self, name: &'static str, measure: Measure, target: Target) {
+    pub fn prescribe(&mut self, name: &'static str, measure: BilinearMeasure, target: MeasureTarget) {
         let multiplier = self.multipliers(1);
-        self.add(Tie::driven(measure, target, multiplier).named(name));
+        self.add(MeasureConstraint::driven(measure, target, multiplier).named(name));
     }
 
     /// Constrains measures to their reference values: a number of them for each name.
-    pub fn keep(&mut self, names: &[(&'static str, usize)], measures: Vec<Measure>) {
+    pub fn keep(&mut self, names: &[(&'static str, usize)], measures: Vec<BilinearMeasure>) {
         let names = names.iter().flat_map(|&(name, count)| std::iter::repeat_n(name, count));
-        names.zip(measures).for_each(|(name, measure)| self.prescribe(name, measure, Target::NONE));
+        names.zip(measures).for_each(|(name, measure)| self.prescribe(name, measure, MeasureTarget::NONE));
     }
 
     /// Records the angle about an axis of unit length, and adds the actions along it.
@@ -183,7 +188,7 @@ impl<'a> JointBuilder<'a> {
         if (self.coupled)(Freed::Angle) || acting.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let [p, u, v] = &markers;
-            self.add(Angle::new(own, p, [u, v], multiplier));
+            self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, acting);
             coordinate = Some(own);
         }
@@ -196,7 +201,7 @@ impl<'a> JointBuilder<'a> {
         let mut coordinate = None;
         if (self.coupled)(Freed::Displacement) || acting.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
-            let tie = Tie::defining(own, measure.clone(), multiplier);
+            let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
             self.act(own, acting);
             coordinate = Some(own);
@@ -209,7 +214,9 @@ impl<'a> JointBuilder<'a> {
         let Some((axes, start)) = self.ends.beam.take() else { return };
         let (own, first) = (self.coordinate(), self.multipliers(3));
         // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
-        for (k, slide) in Slide::along(axes, &self.a().point, own, start, first).into_iter().enumerate() {
+        for (k, slide) in
+            SlideConstraint::along(axes, &self.a().point, own, start, first).into_iter().enumerate()
+        {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
         self.act(own, acting);
@@ -223,7 +230,7 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Adds a spring and a damper along a measure.
-    pub fn spring(&mut self, measure: Measure, stiffness: f64, damping: f64) {
+    pub fn spring(&mut self, measure: BilinearMeasure, stiffness: f64, damping: f64) {
         self.add(Spring::new(measure, stiffness, damping));
     }
 
@@ -232,19 +239,19 @@ impl<'a> JointBuilder<'a> {
         let apart = measures::apart(self.a(), self.b());
         let length = length.unwrap_or_else(|| apart.reference().norm());
         let strut = Strut::new(&self.a().point, &self.b().point, stiffness, damping, length);
-        self.add(if tension_only { strut.rope() } else { strut });
+        self.add(if tension_only { strut.tension_only() } else { strut });
         self.length();
     }
 
     /// Adds drive, spring and friction of a joint coordinate.
     fn act(&mut self, coordinate: usize, acting: &Acting<'_>) {
-        let measure = || Measure::coordinate(coordinate);
+        let measure = || BilinearMeasure::coordinate(coordinate);
         if let Some(drive) = &acting.drive {
             self.prescribe("drive", measure(), drive.target(self.clock));
         }
         if let Some([stiffness, damping, rest]) = acting.spring {
-            let rest = Target::new(rest, Function::ONE);
-            self.add(Spring::set(measure(), stiffness, damping, rest));
+            let rest = MeasureTarget::new(rest, Function::ONE);
+            self.add(Spring::with_set_point(measure(), stiffness, damping, rest));
         }
         if let Some([force, creep]) = acting.friction {
             self.add(Friction::new(measure(), force, creep));

@@ -1,6 +1,6 @@
 //! Constraints of orientation between rigid bodies, sections of beams and tangents of cables.
 
-use ancf_mechanics::bodies::across;
+use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::kinematics::Directions::{Line, None, Rigid, Section};
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use nalgebra::Vector3;
@@ -53,7 +53,7 @@ fn keep_angle(builder: &mut JointBuilder<'_>, a: &Marker, b: &Marker) {
 /// Constrains the tangent of a line to stay normal to two directions of the other end.
 fn keep_normal(builder: &mut JointBuilder<'_>, [line, other]: [&Attachment; 2], tangent: &Marker) {
     let tangent = tangent.reference().normalize();
-    for normal in across(tangent) {
+    for normal in normals_to(tangent) {
         keep_angle(builder, &line.direction(tangent), &other.direction(normal));
     }
 }

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use ancf_mechanics::constraints::{Coincide, Wrench};
+use ancf_mechanics::constraints::{CoincidenceConstraint, Wrench};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
@@ -45,7 +45,7 @@ pub(crate) struct JointEquations {
     /// Range of the multipliers.
     pub(crate) multipliers: Range<usize>,
     /// Constraint of the position, whose gap is treated as a whole.
-    pub(crate) position: Option<Coincide>,
+    pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
     /// Angles and displacements by which the joint moves.
     pub(crate) freedoms: Vec<Freedom>,
@@ -65,7 +65,7 @@ impl JointEquations {
     pub(crate) fn with_gap(mut self, gap: Gap) -> Self {
         self.position = self.position.map(|position| match gap {
             Gap::Kept => position.kept(),
-            Gap::Drawn => position.drawn(),
+            Gap::Drawn => position.closed_by_load(),
             Gap::Closed => position.closed(),
         });
         self
@@ -73,7 +73,7 @@ impl JointEquations {
 
     /// Vector between the ends in the reference configuration; zero for joints that cannot close a gap.
     pub(crate) fn gap(&self) -> Vector3<f64> {
-        self.position.as_ref().map_or_else(Vector3::zeros, Coincide::gap)
+        self.position.as_ref().map_or_else(Vector3::zeros, CoincidenceConstraint::gap)
     }
 
     /// Terms of the joint, in the order of their multipliers.
@@ -99,7 +99,8 @@ impl JointEquations {
         terms.sort_by_key(|term| term.multipliers().start);
         // The terms of a slide share multipliers.
         terms.dedup_by_key(|term| term.multipliers().start);
-        let names = terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.tie(k)));
+        let names =
+            terms.iter().flat_map(|term| (0..term.multipliers().len()).map(|k| term.constraint_name(k)));
         let names: Vec<String> = names.collect();
         let number = |i: usize| {
             let same = |range: &[String]| range.iter().filter(|name| **name == names[i]).count();

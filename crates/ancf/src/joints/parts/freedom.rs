@@ -1,4 +1,4 @@
-use ancf_mechanics::constraints::Measure;
+use ancf_mechanics::constraints::BilinearMeasure;
 use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
@@ -19,7 +19,7 @@ pub struct Freedom {
 pub(crate) enum Source {
     /// p of the first end, and u, v of the other.
     Angle([Marker; 3]),
-    Displacement(Measure),
+    Displacement(BilinearMeasure),
     /// An arc length from the start of a beam on, of the start of the motion.
     Position(f64),
     Length(Marker),

@@ -1,4 +1,7 @@
-use ancf_mechanics::constraints::{Angle, Coincide, Drive, Perpendicular, Slide, Tie, Wrench};
+use ancf_mechanics::constraints::{
+    CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, RotationDrive, SlideConstraint,
+    Wrench,
+};
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_solver::equations::{State, Term};
 
@@ -25,4 +28,4 @@ macro_rules! joint_terms {
     };
 }
 
-joint_terms! { Angle, Coincide, Drive, Friction, Perpendicular, Slide, Spring, Strut, Tie }
+joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, MeasureConstraint }

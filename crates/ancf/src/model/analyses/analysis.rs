@@ -183,16 +183,18 @@ pub enum Scheme {
 
 impl Scheme {
     /// Parameters of the scheme.
-    pub const fn numbers(&self) -> ancf_solver::dynamics::Scheme {
-        use ancf_solver::dynamics::Scheme;
+    pub const fn numbers(&self) -> ancf_solver::dynamics::SchemeCoefficients {
+        use ancf_solver::dynamics::SchemeCoefficients;
         match *self {
-            Self::Adams => Scheme::ADAMS,
-            Self::AverageAcceleration => Scheme::AVERAGE_ACCELERATION,
-            Self::LinearAcceleration => Scheme::LINEAR_ACCELERATION,
-            Self::CentralDifference => Scheme::newmark(0.5, 0.0),
-            Self::Pair { gamma, beta } => Scheme::newmark(gamma, beta),
-            Self::GeneralizedAlpha { spectral_radius } => Scheme::generalized_alpha(spectral_radius),
-            Self::Hht { alpha } => Scheme::hht(alpha),
+            Self::Adams => SchemeCoefficients::ADAMS,
+            Self::AverageAcceleration => SchemeCoefficients::AVERAGE_ACCELERATION,
+            Self::LinearAcceleration => SchemeCoefficients::LINEAR_ACCELERATION,
+            Self::CentralDifference => SchemeCoefficients::newmark(0.5, 0.0),
+            Self::Pair { gamma, beta } => SchemeCoefficients::newmark(gamma, beta),
+            Self::GeneralizedAlpha { spectral_radius } => {
+                SchemeCoefficients::generalized_alpha(spectral_radius)
+            }
+            Self::Hht { alpha } => SchemeCoefficients::hht(alpha),
         }
     }
 }

@@ -119,7 +119,7 @@ pub enum Sense {
     Either,
 }
 
-impl From<Sense> for ancf_solver::eigen::Sense {
+impl From<Sense> for ancf_solver::eigen::LoadDirection {
     fn from(sense: Sense) -> Self {
         match sense {
             Sense::Stated => Self::Stated,

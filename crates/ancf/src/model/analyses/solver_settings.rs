@@ -58,7 +58,7 @@ impl Default for Stop {
     }
 }
 
-impl From<Stop> for ancf_solver::newton::Stop {
+impl From<Stop> for ancf_solver::newton::StopRule {
     fn from(stop: Stop) -> Self {
         match stop {
             Stop::Energy { tolerance } => Self::Energy(tolerance),

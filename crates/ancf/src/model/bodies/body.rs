@@ -1,4 +1,4 @@
-use ancf_mechanics::kinematics::Curve;
+use ancf_mechanics::kinematics::ReferenceCurve;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,7 +81,7 @@ impl Body {
     /// Axis in the reference state, relative to its start; `None` if there is no such curve.
     ///
     /// The origin at the start keeps the curve, with its rounding, independent of the place of the body.
-    pub fn curve(&self) -> Option<Curve> {
+    pub fn curve(&self) -> Option<ReferenceCurve> {
         let [from, to] = self.span().map(Vector3::from);
         match self {
             Self::Beam(beam) => beam.shape.curve(from, to),

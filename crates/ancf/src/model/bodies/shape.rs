@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-use ancf_mechanics::kinematics::{Curve, Spline};
+use ancf_mechanics::kinematics::{ReferenceCurve, Spline};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,21 +51,21 @@ impl Shape {
     /// Curve from start to end, relative to the start.
     ///
     /// `None` if points coincide, points of an arc are collinear, or the radius of a helix is zero.
-    pub fn curve(&self, start: Vector3<f64>, end: Vector3<f64>) -> Option<Curve> {
+    pub fn curve(&self, start: Vector3<f64>, end: Vector3<f64>) -> Option<ReferenceCurve> {
         let (from, to) = (Vector3::zeros(), end - start);
         let seen = |point: &[f64; 3]| Vector3::from(*point) - start;
         match self {
             Self::Straight => {
                 let length = to.norm();
-                (length > 0.0 && length.is_finite()).then_some(Curve::Line { from, to })
+                (length > 0.0 && length.is_finite()).then_some(ReferenceCurve::Line { from, to })
             }
-            Self::Arc { through } => Curve::arc(from, seen(through), to),
+            Self::Arc { through } => ReferenceCurve::arc(from, seen(through), to),
             Self::Helix { center, axis, turns } => {
                 let (center, axis) = (seen(center), Vector3::from(*axis).try_normalize(0.0)?);
                 let center = center - axis * axis.dot(&center);
                 let radius = -center;
                 let rise = axis.dot(&to);
-                radius.norm().is_normal().then_some(Curve::Helix {
+                radius.norm().is_normal().then_some(ReferenceCurve::Helix {
                     center,
                     radius,
                     axis,
@@ -75,7 +75,8 @@ impl Shape {
             }
             Self::Spline { through } => {
                 let through = through.iter().map(seen);
-                Spline::new([from].into_iter().chain(through).chain([to]).collect()).map(Curve::Spline)
+                Spline::new([from].into_iter().chain(through).chain([to]).collect())
+                    .map(ReferenceCurve::Spline)
             }
         }
     }

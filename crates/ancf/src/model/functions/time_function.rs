@@ -1,6 +1,8 @@
 use std::sync::Arc;
 
-use ancf_mechanics::functions::{Expression, ExpressionError, External, Function, Instant, Table};
+use ancf_mechanics::functions::{
+    Expression, ExpressionError, ExternalFunction, Function, FunctionValue, TimeTable,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -94,7 +96,7 @@ pub enum Varying {
         #[serde(skip)]
         #[unit(none)]
         #[schemars(skip)]
-        supplied: Option<External>,
+        supplied: Option<ExternalFunction>,
     },
 }
 
@@ -125,7 +127,7 @@ impl TimeFunction {
         Ok(match self {
             Self::Constant(value) => Function::Constant(*value),
             Self::Varying(Varying::Table { times, values }) => {
-                Function::Table(Table::new(times.iter().zip(values).map(|(&t, &f)| [t, f])))
+                Function::Table(TimeTable::new(times.iter().zip(values).map(|(&t, &f)| [t, f])))
             }
             &Self::Varying(Varying::Ramp { start, end }) => Function::Ramp { start, end },
             &Self::Varying(Varying::Step { at, until }) => Function::Step { at, until },
@@ -134,7 +136,7 @@ impl TimeFunction {
                 Function::Expression { formula: Arc::new(Expression::parse(text)?), unit: *unit }
             }
             Self::Varying(Varying::External { unit, supplied, .. }) => {
-                let rest = || External::new(|_| Instant::default());
+                let rest = || ExternalFunction::new(|_| FunctionValue::default());
                 Function::External { function: supplied.clone().unwrap_or_else(rest), unit: *unit }
             }
         })

@@ -1,4 +1,4 @@
-use ancf_mechanics::fluid::Hull;
+use ancf_mechanics::fluid::HydroSection;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,13 +70,13 @@ impl Fluid {
     }
 
     /// Hydrodynamic properties of a section. `None` if the diameter is not stated and the section is not round.
-    pub(crate) fn hull(&self, section: &Section) -> Option<Hull> {
+    pub(crate) fn hull(&self, section: &Section) -> Option<HydroSection> {
         let shape = section.shape();
         let (diameter, displaced) = match self.diameter {
             Some(diameter) => (diameter, disk_area(0.5 * diameter)),
             None => (2.0 * shape.outer_radius()?, shape.displaced_area()?),
         };
         let area = self.area.unwrap_or(displaced);
-        Some(Hull { diameter, area, drag: self.drag, added_mass: self.added_mass })
+        Some(HydroSection { diameter, area, drag: self.drag, added_mass: self.added_mass })
     }
 }

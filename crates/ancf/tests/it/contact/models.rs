@@ -42,7 +42,7 @@ pub(super) fn rows(term: &dyn Term, s: &State) -> Vec<f64> {
 
 /// Sum of all contact forces on a body.
 pub(super) fn force(assembly: &Assembly, s: &State, body: &str) -> Vector3<f64> {
-    let Some((complete, _)) = assembly.system.completed(s) else { return Vector3::zeros() };
+    let Some((complete, _)) = assembly.system.with_active_terms(s) else { return Vector3::zeros() };
     let permanent = assembly.system.terms().len();
     let mut force = Vector3::zeros();
     for term in &complete.terms()[permanent..] {

@@ -2,9 +2,9 @@
 
 use ancf::Model;
 use ancf::model::{self, ScaleChoice, Start, Step};
-use ancf::solver::dynamics::{Adaptive, Control, Dynamics, Scheme};
+use ancf::solver::dynamics::{AdaptiveStepper, ErrorControl, SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
-use ancf::solver::newton::{Failure, Newton, SolveError, Stop};
+use ancf::solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 use ancf::solver::sparse::SparseMatrix;
 
 use super::pendulum;
@@ -14,9 +14,9 @@ use crate::common::solutions::{self, Run};
 /// Mass of the rod.
 const MASS: f64 = 8030.0 * std::f64::consts::PI * 1e-4;
 
-fn control(tolerance: f64, length: f64, mass: f64, duration: f64) -> Control {
-    let (largest, smallest) = (duration, Control::SMALLEST * duration);
-    Control { tolerance, length, mass, duration, initial: None, largest, smallest }
+fn control(tolerance: f64, length: f64, mass: f64, duration: f64) -> ErrorControl {
+    let (largest, smallest) = (duration, ErrorControl::SMALLEST * duration);
+    ErrorControl { tolerance, length, mass, duration, initial: None, largest, smallest }
 }
 
 /// Root mean square distance of two states.
@@ -34,9 +34,9 @@ fn mass(system: &System, s: &State) -> SparseMatrix {
     mass
 }
 
-fn dynamics(system: &System, scheme: Scheme, start: State) -> Dynamics<'_, System> {
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap();
-    let mut dynamics = Dynamics::new(system, scheme, newton, 0, start);
+fn dynamics(system: &System, scheme: SchemeCoefficients, start: State) -> TimeStepper<'_, System> {
+    let newton = Newton::new(system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
+    let mut dynamics = TimeStepper::new(system, scheme, newton, 0, start);
     dynamics.restart(0.0).unwrap();
     dynamics
 }
@@ -46,11 +46,11 @@ type Count = [u32; 2];
 
 /// Integrates adaptively. Returns states at equally spaced instants.
 fn integrate(
-    dynamics: &mut Dynamics<'_, System>,
-    control: Control,
+    dynamics: &mut TimeStepper<'_, System>,
+    control: ErrorControl,
     count: usize,
 ) -> Result<(Vec<State>, Count), SolveError> {
-    let mut adaptive = Adaptive::new(dynamics, control);
+    let mut adaptive = AdaptiveStepper::new(dynamics, control);
     let (mut states, mut steps) = (Vec::new(), [0, 0]);
     for i in 1..=count {
         let to = control.duration * i as f64 / count as f64;
@@ -65,7 +65,7 @@ fn integrate(
 }
 
 /// Largest error over the instants, relative to the length and to the tolerance.
-fn error(mass: &SparseMatrix, control: Control, states: &[State], exact: &[State]) -> f64 {
+fn error(mass: &SparseMatrix, control: ErrorControl, states: &[State], exact: &[State]) -> f64 {
     assert_eq!(states.len(), exact.len());
     let errors = states.iter().zip(exact).map(|(a, b)| distance(mass, control.mass, a, b));
     errors.fold(0.0, f64::max) / control.length / control.tolerance
@@ -75,7 +75,7 @@ fn error(mass: &SparseMatrix, control: Control, states: &[State], exact: &[State
 fn errors_of_the_rod(model: &Model, duration: f64) -> [f64; 3] {
     let assembly = model.assemble().unwrap();
     let (system, mass) = (&assembly.system, mass(&assembly.system, &assembly.rest()));
-    let scheme = Scheme::generalized_alpha(0.8);
+    let scheme = SchemeCoefficients::generalized_alpha(0.8);
     let mut reference = dynamics(system, scheme, assembly.rest());
     let steps = (duration / 5e-5).round() as usize;
     let exact = (1..=steps).map(|i| {
@@ -104,7 +104,8 @@ fn pendulum_errors_are_below_the_tolerance() {
         let mass = mass(&system, &exact[0]);
         let errors = [1e-3, 1e-4, 1e-5].map(|tolerance| {
             let control = control(tolerance, pendulum::ROD, pendulum::MASS, 5.0);
-            let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), stretch);
+            let mut dynamics =
+                pendulum::dynamics(&system, SchemeCoefficients::generalized_alpha(0.8), stretch);
             let (states, steps) = integrate(&mut dynamics, control, 20).unwrap();
             assert!(steps[1] < 5, "{steps:?}");
             error(&mass, control, &states, &exact[1..])
@@ -149,7 +150,7 @@ impl Term for StepForce {
 fn load_jumps_keep_second_order() {
     let system = pendulum::system_with(0.0, vec![Box::new(StepForce)]);
     let end = |steps: u32| {
-        let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.0);
+        let mut dynamics = pendulum::dynamics(&system, SchemeCoefficients::generalized_alpha(0.8), 0.0);
         for i in 1..steps {
             dynamics.advance(0.7 * f64::from(i) / f64::from(steps)).unwrap();
         }
@@ -173,19 +174,20 @@ fn load_jumps_keep_second_order() {
 #[test]
 fn too_small_steps_are_a_failure() {
     let system = pendulum::system(0.0);
-    let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.0);
-    let control = Control { smallest: 1e-3, ..control(1e-9, pendulum::ROD, pendulum::MASS, 1.0) };
+    let mut dynamics = pendulum::dynamics(&system, SchemeCoefficients::generalized_alpha(0.8), 0.0);
+    let control = ErrorControl { smallest: 1e-3, ..control(1e-9, pendulum::ROD, pendulum::MASS, 1.0) };
     let error = integrate(&mut dynamics, control, 1).expect_err("steps of 1e-3 are too large");
-    assert_eq!(error.failure, Failure::StepTooSmall);
+    assert_eq!(error.failure, SolveFailure::StepTooSmall);
 }
 
 /// Steps divided for Newton's method keep their size in the following steps and grow by a factor of two.
 #[test]
 fn divided_steps_grow_by_a_factor_of_two() {
     let system = pendulum::system(0.0);
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-8), 3).unwrap();
+    let newton = Newton::new(system.matrix(), StopRule::Energy(1e-8), 3).unwrap();
     let start = pendulum::exact(0.0, 1.0, 1).swap_remove(0);
-    let mut dynamics = Dynamics::new(&system, Scheme::generalized_alpha(0.8), newton, 12, start);
+    let mut dynamics =
+        TimeStepper::new(&system, SchemeCoefficients::generalized_alpha(0.8), newton, 12, start);
     dynamics.restart(0.0).unwrap();
     let substeps: Vec<u32> =
         (1..=40).map(|i| dynamics.advance(0.2 * f64::from(i)).unwrap().substeps).collect();

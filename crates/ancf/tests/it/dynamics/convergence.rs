@@ -4,9 +4,9 @@
 
 use ancf::Model;
 use ancf::model::{self, Clamped, Start};
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;
@@ -40,11 +40,11 @@ impl Term for Oscillator {
 }
 
 /// Position of the oscillator at t = 2 after release from q = 1.
-fn released(scheme: Scheme, steps: u32) -> f64 {
+fn released(scheme: SchemeCoefficients, steps: u32) -> f64 {
     let system = System::new(1, 0, vec![Box::new(Oscillator)]);
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 20).unwrap();
+    let newton = Newton::new(system.matrix(), StopRule::Energy(1e-10), 20).unwrap();
     let start = State { q: vec![1.0], a: vec![-2.0], ..State::rest(1, 0) };
-    let mut dynamics = Dynamics::new(&system, scheme, newton, 0, start);
+    let mut dynamics = TimeStepper::new(&system, scheme, newton, 0, start);
     for step in 1..=steps {
         dynamics.advance(2.0 * f64::from(step) / f64::from(steps)).unwrap();
     }
@@ -64,9 +64,9 @@ fn assert_order(name: &str, observed: f64, expected: f64) {
 #[test]
 fn schemes_without_constraints() {
     for (name, scheme, expected) in [
-        ("ADAMS", Scheme::ADAMS, 1.0),
-        ("average acceleration", Scheme::AVERAGE_ACCELERATION, 2.0),
-        ("linear acceleration", Scheme::LINEAR_ACCELERATION, 2.0),
+        ("ADAMS", SchemeCoefficients::ADAMS, 1.0),
+        ("average acceleration", SchemeCoefficients::AVERAGE_ACCELERATION, 2.0),
+        ("linear acceleration", SchemeCoefficients::LINEAR_ACCELERATION, 2.0),
     ] {
         let results = [200, 400, 800].map(|steps| Vector3::x() * released(scheme, steps));
         assert_order(name, order(results), expected);

@@ -6,9 +6,9 @@ use ancf::model::{
     Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, Named, Place, Probe, Spherical,
     Start, Statics,
 };
-use ancf::solver::dynamics::{Dynamics, Scheme, consistent_velocities};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_velocities};
 use ancf::solver::equations::{EquationsOfMotion, State};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;
@@ -49,8 +49,9 @@ fn free_rod_conserves_its_momenta() {
     let own = Vector3::new(along * SPIN[0], across * SPIN[1], across * SPIN[2]);
     let expected = own + centre.cross(&(Vector3::from(VELOCITY) * mass));
     assert!((angular - expected).norm() < 1e-12 * expected.norm(), "{angular} {expected}");
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
-    let mut dynamics = Dynamics::new(&assembly.system, Scheme::AVERAGE_ACCELERATION, newton, 0, start);
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
+    let mut dynamics =
+        TimeStepper::new(&assembly.system, SchemeCoefficients::AVERAGE_ACCELERATION, newton, 0, start);
     dynamics.restart(0.0).unwrap();
     for step in 1..=50 {
         dynamics.advance(1e-3 * f64::from(step)).unwrap();

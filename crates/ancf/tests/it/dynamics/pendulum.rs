@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 
 /// Mass.
 pub(super) const MASS: f64 = 2.0;
@@ -135,9 +135,9 @@ pub(super) fn exact(stretch: f64, duration: f64, steps: usize) -> Vec<State> {
 }
 
 /// Time integration from the initial state of [`exact`].
-pub(super) fn dynamics(system: &System, scheme: Scheme, stretch: f64) -> Dynamics<'_, System> {
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-13), 20).unwrap();
-    let mut dynamics = Dynamics::new(system, scheme, newton, 0, state(0.0, [-0.5, 1.3], stretch));
+pub(super) fn dynamics(system: &System, scheme: SchemeCoefficients, stretch: f64) -> TimeStepper<'_, System> {
+    let newton = Newton::new(system.matrix(), StopRule::Energy(1e-13), 20).unwrap();
+    let mut dynamics = TimeStepper::new(system, scheme, newton, 0, state(0.0, [-0.5, 1.3], stretch));
     dynamics.restart(0.0).unwrap();
     dynamics
 }

@@ -1,9 +1,9 @@
 //! Time integration schemes: order in positions, velocities and multipliers, damping, constraint levels, drift.
 
 use ancf::model::Section;
-use ancf::solver::dynamics::{Dynamics, Scheme, consistent_velocities};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_velocities};
 use ancf::solver::equations::{EquationsOfMotion, Level, State, System};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 
 use super::pendulum;
 use crate::common::models::rod;
@@ -17,7 +17,7 @@ fn distance(a: &State, b: &State) -> Errors {
 }
 
 /// Largest errors of the pendulum over all steps, and errors at the end.
-fn errors(scheme: Scheme, stretch: f64, steps: usize) -> [Errors; 2] {
+fn errors(scheme: SchemeCoefficients, stretch: f64, steps: usize) -> [Errors; 2] {
     let exact = pendulum::exact(stretch, 2.0, steps);
     let system = pendulum::system(stretch);
     let mut dynamics = pendulum::dynamics(&system, scheme, stretch);
@@ -31,14 +31,14 @@ fn errors(scheme: Scheme, stretch: f64, steps: usize) -> [Errors; 2] {
 }
 
 /// Schemes of second order in q, v and λ.
-fn second_order() -> [(&'static str, Scheme); 6] {
+fn second_order() -> [(&'static str, SchemeCoefficients); 6] {
     [
-        ("spectral radius 0", Scheme::generalized_alpha(0.0)),
-        ("spectral radius 0.5", Scheme::generalized_alpha(0.5)),
-        ("spectral radius 0.8", Scheme::generalized_alpha(0.8)),
-        ("spectral radius 1", Scheme::generalized_alpha(1.0)),
-        ("HHT -0.1", Scheme::hht(-0.1)),
-        ("HHT -0.3", Scheme::hht(-0.3)),
+        ("spectral radius 0", SchemeCoefficients::generalized_alpha(0.0)),
+        ("spectral radius 0.5", SchemeCoefficients::generalized_alpha(0.5)),
+        ("spectral radius 0.8", SchemeCoefficients::generalized_alpha(0.8)),
+        ("spectral radius 1", SchemeCoefficients::generalized_alpha(1.0)),
+        ("HHT -0.1", SchemeCoefficients::hht(-0.1)),
+        ("HHT -0.3", SchemeCoefficients::hht(-0.3)),
     ]
 }
 
@@ -65,22 +65,22 @@ fn pendulum_converges_at_order_two() {
 fn newmark_schemes_have_their_orders() {
     let end = |scheme, steps| errors(scheme, 0.0, steps)[1];
     for (i, what) in ["q", "v", "λ"].iter().enumerate() {
-        let order = (end(Scheme::ADAMS, 400)[i] / end(Scheme::ADAMS, 800)[i]).log2();
+        let order = (end(SchemeCoefficients::ADAMS, 400)[i] / end(SchemeCoefficients::ADAMS, 800)[i]).log2();
         assert!((order - 1.0).abs() < 0.1, "ADAMS: order {order} in {what}");
     }
-    let [coarse, fine] = [400, 800].map(|steps| end(Scheme::AVERAGE_ACCELERATION, steps));
+    let [coarse, fine] = [400, 800].map(|steps| end(SchemeCoefficients::AVERAGE_ACCELERATION, steps));
     assert!(((coarse[0] / fine[0]).log2() - 2.0).abs() < 0.1, "q");
     assert!((coarse[2] / fine[2]).log2().abs() < 0.1, "λ alternates");
 }
 
 /// States of a soft hinged rod at ten instants of 0.2 s. It is thick, so that vibrations of its section are resolved.
-fn swung(scheme: Scheme, steps: usize) -> Vec<State> {
+fn swung(scheme: SchemeCoefficients, steps: usize) -> Vec<State> {
     let mut model = rod::revolute(1);
     rod::material(&mut model).young /= 1e6;
     model.sections.insert("circle".into(), Section::circle(0.2));
     let assembly = model.assemble().unwrap();
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-11), 50).unwrap();
-    let mut dynamics = Dynamics::new(&assembly.system, scheme, newton, 0, assembly.rest());
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-11), 50).unwrap();
+    let mut dynamics = TimeStepper::new(&assembly.system, scheme, newton, 0, assembly.rest());
     dynamics.restart(0.0).unwrap();
     let states = (1..=steps).map(|step| {
         dynamics.advance(0.2 * step as f64 / steps as f64).unwrap();
@@ -106,8 +106,9 @@ fn rod_converges_at_order_two() {
 fn amplitude_does_not_grow_with_the_step() {
     let lowest = |step: f64| {
         let assembly = rod::cantilever(5).assemble().unwrap();
-        let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
-        let mut dynamics = Dynamics::new(&assembly.system, Scheme::hht(-0.3), newton, 0, assembly.rest());
+        let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-8), 50).unwrap();
+        let mut dynamics =
+            TimeStepper::new(&assembly.system, SchemeCoefficients::hht(-0.3), newton, 0, assembly.rest());
         dynamics.restart(0.0).unwrap();
         let tips = (1..=(0.5 / step) as usize).map(|i| {
             dynamics.advance(step * i as f64).unwrap();
@@ -157,7 +158,7 @@ fn inconsistent_velocities_are_projected() {
 fn drift_is_bounded_and_of_second_order() {
     let system = pendulum::system(0.3);
     let drift = |steps: u32| {
-        let mut dynamics = pendulum::dynamics(&system, Scheme::generalized_alpha(0.8), 0.3);
+        let mut dynamics = pendulum::dynamics(&system, SchemeCoefficients::generalized_alpha(0.8), 0.3);
         let drifts =
             (1..=steps).map(|i| dynamics.advance(20.0 * f64::from(i) / f64::from(steps)).unwrap().drift);
         let drifts: Vec<f64> = drifts.collect();

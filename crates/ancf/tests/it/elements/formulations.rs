@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::assembly::Assembly;
-use ancf::mechanics::kinematics::Kind;
+use ancf::mechanics::kinematics::VectorKind;
 use ancf::model::{Clamped, Formulation, GeneralSection, Load, Material, Section};
 use ancf::solver::equations::{EquationsOfMotion, State};
 use nalgebra::Vector3;
@@ -112,7 +112,7 @@ fn torsion_angle_is_that_of_st_venant() {
                 let assembly = model.assemble().unwrap();
                 let vectors: Vec<_> = assembly.mesh("rod").unwrap().vectors(&assembly.rest()).collect();
                 let last = |kind| vectors.iter().rfind(|v| v.kind == kind).unwrap().first;
-                let (y, z) = (last(Kind::Y) + 2, last(Kind::Z) + 1);
+                let (y, z) = (last(VectorKind::Y) + 2, last(VectorKind::Z) + 1);
                 let state = linear(&assembly, &[(y, 0.5), (z, -0.5)]);
                 for turn in [state.q[y], -state.q[z]] {
                     let part = turn / exact;
@@ -138,8 +138,8 @@ fn tension_with_free_contraction_has_modulus_e() {
             let mesh = assembly.mesh("rod").unwrap();
             for vector in mesh.vectors(&assembly.rest()) {
                 let size = match vector.kind {
-                    Kind::Position | Kind::Slope => stretch,
-                    Kind::Y | Kind::Z => contraction,
+                    VectorKind::Position | VectorKind::Slope => stretch,
+                    VectorKind::Y | VectorKind::Z => contraction,
                 };
                 for axis in 0..3 {
                     state.q[vector.first + axis] = vector.value[axis] * (size - 1.0);
@@ -151,7 +151,7 @@ fn tension_with_free_contraction_has_modulus_e() {
             let force = rigidity * stretch * (stretch * stretch - 1.0) / 2.0;
             for vector in mesh.vectors(&assembly.rest()) {
                 for axis in 0..3 {
-                    let end = vector.kind == Kind::Position && axis == 0;
+                    let end = vector.kind == VectorKind::Position && axis == 0;
                     let expected = match vector.value.x {
                         x if end && x == 0.0 => -force,
                         x if end && x == rod::LENGTH => force,

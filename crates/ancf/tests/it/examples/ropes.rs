@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model::{Analysis, Load};
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::State;
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 use crate::common::assertions::assert_relative;
@@ -137,9 +137,10 @@ fn thrown_rope_conserves_its_momenta() {
     let mut model = model("rope");
     model.scales = ancf::model::ScaleChoice::None;
     let assembly = model.assemble().unwrap();
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
     let start = assembly.start(&model);
-    let mut dynamics = Dynamics::new(&assembly.system, Scheme::AVERAGE_ACCELERATION, newton, 0, start);
+    let mut dynamics =
+        TimeStepper::new(&assembly.system, SchemeCoefficients::AVERAGE_ACCELERATION, newton, 0, start);
     dynamics.restart(0.0).unwrap();
     let mass = 1000.0 * PI * 0.015_f64.powi(2) * 3.0;
     let (thrown, weight) = (Vector3::new(3.0, 0.0, 7.0) * mass, Vector3::z() * (-GRAVITY * mass));

@@ -1,8 +1,8 @@
 //! Results do not depend on the number of threads.
 
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::State;
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 
 use crate::common::models::rod;
 
@@ -11,8 +11,9 @@ fn final_state(threads: usize) -> State {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let assembly = rod::cantilever(1500).assemble().unwrap();
-        let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
-        let mut dynamics = Dynamics::new(&assembly.system, Scheme::ADAMS, newton, 0, assembly.rest());
+        let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-8), 50).unwrap();
+        let mut dynamics =
+            TimeStepper::new(&assembly.system, SchemeCoefficients::ADAMS, newton, 0, assembly.rest());
         dynamics.restart(0.0).unwrap();
         for step in 1..=5 {
             dynamics.advance(1e-3 * f64::from(step)).unwrap();

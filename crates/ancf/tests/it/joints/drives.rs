@@ -1,11 +1,11 @@
 //! Drives and gaps that statics closes.
 
 use ancf::Model;
-use ancf::mechanics::constraints::Coincide;
+use ancf::mechanics::constraints::CoincidenceConstraint;
 use ancf::mechanics::kinematics::Marker;
 use ancf::model::ScaleChoice;
 use ancf::solver::equations::{EquationsOfMotion, State, System, Term, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 use crate::common::models::parse;
@@ -92,16 +92,20 @@ fn statics_closes_a_gap_in_proportion_to_the_load() {
     let mut terms: Vec<Box<dyn Term>> = mesh.terms();
     for (i, direction) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().enumerate() {
         let ground = Marker::fixed(direction);
-        terms.push(Box::new(Coincide::directions(&mesh.direction(0.0, direction), &ground, 3 + 3 * i)));
+        terms.push(Box::new(CoincidenceConstraint::directions(
+            &mesh.direction(0.0, direction),
+            &ground,
+            3 + 3 * i,
+        )));
     }
     let start = mesh.point(0.0);
-    terms.push(Box::new(Coincide::points(&start, &Marker::fixed(start.reference()), 0)));
-    terms.push(Box::new(Coincide::toward(&end, target, multipliers)));
+    terms.push(Box::new(CoincidenceConstraint::points(&start, &Marker::fixed(start.reference()), 0)));
+    terms.push(Box::new(CoincidenceConstraint::toward(&end, target, multipliers)));
     let system = System::new(assembly.system.coordinates(), multipliers + 3, terms);
     let mut state = State::rest(system.coordinates(), system.multipliers());
     for step in 1..=4 {
         state.load = f64::from(step) / 4.0;
-        let mut newton = Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+        let mut newton = Newton::new(system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
         newton.solve(&system, &mut state, Weights::STIFFNESS).unwrap();
         let expected = end.reference() + (target - end.reference()) * state.load;
         assert!((end.value(&state) - expected).norm() < 1e-12);
@@ -116,7 +120,7 @@ fn statics_rotates_a_drive_in_proportion_to_the_load() {
     for step in 1..=4 {
         state.load = f64::from(step) / 4.0;
         // A rigid rotation has no energy for the energy rule.
-        let mut newton = Newton::new(assembly.system.matrix(), Stop::Increment(1e-11), 50).unwrap();
+        let mut newton = Newton::new(assembly.system.matrix(), StopRule::Increment(1e-11), 50).unwrap();
         newton.solve(&assembly.system, &mut state, Weights::STIFFNESS).unwrap();
         let (sin, cos) = (1.2 * state.load).sin_cos();
         let tip = assembly.probes[0].1.value(&state);

@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use ancf::Model;
 use ancf::model::ScaleChoice;
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{EquationsOfMotion, Level};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::common::models::jointed_body::{DYNAMICS, STATICS, jointed_body};
@@ -88,9 +88,9 @@ fn joint_forces_and_moments_obey_newton_and_euler() {
         let (balance, size) = (run.largest("balance"), run.largest("kinetic").max(1.0));
         assert!(balance < 1e-3 * size, "{keys}: {balance:e} of {size}");
         let assembly = swing.assemble().unwrap();
-        let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
-        let scheme = Scheme::generalized_alpha(0.8);
-        let mut dynamics = Dynamics::new(&assembly.system, scheme, newton, 4, assembly.rest());
+        let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
+        let scheme = SchemeCoefficients::generalized_alpha(0.8);
+        let mut dynamics = TimeStepper::new(&assembly.system, scheme, newton, 4, assembly.rest());
         dynamics.restart(0.0).unwrap();
         let mut phi = vec![0.0; assembly.system.multipliers()];
         for k in 1..=500 {

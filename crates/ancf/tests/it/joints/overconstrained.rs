@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use ancf::solver::dynamics::{Dynamics, Scheme, consistent_start};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_accelerations};
 use ancf::solver::equations::{
     Energy, EquationsOfMotion, Level, Local, LocalMatrix, State, System, Term, Weights, constraint_rows,
     dependences,
 };
-use ancf::solver::factor::Sparse;
-use ancf::solver::newton::{Failure, Newton, Stop};
+use ancf::solver::factor::SparseVector;
+use ancf::solver::newton::{Newton, SolveFailure, StopRule};
 use nalgebra::Vector2;
 
 const GRAVITY: f64 = 9.81;
@@ -162,18 +162,18 @@ fn linkage(cranks: usize, stretch: f64) -> System {
 }
 
 /// Rows of Φ_q by multiplier.
-fn rows(system: &System, s: &State) -> Vec<Sparse> {
-    let mut rows = vec![Sparse::new(); system.multipliers()];
+fn rows(system: &System, s: &State) -> Vec<SparseVector> {
+    let mut rows = vec![SparseVector::new(); system.multipliers()];
     for term in system.terms() {
         term.multipliers().zip(constraint_rows(term.as_ref(), s)).for_each(|(m, row)| rows[m] = row);
     }
     rows
 }
 
-fn dynamics(system: &System) -> Dynamics<'_, System> {
-    let newton = Newton::new(system.matrix(), Stop::Energy(1e-12), 30).unwrap().full();
+fn dynamics(system: &System) -> TimeStepper<'_, System> {
+    let newton = Newton::new(system.matrix(), StopRule::Energy(1e-12), 30).unwrap().with_new_tangents();
     let start = State::rest(6, system.multipliers());
-    let mut dynamics = Dynamics::new(system, Scheme::generalized_alpha(0.8), newton, 0, start);
+    let mut dynamics = TimeStepper::new(system, SchemeCoefficients::generalized_alpha(0.8), newton, 0, start);
     dynamics.restart(0.0).unwrap();
     dynamics
 }
@@ -181,7 +181,7 @@ fn dynamics(system: &System) -> Dynamics<'_, System> {
 /// Same motion with few additional iterations; the redundancy is found and the sum of the forces is unchanged.
 #[test]
 fn redundant_crank_does_not_change_the_motion() {
-    let (two, three) = (linkage(2, 1.0), linkage(3, 1.0).sharing(0..6));
+    let (two, three) = (linkage(2, 1.0), linkage(3, 1.0).with_shared_multipliers(0..6));
     let (mut a, mut b) = (dynamics(&two), dynamics(&three));
     let mut iterations = [0, 0];
     for step in 1..=1000 {
@@ -213,9 +213,9 @@ fn redundant_crank_does_not_change_the_motion() {
 /// Multipliers at the start are a weighted least-squares solution.
 #[test]
 fn redundant_multipliers_are_a_least_squares_solution() {
-    let system = linkage(3, 1.0).sharing(0..6);
+    let system = linkage(3, 1.0).with_shared_multipliers(0..6);
     let mut s = State::rest(6, 6);
-    consistent_start(&system, &mut system.matrix(), &mut s).unwrap();
+    consistent_accelerations(&system, &mut system.matrix(), &mut s).unwrap();
     let found = dependences(rows(&system, &s), 1e-8);
     let mut r = vec![0.0; 12];
     system.residual(&s, &mut r);
@@ -235,13 +235,16 @@ fn redundant_multipliers_are_a_least_squares_solution() {
 /// A third crank of another length contradicts the others.
 #[test]
 fn contradicting_crank_fails_to_converge() {
-    let wrong = linkage(3, 1.01).sharing(0..6);
-    let newton = Newton::new(wrong.matrix(), Stop::Energy(1e-12), 30).unwrap();
-    let mut dynamics = Dynamics::new(&wrong, Scheme::ADAMS, newton, 3, State::rest(6, 6));
+    let wrong = linkage(3, 1.01).with_shared_multipliers(0..6);
+    let newton = Newton::new(wrong.matrix(), StopRule::Energy(1e-12), 30).unwrap();
+    let mut dynamics = TimeStepper::new(&wrong, SchemeCoefficients::ADAMS, newton, 3, State::rest(6, 6));
     dynamics.restart(0.0).unwrap();
     let error = dynamics.advance(1e-3).unwrap_err();
     assert!(
-        matches!(error.failure, Failure::NotConverged | Failure::Stagnated | Failure::Diverged),
+        matches!(
+            error.failure,
+            SolveFailure::NotConverged | SolveFailure::Stagnated | SolveFailure::Diverged
+        ),
         "{error}"
     );
 }

@@ -8,7 +8,7 @@ use ancf::model::{
 };
 use ancf::record::Series;
 use ancf::solver::equations::dependences;
-use ancf::solver::factor::Sparse;
+use ancf::solver::factor::SparseVector;
 use ancf::{Model, Outcome, simulate};
 use nalgebra::{DMatrix, Vector3};
 use proptest::prelude::*;
@@ -279,14 +279,14 @@ fn thousand_joints_are_analysed_within_a_second() {
     let (rest, clock) = (assembly.rest(), Instant::now());
     assert_eq!(assembly.redundant_in(&rest, 1e-8).len(), 6000);
     let clamps = clock.elapsed().as_secs_f64();
-    let ring = (0..3000).map(|k| Sparse::from([(k, 1.0), ((k + 3) % 3000, -1.0)])).collect();
+    let ring = (0..3000).map(|k| SparseVector::from([(k, 1.0), ((k + 3) % 3000, -1.0)])).collect();
     let clock = Instant::now();
     assert_eq!(dependences(ring, 1e-8).len(), 3);
     let ring = clock.elapsed().as_secs_f64();
     assert!(clamps < 1.0 && ring < 1.0, "{clamps} s and {ring} s, expected about 0.1 s");
 }
 
-fn rank(rows: &[Sparse], columns: usize) -> usize {
+fn rank(rows: &[SparseVector], columns: usize) -> usize {
     let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i].get(&j).copied().unwrap_or(0.0));
     if rows.is_empty() { 0 } else { matrix.rank(1e-9) }
 }
@@ -298,13 +298,13 @@ proptest! {
         entries in prop::collection::vec((0_usize..9, 0_usize..6, -3_i32..4), 0..24),
         units in prop::collection::vec(-6_i32..7, 15),
     ) {
-        let mut plain = vec![Sparse::new(); 9];
+        let mut plain = vec![SparseVector::new(); 9];
         for (i, j, x) in entries.into_iter().filter(|(.., x)| *x != 0) {
             plain[i].insert(j, f64::from(x));
         }
         let unit = |i: usize| 10_f64.powi(units[i]);
         let scaled = |i: usize| plain[i].iter().map(|(&j, x)| (j, x * unit(i) * unit(9 + j))).collect();
-        let rows: Vec<Sparse> = (0..9).map(scaled).collect();
+        let rows: Vec<SparseVector> = (0..9).map(scaled).collect();
         let found = dependences(rows.clone(), 1e-8);
         prop_assert_eq!(found.len(), 9 - rank(&plain, 6));
         for dependence in &found {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
-use ancf::mechanics::functions::{Expression, External, Function, Instant, Table};
+use ancf::mechanics::functions::{Expression, ExternalFunction, Function, FunctionValue, TimeTable};
 use ancf::model::{At, Load, Place, TimeFunction, Varying};
 use ancf::schema::schema;
 use ancf::{Model, Scales};
@@ -17,10 +17,10 @@ fn formula(text: &str) -> Function {
 }
 
 /// e^(−t) sin 3t as a function of a program.
-fn external() -> External {
-    External::new(|t: f64| {
+fn external() -> ExternalFunction {
+    ExternalFunction::new(|t: f64| {
         let (decay, (sin, cos)) = ((-t).exp(), (3.0 * t).sin_cos());
-        Instant {
+        FunctionValue {
             value: decay * sin,
             rate: decay * (3.0 * cos - sin),
             acceleration: decay * (-8.0 * sin - 6.0 * cos),
@@ -90,7 +90,7 @@ fn invalid_formulas_are_rejected_with_their_position() {
             Ok(_) => assert_eq!(expected, "", "{text} is accepted"),
             Err(error) => {
                 assert_eq!(error.at, at, "{text}: {error}");
-                assert!(!expected.is_empty() && error.wanted.starts_with(expected), "{text}: {error}");
+                assert!(!expected.is_empty() && error.expected.starts_with(expected), "{text}: {error}");
             }
         }
     }
@@ -104,7 +104,7 @@ fn invalid_formulas_are_rejected_with_their_position() {
 fn every_function() -> Vec<Function> {
     vec![
         Function::Constant(3.0),
-        Function::Table(Table::new([[0.0, 1.0], [1.0, 3.0], [1.0, -1.0], [2.5, 0.5]])),
+        Function::Table(TimeTable::new([[0.0, 1.0], [1.0, 3.0], [1.0, -1.0], [2.5, 0.5]])),
         Function::Ramp { start: 0.5, end: 2.0 },
         Function::Step { at: 1.0, until: Some(2.0) },
         Function::Sine { frequency: 0.7, phase: 0.3 },
@@ -123,7 +123,7 @@ fn rates_are_derivatives_of_the_values() {
             (8.0 * (f(t + h) - f(t - h)) - (f(t + 2.0 * h) - f(t - 2.0 * h))) / (12.0 * h)
         };
         for t in [0.2, 0.45, 0.88, 1.3, 1.7, 2.3, 3.1] {
-            let Instant { value, rate, acceleration } = function.at(t);
+            let FunctionValue { value, rate, acceleration } = function.at(t);
             assert_eq!(value, function.value(t));
             let slope = difference(&|t| function.value(t), t);
             assert!(
@@ -154,7 +154,7 @@ fn functions_have_right_hand_limits_at_breaks() {
     assert!((before - 3.0).abs() < 1e-14 && after == -1.0);
     assert_eq!([table.value(-5.0), table.value(9.0)], [1.0, 0.5]);
     assert_eq!([ramp.value(0.0), ramp.value(1.25), ramp.value(7.0)], [0.0, 0.5, 1.0]);
-    assert_eq!(table.at(1.75), Instant { value: -0.25, rate: 1.0, acceleration: 0.0 });
+    assert_eq!(table.at(1.75), FunctionValue { value: -0.25, rate: 1.0, acceleration: 0.0 });
 }
 
 /// Spin-up of Simo & Vu-Quoc (1986): at rest at t = 0, at 15 s 45 rad and 6 rad/s without a velocity jump.
@@ -162,8 +162,8 @@ fn functions_have_right_hand_limits_at_breaks() {
 fn spin_up_of_simo_and_vu_quoc_is_smooth() {
     let text = "0.4*if(t < 15, t^2/2 + (15/(2*pi))^2*(cos(2*pi*t/15) - 1), 15*t - 112.5)";
     let function = formula(text);
-    assert_eq!(function.at(0.0), Instant::default());
-    let near = |a: Instant, b: [f64; 3]| {
+    assert_eq!(function.at(0.0), FunctionValue::default());
+    let near = |a: FunctionValue, b: [f64; 3]| {
         let a = [a.value, a.rate, a.acceleration];
         a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12 * (1.0 + b.abs()))
     };
@@ -290,7 +290,7 @@ proptest! {
 /// Integrals start at t = 0 with the value 0.
 #[test]
 fn the_rate_of_an_integral_is_the_function() {
-    let table = |points: &[[f64; 2]]| Function::Table(Table::new(points.iter().copied()));
+    let table = |points: &[[f64; 2]]| Function::Table(TimeTable::new(points.iter().copied()));
     let functions = [
         Function::Constant(0.7),
         Function::Ramp { start: -0.5, end: 1.5 },
@@ -321,10 +321,10 @@ fn the_rate_of_an_integral_is_the_function() {
 fn threads_share_one_call_per_instant() {
     let calls = Arc::new(Mutex::new(0));
     let count = Arc::clone(&calls);
-    let slow = External::new(move |t| {
+    let slow = ExternalFunction::new(move |t| {
         *count.lock().unwrap() += 1;
         std::thread::yield_now();
-        Instant { value: t, ..Instant::default() }
+        FunctionValue { value: t, ..FunctionValue::default() }
     });
     for t in 1..=20 {
         std::thread::scope(|scope| {

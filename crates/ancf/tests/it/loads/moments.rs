@@ -1,8 +1,8 @@
 //! Moments, follower loads and drives on rotated, stretched and skewed sections.
 
-use ancf::mechanics::constraints::Drive;
+use ancf::mechanics::constraints::RotationDrive;
 use ancf::mechanics::forces::{FollowerForce, Moment};
-use ancf::mechanics::functions::{Function, Table};
+use ancf::mechanics::functions::{Function, TimeTable};
 use ancf::mechanics::kinematics::Marker;
 use ancf::solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
@@ -194,7 +194,7 @@ fn moment_is_conservative_in_a_plane() {
 #[test]
 fn loads_scale_with_time_function_and_load_factor() {
     let [r, d, e] = &markers();
-    let function = || Function::Table(Table::new([[0.0, 0.0], [2.0, 3.0]]));
+    let function = || Function::Table(TimeTable::new([[0.0, 0.0], [2.0, 3.0]]));
     let vector = Vector3::new(0.3, -0.4, 1.1);
     let varying: [Box<dyn Term>; 3] = [
         Box::new(Moment::new([d, e], vector, function())),
@@ -220,7 +220,7 @@ fn drive_rates_are_time_derivatives() {
     let direction = Vector3::new(0.2, -1.1, 0.3);
     let marker = Marker::new([(0, 0.5), (3, 0.5)], direction);
     let sine = || Function::Sine { frequency: 0.3, phase: 0.2 };
-    let drive = Drive::new(&marker, axis, 2.5, sine(), 0);
+    let drive = RotationDrive::new(&marker, axis, 2.5, sine(), 0);
     let residual = |t: f64, load: f64, q: Vector3<f64>| {
         let q = [q.x, q.y, q.z, q.x, q.y, q.z];
         let mut r = [0.0; 9];

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
 
-use ancf::mechanics::functions::{External, ForceFunction, Instant};
+use ancf::mechanics::functions::{ExternalFunction, ForceFunction, FunctionValue};
 use ancf::model::ModelErrors;
 use ancf::record::Series;
 use ancf::{Error, Model, Outcome, Scales, simulate};
@@ -35,15 +35,15 @@ const SCALES: [&str; 3] = [
     "scales = { kind = \"auto\" }\n",
 ];
 
-fn sine(frequency: f64, phase: f64) -> External {
-    External::new(move |t| {
+fn sine(frequency: f64, phase: f64) -> ExternalFunction {
+    ExternalFunction::new(move |t| {
         let omega = TAU * frequency;
         let (sin, cos) = (omega * t + phase).sin_cos();
-        Instant { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
+        FunctionValue { value: sin, rate: omega * cos, acceleration: -omega * omega * sin }
     })
 }
 
-fn supplied(mut model: Model, name: &str, function: &External) -> Model {
+fn supplied(mut model: Model, name: &str, function: &ExternalFunction) -> Model {
     assert!(model.supply(name, function.clone()));
     model
 }
@@ -258,9 +258,9 @@ time = { kind = "external", name = "wave" }
     let analysis = DYNAMICS.replace("duration = 1", "duration = 0.02");
     let calls = Arc::new(Mutex::new(Vec::new()));
     let seen = Arc::clone(&calls);
-    let wave = External::new(move |t| {
+    let wave = ExternalFunction::new(move |t| {
         seen.lock().unwrap().push(t);
-        Instant { value: t * t, rate: 2.0 * t, acceleration: 2.0 }
+        FunctionValue { value: t * t, rate: 2.0 * t, acceleration: 2.0 }
     });
     let run = Run::of(&supplied(parse(&(cantilever(100) + loads + &analysis)), "wave", &wave));
     assert_eq!(run.summary.steps, 20);
@@ -310,7 +310,8 @@ fn missing_functions_are_rejected() {
 fn supplied_functions_are_checked() {
     let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/good/external.toml"));
     let mut model = Model::parse(text).unwrap();
-    let constant = |value| External::new(move |_| Instant { value, ..Instant::default() });
+    let constant =
+        |value| ExternalFunction::new(move |_| FunctionValue { value, ..FunctionValue::default() });
     model.supply("motor", constant(0.2));
     model.supply("winch", constant(0.3));
     model.supply("gust", constant(f64::NAN));
@@ -344,10 +345,10 @@ couplings = [{{ name = "gear", joints = [{{ joint = "h1", factor = 1 }}, {{ join
     let turned = |sign: f64| {
         let own = sine(1.0, 0.0);
         let turned = move |t| {
-            let Instant { value, rate, acceleration } = own.at(t);
-            Instant { value: sign * value, rate: sign * rate, acceleration: sign * acceleration }
+            let FunctionValue { value, rate, acceleration } = own.at(t);
+            FunctionValue { value: sign * value, rate: sign * rate, acceleration: sign * acceleration }
         };
-        supplied(parse(&text), "motor", &External::new(turned))
+        supplied(parse(&text), "motor", &ExternalFunction::new(turned))
     };
     assert_eq!(turned(-1.0).check(), Ok(()));
     Run::of(&turned(-1.0));
@@ -367,7 +368,8 @@ loads = [
 "#;
     let until = |end: f64| move |t: f64| if t < end { 1.0 } else { f64::NAN };
     for (push, field) in [(until(0.5), until(2.0)), (until(2.0), until(0.5))] {
-        let push = External::new(move |t| Instant { value: push(t), ..Instant::default() });
+        let push =
+            ExternalFunction::new(move |t| FunctionValue { value: push(t), ..FunctionValue::default() });
         let field = ForceFunction::new(move |t, _, _| [0.0, field(t), 0.0]);
         let mut series = Series::new();
         let model = forced(supplied(parse(&(String::from(text) + DYNAMICS)), "push", &push), "field", &field);
@@ -376,9 +378,9 @@ loads = [
         assert!((time - 0.5).abs() < 2e-3);
         assert!(series.column("t").unwrap().last().is_some_and(|t| (t - 0.5).abs() < 2e-3));
     }
-    let panicking = External::new(|t| {
+    let panicking = ExternalFunction::new(|t| {
         assert!(t < 1.0, "t is too large");
-        Instant { value: t, ..Instant::default() }
+        FunctionValue { value: t, ..FunctionValue::default() }
     });
     assert!(catch_unwind(AssertUnwindSafe(|| panicking.at(2.0))).is_err());
     assert_eq!(panicking.at(0.5).value, 0.5);

@@ -275,7 +275,7 @@ fn repeated_constraints_have_least_multipliers() {
     equations.blocks.extend((0..3).map(|m| Block { multipliers: m..m + 1, ..constraint.clone() }));
     equations.multipliers = 3;
     let terms = equations.blocks.iter().map(|block| Box::new(block.clone()) as Box<dyn Term>).collect();
-    let system = System::new(equations.coordinates, 3, terms).sharing(0..3);
+    let system = System::new(equations.coordinates, 3, terms).with_shared_multipliers(0..3);
     let mut k = system.matrix();
     system.tangent(&State::rest(equations.coordinates, 3), Weights::STIFFNESS, &mut k);
     let mut factor = Factor::new(k.pattern()).unwrap();

@@ -5,9 +5,9 @@ use std::ops::Range;
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model::{At, Body, End, Joint, Named, Place, Spherical};
-use ancf::solver::dynamics::{Dynamics, Scheme};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 
 use crate::common::models::rod;
 
@@ -33,9 +33,9 @@ fn models() -> [(&'static str, Model); 4] {
 
 /// Advances 100 steps by the scheme ADAMS. Returns the number of steps that ended at the rounding floor.
 fn floors(name: &str, assembly: &Assembly, start: State, tolerance: f64, step: f64) -> u32 {
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(tolerance), 50).unwrap();
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(tolerance), 50).unwrap();
     let from = start.t;
-    let mut dynamics = Dynamics::new(&assembly.system, Scheme::ADAMS, newton, 0, start);
+    let mut dynamics = TimeStepper::new(&assembly.system, SchemeCoefficients::ADAMS, newton, 0, start);
     let floors = (1..=100).map(|i| match dynamics.advance(from + step * f64::from(i)) {
         Ok(report) => u32::from(report.floor),
         Err(error) => {
@@ -66,8 +66,9 @@ fn tolerances_below_rounding_end_at_the_floor() {
 fn small_steps_converge() {
     for (name, model) in models() {
         let assembly = model.assemble().unwrap();
-        let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
-        let mut dynamics = Dynamics::new(&assembly.system, Scheme::ADAMS, newton, 0, assembly.rest());
+        let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-8), 50).unwrap();
+        let mut dynamics =
+            TimeStepper::new(&assembly.system, SchemeCoefficients::ADAMS, newton, 0, assembly.rest());
         (1..=300).for_each(|i| _ = dynamics.advance(1e-3 * f64::from(i)).unwrap());
         for start in [assembly.rest(), State { t: 0.0, ..dynamics.state().clone() }] {
             for step in [1e-6, 1e-9, 1e-10, 1e-11, 1e-13] {
@@ -129,8 +130,8 @@ impl Term for Unsolvable {
 fn unsolvable_constraints_fail() {
     for jump in [None, Some(1e-9), Some(1e-13)] {
         let system = System::new(1, 1, vec![Box::new(Unsolvable { jump })]);
-        let newton = Newton::new(system.matrix(), Stop::Energy(1e-14), 50).unwrap();
-        let mut dynamics = Dynamics::new(&system, Scheme::ADAMS, newton, 0, State::rest(1, 1));
+        let newton = Newton::new(system.matrix(), StopRule::Energy(1e-14), 50).unwrap();
+        let mut dynamics = TimeStepper::new(&system, SchemeCoefficients::ADAMS, newton, 0, State::rest(1, 1));
         let ended = dynamics.advance(1e-3);
         assert!(ended.is_err(), "{jump:?}: {ended:?}");
     }

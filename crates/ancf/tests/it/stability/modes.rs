@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use ancf::solver::eigen::{EigenError, Modes, modes};
+use ancf::solver::eigen::{EigenError, EigenModes, modes};
 use ancf::solver::equations::{Local, LocalMatrix, State, System, Term, Weights};
 use ancf::solver::newton::Interrupt;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -98,7 +98,7 @@ fn dense(block: &Block) -> Vec<f64> {
     values
 }
 
-fn solve(blocks: Vec<Block>, count: usize) -> Result<Modes, EigenError> {
+fn solve(blocks: Vec<Block>, count: usize) -> Result<EigenModes, EigenError> {
     let (mut n, mut m) = (0, 0);
     let terms = blocks.into_iter().map(|mut block| {
         block.coordinates.iter_mut().for_each(|c| *c += n);
@@ -112,13 +112,13 @@ fn solve(blocks: Vec<Block>, count: usize) -> Result<Modes, EigenError> {
 }
 
 /// Asserts the first `count` eigenvalues to the rounding error of the largest one.
-fn assert_same(modes: &Modes, all: &[f64], count: usize) {
+fn assert_same(modes: &EigenModes, all: &[f64], count: usize) {
     let reference = &all[..count];
     assert_eq!(modes.modes.len(), count);
     let largest = all.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     for (mode, reference) in modes.modes.iter().zip(reference) {
-        let error = (mode.squared - reference).abs();
-        assert!(error < 1e-11 * largest, "{} instead of {reference}", mode.squared);
+        let error = (mode.omega_squared - reference).abs();
+        assert!(error < 1e-11 * largest, "{} instead of {reference}", mode.omega_squared);
     }
 }
 
@@ -155,8 +155,10 @@ fn free_motions_have_zero_eigenvalues() {
         let block = block(&mut Random(4), 30, 0, 0, 7, units);
         let modes = solve(vec![block], 9).unwrap();
         assert_eq!(modes.rigid, 7);
-        assert!(modes.modes[..7].iter().all(|mode| mode.squared == 0.0 && mode.frequency() == Some(0.0)));
-        assert!(modes.modes[7].squared > 1e-4);
+        assert!(
+            modes.modes[..7].iter().all(|mode| mode.omega_squared == 0.0 && mode.frequency() == Some(0.0))
+        );
+        assert!(modes.modes[7].omega_squared > 1e-4);
     }
 }
 
@@ -166,15 +168,15 @@ fn shapes_are_orthonormal_and_satisfy_constraints() {
     let block = block(&mut Random(5), 30, 6, 2, 0, 0.0);
     let modes = solve(vec![block.clone()], 6).unwrap().modes;
     let x = DMatrix::from_fn(30, 6, |i, j| modes[j].shape[i]);
-    let squared = DMatrix::from_fn(6, 6, |i, j| if i == j { modes[i].squared } else { 0.0 });
+    let squared = DMatrix::from_fn(6, 6, |i, j| if i == j { modes[i].omega_squared } else { 0.0 });
     assert!((x.transpose() * &block.mass * &x - DMatrix::identity(6, 6)).amax() < 1e-7);
     assert!((x.transpose() * &block.stiffness * &x - squared).amax() < 1e-7);
     assert!((&block.constraints * &x).amax() < 1e-12);
     assert!(modes.iter().all(|mode| mode.residual < 1e-6));
     for mode in &modes {
-        assert_eq!(mode.frequency(), (mode.squared >= 0.0).then(|| mode.squared.sqrt() / TAU));
+        assert_eq!(mode.frequency(), (mode.omega_squared >= 0.0).then(|| mode.omega_squared.sqrt() / TAU));
     }
-    assert!(modes[0].squared < 0.0);
+    assert!(modes[0].omega_squared < 0.0);
 }
 
 #[test]

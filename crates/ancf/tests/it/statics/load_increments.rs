@@ -8,14 +8,16 @@ use ancf::assembly::Assembly;
 use ancf::model::{Beam, Body, Formulation, Load, ScaleChoice};
 use ancf::solver::equations::{Energy, EquationsOfMotion, Local, LocalMatrix, State, System, Term, Weights};
 use ancf::solver::factor::Factor;
-use ancf::solver::newton::{EquilibriumError, Failure, Newton, Stop};
-use ancf::solver::statics::{ArcSteps, Equilibrium, Increments, Left, Path, PathPoint, Statics, Until};
+use ancf::solver::newton::{EquilibriumError, Newton, SolveFailure, StopRule};
+use ancf::solver::statics::{
+    ArcLength, ArcLengthSteps, EndConditions, EndReason, Equilibrium, LoadIncrements, LoadStepper, PathPoint,
+};
 use nalgebra::{DMatrix, Vector3};
 
 use crate::common::models::rod;
 
 fn newton(system: &System) -> Newton {
-    Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap()
+    Newton::new(system.matrix(), StopRule::Energy(1e-10), 50).unwrap()
 }
 
 fn unloaded(assembly: &Assembly) -> State {
@@ -23,9 +25,9 @@ fn unloaded(assembly: &Assembly) -> State {
 }
 
 /// Equilibrium under the full load, its report and the number of accepted increments.
-fn solve(assembly: &Assembly, increments: Increments) -> (State, Equilibrium, usize) {
+fn solve(assembly: &Assembly, increments: LoadIncrements) -> (State, Equilibrium, usize) {
     let system = &assembly.system;
-    let mut statics = Statics::new(system, newton(system), increments, unloaded(assembly));
+    let mut statics = LoadStepper::new(system, newton(system), increments, unloaded(assembly));
     let mut accepted = 0;
     let count = |_: &State, _: &Equilibrium| {
         accepted += 1;
@@ -60,7 +62,7 @@ fn soft(elements: u32) -> Model {
 fn own_weight_converges_in_five_iterations() {
     for elements in [1, 10, 100, 1000] {
         let assembly = rod::cantilever(elements).assemble().unwrap();
-        let (state, report, accepted) = solve(&assembly, Increments::default());
+        let (state, report, accepted) = solve(&assembly, LoadIncrements::default());
         assert!(report.iterations <= 5, "{elements} elements: {report:?}");
         assert_eq!((accepted, report.attempts, report.unstable), (1, 1, Some(0)));
         if elements == 1000 {
@@ -76,7 +78,7 @@ fn large_deflections_converge_in_one_increment() {
     let cases =
         [(tip_loaded(32, [0.0, -1.0, 0.0]), 10), (tip_loaded(32, [0.0, -10.0, 0.0]), 20), (soft(32), 20)];
     for (model, limit) in cases {
-        let (_, report, accepted) = solve(&model.assemble().unwrap(), Increments::default());
+        let (_, report, accepted) = solve(&model.assemble().unwrap(), LoadIncrements::default());
         assert!(report.iterations <= limit, "{report:?}");
         assert_eq!((accepted, report.unstable), (1, Some(0)));
     }
@@ -88,7 +90,7 @@ fn increments_do_not_change_the_equilibrium() {
     for model in [tip_loaded(16, [0.0, -10.0, 0.0]), tip_loaded(16, [-1.0, -1.0, 0.7]), soft(16)] {
         let assembly = model.assemble().unwrap();
         let ends = [1.0, 0.3, 0.1, 0.03].map(|first| {
-            let (state, ..) = solve(&assembly, Increments { first, ..Increments::default() });
+            let (state, ..) = solve(&assembly, LoadIncrements { first, ..LoadIncrements::default() });
             assert_eq!(state.load, 1.0);
             tip(&assembly, &state)
         });
@@ -106,7 +108,7 @@ fn units_do_not_change_iterations_and_equilibria() {
             let choice = ScaleChoice::Given { length, force, time: Some(1.0) };
             let model = Model { scales: choice, ..model.clone() };
             let assembly = model.scaled(&model.scales().scales).assemble().unwrap();
-            let (state, report, accepted) = solve(&assembly, Increments::default());
+            let (state, report, accepted) = solve(&assembly, LoadIncrements::default());
             let mut counts = vec![(report.iterations, report.attempts), (accepted as u32, 0)];
             let cost = |_: &State, PathPoint { equilibrium: e, .. }: &PathPoint| (e.iterations, e.attempts);
             let (end, costs) = follow(&assembly, cost);
@@ -133,13 +135,15 @@ fn column(part: f64, imperfection: f64) -> Assembly {
 /// Follows the path of an assembly to its full load and evaluates `each` at its points.
 fn follow<T>(assembly: &Assembly, mut each: impl FnMut(&State, &PathPoint) -> T) -> (State, Vec<T>) {
     let system = &assembly.system;
-    let mut path = Path::new(system, newton(system), ArcSteps::from(0.1), unloaded(assembly)).unwrap();
-    let (until, mut seen) = (Until { load: Some(1.0), points: 1000, length: f64::INFINITY }, Vec::new());
+    let mut path =
+        ArcLength::new(system, newton(system), ArcLengthSteps::from(0.1), unloaded(assembly)).unwrap();
+    let (until, mut seen) =
+        (EndConditions { load: Some(1.0), points: 1000, length: f64::INFINITY }, Vec::new());
     let see = |s: &State, point: &PathPoint| {
         seen.push(each(s, point));
         ControlFlow::Continue(())
     };
-    assert_eq!(path.follow(&until, see).unwrap(), Left::Load);
+    assert_eq!(path.follow(&until, see).unwrap(), EndReason::Load);
     (path.state().clone(), seen)
 }
 
@@ -156,7 +160,7 @@ fn buckled_column_is_the_elastica() {
         (1.8848008689781, 0.12315997240512, 0.80317099000746),
     ] {
         let assembly = column(part, 1e-6);
-        let (state, report, _) = solve(&assembly, Increments::default());
+        let (state, report, _) = solve(&assembly, LoadIncrements::default());
         assert_eq!(report.unstable, Some(0));
         let end = tip(&assembly, &state);
         assert!((end - Vector3::new(x, y, 0.0)).norm() <= 2.5e-3, "{end} instead of {x}, {y}");
@@ -212,7 +216,7 @@ impl Term for SofteningSpring {
 fn error_beyond_the_limit_load_states_the_load_reached() {
     let system = System::new(1, 0, vec![Box::new(SofteningSpring)]);
     let start = State { load: 0.0, ..State::rest(1, 0) };
-    let mut statics = Statics::new(&system, newton(&system), Increments::default(), start);
+    let mut statics = LoadStepper::new(&system, newton(&system), LoadIncrements::default(), start);
     let error: EquilibriumError = statics.advance(2.0, |_, _| ControlFlow::Continue(())).unwrap_err();
     let state = statics.state();
     assert!(error.reached > 0.999 && error.reached <= 1.0, "{error}");
@@ -229,9 +233,9 @@ fn error_beyond_the_limit_load_states_the_load_reached() {
 #[test]
 fn receiver_stops_the_analysis() {
     let assembly = tip_loaded(4, [0.0, -1.0, 0.0]).assemble().unwrap();
-    let increments = Increments { first: 0.1, ..Increments::default() };
+    let increments = LoadIncrements { first: 0.1, ..LoadIncrements::default() };
     let system = &assembly.system;
-    let mut statics = Statics::new(system, newton(system), increments, unloaded(&assembly));
+    let mut statics = LoadStepper::new(system, newton(system), increments, unloaded(&assembly));
     let mut loads = Vec::new();
     let halfway = |s: &State, _: &Equilibrium| {
         loads.push(s.load);
@@ -246,10 +250,11 @@ fn receiver_stops_the_analysis() {
 #[test]
 fn missing_convergence_fails_at_the_start() {
     let assembly = tip_loaded(4, [0.0, -1.0, 0.0]).assemble().unwrap();
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 1).unwrap();
-    let mut statics = Statics::new(&assembly.system, newton, Increments::default(), unloaded(&assembly));
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 1).unwrap();
+    let mut statics =
+        LoadStepper::new(&assembly.system, newton, LoadIncrements::default(), unloaded(&assembly));
     let error = statics.advance(1.0, |_, _| ControlFlow::Continue(())).unwrap_err();
-    assert_eq!((error.reached, error.cause.failure), (0.0, Failure::NotConverged));
+    assert_eq!((error.reached, error.cause.failure), (0.0, SolveFailure::NotConverged));
     assert_eq!(statics.state(), &unloaded(&assembly));
 }
 
@@ -259,7 +264,7 @@ fn negative_pivots_count_negative_eigenvalues() {
     let mut unstable = Vec::new();
     for part in [0.5, 2.0, 10.0] {
         let assembly = column(part, 0.0);
-        let increments = Increments { trusted: 1.0, ..Increments::default() };
+        let increments = LoadIncrements { trusted: 1.0, ..LoadIncrements::default() };
         let (state, report, _) = solve(&assembly, increments);
         let system = &assembly.system;
         let mut matrix = system.matrix();

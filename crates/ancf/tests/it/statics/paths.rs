@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 
 use ancf::Model;
 use ancf::mechanics::bodies::BeamMesh;
-use ancf::mechanics::constraints::{Coincide, Perpendicular};
+use ancf::mechanics::constraints::{CoincidenceConstraint, ConstantAngle};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::kinematics::Marker;
 use ancf::model::{Beam, Body, Formulation, Material, Section};
 use ancf::solver::equations::{EquationsOfMotion, State, System};
-use ancf::solver::newton::{Newton, Stop};
-use ancf::solver::statics::{ArcSteps, Left, Limit, Path, PathPoint, Until};
+use ancf::solver::newton::{Newton, StopRule};
+use ancf::solver::statics::{ArcLength, ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 use nalgebra::Vector3;
 
 use super::truss::Truss;
@@ -18,7 +18,7 @@ use crate::common::assertions::assert_relative;
 use crate::common::models::rod;
 
 fn newton(system: &System) -> Newton {
-    Newton::new(system.matrix(), Stop::Energy(1e-10), 50).unwrap()
+    Newton::new(system.matrix(), StopRule::Energy(1e-10), 50).unwrap()
 }
 
 fn unloaded(system: &System) -> State {
@@ -26,8 +26,12 @@ fn unloaded(system: &System) -> State {
 }
 
 /// Points of a path from the unloaded state, and the reason for its end.
-fn follow(system: &System, steps: ArcSteps, until: Until) -> (Vec<(State, PathPoint)>, Left) {
-    let mut path = Path::new(system, newton(system), steps, unloaded(system)).unwrap();
+fn follow(
+    system: &System,
+    steps: ArcLengthSteps,
+    until: EndConditions,
+) -> (Vec<(State, PathPoint)>, EndReason) {
+    let mut path = ArcLength::new(system, newton(system), steps, unloaded(system)).unwrap();
     let mut points = Vec::new();
     let left = path.follow(&until, |s, point| {
         points.push((s.clone(), *point));
@@ -37,8 +41,8 @@ fn follow(system: &System, steps: ArcSteps, until: Until) -> (Vec<(State, PathPo
 }
 
 /// Ends a path at a load factor.
-const fn until_load(load: f64) -> Until {
-    Until { load: Some(load), points: 1000, length: f64::INFINITY }
+const fn until_load(load: f64) -> EndConditions {
+    EndConditions { load: Some(load), points: 1000, length: f64::INFINITY }
 }
 
 /// Stiff springs cause snap-through of the apex; soft ones also cause snap-back of the loaded point.
@@ -52,10 +56,10 @@ fn von_mises_truss_has_its_closed_path() {
         let exact = truss(spring);
         let peak = exact.load(1.0 / 3.0_f64.sqrt());
         let (points, left) =
-            follow(&truss(spring).system(), ArcSteps::from(0.2 * peak), until_load(2.0 * peak));
-        assert_eq!(left, Left::Load);
+            follow(&truss(spring).system(), ArcLengthSteps::from(0.2 * peak), until_load(2.0 * peak));
+        assert_eq!(left, EndReason::Load);
         let limits: Vec<_> = points.iter().filter_map(|(s, p)| Some((p.limit?, s.load, s.q[1]))).collect();
-        let [(Limit::Maximum, up, at_up), (Limit::Minimum, down, at_down)] = limits[..] else {
+        let [(LimitPoint::Maximum, up, at_up), (LimitPoint::Minimum, down, at_down)] = limits[..] else {
             panic!("limits {limits:?}")
         };
         assert_relative("largest load", up, peak, 1e-9);
@@ -79,7 +83,8 @@ fn path_is_unstable_between_limit_points() {
     let peak = truss(1.0).load(1.0 / 3.0_f64.sqrt());
     let mut reversals = Vec::new();
     for spring in [50.0, 0.8] {
-        let (points, _) = follow(&truss(spring).system(), ArcSteps::from(0.1 * peak), until_load(2.0 * peak));
+        let (points, _) =
+            follow(&truss(spring).system(), ArcLengthSteps::from(0.1 * peak), until_load(2.0 * peak));
         for (s, point) in points.iter().filter(|(_, point)| point.limit.is_none()) {
             let inside = (s.q[1] - 1.0).abs() < 1.0 / 3.0_f64.sqrt();
             assert_eq!(point.equilibrium.unstable, Some(usize::from(inside)), "at {}", s.q[1]);
@@ -97,25 +102,27 @@ fn path_is_unstable_between_limit_points() {
 #[test]
 fn path_ends_by_points_length_or_receiver() {
     let system = truss(50.0).system();
-    let until = Until { load: None, points: 7, length: f64::INFINITY };
-    let (points, left) = follow(&system, ArcSteps::from(0.05), until);
-    assert_eq!((points.len(), left), (7, Left::Points));
+    let until = EndConditions { load: None, points: 7, length: f64::INFINITY };
+    let (points, left) = follow(&system, ArcLengthSteps::from(0.05), until);
+    assert_eq!((points.len(), left), (7, EndReason::Points));
     let (points, left) =
-        follow(&system, ArcSteps::from(0.05), Until { load: None, points: 1000, length: 0.3 });
-    assert_eq!(left, Left::Length);
+        follow(&system, ArcLengthSteps::from(0.05), EndConditions { load: None, points: 1000, length: 0.3 });
+    assert_eq!(left, EndReason::Length);
     assert!((points[points.len() - 1].1.length - 0.3).abs() < 1e-12);
-    let mut path = Path::new(&system, newton(&system), ArcSteps::from(0.05), unloaded(&system)).unwrap();
-    let left = path.follow(&until_load(10.0), |_, _| ControlFlow::Break(()));
-    assert_eq!(left.unwrap(), Left::Broken);
-    // Upward loads stretch the bars; the path has no limit point.
     let mut path =
-        Path::new(&system, newton(&system), ArcSteps::from(0.05), unloaded(&system)).unwrap().reversed();
+        ArcLength::new(&system, newton(&system), ArcLengthSteps::from(0.05), unloaded(&system)).unwrap();
+    let left = path.follow(&until_load(10.0), |_, _| ControlFlow::Break(()));
+    assert_eq!(left.unwrap(), EndReason::Stopped);
+    // Upward loads stretch the bars; the path has no limit point.
+    let mut path = ArcLength::new(&system, newton(&system), ArcLengthSteps::from(0.05), unloaded(&system))
+        .unwrap()
+        .reversed();
     let mut limits = 0;
     let left = path.follow(&until_load(-3.0), |_, point| {
         limits += usize::from(point.limit.is_some());
         ControlFlow::Continue(())
     });
-    assert_eq!((left.unwrap(), limits, path.state().load), (Left::Load, 0, -3.0));
+    assert_eq!((left.unwrap(), limits, path.state().load), (EndReason::Load, 0, -3.0));
 }
 
 /// Lee's frame: two legs of length 120 with the section h × 24/h³, EI = 1.44e7, hinged at their far ends.
@@ -156,7 +163,7 @@ fn lees_frame(elements: u32, formulation: Formulation, height: f64) -> (System, 
     let mut terms = [column.terms(), girder.terms()].into_iter().flatten().collect::<Vec<_>>();
     let mut multipliers = 0;
     let mut perpendicular = |a: &Marker, b: &Marker| {
-        terms.push(Box::new(Perpendicular::new(a, b, multipliers)));
+        terms.push(Box::new(ConstantAngle::new(a, b, multipliers)));
         multipliers += 1;
     };
     let direction = |mesh: &BeamMesh, s, of| mesh.direction(s, of);
@@ -170,7 +177,7 @@ fn lees_frame(elements: u32, formulation: Formulation, height: f64) -> (System, 
     let ground = |point: Marker| (Marker::fixed(point.reference()), point);
     let corner = (girder.point(0.0), column.point(120.0));
     for (a, b) in [ground(column.point(0.0)), ground(girder.point(120.0)), corner] {
-        terms.push(Box::new(Coincide::points(&b, &a, multipliers)));
+        terms.push(Box::new(CoincidenceConstraint::points(&b, &a, multipliers)));
         multipliers += 3;
     }
     let loaded = girder.point(24.0);
@@ -182,9 +189,9 @@ fn lees_frame(elements: u32, formulation: Formulation, height: f64) -> (System, 
 /// (P, u, w) of the points of Lee's frame up to P = 25 000, with the limits.
 fn lees_path(elements: u32, formulation: Formulation, height: f64) -> Vec<([f64; 3], PathPoint)> {
     let (system, loaded) = lees_frame(elements, formulation, height);
-    let steps = ArcSteps { largest: 0.25, ..ArcSteps::from(0.2) };
+    let steps = ArcLengthSteps { largest: 0.25, ..ArcLengthSteps::from(0.2) };
     let (points, left) = follow(&system, steps, until_load(2.5));
-    assert_eq!(left, Left::Load);
+    assert_eq!(left, EndReason::Load);
     let at = |s: &State| {
         let moved = loaded.sum(&s.q);
         assert!(moved.z.abs() < 1e-6, "displacement out of the plane");
@@ -200,7 +207,9 @@ const BOTTOM: [f64; 3] = [-9414.431556, 90.195674, 58.2168153];
 /// Asserts the limit points within relative tolerances of P and of the displacements.
 fn assert_limits(points: &[([f64; 3], PathPoint)], force: f64, place: f64) {
     let limits: Vec<_> = points.iter().filter_map(|(at, point)| Some((point.limit?, *at))).collect();
-    let [(Limit::Maximum, top), (Limit::Minimum, bottom)] = limits[..] else { panic!("limits {limits:?}") };
+    let [(LimitPoint::Maximum, top), (LimitPoint::Minimum, bottom)] = limits[..] else {
+        panic!("limits {limits:?}")
+    };
     for (at, reference) in [(top, TOP), (bottom, BOTTOM)] {
         for (i, tolerance) in [force, place, place].into_iter().enumerate() {
             assert_relative(["P", "u", "w"][i], at[i], reference[i], tolerance);

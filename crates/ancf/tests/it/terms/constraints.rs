@@ -1,11 +1,11 @@
 //! Two bodies with constraints and loads.
 
-use ancf::mechanics::bodies::{BeamMesh, Blueprint};
-use ancf::mechanics::constraints::{Coincide, Drive, Perpendicular};
-use ancf::mechanics::elements::{Formulation, Medium};
+use ancf::mechanics::bodies::{BeamMesh, MeshParameters};
+use ancf::mechanics::constraints::{CoincidenceConstraint, ConstantAngle, RotationDrive};
+use ancf::mechanics::elements::{BeamMaterial, TwoNodeLaw};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::functions::Function;
-use ancf::mechanics::kinematics::{Marker, Node};
+use ancf::mechanics::kinematics::{Marker, ReferenceNode};
 use ancf::model::{Material, Section};
 use ancf::solver::equations::Term;
 use nalgebra::{Rotation3, Vector3};
@@ -19,16 +19,16 @@ pub(super) const ORIGIN: Vector3<f64> = Vector3::new(0.1, -0.2, 0.3);
 pub(super) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>) -> BeamMesh {
     let section = Section::circle(0.3).cross_section(0.3);
     let lame = Material::elastic(2.0, 30.0, 0.3).lame();
-    let medium = Medium {
+    let medium = BeamMaterial {
         lame,
         neo_hookean: false,
         density: 2.0,
         retardation: 0.0,
-        drag: 0.0,
+        mass_damping: 0.0,
         gravity: Vector3::zeros(),
     };
     let of = |_| section.clone();
-    let blueprint = Blueprint {
+    let blueprint = MeshParameters {
         first,
         origin,
         length: LENGTH,
@@ -38,8 +38,8 @@ pub(super) fn mesh(first: usize, origin: Vector3<f64>, rotation: Rotation3<f64>)
         prismatic: true,
     };
     let frame = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| rotation * axis);
-    let nodes = [0.0, 1.0, 2.0].map(|k| Node { position: frame[0] * (k * LENGTH), frame });
-    BeamMesh::two_node(&blueprint, &nodes, Formulation::Continuum)
+    let nodes = [0.0, 1.0, 2.0].map(|k| ReferenceNode { position: frame[0] * (k * LENGTH), frame });
+    BeamMesh::two_node(&blueprint, &nodes, TwoNodeLaw::Continuum)
 }
 
 /// Builds two bodies of two elements each, the second one rotated.
@@ -56,21 +56,27 @@ pub(super) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
     let (point_a, point_b) = (a.point(0.31), b.point(LENGTH));
     let (direction_a, direction_b) = (a.direction(0.31, along), b.direction(2.0 * LENGTH, across));
     vec![
-        ("points", Box::new(Coincide::points(&point_a, &point_b, 5))),
-        ("point and ground", Box::new(Coincide::points(&point_a, &ground, 5))),
-        ("points of one body", Box::new(Coincide::points(&point_a, &a.point(0.0), 5))),
-        ("directions", Box::new(Coincide::directions(&direction_a, &direction_b, 5))),
-        ("gap to a point", Box::new(Coincide::toward(&point_a, across, 5))),
+        ("points", Box::new(CoincidenceConstraint::points(&point_a, &point_b, 5))),
+        ("point and ground", Box::new(CoincidenceConstraint::points(&point_a, &ground, 5))),
+        ("points of one body", Box::new(CoincidenceConstraint::points(&point_a, &a.point(0.0), 5))),
+        ("directions", Box::new(CoincidenceConstraint::directions(&direction_a, &direction_b, 5))),
+        ("gap to a point", Box::new(CoincidenceConstraint::toward(&point_a, across, 5))),
         (
             "drive",
-            Box::new(Drive::new(&direction_a, Vector3::z(), 2.0, Function::Ramp { start: 0.0, end: 2.0 }, 5)),
+            Box::new(RotationDrive::new(
+                &direction_a,
+                Vector3::z(),
+                2.0,
+                Function::Ramp { start: 0.0, end: 2.0 },
+                5,
+            )),
         ),
-        ("direction and ground", Box::new(Coincide::directions(&direction_a, &ground, 5))),
-        ("perpendicular", Box::new(Perpendicular::new(&direction_a, &direction_b, 5))),
-        ("perpendicular to the ground", Box::new(Perpendicular::new(&direction_a, &ground, 5))),
+        ("direction and ground", Box::new(CoincidenceConstraint::directions(&direction_a, &ground, 5))),
+        ("perpendicular", Box::new(ConstantAngle::new(&direction_a, &direction_b, 5))),
+        ("perpendicular to the ground", Box::new(ConstantAngle::new(&direction_a, &ground, 5))),
         (
             "perpendicular within a body",
-            Box::new(Perpendicular::new(&direction_a, &a.direction(0.0, across), 5)),
+            Box::new(ConstantAngle::new(&direction_a, &a.direction(0.0, across), 5)),
         ),
         ("force", Box::new(Force::new(&point_a, Vector3::new(0.3, -2.0, 0.7)))),
     ]

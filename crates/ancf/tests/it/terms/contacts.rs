@@ -1,7 +1,7 @@
 //! Contacts with deep penetration, active for all small random states.
 
 use ancf::mechanics::bodies::BeamMesh;
-use ancf::mechanics::contact::{BeamContact, ContactLaw, Form, Obstacle, ObstacleContact};
+use ancf::mechanics::contact::{BeamContact, ContactLaw, Obstacle, ObstacleContact, ObstacleShape};
 use ancf::mechanics::kinematics::Attachment;
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
@@ -31,11 +31,11 @@ pub(super) fn contacts(a: &BeamMesh, b: &BeamMesh, s: f64) -> Vec<(String, Box<d
     let at = point.reference();
     let axis = Vector3::new(0.48, 0.6, -0.64);
     let forms = [
-        (Form::Plane, at + axis * 1.0),
-        (Form::Sphere { radius: 3.0, inside: false }, at + Vector3::new(1.0, 1.0, 1.0)),
-        (Form::Sphere { radius: 0.4, inside: true }, at + Vector3::new(1.0, 1.0, 1.0)),
-        (Form::Cylinder { radius: 3.0, inside: false }, at + Vector3::new(1.5, 1.0, 1.0)),
-        (Form::Cylinder { radius: 0.4, inside: true }, at + Vector3::new(1.5, 1.0, 1.0)),
+        (ObstacleShape::Plane, at + axis * 1.0),
+        (ObstacleShape::Sphere { radius: 3.0, inside: false }, at + Vector3::new(1.0, 1.0, 1.0)),
+        (ObstacleShape::Sphere { radius: 0.4, inside: true }, at + Vector3::new(1.0, 1.0, 1.0)),
+        (ObstacleShape::Cylinder { radius: 3.0, inside: false }, at + Vector3::new(1.5, 1.0, 1.0)),
+        (ObstacleShape::Cylinder { radius: 0.4, inside: true }, at + Vector3::new(1.5, 1.0, 1.0)),
     ];
     let mut cases: Vec<(String, Box<dyn Term>, Loss)> = Vec::new();
     let losses = [Loss::None, Loss::Damping, Loss::Friction];

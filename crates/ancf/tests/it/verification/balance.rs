@@ -10,9 +10,9 @@ use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model;
 use ancf::model::{At, Body, Clamp, Clamped, End, Joint, Named, Place, Revolute, Spherical, Start};
-use ancf::solver::dynamics::{Dynamics, Scheme, consistent_start};
+use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_accelerations};
 use ancf::solver::equations::{EquationsOfMotion, State, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::common::assertions::assert_near;
@@ -118,8 +118,9 @@ fn assert_balance(name: &str, assembly: &Assembly, s: &State, gravity: Vector3<f
 /// States over 0.2 s by the scheme and the step of the paper.
 fn instants(model: &Model) -> (Assembly, Vec<State>) {
     let assembly = model.assemble().unwrap();
-    let newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-8), 50).unwrap();
-    let mut dynamics = Dynamics::new(&assembly.system, Scheme::ADAMS, newton, 0, assembly.rest());
+    let newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-8), 50).unwrap();
+    let mut dynamics =
+        TimeStepper::new(&assembly.system, SchemeCoefficients::ADAMS, newton, 0, assembly.rest());
     let states = (1..=200).map(|step| {
         dynamics.advance(1e-3 * f64::from(step)).unwrap();
         dynamics.state().clone()
@@ -227,7 +228,7 @@ fn consistent_start_satisfies_constraints_to_third_order() {
     let branch = 36;
     s.v =
         spin.iter().zip(&hinge).enumerate().map(|(i, (a, b))| if i < branch { *a } else { a + b }).collect();
-    consistent_start(&assembly.system, &mut assembly.system.matrix(), &mut s).unwrap();
+    consistent_accelerations(&assembly.system, &mut assembly.system.matrix(), &mut s).unwrap();
     let ahead = |h: f64| {
         let mut ahead = s.clone();
         for i in 0..ahead.q.len() {

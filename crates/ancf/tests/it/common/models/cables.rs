@@ -30,7 +30,8 @@ pub(crate) fn cables(damping: CableDamping, gravity: Vector3<f64>) -> Vec<Cable>
         for slope in [1.0, LENGTH] {
             for direction in [Vector3::x(), tilted] {
                 let shape = BeamShape { length: LENGTH, slope };
-                let profile = CableProfile::new(shape, SECTION, gravity).damped(damping).integrated(rule);
+                let profile =
+                    CableProfile::new(shape, SECTION, gravity).with_damping(damping).with_rule(rule);
                 cables.push(Cable {
                     name: format!("{rule:?} cable, slope length {slope}, along {:.1?}", direction.as_slice()),
                     term: Cable12::new(std::array::from_fn(|i| i), direction, Arc::new(profile)),

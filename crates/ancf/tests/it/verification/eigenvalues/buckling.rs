@@ -14,9 +14,9 @@ use ancf::assembly::Assembly;
 use ancf::model::{
     At, Body, Cable, Clamp, Clamped, Formulation, GeneralSection, Joint, Load, MaterialLaw, Section, Slopes,
 };
-use ancf::solver::eigen::{Critical, EigenError, Sense, buckling};
+use ancf::solver::eigen::{CriticalLoad, EigenError, LoadDirection, buckling};
 use ancf::solver::equations::{State, Weights};
-use ancf::solver::newton::{Interrupt, Newton, Stop};
+use ancf::solver::newton::{Interrupt, Newton, StopRule};
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;
@@ -34,7 +34,7 @@ fn loaded(mut model: Model, force: [f64; 3]) -> Assembly {
 /// Equilibrium at a load factor, by equal load steps.
 fn under(assembly: &Assembly, load: f64, steps: u32) -> State {
     let mut state = State { load: 0.0, ..assembly.rest() };
-    let mut newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+    let mut newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
     for step in 1..=steps {
         state.load = load * f64::from(step) / f64::from(steps);
         newton.solve(&assembly.system, &mut state, Weights::STIFFNESS).unwrap();
@@ -42,13 +42,13 @@ fn under(assembly: &Assembly, load: f64, steps: u32) -> State {
     state
 }
 
-fn critical(assembly: &Assembly, s: &State, sense: Sense) -> Result<Vec<Critical>, EigenError> {
+fn critical(assembly: &Assembly, s: &State, sense: LoadDirection) -> Result<Vec<CriticalLoad>, EigenError> {
     buckling(&assembly.system, assembly.system.matrix(), s, 2, sense, &Interrupt::default())
 }
 
 /// Lowest critical load factor.
 fn first(assembly: &Assembly, s: &State) -> f64 {
-    critical(assembly, s, Sense::Stated).unwrap()[0].factor
+    critical(assembly, s, LoadDirection::Stated).unwrap()[0].factor
 }
 
 /// Critical load of the nonlinear path: repeated load increments by a fraction of the critical increment.
@@ -135,16 +135,18 @@ fn sense_and_magnitude_of_the_reference_load_are_respected() {
     let factors = |assembly: &Assembly, sense| -> Vec<f64> {
         critical(assembly, &rest, sense).unwrap().iter().map(|critical| critical.factor).collect()
     };
-    let stated = factors(&column, Sense::Stated);
+    let stated = factors(&column, LoadDirection::Stated);
     assert_near("planes", stated[1] / stated[0], 1.0, 1e-9);
-    for (force, sense, sign) in
-        [(1e9, Sense::Reversed, -1.0), (1e9, Sense::Either, -1.0), (-1e-9, Sense::Stated, 1.0)]
-    {
+    for (force, sense, sign) in [
+        (1e9, LoadDirection::Reversed, -1.0),
+        (1e9, LoadDirection::Either, -1.0),
+        (-1e-9, LoadDirection::Stated, 1.0),
+    ] {
         let other = loaded(rod::cantilever(4), [force, 0.0, 0.0]);
         let factor = factors(&other, sense)[0];
         assert_near("reversed", factor * force / (-sign * sign * stated[0]), 1.0, 1e-8);
     }
-    assert!(factors(&loaded(rod::cantilever(4), [1.0, 0.0, 0.0]), Sense::Stated).is_empty());
+    assert!(factors(&loaded(rod::cantilever(4), [1.0, 0.0, 0.0]), LoadDirection::Stated).is_empty());
 }
 
 /// A load on the clamp causes no buckling.
@@ -154,7 +156,7 @@ fn load_on_the_clamp_causes_no_buckling() {
     model.gravity = [0.0; 3];
     model.loads = vec![Load::force(rod::start(), [-1.0, 2.0, 3.0])];
     let assembly = model.assemble().unwrap();
-    assert_eq!(critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either), Ok(Vec::new()));
+    assert_eq!(critical(&assembly, &under(&assembly, 0.0, 1), LoadDirection::Either), Ok(Vec::new()));
 }
 
 /// Hinged columns have a singular stiffness; columns above the critical load an indefinite one.
@@ -162,10 +164,10 @@ fn load_on_the_clamp_causes_no_buckling() {
 fn unstable_initial_states_are_errors() {
     let hinged = loaded(rod::revolute(4), [-1.0, 0.0, 0.0]);
     let rest = State { load: 0.0, ..hinged.rest() };
-    assert_eq!(critical(&hinged, &rest, Sense::Stated), Err(EigenError::Singular));
+    assert_eq!(critical(&hinged, &rest, LoadDirection::Stated), Err(EigenError::Singular));
     let column = loaded(rod::cantilever(4), [-1.0, 0.0, 0.0]);
     let beyond = under(&column, 1.1 * EULER, 1);
-    assert_eq!(critical(&column, &beyond, Sense::Stated), Err(EigenError::Indefinite));
+    assert_eq!(critical(&column, &beyond, LoadDirection::Stated), Err(EigenError::Indefinite));
 }
 
 /// Strip on edge with E = 71.7 GPa.
@@ -207,7 +209,7 @@ fn lateral_buckling_has_prandtls_load() {
             (Formulation::Enhanced, 64, 3e-4),
         ] {
             let assembly = loaded(strip(elements, poisson, formulation, section), [0.0, -1.0, 0.0]);
-            let factors = critical(&assembly, &under(&assembly, 0.0, 1), Sense::Either).unwrap();
+            let factors = critical(&assembly, &under(&assembly, 0.0, 1), LoadDirection::Either).unwrap();
             let name = format!("{name}, {formulation:?}");
             assert_near(&name, factors[0].factor.abs() / reference, 1.0, tolerance);
             // Equal loads upwards and downwards.

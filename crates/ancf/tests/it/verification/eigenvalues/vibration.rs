@@ -8,7 +8,7 @@ use ancf::Model;
 use ancf::model::{Clamped, Load, Section, Slopes};
 use ancf::solver::eigen::modes;
 use ancf::solver::equations::{State, Weights};
-use ancf::solver::newton::{Interrupt, Newton, Stop};
+use ancf::solver::newton::{Interrupt, Newton, StopRule};
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;
@@ -35,7 +35,7 @@ fn free_beam_has_eulers_frequencies() {
             modes(&assembly.system, assembly.system.matrix(), &assembly.rest(), 10, &Interrupt::default())
                 .unwrap();
         assert_eq!(found.rigid, 6);
-        let omega = |k: usize| found.modes[k].squared.sqrt() / time / unit;
+        let omega = |k: usize| found.modes[k].omega_squared.sqrt() / time / unit;
         assert_near("a pair", omega(7) / omega(6), 1.0, 1e-7);
         [omega(6), omega(8)]
     };
@@ -67,7 +67,7 @@ fn compound_pendulum_has_its_frequency() {
         let state = State { q: loaded.q, ..assembly.rest() };
         let found =
             modes(&assembly.system, assembly.system.matrix(), &state, 1, &Interrupt::default()).unwrap();
-        assert_near("squared", found.modes[0].squared / (sign * exact), 1.0, 1e-4);
+        assert_near("squared", found.modes[0].omega_squared / (sign * exact), 1.0, 1e-4);
         assert_eq!((found.rigid, found.modes[0].frequency().is_some()), (0, sign > 0.0));
     }
 }
@@ -85,13 +85,13 @@ fn spinning_beam_has_the_flap_frequencies_of_wright() {
             state.a[vector.first] = -square * vector.value.x;
             state.a[vector.first + 1] = -square * vector.value.y;
         }
-        let mut newton = Newton::new(assembly.system.matrix(), Stop::Energy(1e-10), 20).unwrap();
+        let mut newton = Newton::new(assembly.system.matrix(), StopRule::Energy(1e-10), 20).unwrap();
         newton.solve(&assembly.system, &mut state, Weights { q: 1.0, v: 0.0, a: -square }).unwrap();
         let found = modes(&assembly.system, assembly.system.matrix(), &state, 4, &Interrupt::default())
             .unwrap()
             .modes;
         for (k, reference) in table.into_iter().enumerate() {
-            let omega = found[2 * k].squared.sqrt() / unit;
+            let omega = found[2 * k].omega_squared.sqrt() / unit;
             assert_near(&format!("mode {k} at spin {spin}"), omega / reference, 1.0, 2e-3);
         }
     }
@@ -108,7 +108,7 @@ fn squared_frequency_vanishes_at_the_critical_load() {
         let found = modes(&assembly.system, assembly.system.matrix(), &state, 2, &Interrupt::default())
             .unwrap()
             .modes;
-        [found[0].squared, found[1].squared]
+        [found[0].omega_squared, found[1].omega_squared]
     };
     let (below, above) = (column(0.99), column(1.01));
     for k in 0..2 {

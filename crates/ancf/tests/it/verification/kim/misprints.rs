@@ -8,7 +8,7 @@ use ancf::Model;
 use ancf::mechanics::elements::{Beam24, Profile};
 use ancf::mechanics::kinematics::BeamShape;
 use ancf::model::{Material, ScaleChoice, Section, Slopes};
-use ancf::solver::dynamics::Scheme;
+use ancf::solver::dynamics::SchemeCoefficients;
 use ancf::solver::equations::{EquationsOfMotion, Local, State, Term, Weights};
 use ancf::units::Scales;
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -180,8 +180,8 @@ fn eq_36_newmark() {
     let mut s = State { q: vec![0.0], v: vec![0.0], a: vec![g], ..State::rest(1, 0) };
     let mut printed = [0.0, 0.0];
     for _ in 0..steps {
-        Scheme::ADAMS.predict(&mut s, &[g], h);
-        s.add(&[0.0], Scheme::ADAMS.weights(h)); // constant acceleration g
+        SchemeCoefficients::ADAMS.predict(&mut s, &[g], h);
+        s.add(&[0.0], SchemeCoefficients::ADAMS.weights(h)); // constant acceleration g
         printed[1] += h * g;
         printed[0] += h * printed[1] + 0.5 * h * h * g;
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use ancf::mechanics::elements::{CableProfile, CableSection};
 use ancf::mechanics::kinematics::BeamShape;
 use ancf::solver::equations::Weights;
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 use super::cable_chain::{CableCantilever, Root};
@@ -77,7 +77,7 @@ fn own_weight_converges_with_many_cable_elements() {
     for elements in [50, 300, 500, 700, 1000] {
         let chain = cantilever(1.0, elements, rod(), GRAVITY, Vector3::zeros());
         let mut state = chain.rest();
-        let mut newton = Newton::new(chain.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+        let mut newton = Newton::new(chain.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
         let report = newton.solve(&chain.system, &mut state, Weights::STIFFNESS).unwrap();
         assert!(report.iterations <= 5, "{elements} elements: {} iterations", report.iterations);
         assert_near("tip", chain.moved(&state).y, -0.002_040_778_175, 1e-11);

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use ancf::mechanics::constraints::{Coincide, Perpendicular};
+use ancf::mechanics::constraints::{CoincidenceConstraint, ConstantAngle};
 use ancf::mechanics::elements::{Cable12, CableProfile};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::kinematics::{BeamShape, Marker};
 use ancf::solver::equations::{State, System, Term, Weights};
-use ancf::solver::newton::{Newton, Stop};
+use ancf::solver::newton::{Newton, StopRule};
 use nalgebra::Vector3;
 
 /// Constrained coordinates at x = 0.
@@ -39,13 +39,17 @@ impl CableCantilever {
         terms.push(Box::new(Force::new(&tip, force)));
         let along = Marker::new([(3, 1.0 / slope)], Vector3::x());
         let ground = Marker::fixed(Vector3::zeros());
-        terms.push(Box::new(Coincide::points(&Marker::new([(0, 1.0)], Vector3::zeros()), &ground, 0)));
+        terms.push(Box::new(CoincidenceConstraint::points(
+            &Marker::new([(0, 1.0)], Vector3::zeros()),
+            &ground,
+            0,
+        )));
         let multipliers = if root == Root::Gradient {
-            terms.push(Box::new(Coincide::directions(&along, &Marker::fixed(Vector3::x()), 3)));
+            terms.push(Box::new(CoincidenceConstraint::directions(&along, &Marker::fixed(Vector3::x()), 3)));
             6
         } else {
             for (axis, multiplier) in [(Vector3::y(), 3), (Vector3::z(), 4)] {
-                terms.push(Box::new(Perpendicular::new(&along, &Marker::fixed(axis), multiplier)));
+                terms.push(Box::new(ConstantAngle::new(&along, &Marker::fixed(axis), multiplier)));
             }
             5
         };
@@ -60,7 +64,7 @@ impl CableCantilever {
     /// Returns the equilibrium by equal load steps, and the number of Newton iterations.
     pub(super) fn equilibrium(&self, steps: u32) -> (State, u32) {
         let mut state = self.rest();
-        let mut newton = Newton::new(self.system.matrix(), Stop::Energy(1e-10), 50).unwrap();
+        let mut newton = Newton::new(self.system.matrix(), StopRule::Energy(1e-10), 50).unwrap();
         let mut iterations = 0;
         for step in 1..=steps {
             state.load = f64::from(step) / f64::from(steps);

@@ -23,7 +23,7 @@ fn tip(elements: u32, rule: CableRule, slope: f64, root: Root) -> Vector3<f64> {
     let section =
         CableSection { axial: young * side * side, bending: young * side.powi(4) / 12.0, line_density: 78.0 };
     let shape = BeamShape { length: 2.0 / f64::from(elements), slope };
-    let profile = CableProfile::new(shape, section, Vector3::zeros()).integrated(rule);
+    let profile = CableProfile::new(shape, section, Vector3::zeros()).with_rule(rule);
     let force = Vector3::new(0.0, -0.75 * section.bending, 0.0);
     let chain = CableCantilever::new(elements as usize, profile, force, root);
     let (state, _) = chain.equilibrium(5);

@@ -3,13 +3,14 @@
 import { f32, f64, i16 } from "./container.mjs";
 import { emptyScene, rotatedDirectors } from "./scene.mjs";
 
+const TIMES = Array.from({ length: 21 }, (_, i) => i / 20);
+const boxHeight = (t) => 0.5 + 0.2 * Math.cos(2 * Math.PI * t);
+const ballPosition = (t) => [0.7, 0.3 * Math.sin(2 * Math.PI * t), 0.35];
+
 /** Box and point mass on springs above a plane, beside a sphere and a cylinder. The run has failed. */
 export function machine() {
-  const frames = 21;
-  const times = Array.from({ length: frames }, (_, i) => i / 20);
-  const height = (t) => 0.5 + 0.2 * Math.cos(2 * Math.PI * t);
-  const ballPosition = (t) => [0.7, 0.3 * Math.sin(2 * Math.PI * t), 0.35];
   const identity = rotatedDirectors(0);
+  const heights = { name: "box.z", label: "z", unit: "m", values: f32(TIMES.map(boxHeight)) };
   return {
     ...emptyScene(),
     ...{ title: "box on springs over a floor", size: 1.5, stations: 2, up: [0, 0, 1] },
@@ -22,65 +23,45 @@ export function machine() {
       [-0.6, -0.5, 0],
       [0.9, 0.5, 1.2],
     ],
-    frames: { count: frames, values: f64(times), labels: null },
+    frames: { count: TIMES.length, values: f64(TIMES), labels: null },
     bodies: [body("box", "rigid", 0, [0.15, 0.1, 0.08]), body("ball", "point", 1, [0.06, 0.06, 0.06])],
-    centres: f32(times.flatMap((t) => [0, 0, height(t), ...ballPosition(t)])),
-    directors: i16(times.flatMap((t) => [...rotatedDirectors(0.5 * t), ...identity])),
+    centres: vectors((t) => [0, 0, boxHeight(t), ...ballPosition(t)]),
+    directors: i16(TIMES.flatMap((t) => [...rotatedDirectors(0.5 * t), ...identity])),
     reference: { centres: f32([0, 0, 0.5, 0.7, 0, 0.35]), directors: i16([...identity, ...identity]) },
     markers: [
-      { name: "hook", kind: "joint", detail: "fixed", at: f32(times.flatMap(() => [0, 0, 1.2])) },
-      { name: "push", kind: "load", detail: "force", at: f32(times.flatMap((t) => ballPosition(t))) },
+      { name: "hook", kind: "joint", detail: "fixed", at: vectors(() => [0, 0, 1.2]) },
+      { name: "push", kind: "load", detail: "force", at: vectors(ballPosition) },
     ],
-    links: [
-      link(
-        "spring",
-        "spring",
-        times.flatMap((t) => [0, 0, 1.2, 0, 0, height(t) + 0.08]),
-      ),
-      link(
-        "damper",
-        "damper",
-        times.flatMap((t) => [0.1, 0, 1.2, 0.1, 0, height(t) + 0.08]),
-      ),
-      link(
-        "rope",
-        "rope",
-        times.flatMap((t) => [0, 0, height(t), ...ballPosition(t)]),
-      ),
-    ],
-    obstacles: [
-      {
-        name: "floor",
-        kind: "plane",
-        radius: 0,
-        length: null,
-        pose: f32([0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0]),
-      },
-      {
-        name: "stone",
-        kind: "sphere",
-        radius: 0.15,
-        length: null,
-        pose: f32([-0.5, 0, 0.15, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
-      },
-      {
-        ...{ name: "drum", kind: "cylinder", radius: 0.12, length: 0.6 },
-        pose: f32([0.3, 0.6, 0.12, 0, 1, 0, 0, 0, 1, 1, 0, 0]),
-      },
-    ],
-    abscissa: { name: "t", unit: "s", values: f64(times) },
-    charts: [
-      {
-        title: "box",
-        group: "probes",
-        log: false,
-        columns: [{ name: "box.z", label: "z", unit: "m", values: f32(times.map(height)) }],
-      },
-    ],
+    links: links(),
+    obstacles: obstacles(),
+    abscissa: { name: "t", unit: "s", values: f64(TIMES) },
+    charts: [{ title: "box", group: "probes", log: false, columns: [heights] }],
   };
 }
 
-const body = (name, kind, first, box) => ({
-  ...{ name, kind, first, count: 1, outline: [], inner: null, scale: null, nodes: [first], box },
-});
-const link = (name, kind, ends) => ({ name, kind, ends: f32(ends) });
+/** Values of a vector function at all times. */
+function vectors(vector) {
+  return f32(TIMES.flatMap((t) => vector(t)));
+}
+
+function body(name, kind, first, box) {
+  return { name, kind, first, count: 1, outline: [], inner: null, scale: null, nodes: [first], box };
+}
+
+function links() {
+  const link = (kind, ends) => ({ name: kind, kind, ends: vectors(ends) });
+  return [
+    link("spring", (t) => [0, 0, 1.2, 0, 0, boxHeight(t) + 0.08]),
+    link("damper", (t) => [0.1, 0, 1.2, 0.1, 0, boxHeight(t) + 0.08]),
+    link("rope", (t) => [0, 0, boxHeight(t), ...ballPosition(t)]),
+  ];
+}
+
+function obstacles() {
+  const obstacle = (name, kind, radius, length, pose) => ({ name, kind, radius, length, pose: f32(pose) });
+  return [
+    obstacle("floor", "plane", 0, null, [0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0]),
+    obstacle("stone", "sphere", 0.15, null, [-0.5, 0, 0.15, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
+    obstacle("drum", "cylinder", 0.12, 0.6, [0.3, 0.6, 0.12, 0, 1, 0, 0, 0, 1, 1, 0, 0]),
+  ];
+}

@@ -49,8 +49,11 @@ fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> 
     let title = Level::ERROR.primary_title(format!("{path}: found {}", error.found));
     let wanted = format!("wanted {}", error.wanted);
     // Positions refer to the file as it was read, which may have changed.
-    let place =
-        error.at.as_ref().map(|at| at.bytes.clone()).filter(|place| text.get(place.clone()).is_some());
+    let place = error
+        .at
+        .as_ref()
+        .map(|at| at.bytes.clone())
+        .filter(|place| !text.is_empty() && text.get(place.clone()).is_some());
     let Some(place) = place else {
         let hint = error.hint.iter().map(|hint| Level::HELP.message(hint.as_str()));
         return title.element(Level::HELP.message(wanted)).elements(hint);
@@ -98,7 +101,10 @@ mod tests {
             "1 | gravity = [0, 1] | ^^^^^^ wanted an array of 3 numbers",
             "5 errors",
         ] {
-            assert!(shown.replace('│', "|").replace('━', "^").contains(part), "{part} is not in {shown}");
+            assert!(
+                shown.replace("╰╴", "|").replace('│', "|").replace('━', "^").contains(part),
+                "{part} is not in {shown}"
+            );
         }
     }
 

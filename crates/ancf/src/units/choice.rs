@@ -21,15 +21,15 @@ pub enum ScaleChoice {
     Auto,
     /// Given units.
     Given {
-        /// Unit of length.
+        /// Unit of length, length.
         #[unit(length)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         length: f64,
-        /// Unit of force.
+        /// Unit of force, force.
         #[unit(force)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         force: f64,
-        /// Unit of time; by default eq. (7) of Kim et al. (2017) with the ρA of the longest body.
+        /// Unit of time, time. By default it follows from eq. (7) of Kim et al. (2017) with the ρA of the longest body.
         #[unit(time)]
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(extend("exclusiveMinimum" = 0))]

@@ -89,7 +89,7 @@ class Spring(Part):
     damping
         Damping, force time/length (>= 0). Default: ``0.0``.
     length
-        Length at which it is free of force; the distance in the undeformed state by default (>= 0).
+        Length without force, length. By default the distance in the undeformed state (>= 0).
     stiffness
         Stiffness, force/length (>= 0). Default: ``0.0``.
     tension_only

@@ -29,7 +29,7 @@ class Damping(Part):
     mass
         Rate α of the mass-proportional damping, the force −α v per mass. 1/time (>= 0). Default: ``0.0``.
     strain
-        Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt. Time (>= 0).
+        Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt, time (>= 0).
         Default: ``0.0``.
 
     """
@@ -160,9 +160,9 @@ class Ellipse(Shared):
         Key in the table of the model, for a part that is given instead of its name. Chosen automatically if
         omitted.
     height
-        Extent along the section's y-axis, length: twice that semi-axis (> 0).
+        Extent along the section's y-axis, twice that semi-axis, length (> 0).
     width
-        Extent along the section's z-axis, length: twice that semi-axis (> 0).
+        Extent along the section's z-axis, twice that semi-axis, length (> 0).
 
     """
 
@@ -186,9 +186,9 @@ class GeneralSection(Shared):
     area
         Area A, length² (> 0).
     iy
-        Second moment ∫z² dA, length⁴: for bending about y, deflections along z (> 0).
+        Second moment ∫z² dA for bending about y, deflections along z, length⁴ (> 0).
     iz
-        Second moment ∫y² dA, length⁴: for bending about z, deflections along y (> 0).
+        Second moment ∫y² dA for bending about z, deflections along y, length⁴ (> 0).
     j
         Torsion constant, length⁴; iy + iz by default (> 0).
     ky

@@ -43,8 +43,11 @@ class PaperScales(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AutoScales(Part):
-    """Length L and weight of the longest body, or E I/L² without gravity, and time by eq. (7) of Kim et al.
-    (2017). Each is rounded to a power of two, so that conversion is exact."""
+    """Length and weight of the longest body.
+
+    Units are the length L, the weight, or E I/L² without gravity, and the time by eq. (7) of Kim et al.
+    (2017). Each is rounded to a power of two, so that conversion is exact.
+    """
 
     _form = "ScaleChoice"
     _tag = "kind"
@@ -58,11 +61,12 @@ class GivenScales(Part):
     Attributes
     ----------
     length
-        Unit of length (> 0).
+        Unit of length, length (> 0).
     force
-        Unit of force (> 0).
+        Unit of force, force (> 0).
     time
-        Unit of time; by default eq. (7) of Kim et al. (2017) with the ρA of the longest body (> 0).
+        Unit of time, time. By default it follows from eq. (7) of Kim et al. (2017) with the ρA of the longest
+        body (> 0).
 
     """
 

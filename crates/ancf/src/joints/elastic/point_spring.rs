@@ -26,7 +26,7 @@ pub struct PointSpring {
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub damping: f64,
-    /// Length at which it is free of force; the distance in the undeformed state by default.
+    /// Length without force, length. By default the distance in the undeformed state.
     #[unit(length)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0))]

@@ -13,11 +13,11 @@ use crate::units::Scaled;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Ellipse {
-    /// Extent along the section's y-axis, length: twice that semi-axis.
+    /// Extent along the section's y-axis, twice that semi-axis, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub height: f64,
-    /// Extent along the section's z-axis, length: twice that semi-axis.
+    /// Extent along the section's z-axis, twice that semi-axis, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub width: f64,

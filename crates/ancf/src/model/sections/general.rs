@@ -15,11 +15,11 @@ pub struct GeneralSection {
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^2)]
     pub area: f64,
-    /// Second moment ∫z² dA, length⁴: for bending about y, deflections along z.
+    /// Second moment ∫z² dA for bending about y, deflections along z, length⁴.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub iy: f64,
-    /// Second moment ∫y² dA, length⁴: for bending about z, deflections along y.
+    /// Second moment ∫y² dA for bending about z, deflections along y, length⁴.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub iz: f64,

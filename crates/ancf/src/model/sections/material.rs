@@ -44,7 +44,7 @@ pub enum MaterialLaw {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Damping {
-    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt. Time.
+    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt, time.
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub strain: f64,

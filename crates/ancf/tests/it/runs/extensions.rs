@@ -174,7 +174,7 @@ fn added_parts_give_the_results_of_built_in_ones() {
         .unwrap();
     assert_eq!(built_in.scales(), added.scales());
     let (one, other) = (rows(&built_in), rows(&added));
-    for column in ["tip.x", "tip.y", "tip.z", "shaft.angle", "shaft.fx", "energy.kinetic"] {
+    for column in ["tip.x", "tip.y", "tip.z", "shaft.angle", "shaft.fx", "kinetic"] {
         let (one, other) = (one.column(column), other.column(column));
         assert!(one.is_some() && one == other, "{column}");
     }

@@ -86,7 +86,7 @@ fn dead_point_fails_at_its_instant() {
 fn step_below_the_minimum_is_reported() {
     let Failed { time, reason, at, advice, last } = failed(&model("step_below_minimum"));
     assert!((time - 0.5).abs() < 1e-6 && (last - 0.5).abs() < 1e-6, "{time}, {last}");
-    assert!(reason.starts_with("the step fell below the smallest permitted"), "{reason}");
+    assert!(reason.starts_with("the step is below the smallest permitted"), "{reason}");
     assert_eq!(at, "body `ball`, its centre along x");
     assert!(advice.contains("`step.tolerance`"), "{advice}");
 }

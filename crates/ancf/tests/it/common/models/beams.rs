@@ -96,8 +96,21 @@ impl BeamCase {
 impl std::fmt::Display for BeamCase {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { formulation, section, section_end, poisson, law, damping, curved, slopes, tilted } = self;
-        write!(f, "{formulation:?}, {section:?} to {section_end:?}, nu = {poisson}, {law:?}, {damping:?}, ")?;
+        // Random samples depend on the name: it is that of the data of the section, without the variant around them.
+        let section = data(format!("{section:?}"));
+        let section_end = section_end
+            .map(|end| data(format!("{end:?}")))
+            .map_or("None".into(), |end| format!("Some({end})"));
+        write!(f, "{formulation:?}, {section} to {section_end}, nu = {poisson}, {law:?}, {damping:?}, ")?;
         write!(f, "curved: {curved}, slopes: {slopes:?}, tilted: {tilted}")
+    }
+}
+
+/// Text of the data of an enum variant: `Circle { .. }` of `Circle(Circle { .. })`.
+fn data(text: String) -> String {
+    match text.split_once('(') {
+        Some((_, inner)) => inner.trim_end_matches(')').replace("GeneralSection", "General"),
+        None => text,
     }
 }
 

@@ -32,8 +32,8 @@ impl Model {
     ///     scheme = { spectral_radius = 0.8 }
     ///     "#,
     /// )?;
-    /// let motor = |t: f64| Instant { value: t * t, rate: 2.0 * t, acceleration: 2.0 };
-    /// assert!(model.supply("motor", External::new(motor)));
+    /// let motor = |t: f64| FunctionValue { value: t * t, rate: 2.0 * t, acceleration: 2.0 };
+    /// assert!(model.supply("motor", ExternalFunction::new(motor)));
     /// let mut series = Series::new();
     /// simulate(&model, &mut series)?;
     /// let angle = series.column("shaft.angle").and_then(|angle| angle.last()).ok_or("no angle")?;

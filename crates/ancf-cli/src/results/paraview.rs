@@ -38,8 +38,8 @@ Examples:
   ancf run models/bow.toml -o out && ancf paraview out    writes out/paraview/sections.pvd, lines.pvd
   ancf paraview out -o vtk --frames 50 --from 0.5         50 frames from time 0.5
 
-Open sections.pvd (surfaces) or lines.pvd (axes) in ParaView. The run may
-still be running, or may have been killed.";
+Open sections.pvd (surfaces) or lines.pvd (axes) in ParaView. The run may still be running, or
+may have been killed.";
 
 impl ParaviewArguments {
     /// Writes the files, one frame in memory at a time.

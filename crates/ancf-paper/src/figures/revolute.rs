@@ -66,7 +66,7 @@ fn figure7(figure: &Figure7) -> PaperFigure {
     ))
 }
 
-/// The tip of the pendulum three times.
+/// Motion of the tip: both forms and the rigid body.
 struct Motion<'a> {
     dim: &'a TimedRun,
     nondim: &'a TimedRun,

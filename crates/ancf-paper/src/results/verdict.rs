@@ -1,4 +1,4 @@
-//! CaseRuns with the printed numbers that do not depend on the machine.
+//! Comparison with the printed numbers that do not depend on the machine.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! PaperResults, tables and figures of the page.
+//! Results, tables and figures of the page.
 
 use maud::{Markup, html};
 

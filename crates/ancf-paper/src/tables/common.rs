@@ -3,7 +3,7 @@
 use super::table::{CellValue, NumberFormat, PaperColumn};
 use crate::results::FormValues;
 
-/// PaperColumn of the number of elements.
+/// Column of the number of elements.
 pub(super) const ELEMENTS: PaperColumn = PaperColumn::new("n", "", NumberFormat::Fixed(0));
 
 /// Creates a row from values that convert into cells.

@@ -140,7 +140,7 @@ pub(super) fn gravity(results: &PaperResults) -> PaperTable {
         file: "gravity",
         columns: vec![
             PaperColumn::new("g", "m/s²", NumberFormat::Fixed(5)),
-            PaperColumn::new("instants of PaperTable 6, Non-DIM", "", NumberFormat::Fixed(0)),
+            PaperColumn::new("instants of Table 6, Non-DIM", "", NumberFormat::Fixed(0)),
             PaperColumn::new("eq. (34)", "mm", NumberFormat::Fixed(4)),
         ],
         rows: results.gravity.candidates.iter().map(row).collect(),

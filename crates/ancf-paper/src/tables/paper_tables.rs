@@ -7,7 +7,7 @@ use crate::results::PaperResults;
 /// All tables, each under the name of its file.
 #[derive(Clone, Debug)]
 pub struct PaperTables {
-    /// CaseRuns with the printed numbers.
+    /// Comparison with the printed numbers.
     pub verdict: PaperTable,
     /// T_ND.
     pub table3: PaperTable,
@@ -31,7 +31,7 @@ pub struct PaperTables {
     pub conditioning: PaperTable,
     /// Consequences of the candidates for g.
     pub gravity: PaperTable,
-    /// PaperTable 5 with two values of g.
+    /// Table 5 with two values of g.
     pub table5_gravity: PaperTable,
 }
 

@@ -1,4 +1,4 @@
-//! PaperTable of numbers: CSV in full precision, text with fewer digits.
+//! Table of numbers: CSV in full precision, text with fewer digits.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 
 use crate::page::number;
 
-/// PaperTable with named columns.
+/// Table with named columns.
 #[derive(Clone, Debug)]
 pub struct PaperTable {
     /// Name of the CSV file without the extension.

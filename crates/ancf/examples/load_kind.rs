@@ -1,11 +1,9 @@
 //! A kind of load that a program adds: the attraction to a fixed centre.
 
-use ancf::mechanics::forces::ExternalForce;
-use ancf::mechanics::functions::{ForceFunction, Function};
-use ancf::mechanics::kinematics::Attachment;
-use ancf::model::{At, LoadKind, Named, Place};
+use ancf::loads::{LoadBuilder, LoadKind};
+use ancf::mechanics::functions::ForceFunction;
+use ancf::model::{At, Named, Place};
 use ancf::record::Series;
-use ancf::solver::equations::Term;
 use ancf::units::{Dimension, Scaled, Scales};
 use ancf::{Extension, Model, Simulation};
 
@@ -27,17 +25,17 @@ impl LoadKind for Attraction {
         "attraction"
     }
 
-    fn on(&self) -> &Place {
-        &self.on
+    fn on(&self) -> Option<&Place> {
+        Some(&self.on)
     }
 
-    fn terms(&self, on: &Attachment, _: Function) -> Vec<Box<dyn Term>> {
+    fn build(&self, builder: &mut LoadBuilder<'_>) {
         let strength = self.strength;
-        let force = ForceFunction::new(move |_, x: [f64; 3], _| {
+        let attraction = ForceFunction::new(move |_, x: [f64; 3], _| {
             let r = x.iter().map(|x| x * x).sum::<f64>().sqrt();
             x.map(|x| -strength * x / r.powi(3))
         });
-        vec![Box::new(ExternalForce::new(&on.point, force, on.point.reference().norm()))]
+        builder.external_force(&self.on, attraction);
     }
 }
 

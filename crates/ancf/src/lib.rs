@@ -8,17 +8,24 @@
 //! integrates them by a generalized-α scheme with Newton's method and the exact tangent, and passes every instant, in the
 //! user's units again, to a [`Sink`](record::Sink).
 //!
-//! Floors, arrows pointing downwards only:
+//! Modules, from top to bottom; each one imports from those below it only (`layers.toml`):
 //!
 //! ```text
-//!            simulate              model -> scaled model -> equations -> states -> rows -> sinks
-//!          /    |     \
-//!      model  --+    record        what the user states, analyses too; rows of numbers under names
-//!        |   analysis   |          Newton, schemes: know equations of motion, no mechanics
-//!    mechanics  |       |          elements, markers, constraints: know terms, no analysis
-//!          \    |       |
-//!  function  system    scales       functions of time; states, terms, assembly, sparse matrices; units
+//! simulate      model -> scaled model -> equations -> states -> rows -> sinks
+//! failure       causes of failed runs, advice
+//! results       columns and rows
+//! diagnosis     degrees of freedom, mechanisms, redundant constraints
+//! reading       model files, supplied functions
+//! assembly      equations of motion of a model
+//! scaling       units of the equations
+//! checking      checks beyond the schema
+//! schema        JSON schema
+//! model         data of a model; joints, loads, sections: one file per kind
+//! errors, units, record
 //! ```
+//!
+//! Below are the crates [`mechanics`] (elements, constraints, forces, contact) and [`solver`] (Newton's method, integrators, sparse
+//! factorisation).
 //!
 //! The cantilever of Kim et al. (2017), dropped under its own weight:
 //!
@@ -72,6 +79,7 @@ pub mod diagnosis;
 pub mod errors;
 mod failure;
 pub mod joints;
+pub mod loads;
 pub mod model;
 pub mod reading;
 pub mod record;

@@ -54,7 +54,7 @@ const DRIVES: [&str; 7] = [
 
 /// Names of classes that differ from the word of their form: definition, word or first required key, name.
 const CLASSES: [(&str, &str, &str); 17] = [
-    ("Against", "bodies", "EachOther"),
+    ("ContactSurface", "bodies", "EachOther"),
     ("Body", "mass", "PointMass"),
     ("Body", "rigid", "RigidBody"),
     ("Load", "external", "ExternalForce"),

@@ -95,7 +95,7 @@ fn is_external(kind: &Value) -> bool {
 
 /// True if a load is the external force with a name.
 fn is_force(load: &Load, name: &str) -> bool {
-    matches!(load, Load::External { name: own, .. } if own == name)
+    matches!(load, Load::External(external) if external.name == name)
 }
 
 /// True if a load uses the value of the function with a name, but not its rates.
@@ -105,7 +105,7 @@ fn takes_value(load: &Load, name: &str) -> bool {
         _ => false,
     };
     let its = load.time().is_some_and(of_name);
-    its && !matches!(load, Load::Fluid(_))
+    its && !load.kind().uses_rates()
 }
 
 /// Step of finite differences relative to the time step, in which a resolved motion is smooth.

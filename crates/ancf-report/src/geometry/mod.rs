@@ -22,7 +22,7 @@ pub use body_shape::{BodyKind, BodyShape};
 pub(crate) use bounding_box::bounding_box;
 pub use inertia_box::{BOX_EDGE, InertiaBox, POINT_MASS_RADIUS, inertia_box};
 pub(crate) use link::{Link, links};
-pub(crate) use obstacle::{Obstacle, ObstacleKind, obstacles};
+pub(crate) use obstacle::{DrawnShape, Obstacle, obstacles};
 pub use outline::{Outline, SIDES, outline, outline_at};
 pub use stations::{Geometry, Placement};
 pub use symbol::{Symbol, SymbolKind, Symbols, symbols};

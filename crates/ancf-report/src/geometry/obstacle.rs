@@ -1,6 +1,7 @@
 use ancf::mechanics::bodies::normals_to;
+use ancf::mechanics::contact::ObstacleShape;
 use ancf::mechanics::kinematics::{Attachment, Marker};
-use ancf::model::Against;
+use ancf::model::ContactSurface;
 use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
@@ -14,7 +15,7 @@ const OVERHANG: f64 = 0.04;
 /// Obstacle of a contact.
 pub(crate) struct Obstacle {
     pub name: String,
-    pub kind: ObstacleKind,
+    pub kind: DrawnShape,
     /// Radius in the user's units; 0 for a plane.
     pub radius: f64,
     /// True if the bodies are inside.
@@ -28,13 +29,13 @@ pub(crate) struct Obstacle {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ObstacleKind {
+pub(crate) enum DrawnShape {
     Plane,
     Sphere,
     Cylinder,
 }
 
-impl ObstacleKind {
+impl DrawnShape {
     /// Word in the scene.
     pub const fn word(self) -> &'static str {
         match self {
@@ -58,7 +59,7 @@ impl Obstacle {
         let (point, [axis, ..]) = self.pose(initial);
         let along = reference.centres.iter().map(|x| (x - point).dot(&axis)).filter(|x| x.is_finite());
         let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
-        let is_bounded = self.kind == ObstacleKind::Cylinder && low <= high;
+        let is_bounded = self.kind == DrawnShape::Cylinder && low <= high;
         is_bounded.then_some([0.5 * (low + high), high - low + 2.0 * OVERHANG * size])
     }
 }
@@ -69,19 +70,16 @@ pub(crate) fn obstacles(attachments: Attachments<'_>) -> Vec<Obstacle> {
     contacts.filter_map(|(number, contact)| obstacle(attachments, number, &contact.with)).collect()
 }
 
-fn obstacle(attachments: Attachments<'_>, number: usize, with: &Against) -> Option<Obstacle> {
-    let (kind, point, axis, radius, inside) = match *with {
-        Against::Plane { point, normal, .. } => (ObstacleKind::Plane, point, normal, 0.0, false),
-        Against::Sphere { center, radius, inside, .. } => {
-            (ObstacleKind::Sphere, center, [1.0, 0.0, 0.0], radius, inside)
-        }
-        Against::Cylinder { point, axis, radius, inside, .. } => {
-            (ObstacleKind::Cylinder, point, axis, radius, inside)
-        }
-        Against::Bodies => return None,
+fn obstacle(attachments: Attachments<'_>, number: usize, with: &ContactSurface) -> Option<Obstacle> {
+    let obstacle = with.obstacle()?;
+    let (kind, radius, inside) = match obstacle.shape() {
+        ObstacleShape::Plane => (DrawnShape::Plane, 0.0, false),
+        ObstacleShape::Sphere { radius, inside } => (DrawnShape::Sphere, radius, inside),
+        ObstacleShape::Cylinder { radius, inside } => (DrawnShape::Cylinder, radius, inside),
     };
-    let point = Vector3::from(point);
-    let carrier = match with.on() {
+    let axis = obstacle.axis().map_or([1.0, 0.0, 0.0], |(_, axis)| axis);
+    let point = Vector3::from(obstacle.point());
+    let carrier = match obstacle.on() {
         None => Attachment::ground(point),
         Some(place) => {
             let attachment = attachments.of(place)?;
@@ -95,7 +93,7 @@ fn obstacle(attachments: Attachments<'_>, number: usize, with: &Against) -> Opti
         kind,
         radius: radius * attachments.length,
         inside,
-        moves: with.on().is_some(),
+        moves: obstacle.on().is_some(),
         axis: carrier.direction(axis),
         second: carrier.direction(normals_to(axis)[0]),
         point: carrier.point,

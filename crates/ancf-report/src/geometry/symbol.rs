@@ -113,13 +113,6 @@ fn recorded(probe: &Probe) -> String {
 }
 
 fn name_and_kind_of_load(number: usize, load: &Load) -> (String, String) {
-    let word = match load {
-        Load::Force { follower: false, .. } => "force",
-        Load::Force { follower: true, .. } => "following force",
-        Load::Moment { follower: false, .. } => "moment",
-        Load::Moment { follower: true, .. } => "following moment",
-        Load::External { name, .. } => return (name.clone(), "supplied force".to_owned()),
-        _ => "load",
-    };
-    (format!("loads[{number}]"), word.to_owned())
+    let name = load.kind().name().map_or_else(|| format!("loads[{number}]"), str::to_owned);
+    (name, load.kind().label().to_owned())
 }

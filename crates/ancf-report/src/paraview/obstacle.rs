@@ -4,7 +4,7 @@ use ancf::solver::equations::State;
 use nalgebra::Vector3;
 
 use super::grid::{Cell, Cells};
-use crate::geometry::{Obstacle, ObstacleKind, Placement, bounding_box};
+use crate::geometry::{DrawnShape, Obstacle, Placement, bounding_box};
 use crate::scene::SceneLayout;
 
 /// Number of sides of spheres and cylinders.
@@ -26,9 +26,9 @@ impl ObstacleSurfaces {
         let mut all = Self::default();
         for (number, obstacle) in layout.obstacles.iter().enumerate() {
             match obstacle.kind {
-                ObstacleKind::Plane => all.plane(number, layout, obstacle, reference, s),
-                ObstacleKind::Sphere => all.sphere(number, obstacle.radius),
-                ObstacleKind::Cylinder => {
+                DrawnShape::Plane => all.plane(number, layout, obstacle, reference, s),
+                DrawnShape::Sphere => all.sphere(number, obstacle.radius),
+                DrawnShape::Cylinder => {
                     let part = obstacle.drawn_part(s, reference, layout.size);
                     let [middle, length] = part.unwrap_or([0.0, layout.size]);
                     all.cylinder(number, obstacle.radius, [middle - 0.5 * length, middle + 0.5 * length]);

@@ -24,12 +24,7 @@ impl Model {
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         terms.extend(self.coupling_terms(&bodies, &joints));
-        for load in &self.loads {
-            if let Some(place) = load.on() {
-                terms.extend(load.term(&self.attachment(&bodies, place), clock, self.length()));
-            }
-            terms.extend(self.spread_load(load, &bodies, clock));
-        }
+        terms.extend(self.load_terms(&bodies, clock));
         let probes = self
             .probes
             .iter()

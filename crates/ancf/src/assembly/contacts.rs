@@ -10,7 +10,7 @@ use ancf_mechanics::kinematics::Attachment;
 use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
-use crate::model::{Against, Contact, Model};
+use crate::model::{Contact, Model, ObstacleKind};
 
 /// Depth of the transition as a part of the smallest radius.
 const TRANSITION: f64 = 0.02;
@@ -19,29 +19,15 @@ const SLIP: f64 = 1e-3;
 /// Fewest points of an element, and most by default.
 const POINTS: [f64; 2] = [4.0, 1e4];
 
-impl Against {
-    /// The form, the point and the axis of an obstacle.
-    fn obstacle(&self) -> Option<(ObstacleShape, Vector3<f64>, Vector3<f64>)> {
-        Some(match *self {
-            Self::Plane { point, normal, .. } => (ObstacleShape::Plane, point.into(), normal.into()),
-            Self::Sphere { center, radius, inside, .. } => {
-                (ObstacleShape::Sphere { radius, inside }, center.into(), Vector3::x())
-            }
-            Self::Cylinder { point, axis, radius, inside, .. } => {
-                (ObstacleShape::Cylinder { radius, inside }, point.into(), axis.into())
-            }
-            Self::Bodies => return None,
-        })
-    }
-}
-
 impl Contact {
     /// Points of each element of a length of a body of a radius.
     fn points(&self, length: f64, radius: f64) -> usize {
-        let spacing = match self.with {
-            Against::Plane { .. } => f64::INFINITY,
-            Against::Sphere { radius: r, .. } | Against::Cylinder { radius: r, .. } => 0.25 * (r + radius),
-            Against::Bodies => 0.5 * radius,
+        let spacing = match self.with.obstacle().map(ObstacleKind::shape) {
+            Some(ObstacleShape::Plane) => f64::INFINITY,
+            Some(ObstacleShape::Sphere { radius: r, .. } | ObstacleShape::Cylinder { radius: r, .. }) => {
+                0.25 * (r + radius)
+            }
+            None => 0.5 * radius,
         };
         self.points.map_or_else(
             || (length / spacing).ceil().clamp(POINTS[0], POINTS[1]) as usize,
@@ -80,10 +66,12 @@ impl Model {
                 ContactTube::new(mesh, radius, contact.points(length, radius))
             };
             let (skins, law) = (sized.iter().map(skin).collect::<Vec<_>>(), contact.law(self, thinnest));
-            let Some((form, point, axis)) = contact.with.obstacle() else {
+            let Some(obstacle) = contact.with.obstacle() else {
                 return Some(Arc::new(BeamContacts::new(skins, law).with_joined_pairs(begin)));
             };
-            let place = contact.with.on().map_or_else(
+            let (shape, point) = (obstacle.shape(), Vector3::from(obstacle.point()));
+            let axis = obstacle.axis().map_or_else(Vector3::x, |(_, axis)| axis.into());
+            let place = obstacle.on().map_or_else(
                 || Attachment::ground(point),
                 |place| {
                     let held = self.attachment(built, place);
@@ -91,7 +79,7 @@ impl Model {
                     held.offset(arm)
                 },
             );
-            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(form, place, axis)?, &skins, law)))
+            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, &skins, law)))
         };
         self.contacts.iter().filter_map(of).collect()
     }

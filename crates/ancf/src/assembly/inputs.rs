@@ -58,11 +58,8 @@ impl Model {
             (path, clock.function(time), drives)
         });
         let forces = loads_of(self).filter_map(|(path, load)| {
-            let Load::External { on, units, supplied, .. } = load else { return None };
-            let own = supplied.as_ref()?;
-            let own = if clock == Clock::Runs { own.clone() } else { own.frozen_at(1.0) };
-            let force = own.in_units(units.length, units.time, units.force);
-            Some((path, self.attachment(bodies, on).point, force))
+            let Load::External(external) = load else { return None };
+            Some((path, self.attachment(bodies, &external.on).point, external.function(clock)?))
         });
         Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
     }

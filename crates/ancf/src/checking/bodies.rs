@@ -162,7 +162,7 @@ pub(crate) fn formulations(model: &Model) -> Vec<Finding> {
         if let (Some(start), Some(end)) = (
             model.sections.get(&beam.section),
             beam.section_end.as_ref().and_then(|end| model.sections.get(end)),
-        ) && std::mem::discriminant(start) != std::mem::discriminant(end)
+        ) && start.towards(end, 1.0).is_none()
         {
             let error = finding(
                 format!("{path}.section_end"),

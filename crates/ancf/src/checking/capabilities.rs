@@ -3,8 +3,7 @@
 use super::findings::{body, named, places_of};
 use crate::errors::{Finding, finding, quoted};
 use crate::joints::End;
-use crate::model::Capability;
-use crate::model::{Body, Load, Model, Quantity, joints_of, loads_of};
+use crate::model::{Body, Capability, Model, Quantity, joints_of, loads_of};
 
 pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
     let joints = joints_of(model).flat_map(|(path, joint)| {
@@ -19,15 +18,10 @@ pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
         .collect::<Vec<_>>()
     });
     let loads = loads_of(model).filter_map(|(path, load)| {
-        let (capability, what) = match (load, load.is_moment(), load.is_follower()) {
-            (Load::Custom(load), ..) => load.kind().needs()?,
-            (_, true, _) => (Capability::Section, "a moment"),
-            (_, false, true) => (Capability::Section, "a follower"),
-            (_, false, false) => return None,
-        };
-        let (key, name) = match (load.on(), load.stretch()) {
+        let (capability, what) = load.kind().needs()?;
+        let (key, name) = match (load.on(), load.kind().along()) {
             (Some(place), _) => ("on.body", place.body.as_str()),
-            (None, Some(stretch)) => ("body", stretch.body),
+            (None, Some(part)) => ("body", part.body),
             (None, None) => return None,
         };
         rule(model, format!("{path}.{key}"), name, &capability, what)

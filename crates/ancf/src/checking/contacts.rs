@@ -2,7 +2,7 @@
 
 use super::findings::{body, is_direction, named, no_direction, rule_of_place, unknown_body};
 use crate::errors::{Finding, finding, quoted};
-use crate::model::{Against, Body, Contact, Model};
+use crate::model::{Body, Contact, Model, ObstacleKind};
 
 /// Bodies are there and have a radius; obstacles have a direction and something with directions that carries them.
 pub(crate) fn contacts(model: &Model) -> Vec<Finding> {
@@ -33,11 +33,7 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
         let rests_on = ["bodies".into(), "sections".into(), format!("{path}.bodies")];
         findings.push(Finding { absence: true, ..error.rests_on(rests_on) });
     }
-    let direction = match contact.with {
-        Against::Plane { normal, .. } => Some(("normal", normal)),
-        Against::Cylinder { axis, .. } => Some(("axis", axis)),
-        Against::Sphere { .. } | Against::Bodies => None,
-    };
+    let direction = contact.with.obstacle().and_then(ObstacleKind::axis);
     if let Some((key, direction)) = direction.filter(|(_, direction)| !is_direction(*direction)) {
         findings.push(no_direction(format!("{path}.with.{key}"), direction));
     }

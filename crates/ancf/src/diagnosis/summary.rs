@@ -9,7 +9,7 @@ use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::{End, Joint};
-use crate::model::{Body, Load, Model};
+use crate::model::{Body, Model};
 
 /// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -87,16 +87,7 @@ impl Model {
     }
 
     fn count_loads(&self) -> BTreeMap<&'static str, usize> {
-        let loads = self.loads.iter().map(|load| match load {
-            Load::Force { .. } => "force",
-            Load::Moment { .. } => "moment",
-            Load::DistributedForce { .. } => "force per length",
-            Load::DistributedMoment { .. } => "moment per length",
-            Load::BaseAcceleration { .. } => "base acceleration",
-            Load::Fluid(_) => "fluid",
-            Load::External { .. } => "external force",
-            Load::Custom(load) => load.kind().noun(),
-        });
+        let loads = self.loads.iter().map(|load| load.kind().noun());
         let gravity = (self.gravity != [0.0; 3]).then_some("gravity");
         count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))
     }

@@ -4,7 +4,6 @@ mod analyses;
 mod bodies;
 mod contacts;
 mod functions;
-mod loads;
 mod queries;
 mod sections;
 
@@ -23,12 +22,11 @@ pub use bodies::{
     At, Beam, Body, Cable, Capability, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape,
     Slopes,
 };
-pub use contacts::{Against, Contact};
+pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{TimeFunction, Varying};
-pub use loads::{CustomLoad, Fluid, Load, LoadKind, LoadObject};
 pub use sections::{
-    Circle, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle, Section,
-    SectionOutline, SectionShape, Tube,
+    Circle, CustomSection, Damping, Ellipse, GeneralSection, Material, MaterialLaw, OutlineCurve, Rectangle,
+    Section, SectionObject, SectionOutline, SectionShape, Tube,
 };
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
@@ -37,11 +35,14 @@ pub use crate::joints::{
     Distance, DrivenClamp, End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar,
     PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
 };
+pub use crate::loads::{
+    BaseAcceleration, DistributedForce, DistributedMoment, ExternalLoad, Fluid, Load, PointForce, PointMoment,
+};
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::ON_AXIS;
 pub(crate) use functions::Clock;
-pub(crate) use loads::Stretch;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
+pub(crate) use sections::disk_area;
 
 /// Flexible multibody model as stated by the user.
 ///
@@ -69,7 +70,7 @@ pub struct Model {
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub materials: BTreeMap<String, Material>,
     /// Cross-sections by name.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", serialize_with = "stated_sections")]
     pub sections: BTreeMap<String, Section>,
     /// The bodies, flexible and rigid.
     #[schemars(length(min = 1))]
@@ -108,6 +109,11 @@ impl Model {
     pub fn unit_names(&self) -> Units {
         self.units.clone().unwrap_or_else(Units::in_words)
     }
+}
+
+/// Writes the sections that a model file can state.
+fn stated_sections<S: Serializer>(sections: &BTreeMap<String, Section>, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_map(sections.iter().filter(|(_, section)| !matches!(section, Section::Custom(_))))
 }
 
 /// Writes the joints that a model file can state.

@@ -3,18 +3,19 @@
 use nalgebra::Vector3;
 
 use crate::joints::{Coupled, Freed, Joint, JointContext};
+use crate::loads::{Load, LoadContext};
 use crate::model::Model;
 use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
 use crate::model::contacts::Contact;
 use crate::model::functions::{Clock, TimeFunction, Varying};
-use crate::model::loads::Load;
 use crate::model::sections::Section;
 
 impl Model {
-    /// True if the program added joints or loads of kinds that model files do not have.
+    /// True if the program added joints, loads or sections of kinds that model files do not have.
     pub fn is_extended(&self) -> bool {
         self.joints.iter().any(|joint| matches!(joint, Joint::Custom(_)))
             || self.loads.iter().any(|load| matches!(load, Load::Custom(_)))
+            || self.sections.values().any(|section| matches!(section, Section::Custom(_)))
     }
 
     /// Total mass of all bodies.
@@ -60,11 +61,11 @@ impl Model {
 
     /// Section of a flexible body of a valid model at a fraction of its length, from 0 to 1.
     pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
-        let start = self.sections[body.stuff()?.0];
-        Some(match body {
+        let start = &self.sections[body.stuff()?.0];
+        match body {
             Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
-            _ => start,
-        })
+            _ => Some(start.clone()),
+        }
     }
 
     /// Number of the joint and free coordinate of a member of a coupling; `None` if they do not exist.
@@ -108,7 +109,7 @@ impl Model {
 
     /// Mutable functions of time.
     pub(crate) fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
-        let of_loads = self.loads.iter_mut().filter_map(Load::time_mut);
+        let of_loads = self.loads.iter_mut().filter_map(|load| load.kind_mut().time_mut());
         of_loads.chain(self.joints.iter_mut().flat_map(|joint| joint.kind_mut().times_mut()))
     }
 }
@@ -128,6 +129,28 @@ impl JointContext for Model {
 
     fn is_dynamic(&self) -> bool {
         self.analysis.dynamics().is_some()
+    }
+}
+
+impl LoadContext for Model {
+    fn body(&self, name: &str) -> Option<(String, &Body)> {
+        bodies_of(self).find(|(_, body)| body.name() == name)
+    }
+
+    fn section(&self, name: &str) -> Option<&Section> {
+        self.sections.get(name)
+    }
+
+    fn section_at(&self, body: &Body, fraction: f64) -> Option<Section> {
+        Self::section_at(self, body, fraction)
+    }
+
+    fn gravity(&self) -> [f64; 3] {
+        self.gravity
+    }
+
+    fn length(&self) -> f64 {
+        Self::length(self)
     }
 }
 

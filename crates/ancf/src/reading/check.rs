@@ -6,7 +6,7 @@ use toml::Value;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
-use crate::model::{Clock, Load, Model, TimeFunction, Varying, loads_of};
+use crate::model::{Clock, ExternalLoad, Load, Model, TimeFunction, Varying, loads_of};
 use crate::schema::{SCHEMA, Survey};
 
 impl Model {
@@ -58,7 +58,7 @@ impl Model {
             _ => None,
         });
         let forces = loads_of(self).filter_map(|(path, load)| match load {
-            Load::External { name, supplied: None, .. } => Some(missing(path, "force", name)),
+            Load::External(ExternalLoad { name, supplied: None, .. }) => Some(missing(path, "force", name)),
             _ => None,
         });
         let errors: Vec<ModelError> = times.chain(forces).collect();

@@ -82,10 +82,10 @@ impl Model {
     pub fn supply_force(&mut self, name: &str, function: ForceFunction) -> bool {
         let mut asked = false;
         for load in &mut self.loads {
-            if let Load::External { name: own, supplied, .. } = load
-                && own == name
+            if let Load::External(external) = load
+                && external.name == name
             {
-                (*supplied, asked) = (Some(function.clone()), true);
+                (external.supplied, asked) = (Some(function.clone()), true);
             }
         }
         asked

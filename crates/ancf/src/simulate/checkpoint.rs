@@ -8,6 +8,7 @@ use super::simulation::Simulation;
 use super::step_control::{MOST, Pace, PaceMemory};
 use super::summary::Summary;
 use crate::failure::Watch;
+use crate::model::Model;
 use crate::results::{Past, Rows};
 
 /// All on which the rest of a motion depends: a run goes on from it to the last bit as if it had never stopped
@@ -153,7 +154,8 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     let _ = serde_json::to_writer(&mut hash, &(&simulation.scaled, &simulation.scales()));
     if simulation.scaled.is_extended() {
         // Parts of a program's own kinds are not data of the model.
-        let _ = write!(hash, "{:?} {:?}", simulation.scaled.joints, simulation.scaled.loads);
+        let Model { joints, loads, sections, .. } = &simulation.scaled;
+        let _ = write!(hash, "{joints:?} {loads:?} {sections:?}");
     }
     hash.0
 }

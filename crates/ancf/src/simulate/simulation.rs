@@ -1,14 +1,10 @@
-use crate::joints::CustomJoint;
-use crate::joints::Joint;
-use crate::joints::JointKind;
-use crate::model::CustomLoad;
-use crate::model::Load;
-use crate::model::LoadKind;
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
 use crate::errors::ModelErrors;
-use crate::model::Model;
+use crate::joints::{CustomJoint, Joint, JointKind};
+use crate::loads::{CustomLoad, Load, LoadKind};
+use crate::model::{Model, Section, SectionObject};
 use crate::units::{Chosen, Scales};
 
 /// A model that is ready to run: checked, scaled, assembled.
@@ -58,6 +54,8 @@ pub enum Extension {
     Joint(CustomJoint),
     /// A load.
     Load(CustomLoad),
+    /// A section under its name.
+    Section(String, Section),
 }
 
 impl Extension {
@@ -69,6 +67,11 @@ impl Extension {
     /// A load of a kind of the program's own.
     pub fn load(load: impl LoadKind + 'static) -> Self {
         Self::Load(CustomLoad::new(load))
+    }
+
+    /// A section of a kind of the program's own, under the name by which bodies refer to it.
+    pub fn section(name: &str, section: impl SectionObject) -> Self {
+        Self::Section(name.to_owned(), Section::custom(section))
     }
 }
 
@@ -88,12 +91,15 @@ impl SimulationBuilder {
         Self { model: model.clone(), interrupt: Interrupt::default() }
     }
 
-    /// Adds a part.
+    /// Adds a part. A section replaces that of the same name, which a model file states for its bodies.
     #[must_use]
     pub fn with(mut self, extension: Extension) -> Self {
         match extension {
             Extension::Joint(joint) => self.model.joints.push(Joint::Custom(joint)),
             Extension::Load(load) => self.model.loads.push(Load::Custom(load)),
+            Extension::Section(name, section) => {
+                self.model.sections.insert(name, section);
+            }
         }
         self
     }

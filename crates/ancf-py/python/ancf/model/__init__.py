@@ -51,7 +51,7 @@ from ancf.model.bodies import (
     Straight,
 )
 from ancf.model.connectors import Bushing, Distance, Spring
-from ancf.model.contacts import Against, Contact, Cylinder, EachOther, Plane, Sphere
+from ancf.model.contacts import Contact, ContactSurface, Cylinder, EachOther, Plane, Sphere
 from ancf.model.drives import (
     AngularDrive,
     AngularFriction,
@@ -106,7 +106,6 @@ __all__ = [
     "HHT",
     "About",
     "AdaptiveStep",
-    "Against",
     "Analysis",
     "AngularDrive",
     "AngularFriction",
@@ -124,6 +123,7 @@ __all__ = [
     "Clamp",
     "Clamped",
     "Contact",
+    "ContactSurface",
     "Coupled",
     "Coupling",
     "Cylinder",

@@ -9,7 +9,7 @@ from typing import ClassVar, Literal, TypeAlias
 from ancf.model.base.part import Part, Vector
 from ancf.model.base.places import Place
 
-__all__ = ["Against", "Contact", "Cylinder", "EachOther", "Plane", "Sphere"]
+__all__ = ["Contact", "ContactSurface", "Cylinder", "EachOther", "Plane", "Sphere"]
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
@@ -27,7 +27,7 @@ class Plane(Part):
 
     """
 
-    _form = "Against"
+    _form = "ContactSurface"
     _tag = "kind"
     kind: ClassVar[Literal["plane"]] = "plane"
 
@@ -53,7 +53,7 @@ class Sphere(Part):
 
     """
 
-    _form = "Against"
+    _form = "ContactSurface"
     _tag = "kind"
     kind: ClassVar[Literal["sphere"]] = "sphere"
 
@@ -82,7 +82,7 @@ class Cylinder(Part):
 
     """
 
-    _form = "Against"
+    _form = "ContactSurface"
     _tag = "kind"
     kind: ClassVar[Literal["cylinder"]] = "cylinder"
 
@@ -97,12 +97,12 @@ class Cylinder(Part):
 class EachOther(Part):
     """Contact of the bodies with each other and of each body with itself."""
 
-    _form = "Against"
+    _form = "ContactSurface"
     _tag = "kind"
     kind: ClassVar[Literal["bodies"]] = "bodies"
 
 
-Against: TypeAlias = Plane | Sphere | Cylinder | EachOther
+ContactSurface: TypeAlias = Plane | Sphere | Cylinder | EachOther
 """Contact partner: an obstacle, or the bodies themselves."""
 
 
@@ -138,7 +138,7 @@ class Contact(Part):
 
     _form = "Contact"
 
-    with_: Against
+    with_: ContactSurface
     stiffness: float
     bodies: Sequence[str] | None = None
     damping: float | None = None

@@ -206,6 +206,10 @@ class BaseAcceleration(Part):
 class Fluid(Part):
     """Fluid around bodies: drag, added mass and buoyancy.
 
+    The forces follow Morison's equation, with the coefficients of MoorDyn.
+
+    Source: Morison et al. (1950); Hall & Goupee (2015).
+
     Attributes
     ----------
     bodies

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ellipse::elliptic_moments;
 use super::outline::SectionOutline;
-use super::shape::SectionShape;
+use super::shape::{SectionShape, interpolate};
 use crate::units::Scaled;
 
 /// A section known by its numbers only, with moduli E and G of its material.
@@ -85,9 +85,22 @@ impl SectionShape for GeneralSection {
         SectionOutline::ellipse([self.iz, self.iy].map(|second| 2.0 * (second / self.area).sqrt()))
     }
 
-    /// A general section is not interpolated.
-    fn towards(&self, _end: &Self, _fraction: f64) -> Self {
-        *self
+    /// Constants vary linearly; constants left out vary with their defaults.
+    fn towards(&self, end: &Self, fraction: f64) -> Self {
+        let linear = |of: &dyn Fn(&Self) -> f64| interpolate(of(self), of(end), fraction);
+        let optional = |own: fn(&Self) -> Option<f64>, value: &dyn Fn(&Self) -> f64| {
+            (own(self).is_some() || own(end).is_some()).then(|| linear(value))
+        };
+        Self {
+            area: linear(&|s| s.area),
+            iy: linear(&|s| s.iy),
+            iz: linear(&|s| s.iz),
+            j: optional(|s| s.j, &Self::torsion_constant),
+            ky: linear(&|s| s.ky),
+            kz: linear(&|s| s.kz),
+            mass_iy: optional(|s| s.mass_iy, &|s| s.mass_iy.unwrap_or(s.iy)),
+            mass_iz: optional(|s| s.mass_iz, &|s| s.mass_iz.unwrap_or(s.iz)),
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod circle;
 mod cubature;
+mod custom;
 mod ellipse;
 mod general;
 mod material;
@@ -16,6 +17,7 @@ mod tests;
 mod tube;
 
 pub use circle::Circle;
+pub use custom::{CustomSection, SectionObject};
 pub use ellipse::Ellipse;
 pub use general::GeneralSection;
 pub use material::{Damping, Material, MaterialLaw};

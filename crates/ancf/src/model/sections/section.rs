@@ -3,6 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::circle::Circle;
+use super::custom::{CustomSection, SectionObject};
 use super::ellipse::{Ellipse, equivalent_points};
 use super::general::GeneralSection;
 use super::rectangle::Rectangle;
@@ -17,11 +18,15 @@ macro_rules! sections {
         ///
         /// Second moments have the names of the axes about which they bend: `iy` = ∫z² dA, `iz` = ∫y² dA. Shear factors have
         /// those of their forces: `ky` belongs to a shear force along y.
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
         #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
         #[expect(missing_docs, reason = "the data of each kind are documented")]
         pub enum Section {
             $($kind($data),)*
+            /// A section of a kind that a program adds; model files have none.
+            #[serde(skip)]
+            #[schemars(skip)]
+            Custom(CustomSection),
         }
 
         impl Section {
@@ -29,14 +34,20 @@ macro_rules! sections {
             pub fn shape(&self) -> &dyn SectionShape {
                 match self {
                     $(Self::$kind(section) => section,)*
+                    Self::Custom(section) => section.shape(),
                 }
             }
 
-            /// Section at a fraction of the way to another one of the same kind; the section itself if the kinds differ.
-            pub(crate) fn towards(&self, end: &Self, fraction: f64) -> Self {
+            /// Section at a fraction of the way to another one; `None` if the kinds differ.
+            pub(crate) fn towards(&self, end: &Self, fraction: f64) -> Option<Self> {
                 match (self, end) {
-                    $((Self::$kind(start), Self::$kind(end)) => Self::$kind(start.towards(end, fraction)),)*
-                    _ => *self,
+                    $((Self::$kind(start), Self::$kind(end)) => {
+                        Some(Self::$kind(start.towards(end, fraction)))
+                    })*
+                    (Self::Custom(start), Self::Custom(end)) => {
+                        start.towards(end, fraction).map(Self::Custom)
+                    }
+                    _ => None,
                 }
             }
 
@@ -65,6 +76,11 @@ sections! {
 }
 
 impl Section {
+    /// Section of a kind that a program adds.
+    pub fn custom(section: impl SectionObject) -> Self {
+        Self::Custom(CustomSection::new(section))
+    }
+
     /// Full circle of a diameter.
     pub const fn circle(diameter: f64) -> Self {
         Self::Circle(Circle { diameter })

@@ -43,7 +43,7 @@ fn points(section: Section) -> Vec<([f64; 2], f64)> {
         Section::Circle(Circle { diameter }) => rings(pairs, diameter, diameter, 0.0),
         Section::Tube(Tube { outer, inner }) => rings(pairs, outer, outer, inner / outer),
         Section::Ellipse(Ellipse { height, width }) => rings(pairs, height, width, 0.0),
-        Section::General(_) => panic!("general sections have no shape"),
+        Section::General(_) | Section::Custom(_) => panic!("the section has no known shape"),
     }
 }
 

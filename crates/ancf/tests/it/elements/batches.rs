@@ -34,11 +34,13 @@ fn case(name: String, model: &Model) -> BatchCase {
 fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = BatchCase> {
     let dampings = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.7)].map(|(strain, mass)| Damping { strain, mass });
     let beams = beam_cases().into_iter().filter(|beam| beam.law == MaterialLaw::StVenantKirchhoff);
-    beams.flat_map(move |beam| dampings.map(|damping| BeamCase { damping, ..beam })).map(move |beam| {
-        let mut model = beam.model(gravity);
-        rod::beam(&mut model).elements = ELEMENTS;
-        case(beam.to_string(), &model)
-    })
+    beams.flat_map(move |beam| dampings.map(|damping| BeamCase { damping, ..beam.clone() })).map(
+        move |beam| {
+            let mut model = beam.model(gravity);
+            rod::beam(&mut model).elements = ELEMENTS;
+            case(beam.to_string(), &model)
+        },
+    )
 }
 
 /// Cables along x and in space: undamped, with strain damping, with strain and mass damping.

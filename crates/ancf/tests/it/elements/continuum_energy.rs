@@ -37,7 +37,7 @@ fn elements(gravity: Vector3<f64>) -> Vec<Element> {
         for poisson in [0.0, 0.3] {
             for slope in [1.0, LENGTH] {
                 for rotation in [Rotation3::identity(), tilted] {
-                    elements.push(element(section, poisson, slope, rotation, gravity));
+                    elements.push(element(section.clone(), poisson, slope, rotation, gravity));
                 }
             }
         }
@@ -75,7 +75,7 @@ fn strain_energy_is_that_of_the_continuum() {
                 let strain = continuum::green_strain(&continuum::deformation_gradient(&e, &gradients));
                 0.5 * lame.lambda * strain.trace().powi(2) + lame.shear * strain.norm_squared()
             };
-            let reference = continuum::integrate(LENGTH, section, density);
+            let reference = continuum::integrate(LENGTH, section.clone(), density);
             let strain = energy(&term, &at).strain;
             assert!((strain / reference - 1.0).abs() < 1e-13, "{name}: {strain} and {reference}");
         }
@@ -95,7 +95,7 @@ fn kinetic_and_potential_energy_are_those_of_the_continuum() {
         let kinetic = |x| 0.5 * material.density * field(&at.v, x).norm_squared();
         let potential = |x| -at.local().load * material.density * gravity.dot(&field(&at.q, x));
         let found = energy(&term, &at);
-        let reference = continuum::integrate(LENGTH, section, kinetic);
+        let reference = continuum::integrate(LENGTH, section.clone(), kinetic);
         assert!((found.kinetic / reference - 1.0).abs() < 1e-13, "{name}: {} and {reference}", found.kinetic);
         let reference = continuum::integrate(LENGTH, section, potential);
         assert!((found.potential - reference).abs() < 1e-14, "{name}: {} and {reference}", found.potential);

@@ -4,8 +4,8 @@
 //! relative to L, forces relative to the weight.
 
 use ancf::model::{
-    At, Body, Clamp, Clamped, End, Joint, Load, Material, Named, Place, Probe, Revolute, ScaleChoice,
-    Section, Slopes, Spherical, Start, Step, TimeFunction, Varying,
+    At, Body, Clamp, Clamped, End, Joint, Load, Material, Named, Place, PointForce, PointMoment, Probe,
+    Revolute, ScaleChoice, Section, Slopes, Spherical, Start, Step, TimeFunction, Varying,
 };
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -62,31 +62,36 @@ fn loads(on: Place) -> Vec<Load> {
     let formula = Varying::Expression { text: "if(t < 0.2, t^2/0.04, cos(3*(t - 0.2)))".into(), unit: 1.0 };
     vec![
         Load::force(place(), [3.0, 1.0, 5.0]),
-        Load::Force {
+        Load::Force(PointForce {
             on: place(),
             force: [0.5, -1.0, 1.5],
             follower: true,
             time: varying(Varying::Table { times, values }),
-        },
-        Load::Moment {
+        }),
+        Load::Moment(PointMoment {
             on: place(),
             moment: [0.1, 0.2, -0.3],
             follower: false,
             time: varying(Varying::Sine { frequency: 2.0, phase: 0.5 }),
-        },
-        Load::Moment { on: place(), moment: [-0.1, 0.1, 0.2], follower: true, time: varying(formula) },
-        Load::Moment {
+        }),
+        Load::Moment(PointMoment {
+            on: place(),
+            moment: [-0.1, 0.1, 0.2],
+            follower: true,
+            time: varying(formula),
+        }),
+        Load::Moment(PointMoment {
             on: place(),
             moment: [0.0, 0.05, 0.1],
             follower: false,
             time: varying(Varying::Ramp { start: 0.05, end: 0.2 }),
-        },
-        Load::Force {
+        }),
+        Load::Force(PointForce {
             on: place(),
             force: [0.2, 0.0, 0.3],
             follower: false,
             time: varying(Varying::Step { at: 0.0703, until: Some(0.2104) }),
-        },
+        }),
     ]
 }
 
@@ -188,8 +193,10 @@ fn moved(mut model: Model, turn: Rotation3<f64>, shift: Vector3<f64>) -> Model {
         }
     }
     for load in &mut model.loads {
-        if let Load::Force { force: vector, .. } | Load::Moment { moment: vector, .. } = load {
-            *vector = direction(*vector);
+        match load {
+            Load::Force(load) => load.force = direction(load.force),
+            Load::Moment(load) => load.moment = direction(load.moment),
+            _ => {}
         }
     }
     model
@@ -247,8 +254,10 @@ fn direction_of_beams_does_not_change_the_motion() {
         }
         reversed.probes.iter_mut().for_each(|probe| swap(&mut probe.on));
         for load in &mut reversed.loads {
-            if let Load::Force { on, .. } | Load::Moment { on, .. } = load {
-                swap(on);
+            match load {
+                Load::Force(load) => swap(&mut load.on),
+                Load::Moment(load) => swap(&mut load.on),
+                _ => {}
             }
         }
         assert_equivalent(&model, &reversed, identity, [1.0; 2]);

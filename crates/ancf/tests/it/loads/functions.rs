@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
 use ancf::mechanics::functions::{Expression, ExternalFunction, Function, FunctionValue, TimeTable};
-use ancf::model::{At, Load, Place, TimeFunction, Varying};
+use ancf::model::{At, Load, Place, PointForce, TimeFunction, Varying};
 use ancf::schema::schema;
 use ancf::{Model, Scales};
 use proptest::prelude::*;
@@ -269,7 +269,7 @@ proptest! {
         let time = TimeFunction::Varying(varying);
         let mut model = Model::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/good/minimal.toml"))).unwrap();
         let on = Place::new("rod", At::Length(0.5));
-        model.loads = vec![Load::Force { on, force: [1.0; 3], follower: false, time: time.clone() }];
+        model.loads = vec![Load::Force(PointForce { on, force: [1.0; 3], follower: false, time: time.clone() })];
         let scaled = model.scaled(&scales).loads[0].time().unwrap().compile().unwrap().at(t / scales.time);
         let own = time.compile().unwrap().at(t);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (1.0 + b.abs());

@@ -1,12 +1,11 @@
-//! Joints and loads of a program's own kinds.
+//! Joints, loads and sections of a program's own kinds.
 
+use ancf::errors::{Finding, finding};
 use ancf::joints::{Acting, Capability, JointBuilder, JointKind};
-use ancf::mechanics::forces::Force;
-use ancf::mechanics::functions::Function;
-use ancf::mechanics::kinematics::Attachment;
-use ancf::model::{At, End, LoadKind, Named, Place, TimeFunction, Varying};
+use ancf::loads::{LoadBuilder, LoadKind};
+use ancf::mechanics::sections::{Moments, SectionPoint};
+use ancf::model::{At, End, Named, Place, Rectangle, SectionOutline, SectionShape, TimeFunction, Varying};
 use ancf::record::{Series, Sink};
-use ancf::solver::equations::Term;
 use ancf::units::{Dimension, Scaled, Scales};
 use ancf::{Extension, Model, Simulation};
 use nalgebra::Vector3;
@@ -85,16 +84,69 @@ impl LoadKind for Pull {
         "pull"
     }
 
-    fn on(&self) -> &Place {
-        &self.on
+    fn on(&self) -> Option<&Place> {
+        Some(&self.on)
     }
 
     fn time(&self) -> Option<&TimeFunction> {
         Some(&self.time)
     }
 
-    fn terms(&self, on: &Attachment, function: Function) -> Vec<Box<dyn Term>> {
-        vec![Box::new(Force::varying(&on.point, Vector3::from(self.force), function))]
+    fn build(&self, builder: &mut LoadBuilder<'_>) {
+        let on = builder.attachment(&self.on);
+        builder.force(&on.point, self.force, builder.function(&self.time));
+    }
+}
+
+/// Rectangle, like that of model files.
+#[derive(Clone, Debug)]
+struct Bar {
+    height: f64,
+    width: f64,
+}
+
+impl Bar {
+    fn rectangle(&self) -> Rectangle {
+        Rectangle { height: self.height, width: self.width }
+    }
+}
+
+impl Scaled for Bar {
+    fn scaled(self, to: &Scales) -> Self {
+        let unit = to.unit(Dimension::LENGTH);
+        Self { height: self.height / unit, width: self.width / unit }
+    }
+}
+
+impl SectionShape for Bar {
+    fn moments(&self) -> Moments {
+        self.rectangle().moments()
+    }
+
+    fn torsion_constant(&self) -> f64 {
+        self.rectangle().torsion_constant()
+    }
+
+    fn shear_factors(&self, poisson: f64) -> [f64; 2] {
+        self.rectangle().shear_factors(poisson)
+    }
+
+    fn points(&self) -> Option<Vec<SectionPoint>> {
+        self.rectangle().points()
+    }
+
+    fn outline(&self) -> SectionOutline {
+        self.rectangle().outline()
+    }
+
+    fn towards(&self, end: &Self, fraction: f64) -> Self {
+        let Rectangle { height, width } = self.rectangle().towards(&end.rectangle(), fraction);
+        Self { height, width }
+    }
+
+    fn check(&self, path: &str) -> Vec<Finding> {
+        let found = || finding(format!("{path}.height"), self.height.to_string(), "a number > 0");
+        (self.height <= 0.0).then(found).into_iter().collect()
     }
 }
 
@@ -146,7 +198,7 @@ fn rows(simulation: &Simulation) -> Series {
     series
 }
 
-/// The same equations give the same numbers, whether a joint or a load is of the library or of the program.
+/// The same equations give the same numbers, whether a part is of the library or of the program.
 #[test]
 fn added_parts_give_the_results_of_built_in_ones() {
     let stated = format!(
@@ -165,11 +217,16 @@ fn added_parts_give_the_results_of_built_in_ones() {
         time = {{ kind = "ramp", end = 0.1 }}
         "#
     );
-    let built_in = Simulation::new(&Model::parse(&stated).unwrap()).unwrap();
-    let model = Model::parse(MODEL).unwrap();
+    let round = r#"sections.rod = { kind = "circle", diameter = 0.02 }"#;
+    let [tapered, end] = [stated.replace(round, r#"sections = { rod = { kind = "rectangle", height = 0.03, width = 0.02 }, tip = { kind = "rectangle", height = 0.01, width = 0.02 } }"#), MODEL.replace(round, r#"sections = { rod = { kind = "circle", diameter = 0.02 }, tip = { kind = "circle", diameter = 0.02 } }"#)]
+        .map(|text| text.replace("section = \"rod\"", "section = \"rod\"\nsection_end = \"tip\""));
+    let built_in = Simulation::new(&Model::parse(&tapered).unwrap()).unwrap();
+    let model = Model::parse(&end).unwrap();
     let added = Simulation::builder(&model)
         .with(Extension::joint(bearing()))
         .with(Extension::load(pull()))
+        .with(Extension::section("rod", Bar { height: 0.03, width: 0.02 }))
+        .with(Extension::section("tip", Bar { height: 0.01, width: 0.02 }))
         .build()
         .unwrap();
     assert_eq!(built_in.scales(), added.scales());
@@ -188,10 +245,11 @@ fn added_parts_are_checked() {
     let wrong = Simulation::builder(&model)
         .with(Extension::joint(Bearing { axis: [0.0; 3], ..bearing() }))
         .with(Extension::load(Pull { on: nowhere, ..pull() }))
+        .with(Extension::section("rod", Bar { height: -1.0, width: 1.0 }))
         .build()
         .unwrap_err();
     let paths: Vec<&str> = wrong.iter().map(|error| error.path.as_str()).collect();
-    assert_eq!(paths, ["loads[0].on.body", "joints[0].axis"]);
+    assert_eq!(paths, ["sections.rod.height", "loads[0].on.body", "joints[0].axis"]);
 }
 
 #[test]

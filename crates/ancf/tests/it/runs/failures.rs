@@ -113,8 +113,8 @@ fn rates_and_external_forces_that_become_nan_fail() {
     assert_eq!(at, "`joints[0].drive.time`");
 
     let mut forced = model("not_a_number");
-    let ancf::model::Load::Force { on, .. } = forced.loads.remove(0) else { panic!("the load is a force") };
-    forced.loads.push(ancf::model::Load::external(on, "field"));
+    let ancf::model::Load::Force(force) = forced.loads.remove(0) else { panic!("the load is a force") };
+    forced.loads.push(ancf::model::Load::external(force.on, "field"));
     let field = |t: f64, _: [f64; 3], _: [f64; 3]| if t < 1.0 { [1.0, 0.0, 0.0] } else { [f64::NAN; 3] };
     assert!(forced.supply_force("field", ForceFunction::new(field)));
     let Failed { time, at, .. } = failed(&forced);

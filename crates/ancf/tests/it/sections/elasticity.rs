@@ -41,7 +41,7 @@ fn reference_energy(section: Section, g0: &Directors, g: &Directors) -> f64 {
 fn integration_by_points_equals_moments_of_area() {
     let mut random = Random(1);
     for section in SECTIONS {
-        let by_points = SectionLaw::curved(LAME, &cross_section(section), &straight());
+        let by_points = SectionLaw::curved(LAME, &cross_section(section.clone()), &straight());
         let by_moments = SectionLaw::continuum(LAME, section.moments());
         for _ in 0..10 {
             let u = random_directors(&mut random, 1.0);
@@ -64,13 +64,13 @@ fn twisted_bars_have_the_energy_of_their_volume() {
     for section in SECTIONS {
         for rate in [0.5, -2.0] {
             let g0 = twisted(rate);
-            let law = SectionLaw::curved(LAME, &cross_section(section), &g0);
+            let law = SectionLaw::curved(LAME, &cross_section(section.clone()), &g0);
             let mut stretched = g0;
             stretched[0] *= 1.1;
             let any = sum(&g0, &random_directors(&mut random, 0.5), 1.0);
             for g in [stretched, twisted(rate + 0.3), any] {
                 let (energy, expected) =
-                    (law.energy(&g0, &sum(&g, &g0, -1.0)), reference_energy(section, &g0, &g));
+                    (law.energy(&g0, &sum(&g, &g0, -1.0)), reference_energy(section.clone(), &g0, &g));
                 assert!(
                     (energy / expected - 1.0).abs() < 1e-12,
                     "{section:?}, {rate}: {energy} and {expected}"
@@ -101,7 +101,7 @@ fn random_references(random: &mut Random) -> Vec<Directors> {
 fn rotations_do_not_change_the_energy() {
     let mut random = Random(3);
     for section in SECTIONS {
-        let cross = cross_section(section);
+        let cross = cross_section(section.clone());
         for g0 in random_references(&mut random) {
             let laws = |g0: &Directors| {
                 [SectionLaw::curved(LAME, &cross, g0), SectionLaw::enhanced(LAME, &cross, g0)]
@@ -128,7 +128,7 @@ fn rod_energies_have_closed_forms() {
     let young = LAME.young();
     let poisson = 0.5 * LAME.lambda / (LAME.lambda + LAME.shear);
     for section in SECTIONS {
-        let (m, cross) = (section.moments(), cross_section(section));
+        let (m, cross) = (section.moments(), cross_section(section.clone()));
         let law = SectionLaw::enhanced(LAME, &cross, &straight());
         // Energy of the suppressed contraction at the axial strain ε.
         let sides = |strain: f64| 2.0 * (LAME.lambda + LAME.shear) * m.area * (poisson * strain).powi(2);
@@ -163,10 +163,10 @@ fn curved_rods_have_the_stiffness_of_winkler() {
     let zero = Vector3::zeros();
     let g0 = directors([Vector3::x(), Vector3::x() * -curvature, zero, Vector3::y(), Vector3::z()]);
     for section in SECTIONS {
-        let law = SectionLaw::rod(LAME, &cross_section(section), &g0);
+        let law = SectionLaw::rod(LAME, &cross_section(section.clone()), &g0);
         let small = 1e-6;
         let moment = |power: i32| {
-            continuum::integrate_section(section, |[y, _]| y.powi(power) / (1.0 - curvature * y))
+            continuum::integrate_section(section.clone(), |[y, _]| y.powi(power) / (1.0 - curvature * y))
         };
         let mut cases = [[zero; 7]; 2];
         cases[0][0] = Vector3::x() * small;

@@ -45,10 +45,10 @@ fn samples() -> Vec<(Section, Directors, Directors)> {
     let mut samples = Vec::new();
     for section in SECTIONS {
         for _ in 0..5 {
-            samples.push((section, straight(), random_directors(&mut random, 0.2)));
+            samples.push((section.clone(), straight(), random_directors(&mut random, 0.2)));
             let tilted = rotated(Rotation3::new(random.vector3() * 3.0), &straight());
             samples.push((
-                section,
+                section.clone(),
                 sum(&tilted, &random_directors(&mut random, 0.2), 1.0),
                 random_directors(&mut random, 0.2),
             ));
@@ -80,7 +80,7 @@ fn reference_has_no_energy_and_no_force() {
 fn forces_are_derivatives_of_the_energy() {
     let mut random = Random(3);
     for (section, g0, u) in samples() {
-        let (law, direction) = (law(LAME, section), random_directors(&mut random, 1.0));
+        let (law, direction) = (law(LAME, section.clone()), random_directors(&mut random, 1.0));
         let slope = derivative(
             |h| law.energy(&g0, &sum(&u, &direction, h)),
             |terms| terms.iter().map(|(value, weight)| value * weight).sum(),
@@ -95,7 +95,7 @@ fn forces_are_derivatives_of_the_energy() {
 fn stiffness_is_the_symmetric_derivative_of_the_forces() {
     let mut random = Random(4);
     for (section, g0, u) in samples() {
-        let (law, direction) = (law(LAME, section), random_directors(&mut random, 1.0));
+        let (law, direction) = (law(LAME, section.clone()), random_directors(&mut random, 1.0));
         let slope = derivative(
             |h| law.forces(&g0, &sum(&u, &direction, h)),
             |terms| {
@@ -118,7 +118,7 @@ fn stiffness_is_the_symmetric_derivative_of_the_forces() {
 fn rotations_do_not_change_the_energy() {
     let mut random = Random(5);
     for (section, g0, u) in samples() {
-        let (law, r) = (law(LAME, section), Rotation3::new(random.vector3() * 3.0));
+        let (law, r) = (law(LAME, section.clone()), Rotation3::new(random.vector3() * 3.0));
         let from = |g: &Directors| sum(&rotated(r, g), &g0, -1.0);
         let (energy, forces) = (law.energy(&g0, &u), law.forces(&g0, &u));
         let moved = from(&sum(&g0, &u, 1.0));
@@ -144,8 +144,10 @@ fn energy_equals_its_definition() {
                 + 0.5 * LAME.lambda * log * log;
             p.weight * j0.determinant() * w
         };
-        let (plain, energy) =
-            (points(section).iter().map(density).sum::<f64>(), law(LAME, section).energy(&g0, &u));
+        let (plain, energy) = (
+            points(section.clone()).iter().map(density).sum::<f64>(),
+            law(LAME, section.clone()).energy(&g0, &u),
+        );
         assert!((energy / plain - 1.0).abs() < 1e-12, "{section:?}: {energy} and {plain}");
     }
 }
@@ -158,7 +160,7 @@ fn small_strain_limit_is_st_venant_kirchhoff() {
     let mut random = Random(6);
     for section in SECTIONS {
         let g0 = rotated(Rotation3::new(random.vector3() * 3.0), &straight());
-        let (soft, plain) = (law(LAME, section), SectionLaw::continuum(LAME, section.moments()));
+        let (soft, plain) = (law(LAME, section.clone()), SectionLaw::continuum(LAME, section.moments()));
         let direction = random_directors(&mut random, 1.0);
         for strain in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
             let u = direction.map(|direction| direction * strain);
@@ -198,7 +200,7 @@ fn uniaxial_force_follows_from_free_contraction() {
                 let m = 0.5 * (low + high);
                 let [x, zero, _, y, z, ..] = straight();
                 let u = [x * (s - 1.0), zero, zero, y * (m - 1.0), z * (m - 1.0), zero, zero];
-                let p = law(lame, section).forces(&straight(), &u);
+                let p = law(lame, section.clone()).forces(&straight(), &u);
                 let axial = shear * (s - 1.0 / s) + lambda * (s * m * m).ln() / s;
                 let mut expected = [zero; 7];
                 expected[0] = x * (axial * section.moments().area);
@@ -218,7 +220,7 @@ fn dilatation_of_a_curved_reference_has_the_energy_of_its_volume() {
         for s in [0.5, 0.99, 1.1, 2.0_f64] {
             let log = 3.0 * s.ln();
             let w = LAME.shear * (1.5 * (s * s - 1.0) - log) + 0.5 * LAME.lambda * log * log;
-            let energy = law(LAME, section).energy(&bent, &bent.map(|g| g * (s - 1.0)));
+            let energy = law(LAME, section.clone()).energy(&bent, &bent.map(|g| g * (s - 1.0)));
             let expected = w * section.moments().area;
             assert!((energy / expected - 1.0).abs() < 1e-12, "{section:?}, {s}: {energy} and {expected}");
         }
@@ -231,7 +233,7 @@ fn rounding_error_is_within_its_bound() {
     let mut random = Random(7);
     let mut tightest = f64::INFINITY;
     for (section, g0, u) in samples() {
-        let law = law(LAME, section);
+        let law = law(LAME, section.clone());
         let du = u.map(|u| f64::EPSILON * u.norm());
         let (here, bound) = (law.forces(&g0, &u), law.rounding(&g0, &u, &du));
         for _ in 0..50 {
@@ -270,7 +272,7 @@ fn inverted_sections_are_inadmissible() {
 /// The energy increases without bound as the section becomes flat; that of St. Venant-Kirchhoff stays finite.
 #[test]
 fn energy_of_a_flat_section_is_unbounded() {
-    let law = law(LAME, SECTIONS[0]);
+    let law = law(LAME, SECTIONS[0].clone());
     let energy = |gap: f64| {
         let mut u = [Vector3::zeros(); 7];
         u[3] = Vector3::y() * (gap - 1.0);
@@ -288,7 +290,8 @@ fn sixteen_points_suffice_for_bending() {
     let cells = |n: u32| {
         let part = Section::rectangle(0.3 / f64::from(n), 0.2);
         let shift = |k: u32| 0.3 * ((f64::from(k) + 0.5) / f64::from(n) - 0.5);
-        let moved = move |k| points(part).into_iter().map(move |p| SectionPoint { y: p.y + shift(k), ..p });
+        let moved =
+            move |k| points(part.clone()).into_iter().map(move |p| SectionPoint { y: p.y + shift(k), ..p });
         NeoHookean::new(LAME, (0..n).flat_map(moved).collect())
     };
     let mut u = [Vector3::zeros(); 7];
@@ -307,7 +310,7 @@ fn sixteen_points_suffice_for_bending() {
 fn stress_stiffness_is_the_derivative_of_the_stress() {
     let mut random = Random(8);
     for (section, g0, u) in samples() {
-        let (point, direction) = (points(section)[1], random_directors(&mut random, 1.0));
+        let (point, direction) = (points(section.clone())[1], random_directors(&mut random, 1.0));
         let law = NeoHookean::new(LAME, vec![point]);
         let stress = |h: f64| {
             let u = sum(&u, &direction, h);
@@ -328,7 +331,7 @@ fn stress_stiffness_is_the_derivative_of_the_stress() {
         let g0 = rotated(Rotation3::new(random.vector3() * 3.0), &straight());
         let (rest, direction) = ([Vector3::zeros(); 7], random_directors(&mut random, 1.0));
         let plain = SectionLaw::continuum(LAME, section.moments());
-        let a = stiffness(|h| law(LAME, section).add_stress_stiffness(&g0, &rest, &direction, h));
+        let a = stiffness(|h| law(LAME, section.clone()).add_stress_stiffness(&g0, &rest, &direction, h));
         let b = stiffness(|h| plain.add_stress_stiffness(&g0, &rest, &direction, h));
         for (i, row) in a.iter().enumerate().take(5) {
             for (j, a) in row.iter().enumerate().take(i + 1) {

@@ -24,7 +24,7 @@ pub(super) struct TermCase {
 
 /// Beams of every formulation, without and with damping.
 fn beams(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
-    let damped = |case: &BeamCase| BeamCase { damping: Damping { strain: 0.2, mass: 0.7 }, ..*case };
+    let damped = |case: &BeamCase| BeamCase { damping: Damping { strain: 0.2, mass: 0.7 }, ..case.clone() };
     let cases = beam_cases();
     let damped: Vec<BeamCase> = cases.iter().filter(|case| case.tilted).map(damped).collect();
     cases.into_iter().chain(damped).map(move |case| {

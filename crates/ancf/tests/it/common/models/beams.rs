@@ -19,7 +19,7 @@ pub(crate) const FORMULATIONS: [Formulation; 4] =
     [Formulation::Continuum, Formulation::Enhanced, Formulation::Linked, Formulation::Quadratic];
 
 /// Definition of a beam of one element.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct BeamCase {
     pub(crate) formulation: Formulation,
     pub(crate) section: Section,
@@ -61,9 +61,9 @@ impl BeamCase {
         let material = rod::material(&mut model);
         (material.density, material.young, material.poisson) = (2.0, 30.0, self.poisson);
         (material.law, material.damping) = (self.law, self.damping);
-        model.sections.insert("circle".into(), self.section);
-        if let Some(end) = self.section_end {
-            model.sections.insert("end".into(), end);
+        model.sections.insert("circle".into(), self.section.clone());
+        if let Some(end) = &self.section_end {
+            model.sections.insert("end".into(), end.clone());
         }
         *rod::beam(&mut model) = Beam {
             shape: if self.curved {
@@ -74,7 +74,7 @@ impl BeamCase {
             up: Some((turn * Vector3::y()).into()),
             twist: if self.curved { 0.8 } else { 0.0 },
             formulation: self.formulation,
-            section_end: self.section_end.map(|_| "end".into()),
+            section_end: self.section_end.as_ref().map(|_| "end".into()),
             slopes: self.slopes,
             ..Beam::straight("rod", [place(0.0, 0.0), place(LENGTH, 0.0)], 1, "circle", "steel")
         };
@@ -89,7 +89,7 @@ impl BeamCase {
         let mesh = assembly.mesh("rod").unwrap();
         let term = mesh.terms().remove(0);
         let vectors = mesh.vectors(&assembly.rest()).collect();
-        BeamElement { name: self.to_string(), case: *self, term, vectors, slope, length }
+        BeamElement { name: self.to_string(), case: self.clone(), term, vectors, slope, length }
     }
 }
 
@@ -99,6 +99,7 @@ impl std::fmt::Display for BeamCase {
         // Random samples depend on the name: it is that of the data of the section, without the variant around them.
         let section = data(format!("{section:?}"));
         let section_end = section_end
+            .clone()
             .map(|end| data(format!("{end:?}")))
             .map_or("None".into(), |end| format!("Some({end})"));
         write!(f, "{formulation:?}, {section} to {section_end}, nu = {poisson}, {law:?}, {damping:?}, ")?;
@@ -186,23 +187,23 @@ pub(crate) fn beam_cases() -> Vec<BeamCase> {
     for formulation in FORMULATIONS {
         for section in SECTIONS {
             for poisson in [0.0, 0.3] {
-                let plain = BeamCase::straight(formulation, section, poisson);
-                let tilted = BeamCase { tilted: true, slopes: Slopes::Length, ..plain };
+                let plain = BeamCase::straight(formulation, section.clone(), poisson);
+                let tilted = BeamCase { tilted: true, slopes: Slopes::Length, ..plain.clone() };
                 cases.extend([
-                    plain,
-                    tilted,
-                    BeamCase { curved: true, ..plain },
+                    plain.clone(),
+                    tilted.clone(),
+                    BeamCase { curved: true, ..plain.clone() },
                     BeamCase { curved: true, ..tilted },
                 ]);
                 if let Section::Rectangle(Rectangle { height, width }) = section {
                     let end = Section::rectangle(0.5 * height, 1.2 * width);
                     let tapered = BeamCase { section_end: Some(end), ..plain };
-                    cases.extend([tapered, BeamCase { curved: true, ..tapered }]);
+                    cases.extend([tapered.clone(), BeamCase { curved: true, ..tapered }]);
                 }
             }
         }
     }
-    let neo_hookean = |case: &BeamCase| BeamCase { law: MaterialLaw::NeoHookean, ..*case };
+    let neo_hookean = |case: &BeamCase| BeamCase { law: MaterialLaw::NeoHookean, ..case.clone() };
     let continuum = cases.iter().filter(|case| case.formulation == Formulation::Continuum);
     cases.extend(continuum.map(neo_hookean).collect::<Vec<_>>());
     cases

@@ -208,7 +208,7 @@ fn lateral_buckling_has_prandtls_load() {
             (Formulation::Linked, 96, 3e-4),
             (Formulation::Enhanced, 64, 3e-4),
         ] {
-            let assembly = loaded(strip(elements, poisson, formulation, section), [0.0, -1.0, 0.0]);
+            let assembly = loaded(strip(elements, poisson, formulation, section.clone()), [0.0, -1.0, 0.0]);
             let factors = critical(&assembly, &under(&assembly, 0.0, 1), LoadDirection::Either).unwrap();
             let name = format!("{name}, {formulation:?}");
             assert_near(&name, factors[0].factor.abs() / reference, 1.0, tolerance);

@@ -1,0 +1,97 @@
+use std::fmt;
+
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
+use ancf_mechanics::forces::{ExternalForce, Force};
+use ancf_mechanics::functions::{ForceFunction, Function};
+use ancf_mechanics::kinematics::{Attachment, Marker};
+use ancf_solver::equations::Term;
+use nalgebra::Vector3;
+
+use super::context::LoadContext;
+use crate::model::{Body, Clock, Place, TimeFunction};
+
+/// Builder of the terms of one load.
+///
+/// A [`LoadKind`](super::LoadKind) adds its terms in [`build`](super::LoadKind::build). All data are in solver units.
+pub struct LoadBuilder<'a> {
+    context: &'a dyn LoadContext,
+    bodies: &'a [(String, BodyTerms)],
+    attach: &'a dyn Fn(&Place) -> Attachment,
+    clock: Clock,
+    terms: Vec<Box<dyn Term>>,
+}
+
+impl fmt::Debug for LoadBuilder<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("LoadBuilder").field("terms", &self.terms.len()).finish_non_exhaustive()
+    }
+}
+
+impl<'a> LoadBuilder<'a> {
+    /// A builder without terms. `attach` resolves places.
+    pub(crate) fn new(
+        context: &'a dyn LoadContext,
+        bodies: &'a [(String, BodyTerms)],
+        attach: &'a dyn Fn(&Place) -> Attachment,
+        clock: Clock,
+    ) -> Self {
+        Self { context, bodies, attach, clock, terms: Vec::new() }
+    }
+
+    /// The finished terms.
+    pub(crate) fn finish(self) -> Vec<Box<dyn Term>> {
+        self.terms
+    }
+
+    /// Function of time for the analysis: 1 in statics, where the load factor multiplies the load.
+    pub fn function(&self, time: &TimeFunction) -> Function {
+        self.clock.function(time)
+    }
+
+    /// Treatment of functions of time.
+    pub(crate) fn clock(&self) -> Clock {
+        self.clock
+    }
+
+    /// Attachment of a place to its body.
+    pub fn attachment(&self, place: &Place) -> Attachment {
+        (self.attach)(place)
+    }
+
+    /// Flexible body of a name, with its mesh.
+    pub fn flexible(&self, name: &str) -> Option<(&'a Body, &'a BeamMesh)> {
+        let (_, body) = self.context.body(name)?;
+        let (_, built) = self.bodies.iter().find(|(own, _)| own == name)?;
+        Some((body, built.mesh()?))
+    }
+
+    /// Names of all bodies.
+    pub fn body_names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        self.bodies.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// Markers of all bodies, weighted by the mass that each one stands for.
+    pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + use<'a> {
+        self.bodies.iter().flat_map(|(_, body)| body.mass_markers())
+    }
+
+    /// Properties of the model.
+    pub fn context(&self) -> &'a dyn LoadContext {
+        self.context
+    }
+
+    /// Adds a term.
+    pub fn add(&mut self, term: impl Term + 'static) {
+        self.terms.push(Box::new(term));
+    }
+
+    /// Adds a force of constant direction at a marker.
+    pub fn force(&mut self, point: &Marker, force: impl Into<Vector3<f64>>, function: Function) {
+        self.add(Force::varying(point, force.into(), function));
+    }
+
+    /// Adds a force at a place, computed from time, position and velocity.
+    pub fn external_force(&mut self, on: &Place, force: ForceFunction) {
+        self.add(ExternalForce::new(&self.attachment(on).point, force, self.context.length()));
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::mesh::{BeamMesh, ElementList};
+use super::mesh::BeamMesh;
 use crate::kinematics::{Marker, gauss, gauss3};
 
 /// Part of one element within an interval of arc length.
@@ -53,11 +53,7 @@ impl BeamMesh {
     pub fn mass_markers(&self) -> impl Iterator<Item = Marker> + '_ {
         (0..self.count()).map(|element| {
             let offset = element * self.stride();
-            let first: &[f64] = match &self.elements {
-                ElementList::Two(elements) => elements[element].profile().first_moments(),
-                ElementList::Three(elements) => elements[element].profile().first_moments(),
-                ElementList::Cable(elements) => elements[element].profile().first_moments(),
-            };
+            let first = self.elements.first_moments(element);
             let kinds = self.node_kinds();
             let value = |i: usize| {
                 let is_position = kinds[i % kinds.len()] == crate::kinematics::VectorKind::Position;

@@ -4,24 +4,16 @@ use std::sync::Arc;
 use ancf_solver::equations::{Batch, State, Term};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::batch::BatchElements;
+use super::mesh_element::{ElementList, VectorWeights};
 use crate::elements::{
     Beam24, Beam27, BeamMaterial, Cable12, CableDamping, CableProfile, CableRule, CableSection, Profile,
     StrainEnergy, TwoNodeLaw,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Interpolation, Marker, NodalVector, QuadraticShape, ReferenceNode,
-    VectorKind, round_to_zero,
+    Attachment, BeamShape, Directions, Marker, NodalVector, QuadraticShape, ReferenceNode, VectorKind,
+    round_to_zero,
 };
 use crate::sections::{CrossSection, Lame};
-
-/// Elements of a body, all of one type.
-#[derive(Clone, Debug)]
-pub(crate) enum ElementList {
-    Two(Vec<Beam24>),
-    Three(Vec<Beam27>),
-    Cable(Vec<Cable12>),
-}
 
 /// Stress-strain law at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +39,7 @@ pub struct BeamMesh {
     /// Length l of each element.
     pub(crate) length: f64,
     pub(crate) slope: f64,
-    pub(crate) elements: ElementList,
+    pub(crate) elements: Arc<dyn ElementList>,
     /// Origin of the reference positions.
     pub(crate) origin: Vector3<f64>,
     /// Reference values of the vectors.
@@ -110,7 +102,7 @@ impl BeamMesh {
             TwoNodeLaw::Enhanced => StressLaw::Rod { linked: false },
             TwoNodeLaw::Linked => StressLaw::Rod { linked: true },
         };
-        let elements = ElementList::Two(elements.collect());
+        let elements = Arc::new(elements.collect::<Vec<_>>());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
@@ -130,7 +122,7 @@ impl BeamMesh {
             Beam27::new(first..first + 27, frame, profile)
         });
         let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
-        let elements = ElementList::Three(elements.collect());
+        let elements = Arc::new(elements.collect::<Vec<_>>());
         Self { first, length, slope, elements, origin, reference, lame, elasticity }
     }
 
@@ -156,13 +148,13 @@ impl BeamMesh {
             let first = first + 6 * k;
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
-        let elements = ElementList::Cable(elements.collect());
+        let elements = Arc::new(elements.collect::<Vec<_>>());
         Self { first, length, slope, elements, origin, reference, lame, elasticity: StressLaw::Line }
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
-    pub const fn has_sections(&self) -> bool {
-        !matches!(self.elements, ElementList::Cable(_))
+    pub fn has_sections(&self) -> bool {
+        self.node_kinds().contains(&VectorKind::Y)
     }
 
     /// Returns the number of coordinates.
@@ -172,11 +164,7 @@ impl BeamMesh {
 
     /// Returns the number of elements.
     pub fn count(&self) -> usize {
-        match &self.elements {
-            ElementList::Two(elements) => elements.len(),
-            ElementList::Three(elements) => elements.len(),
-            ElementList::Cable(elements) => elements.len(),
-        }
+        self.elements.count()
     }
 
     /// Returns the length of the axis.
@@ -186,23 +174,12 @@ impl BeamMesh {
 
     /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
-        fn boxed<T: Term + Clone + 'static>(elements: &[T]) -> Vec<Box<dyn Term>> {
-            elements.iter().map(|element| Box::new(element.clone()) as Box<dyn Term>).collect()
-        }
-        match &self.elements {
-            ElementList::Two(elements) => boxed(elements),
-            ElementList::Three(elements) => boxed(elements),
-            ElementList::Cable(elements) => boxed(elements),
-        }
+        self.elements.terms()
     }
 
     /// Returns batches of the terms, each with the index of its first term.
     pub fn batches(&self) -> Vec<(usize, Box<dyn Batch>)> {
-        match &self.elements {
-            ElementList::Two(elements) => BatchElements::batches(elements),
-            ElementList::Three(elements) => BatchElements::batches(elements),
-            ElementList::Cable(elements) => BatchElements::batches(elements),
-        }
+        self.elements.batches()
     }
 
     /// Returns the strain energy of all elements by part.
@@ -211,34 +188,18 @@ impl BeamMesh {
         let (size, stride) = (3 * self.weights(0.0).len(), 3 * self.stride());
         for element in 0..self.count() {
             let first = self.first + element * stride;
-            let q = &state.q[first..first + size];
-            sum += match &self.elements {
-                ElementList::Two(elements) => elements[element].parts(q),
-                ElementList::Three(elements) => elements[element].parts(q),
-                ElementList::Cable(elements) => {
-                    let [axial, bending] = elements[element].parts(q);
-                    StrainEnergy { axial, bending, ..StrainEnergy::default() }
-                }
-            };
+            sum += self.elements.strain_energy(element, &state.q[first..first + size]);
         }
         sum
     }
 
     pub(crate) fn term(&self, element: usize) -> &dyn Term {
-        match &self.elements {
-            ElementList::Two(elements) => &elements[element],
-            ElementList::Three(elements) => &elements[element],
-            ElementList::Cable(elements) => &elements[element],
-        }
+        self.elements.term(element)
     }
 
     /// Returns the kinds of the vectors of a node.
     pub(crate) fn node_kinds(&self) -> &'static [VectorKind] {
-        match self.elements {
-            ElementList::Two(_) => &[VectorKind::Position, VectorKind::Slope, VectorKind::Y, VectorKind::Z],
-            ElementList::Three(_) => &[VectorKind::Position, VectorKind::Y, VectorKind::Z],
-            ElementList::Cable(_) => &[VectorKind::Position, VectorKind::Slope],
-        }
+        self.elements.node()
     }
 
     /// Returns all nodal vectors in a state, in the order of the coordinates.
@@ -263,20 +224,8 @@ impl BeamMesh {
     }
 
     /// Returns the weights of the vectors of an element at ξ: in r, r_y or r_z, and in the directors.
-    pub(crate) fn weights(&self, xi: f64) -> Vec<(VectorKind, f64, [f64; 3])> {
-        fn of<const N: usize, S: Interpolation<N>>(shape: &S, xi: f64) -> Vec<(VectorKind, f64, [f64; 3])> {
-            let (values, directors) = (shape.values(xi), shape.directors(xi));
-            (0..N).map(|i| (S::KINDS[i], values[i], directors[i])).collect()
-        }
-        let (length, slope) = (self.length, self.slope);
-        match self.elements {
-            ElementList::Two(_) => of(&BeamShape { length, slope }, xi),
-            ElementList::Three(_) => of(&QuadraticShape { length, slope }, xi),
-            ElementList::Cable(_) => {
-                let line = of(&BeamShape { length, slope }, xi).into_iter();
-                line.filter(|(kind, ..)| matches!(kind, VectorKind::Position | VectorKind::Slope)).collect()
-            }
-        }
+    pub(crate) fn weights(&self, xi: f64) -> Vec<VectorWeights> {
+        self.elements.weights(self.length, self.slope, xi)
     }
 
     /// Returns the point of the axis at an arc length.
@@ -337,11 +286,7 @@ impl BeamMesh {
 
     /// Returns the number of vectors between the starts of consecutive elements.
     pub(crate) fn stride(&self) -> usize {
-        match self.elements {
-            ElementList::Two(_) => 4,
-            ElementList::Three(_) => 6,
-            ElementList::Cable(_) => 2,
-        }
+        self.elements.stride()
     }
 
     /// Returns the element and ξ of an arc length. At a node, ξ is exactly 0 or 1.

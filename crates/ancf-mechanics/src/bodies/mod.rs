@@ -4,6 +4,7 @@ mod body_terms;
 mod distributed;
 mod element_axes;
 mod mesh;
+mod mesh_element;
 mod resultants;
 
 pub use body_terms::BodyTerms;

@@ -3,7 +3,7 @@
 use ancf::mechanics::forces::ExternalForce;
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::kinematics::Attachment;
-use ancf::model::{At, LoadKind, Named, Place};
+use ancf::model::{At, LoadKind, NamedPosition, Place};
 use ancf::record::Series;
 use ancf::solver::equations::Term;
 use ancf::units::{Dimension, Scaled, Scales};
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         analysis = { kind = "dynamics", duration = 6.283185307179586, step = 1e-3, scheme = "average_acceleration" }
         "#,
     )?;
-    let on = Place::new("moon", At::Named(Named::Center));
+    let on = Place::new("moon", At::Named(NamedPosition::Center));
     let mut series = Series::new();
     let mut sink: &mut dyn ancf::record::Sink = &mut series;
     let attraction = Extension::load(Attraction { on, strength: 1.0 });

@@ -9,7 +9,7 @@ use ancf_mechanics::kinematics::Attachment;
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
-use crate::model::{Body, Clock, Fluid, Load, Model, Stretch};
+use crate::model::{Body, Fluid, Load, Model, Stretch, TimeMode};
 
 type Terms = Vec<Box<dyn Term>>;
 
@@ -19,9 +19,9 @@ impl Model {
         &self,
         load: &Load,
         bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        clock: Clock,
+        time_mode: TimeMode,
     ) -> Terms {
-        let function = load.function(clock);
+        let function = load.function(time_mode);
         match load {
             Load::Force { .. } | Load::Moment { .. } | Load::External { .. } => Terms::new(),
             Load::Custom(load) => load.kind().terms(&self.attachment(bodies, load.kind().on()), function),
@@ -34,7 +34,7 @@ impl Model {
                 let term = |marker| Box::new(Force::varying(&marker, inertia, function.clone())) as _;
                 markers.map(term).collect()
             }
-            Load::Fluid(fluid) => self.immersed(fluid, bodies, clock),
+            Load::Fluid(fluid) => self.immersed(fluid, bodies, time_mode),
         }
     }
 
@@ -80,9 +80,9 @@ impl Model {
         &self,
         fluid: &Fluid,
         bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        clock: Clock,
+        time_mode: TimeMode,
     ) -> Terms {
-        let medium = fluid.medium(self.gravity, clock);
+        let medium = fluid.medium(self.gravity, time_mode);
         let around = |(body, mesh): (&Body, &BeamMesh)| {
             let hull = |s: f64| {
                 let hull = self.section_at(body, s / mesh.length()).and_then(|section| fluid.hull(&section));
@@ -115,13 +115,13 @@ fn dead(
 
 impl Load {
     /// What its function of time is in an analysis; 1 if it has none.
-    pub(crate) fn function(&self, clock: Clock) -> Function {
-        self.time().map_or(Function::ONE, |time| clock.function(time))
+    pub(crate) fn function(&self, time_mode: TimeMode) -> Function {
+        self.time().map_or(Function::ONE, |time| time_mode.function(time))
     }
 
     /// The load at a place of a model of a length, if it acts at one and the body has what it holds on to there.
-    pub(crate) fn term(&self, on: &Attachment, clock: Clock, length: f64) -> Option<Box<dyn Term>> {
-        let function = self.function(clock);
+    pub(crate) fn term(&self, on: &Attachment, time_mode: TimeMode, length: f64) -> Option<Box<dyn Term>> {
+        let function = self.function(time_mode);
         let directors = on.axes().map(|[_, d, e]| [d, e]);
         Some(match self {
             Self::Force { force, follower: false, .. } => {
@@ -138,7 +138,7 @@ impl Load {
             }
             Self::External { units, supplied, .. } => {
                 let own = supplied.as_ref()?;
-                let own = if clock == Clock::Runs { own.clone() } else { own.frozen_at(1.0) };
+                let own = if time_mode == TimeMode::AsGiven { own.clone() } else { own.frozen_at(1.0) };
                 let function = own.in_units(units.length, units.time, units.force);
                 Box::new(ExternalForce::new(&on.point, function, length))
             }
@@ -148,12 +148,16 @@ impl Load {
 }
 
 impl Fluid {
-    pub(crate) fn medium(&self, gravity: [f64; 3], clock: Clock) -> Arc<ancf_mechanics::fluid::FlowField> {
+    pub(crate) fn medium(
+        &self,
+        gravity: [f64; 3],
+        time_mode: TimeMode,
+    ) -> Arc<ancf_mechanics::fluid::FlowField> {
         Arc::new(ancf_mechanics::fluid::FlowField {
             density: self.density,
             gravity: Vector3::from(gravity),
             current: Vector3::from(self.current),
-            function: clock.function(&self.time),
+            function: time_mode.function(&self.time),
         })
     }
 }

@@ -61,7 +61,7 @@ pub(crate) fn fluids(model: &Model) -> Vec<Finding> {
                 continue;
             }
             wet.push(name);
-            let Some((section, _)) = body.stuff() else {
+            let Some((section, _)) = body.section_and_material() else {
                 let found = format!("{}, which is rigid", quoted(name));
                 findings.push(finding(key, found, "a beam or a cable").rests_on([owner]));
                 continue;

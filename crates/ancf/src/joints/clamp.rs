@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{Clamped, End, JointBuilder, JointKind};
+use crate::joints::parts::{ClampedGradients, End, JointBuilder, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -20,7 +20,7 @@ pub struct Clamp {
     /// Which gradients are tied besides the position: `"all"` for beams of the continuum formulation, `"section"`
     /// for all else, by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fix: Option<Clamped>,
+    pub fix: Option<ClampedGradients>,
 }
 
 impl JointKind for Clamp {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularSpring, End, Freed, JointBuilder, JointKind, LinearDrive,
+    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -60,8 +60,8 @@ impl JointKind for Cylindrical {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::cylindrical(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2)], measures);
-        builder.angle(axis, &self.turning());
-        builder.displacement(axis, &self.moving());
+        builder.angle(axis, &self.angle_actions());
+        builder.displacement(axis, &self.displacement_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -82,15 +82,15 @@ impl JointKind for Cylindrical {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Angle, Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Angle, JointCoordinate::Displacement]
     }
 
-    fn turning(&self) -> Acting<'_> {
-        Acting::turning(&self.drive, &self.spring, &None)
+    fn angle_actions(&self) -> JointActions<'_> {
+        JointActions::along_angle(&self.drive, &self.spring, &None)
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting { table: "feed", ..Acting::moving(&self.feed, &None, &None) }
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions { table: "feed", ..JointActions::along_displacement(&self.feed, &None, &None) }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding, number};
-use crate::joints::parts::{End, JointBuilder, JointContext, JointKind, Symbol};
+use crate::joints::parts::{End, JointBuilder, JointContext, JointKind, JointSymbol};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -68,8 +68,8 @@ impl JointKind for Distance {
         true
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line("rod")
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line("rod")
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {

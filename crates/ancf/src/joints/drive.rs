@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding, number};
-use crate::joints::parts::{Clamped, End, JointBuilder, JointContext, JointKind};
+use crate::joints::parts::{ClampedGradients, End, JointBuilder, JointContext, JointKind};
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -34,7 +34,7 @@ pub struct DrivenClamp {
     pub time: TimeFunction,
     /// Which gradients are tied besides the position, by default as those of a clamp.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fix: Option<Clamped>,
+    pub fix: Option<ClampedGradients>,
 }
 
 fn one() -> f64 {

@@ -13,7 +13,7 @@ use super::slide::Slide;
 use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
-use crate::joints::parts::{Clamped, CustomJoint, End, JointKind};
+use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
@@ -83,7 +83,7 @@ impl Joint {
     }
 
     /// A clamp of stated gradients.
-    pub fn clamped(name: &str, a: Place, b: End, fix: Option<Clamped>) -> Self {
+    pub fn clamped(name: &str, a: Place, b: End, fix: Option<ClampedGradients>) -> Self {
         Self::Clamp(Clamp { name: name.into(), a, b, fix })
     }
 

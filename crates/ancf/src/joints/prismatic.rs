@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, End, Freed, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -60,7 +60,7 @@ impl JointKind for Prismatic {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::prismatic(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2), ("rotation about the axis", 1)], measures);
-        builder.displacement(axis, &self.moving());
+        builder.displacement(axis, &self.displacement_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -79,11 +79,11 @@ impl JointKind for Prismatic {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Displacement]
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting::moving(&self.drive, &self.spring, &self.friction)
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
     }
 }

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularFriction, AngularSpring, End, Freed, JointBuilder, JointKind,
+    AngularDrive, AngularFriction, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -55,7 +55,7 @@ impl JointKind for Revolute {
         let axis = Vector3::from(self.axis).normalize();
         builder.coincide();
         builder.parallel(axis, "hinge axis");
-        builder.angle(axis, &self.turning());
+        builder.angle(axis, &self.angle_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -74,12 +74,12 @@ impl JointKind for Revolute {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Angle]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Angle]
     }
 
-    fn turning(&self) -> Acting<'_> {
-        Acting::turning(&self.drive, &self.spring, &self.friction)
+    fn angle_actions(&self) -> JointActions<'_> {
+        JointActions::along_angle(&self.drive, &self.spring, &self.friction)
     }
 
     fn closes(&self) -> bool {

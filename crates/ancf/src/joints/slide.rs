@@ -3,7 +3,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::{Finding, finding};
 use crate::joints::parts::{
-    Acting, End, Freed, JointBuilder, JointContext, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    End, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, LinearDrive, LinearFriction,
+    LinearSpring,
 };
 use crate::model::{Beam, Body, Formulation, Place, TimeFunction};
 use crate::units::Scaled;
@@ -48,7 +49,7 @@ impl JointKind for Slide {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        builder.slide(&self.moving());
+        builder.slide(&self.displacement_actions());
     }
 
     fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
@@ -59,12 +60,12 @@ impl JointKind for Slide {
         self.drive.iter_mut().map(|drive| &mut drive.time).collect()
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Displacement]
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting::moving(&self.drive, &self.spring, &self.friction)
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {

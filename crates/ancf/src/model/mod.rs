@@ -20,8 +20,8 @@ pub use analyses::{
     Start, Statics, Step, Stop,
 };
 pub use bodies::{
-    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape,
-    Slopes,
+    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place, PointMass, Rigid,
+    Shape, Slopes,
 };
 pub use contacts::{Against, Contact};
 pub use functions::{TimeFunction, Varying};
@@ -33,13 +33,13 @@ pub use sections::{
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
-    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, Clamped, Coupled, Coupling, Cylindrical,
-    Distance, DrivenClamp, End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar,
-    PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
+    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, ClampedGradients, Coupled, Coupling,
+    Cylindrical, Distance, DrivenClamp, End, Ground, Joint, JointCoordinate, LinearDrive, LinearFriction,
+    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::ON_AXIS;
-pub(crate) use functions::Clock;
+pub(crate) use functions::TimeMode;
 pub(crate) use loads::Stretch;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 

@@ -6,8 +6,8 @@ use toml::Value;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
-use crate::model::{Clock, Load, Model, TimeFunction, Varying, loads_of};
-use crate::schema::{SCHEMA, Survey};
+use crate::model::{Load, Model, TimeFunction, TimeMode, Varying, loads_of};
+use crate::schema::{SCHEMA, SchemaCheck};
 
 impl Model {
     /// Makes a model of data such as a table of another language, and checks it.
@@ -29,11 +29,11 @@ impl Model {
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
         // The data have neither added parts nor supplied functions: the rules are checked on the model itself.
         let findings = if self.is_extended() {
-            let (survey, _) = Survey::of(&SCHEMA, &data);
+            let (survey, _) = SchemaCheck::of(&SCHEMA, &data);
             if survey.findings.is_empty() { broken(self) } else { survey.findings }
         } else {
             Self::from_value(&data)?;
-            if self.has_functions(true) { broken(self) } else { Vec::new() }
+            if self.has_external_functions(true) { broken(self) } else { Vec::new() }
         };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
@@ -70,7 +70,7 @@ impl Model {
     /// # Errors
     /// If the model is not valid, or functions are not supplied.
     pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
-        self.valid_assembly(Clock::Runs)
+        self.valid_assembly(TimeMode::AsGiven)
     }
 
     /// The same for statics: functions of time are 1, so that loads and angles have their full values, times the load factor of
@@ -79,13 +79,13 @@ impl Model {
     /// # Errors
     /// If the model is not valid, or functions are not supplied.
     pub fn assemble_static(&self) -> Result<Assembly, ModelErrors> {
-        self.valid_assembly(Clock::Stands)
+        self.valid_assembly(TimeMode::One)
     }
 
-    fn valid_assembly(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
+    fn valid_assembly(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         self.check()?;
         self.check_supplies()?;
-        self.assembled(clock)
+        self.assembled(time_mode)
     }
 }
 
@@ -101,7 +101,7 @@ fn broken(model: &Model) -> Vec<Finding> {
 
 /// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
 pub(crate) fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut survey, mended) = Survey::of(&SCHEMA, data);
+    let (mut survey, mended) = SchemaCheck::of(&SCHEMA, data);
     let mut findings = std::mem::take(&mut survey.findings);
     let model = Model::deserialize(mended);
     let broken = model.as_ref().map(broken_rules).unwrap_or_default();
@@ -121,7 +121,7 @@ pub(crate) fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
 }
 
 /// The finding with its paths as the file spells them.
-fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
+fn spelt(mut finding: Finding, survey: &SchemaCheck) -> Finding {
     finding.error.path = survey.spelt(&finding.error.path);
     finding.rests_on.iter_mut().for_each(|path| *path = survey.spelt(path));
     finding

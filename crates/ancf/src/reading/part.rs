@@ -2,7 +2,7 @@ use serde_json::Value as Json;
 use toml::Value;
 
 use crate::errors::{ModelError, ModelErrors, listed, nearest, quoted};
-use crate::schema::{SCHEMA, Survey, did_you_mean};
+use crate::schema::{SCHEMA, SchemaCheck, did_you_mean};
 
 /// Checks a part of a model by itself: types, ranges, words and keys, as the schema has them.
 ///
@@ -19,7 +19,7 @@ use crate::schema::{SCHEMA, Survey, did_you_mean};
 /// ```
 pub fn check_part(definition: &str, data: &Value) -> Result<(), ModelErrors> {
     let schema = named(definition).ok_or_else(|| ModelErrors(vec![unknown(definition)]))?;
-    let (survey, _) = Survey::of(schema, data);
+    let (survey, _) = SchemaCheck::of(schema, data);
     let errors: Vec<_> = survey.findings.into_iter().map(|finding| finding.error).collect();
     if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
 }

@@ -9,7 +9,7 @@ use toml::Value;
 use super::check::judge;
 use crate::errors::{Finding, ModelError, ModelErrors};
 use crate::model::Model;
-use crate::schema::{Document, Survey, position};
+use crate::schema::{Document, SchemaCheck, position};
 
 /// Bytes beyond which a file is taken for something else than a model.
 const LARGEST: u64 = 100_000_000;
@@ -61,7 +61,7 @@ pub fn parse_as<T: DeserializeOwned>(
     rules: impl FnOnce(&T) -> Vec<ModelError>,
 ) -> Result<T, ModelErrors> {
     judged(text, |data| {
-        let (survey, mended) = Survey::of(schema, data);
+        let (survey, mended) = SchemaCheck::of(schema, data);
         let mut findings = survey.findings;
         match T::deserialize(mended) {
             Ok(value) if findings.is_empty() => {

@@ -12,7 +12,7 @@ use crate::errors::{Finding, ModelError, listed, nearest, quoted};
 
 /// What a comparison with the schema brought to light.
 #[derive(Debug, Default)]
-pub(crate) struct Survey {
+pub(crate) struct SchemaCheck {
     pub(crate) findings: Vec<Finding>,
     /// Paths whose values were replaced by something of the right type.
     mended: Vec<String>,
@@ -23,7 +23,7 @@ pub(crate) struct Survey {
 /// A table with the keys as meant; each goes with the key as spelt.
 type Entries<'a> = BTreeMap<&'a str, (&'a str, &'a Value)>;
 
-impl Survey {
+impl SchemaCheck {
     /// Compares data with a schema; returns a copy of the data that has its form.
     pub(crate) fn of(schema: &'static Json, data: &Value) -> (Self, Value) {
         let mut survey = Self::default();

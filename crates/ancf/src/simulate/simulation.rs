@@ -9,13 +9,13 @@ use ancf_solver::newton::Interrupt;
 use crate::assembly::Assembly;
 use crate::errors::ModelErrors;
 use crate::model::Model;
-use crate::units::{Chosen, Scales};
+use crate::units::{ChosenScales, Scales};
 
 /// A model that is ready to run: checked, scaled, assembled.
 #[derive(Debug)]
 pub struct Simulation {
     pub(crate) scaled: Model,
-    pub(crate) chosen: Chosen,
+    pub(crate) chosen: ChosenScales,
     pub(crate) assembly: Assembly,
     pub(crate) interrupt: Interrupt,
 }

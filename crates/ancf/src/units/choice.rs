@@ -39,7 +39,7 @@ pub enum ScaleChoice {
 
 /// Units chosen for a model.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
+pub struct ChosenScales {
     /// Units of the equations.
     pub scales: Scales,
     /// Reason for the choice, in words.

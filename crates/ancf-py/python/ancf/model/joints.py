@@ -20,7 +20,7 @@ from ancf.model.drives import (
 
 __all__ = [
     "Clamp",
-    "Clamped",
+    "ClampedGradients",
     "Cylindrical",
     "Drive",
     "Joint",
@@ -33,14 +33,14 @@ __all__ = [
     "Universal",
 ]
 
-Clamped: TypeAlias = Literal["all", "section"]
-"""Which gradients a clamp ties besides the position.
+ClampedGradients: TypeAlias = Literal["all", "section"]
+"""Gradients that a clamp constrains in addition to the position.
 
-* ``"all"``: r_x, r_y and r_z: all twelve coordinates of the node, as Kim et al. (2017) do. Stretch and shear
-  of the axis are then zero at the clamp, which stiffens coarse meshes: 8/9 of the exact elongation for one
-  element.
-* ``"section"``: r_y and r_z only: the section is fixed and the axis is free to stretch, exact in tension. Of
-  a cable, the direction of the tangent.
+* ``"all"``: r_x, r_y and r_z: all twelve coordinates of the node, as in Kim et al. (2017). Stretch and shear
+  of the axis are zero at the clamp, which stiffens coarse meshes: one element has 8/9 of the exact
+  elongation.
+* ``"section"``: r_y and r_z: the section is fixed and the axis stretches freely, exact in tension. For a
+  cable, the direction of the tangent.
 """
 
 
@@ -69,7 +69,7 @@ class Clamp(Part):
     name: str = field(kw_only=False)
     a: Place
     b: End | None = None
-    fix: Clamped | None = None
+    fix: ClampedGradients | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
@@ -167,7 +167,7 @@ class Drive(Part):
     angle: float | None = None
     axis: Vector | None = None
     displacement: Vector | None = None
-    fix: Clamped | None = None
+    fix: ClampedGradients | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{End, JointBuilder, JointKind, Symbol, measures};
+use crate::joints::parts::{End, JointBuilder, JointKind, JointSymbol, measures};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -55,7 +55,7 @@ impl JointKind for Bushing {
         [Some((Capability::Section, "a bushing")); 2]
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line("bushing")
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line("bushing")
     }
 }

@@ -1,7 +1,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{End, JointBuilder, JointKind, Symbol};
+use crate::joints::parts::{End, JointBuilder, JointKind, JointSymbol};
 use crate::model::Place;
 use crate::units::Scaled;
 
@@ -61,8 +61,8 @@ impl JointKind for PointSpring {
         true
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line(match (self.tension_only, self.stiffness) {
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line(match (self.tension_only, self.stiffness) {
             (true, _) => "rope",
             (false, 0.0) => "damper",
             (false, _) => "spring",

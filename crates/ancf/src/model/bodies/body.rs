@@ -37,7 +37,7 @@ impl Body {
     }
 
     /// Names of the start section and of the material of a flexible body.
-    pub fn stuff(&self) -> Option<(&str, &str)> {
+    pub fn section_and_material(&self) -> Option<(&str, &str)> {
         match self {
             Self::Beam(beam) => Some((&beam.section, &beam.material)),
             Self::Cable(cable) => Some((&cable.section, &cable.material)),
@@ -98,9 +98,9 @@ impl Body {
     /// Arc length of a position on the axis.
     pub fn arc_length(&self, at: At) -> f64 {
         match at {
-            At::Named(Named::Start) | At::Point(_) => 0.0,
-            At::Named(Named::Center) => 0.5 * self.length(),
-            At::Named(Named::End) => self.length(),
+            At::Named(NamedPosition::Start) | At::Point(_) => 0.0,
+            At::Named(NamedPosition::Center) => 0.5 * self.length(),
+            At::Named(NamedPosition::End) => self.length(),
             At::Length(s) => s,
         }
     }
@@ -114,7 +114,7 @@ impl Body {
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
             (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
-            (Self::Rigid(_) | Self::Mass(_), At::Named(Named::Center)) => Some(from),
+            (Self::Rigid(_) | Self::Mass(_), At::Named(NamedPosition::Center)) => Some(from),
             _ => None,
         }
     }
@@ -308,7 +308,7 @@ impl Place {
 #[serde(untagged)]
 pub enum At {
     /// Named position.
-    Named(Named),
+    Named(NamedPosition),
     /// Arc length from the start in the undeformed state, length.
     Length(
         #[unit(length)]
@@ -322,7 +322,7 @@ pub enum At {
 /// Named positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
-pub enum Named {
+pub enum NamedPosition {
     /// Start of the axis.
     Start,
     /// Middle of the axis, or centre of mass of a rigid body.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::custom::CustomLoad;
 use super::fluid::Fluid;
-use crate::model::bodies::{At, Named, Place};
+use crate::model::bodies::{At, NamedPosition, Place};
 use crate::model::functions::TimeFunction;
 use crate::units::{Scaled, Scales};
 
@@ -129,11 +129,11 @@ fn own() -> Scales {
 }
 
 fn start() -> At {
-    At::Named(Named::Start)
+    At::Named(NamedPosition::Start)
 }
 
 fn end() -> At {
-    At::Named(Named::End)
+    At::Named(NamedPosition::End)
 }
 
 /// Part of a body, with a load per length at its two ends.

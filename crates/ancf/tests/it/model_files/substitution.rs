@@ -118,7 +118,7 @@ fn names_are_followed() {
     }
     let (model, set) = set("bodies.rod.material", "rubber");
     assert_eq!(set, ["bodies[0].material"]);
-    assert_eq!(model.bodies[0].stuff(), Some(("rod", "rubber")));
+    assert_eq!(model.bodies[0].section_and_material(), Some(("rod", "rubber")));
 }
 
 #[test]

@@ -93,7 +93,7 @@ fn rule_of_drive(
             let function = drive.time.compile().ok()?;
             let key = format!("{path}.time");
             if drive.time.jumps() {
-                return Some(finding(key, "a function that jumps", "one that bodies can follow"));
+                return Some(finding(key, "a function that jumps", "a continuous function"));
             }
             let start = amount * function.value(0.0);
             (is_dynamic(model) && start.abs() > 1e-6 * scale(model, own)).then(|| {

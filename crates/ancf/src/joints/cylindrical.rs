@@ -9,28 +9,28 @@ use crate::joints::parts::{
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A pin in a sleeve: leaves rotation about an axis and displacement along it.
+/// Cylindrical joint: allows rotation about an axis and displacement along it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Cylindrical {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the axis; the ground by default.
+    /// Second end, to which the axis is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
-    /// Prescribes the angle.
+    /// Prescribed angle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<AngularDrive>,
-    /// A torsion spring and a damper.
+    /// Torsion spring and damper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<AngularSpring>,
-    /// Prescribes the displacement.
+    /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub feed: Option<LinearDrive>,
 }

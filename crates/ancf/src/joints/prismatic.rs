@@ -9,25 +9,25 @@ use crate::joints::parts::{
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A slider in a straight guide: leaves displacement along an axis.
+/// Prismatic joint: allows displacement along an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Prismatic {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the axis; the ground by default.
+    /// Second end, to which the axis is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
-    /// Prescribes the displacement.
+    /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<LinearDrive>,
-    /// A spring and a damper.
+    /// Spring and damper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LinearSpring>,
     /// Dry friction.

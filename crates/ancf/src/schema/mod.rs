@@ -6,7 +6,7 @@ mod schema_check;
 mod syntax;
 mod units;
 
-pub(crate) use address::{Step, segments, spelt};
+pub(crate) use address::{PathStep, path_of, path_steps};
 pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
 pub use generate::{schema, schema_text};
 pub use schema_check::join;

@@ -1,6 +1,6 @@
 //! A kind of joint that a program adds: a bearing with dry friction.
 
-use ancf::joints::{Acting, End, JointBuilder, JointKind};
+use ancf::joints::{End, JointActions, JointBuilder, JointKind};
 use ancf::model::Place;
 use ancf::record::Series;
 use ancf::units::{Dimension, Scaled, Scales};
@@ -41,7 +41,7 @@ impl JointKind for Bearing {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        let friction = Acting { friction: Some([self.torque, self.rate]), ..Acting::default() };
+        let friction = JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() };
         builder.coincide();
         builder.parallel([0.0, 0.0, 1.0], "bearing axis");
         builder.angle([0.0, 0.0, 1.0], &friction);
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         analysis = { kind = "dynamics", duration = 1, step = 1e-4, scheme = "average_acceleration" }
         "#,
     )?;
-    let a = Place::new("rotor", ancf::model::At::Named(ancf::model::Named::Center));
+    let a = Place::new("rotor", ancf::model::At::Named(ancf::model::NamedPosition::Center));
     let bearing = Bearing { name: "bearing".into(), a, b: End::Ground, torque: 0.5, rate: 1e-3 };
     let mut series = Series::new();
     let mut sink: &mut dyn ancf::record::Sink = &mut series;

@@ -2,7 +2,7 @@
 
 use ancf::loads::{LoadBuilder, LoadKind};
 use ancf::mechanics::functions::ForceFunction;
-use ancf::model::{At, Named, Place};
+use ancf::model::{At, NamedPosition, Place};
 use ancf::record::Series;
 use ancf::units::{Dimension, Scaled, Scales};
 use ancf::{Extension, Model, Simulation};
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         analysis = { kind = "dynamics", duration = 6.283185307179586, step = 1e-3, scheme = "average_acceleration" }
         "#,
     )?;
-    let on = Place::new("moon", At::Named(Named::Center));
+    let on = Place::new("moon", At::Named(NamedPosition::Center));
     let mut series = Series::new();
     let mut sink: &mut dyn ancf::record::Sink = &mut series;
     let attraction = Extension::load(Attraction { on, strength: 1.0 });

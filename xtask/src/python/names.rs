@@ -23,7 +23,7 @@ pub(super) const MODULES: [Module; 12] = [
     module("drives", "Drives, springs, friction and couplings of joints.", &DRIVES),
     module("connectors", "Joints between two points: rods, springs and bushings.", &[]),
     module("joints", "Joints.", &["Joint"]),
-    module("loads", "Loads besides gravity.", &["Load"]),
+    module("loads", "Loads in addition to gravity.", &["Load"]),
     module("contacts", "Contact between bodies and with obstacles.", &["Contact"]),
     module("analyses", "Analyses and their solver settings.", &["Analysis"]),
     module("output", "Probes and output.", &["Probe", "Output"]),

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output,
-    Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes, Spherical, Start,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Joint, Material, NamedPosition,
+    NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes, Spherical, Start,
 };
 use serde::Serialize;
 
@@ -70,9 +70,9 @@ impl PaperCase {
     /// Returns the model with `n` elements in a form, with the physical step in seconds.
     pub fn model(self, form: EquationForm, n: u32, step: f64) -> Model {
         let end = |end| Place::new("beam", At::Named(end));
-        let (name, a, b) = ("joint".to_owned(), end(Named::Start), End::Ground);
+        let (name, a, b) = ("joint".to_owned(), end(NamedPosition::Start), End::Ground);
         let joint = match self {
-            Self::Cantilever => Joint::Clamp(Clamp { name, a, b, fix: Some(Clamped::All) }),
+            Self::Cantilever => Joint::Clamp(Clamp { name, a, b, fix: Some(ClampedGradients::All) }),
             Self::Revolute => Joint::Revolute(Revolute {
                 name,
                 a,
@@ -112,7 +112,7 @@ impl PaperCase {
                 // Ends with the last full step, as in the paper.
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),
-            probes: vec![Probe::of_motion("tip", end(Named::End))],
+            probes: vec![Probe::of_motion("tip", end(NamedPosition::End))],
             assemble: false,
             output: Output::default(),
         }

@@ -1,4 +1,4 @@
-use ancf::joints::Symbol;
+use ancf::joints::JointSymbol;
 use ancf::mechanics::kinematics::{Attachment, Marker};
 use ancf::model::Place;
 use ancf::solver::equations::State;
@@ -38,7 +38,7 @@ pub(crate) fn links(attachments: Attachments<'_>) -> Vec<Link> {
         let Some(ends) = attachments.ends(joint) else { continue };
         let arm = |(place, end): (Option<&Place>, &Attachment)| arm(attachments, place?, end);
         all.extend(places(joint).into_iter().zip(&ends).filter_map(arm));
-        if let Symbol::Line(kind) = joint.kind().symbol() {
+        if let JointSymbol::Line(kind) = joint.kind().symbol() {
             all.push(Link::new(joint.name(), kind, ends, attachments.length));
         }
     }

@@ -6,16 +6,16 @@ use ancf_solver::equations::{System, Term};
 use super::assembled::{Assembly, Measure};
 use crate::errors::ModelErrors;
 use crate::joints::JointEquations;
-use crate::model::{Clock, Model, Probe};
+use crate::model::{Model, Probe, TimeMode};
 
 impl Model {
     /// Assembles a valid model whose functions are supplied.
     ///
     /// # Errors
     /// If gaps cannot be closed.
-    pub(crate) fn assembled(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
+    pub(crate) fn assembled(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         let bodies = self.meshes();
-        let joints = self.joint_equations(&bodies, clock);
+        let joints = self.joint_equations(&bodies, time_mode);
         let (mut terms, mut batches): (Vec<Box<dyn Term>>, Vec<_>) = Default::default();
         for (_, body) in &bodies {
             let first = terms.len();
@@ -24,7 +24,7 @@ impl Model {
         }
         terms.extend(joints.iter().flat_map(JointEquations::terms));
         terms.extend(self.coupling_terms(&bodies, &joints));
-        terms.extend(self.load_terms(&bodies, clock));
+        terms.extend(self.load_terms(&bodies, time_mode));
         let probes = self
             .probes
             .iter()
@@ -41,7 +41,7 @@ impl Model {
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let system = System::new(coordinates, multipliers, terms).with_batches(batches);
-        let (breaks, inputs) = (self.breaks(clock), self.inputs(&bodies, clock));
+        let (breaks, inputs) = (self.breaks(time_mode), self.inputs(&bodies, time_mode));
         let couplings = self.couplings.iter().map(|coupling| coupling.name.clone()).collect();
         let (redundant, undetermined, closed) = (Vec::new(), BTreeSet::new(), None);
         let assembly = Assembly {

@@ -8,7 +8,7 @@ use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};
 use super::redundant::Redundant;
-use crate::joints::{Closed, Freedom, JointEquations};
+use crate::joints::{Closed, JointEquations, RecordedCoordinate};
 use crate::model::Quantity;
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -66,10 +66,10 @@ impl Assembly {
     }
 
     /// The angles and displacements by which joints move, with the names of the joints.
-    pub fn freedoms(&self) -> impl Iterator<Item = (&str, &Freedom)> {
+    pub fn joint_coordinates(&self) -> impl Iterator<Item = (&str, &RecordedCoordinate)> {
         self.joints
             .iter()
-            .flat_map(|joint| joint.freedoms.iter().map(|freedom| (joint.name.as_str(), freedom)))
+            .flat_map(|joint| joint.recorded.iter().map(|coordinate| (joint.name.as_str(), coordinate)))
     }
 
     /// The bodies and their names.

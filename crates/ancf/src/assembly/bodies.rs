@@ -36,7 +36,8 @@ impl Model {
     }
 
     fn mesh(&self, body: &Body, first: usize) -> BeamMesh {
-        let (_, material) = body.stuff().expect("a flexible body has a section and a material");
+        let (_, material) =
+            body.section_and_material().expect("a flexible body has a section and a material");
         let material = &self.materials[material];
         let medium = BeamMaterial {
             lame: material.lame(),

@@ -5,7 +5,7 @@ use ancf_solver::equations::{REDUNDANCY_TOLERANCE, State, Term};
 use super::redundant::{Constraints, Owner, Redundant};
 use crate::errors::{Finding, ModelError};
 use crate::joints::JointEquations;
-use crate::model::{Analysis, Clock, Model};
+use crate::model::{Analysis, Model, TimeMode};
 
 /// Instants of a motion at which they are compared.
 const INSTANTS: u32 = 128;
@@ -14,9 +14,9 @@ const INSTANTS: u32 = 128;
 ///
 /// The model must obey all other rules.
 pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
-    let clock = model.clock();
+    let time_mode = model.time_mode();
     let meshes = model.meshes();
-    let joints = model.joint_equations(&meshes, clock);
+    let joints = model.joint_equations(&meshes, time_mode);
     let bodies = meshes.iter().flat_map(|(_, body)| body.terms());
     let of_joints = joints.iter().flat_map(JointEquations::terms);
     let couplings = model.coupling_terms(&meshes, &joints);
@@ -60,12 +60,12 @@ pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
 /// Times at which functions of time are compared.
 fn instants(model: &Model) -> Vec<f64> {
     let Analysis::Dynamics(dynamics) = &model.analysis else { return vec![0.0] };
-    if model.has_functions(false) {
+    if model.has_external_functions(false) {
         return vec![0.0]; // What drives will do is not known yet, but that they start from 0.
     }
     let end = dynamics.duration;
     let mut times: Vec<f64> = (0..=INSTANTS).map(|k| end * f64::from(k) / f64::from(INSTANTS)).collect();
-    let breaks = model.breaks(Clock::Runs);
+    let breaks = model.breaks(TimeMode::AsGiven);
     times.extend(breaks.iter().copied().filter(|t| (0.0..=end).contains(t)));
     times.extend(breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|t| (0.0..=end).contains(t)));
     times

@@ -7,7 +7,7 @@ use ancf_solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 use super::assembled::Assembly;
 use crate::errors::{ModelError, ModelErrors};
 use crate::joints::{Closed, Gap, JointEquations};
-use crate::model::{Clock, Model};
+use crate::model::{Model, TimeMode};
 
 /// Gaps that are none, relative to the length of the model.
 const GAP: f64 = 1e-12;
@@ -37,7 +37,7 @@ impl Model {
         let meshes = model.meshes();
         let draw = |gap| if gap == Gap::Closed { Gap::Drawn } else { Gap::Kept };
         let joints: Vec<JointEquations> = model
-            .joint_equations(&meshes, Clock::Waits)
+            .joint_equations(&meshes, TimeMode::Zero)
             .into_iter()
             .zip(&self.joints)
             .map(|(equations, joint)| equations.with_gap(draw(self.gap(joint))))

@@ -4,7 +4,7 @@ use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 
-use crate::model::{Clock, Load, Model, loads_of};
+use crate::model::{Load, Model, TimeMode, loads_of};
 
 /// The functions of a model, with the paths of their keys.
 #[derive(Debug, Default)]
@@ -46,28 +46,29 @@ impl Inputs {
 }
 
 impl Model {
-    /// The functions of an assembly of this model by a clock.
+    /// Functions of an assembly of this model.
     pub(crate) fn inputs(
         &self,
         bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        clock: Clock,
+        time_mode: TimeMode,
     ) -> Inputs {
         let times = self.time_functions().into_iter();
         let times = times.map(|(path, time)| {
             let drives = path.starts_with("joints");
-            (path, clock.function(time), drives)
+            (path, time_mode.function(time), drives)
         });
         let forces = loads_of(self).filter_map(|(path, load)| {
             let Load::External(external) = load else { return None };
-            Some((path, self.attachment(bodies, &external.on).point, external.function(clock)?))
+            Some((path, self.attachment(bodies, &external.on).point, external.function(time_mode)?))
         });
         Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
     }
 
     /// Breaks of all functions of time, in order.
-    pub(crate) fn breaks(&self, clock: Clock) -> Vec<f64> {
+    pub(crate) fn breaks(&self, time_mode: TimeMode) -> Vec<f64> {
         let functions = self.time_functions().into_iter();
-        let mut breaks: Vec<f64> = functions.flat_map(|(_, time)| clock.function(time).breaks()).collect();
+        let mut breaks: Vec<f64> =
+            functions.flat_map(|(_, time)| time_mode.function(time).breaks()).collect();
         breaks.sort_unstable_by(f64::total_cmp);
         breaks.dedup();
         breaks

@@ -6,10 +6,10 @@ use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
 use crate::joints::{
-    Coupled, Coupling, End, Freed, Gap, Ground, Joint, JointBuilder, JointEnds, JointEquations, JointKind,
-    Numbering,
+    Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
+    JointKind, Numbering,
 };
-use crate::model::{Beam, Body, Clock, Formulation, Model, Place};
+use crate::model::{Beam, Body, Formulation, Model, Place, TimeMode};
 
 impl Model {
     /// Numbers of coordinates and multipliers of bodies and joints.
@@ -26,12 +26,12 @@ impl Model {
     pub(crate) fn joint_equations(
         &self,
         bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        clock: Clock,
+        time_mode: TimeMode,
     ) -> Vec<JointEquations> {
         let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
         let equations = self.joints.iter().enumerate().map(|(number, joint)| {
-            let coupled = |freed| self.is_coupled(number, freed);
-            let numbering = Numbering { coordinate, multiplier, clock };
+            let coupled = |coordinate| self.is_coupled(number, coordinate);
+            let numbering = Numbering { coordinate, multiplier, time_mode };
             let equations = self.equations_of(joint.kind(), bodies, numbering, &coupled);
             (coordinate, multiplier) = (equations.coordinates.end, equations.multipliers.end);
             equations.with_gap(self.gap(joint))
@@ -45,7 +45,7 @@ impl Model {
         joint: &dyn JointKind,
         bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
         numbering: Numbering,
-        coupled: &dyn Fn(Freed) -> bool,
+        coupled: &dyn Fn(JointCoordinate) -> bool,
     ) -> JointEquations {
         let (place, stated) = joint.ends();
         let a = self.attachment(bodies, place);
@@ -92,13 +92,13 @@ impl Model {
     ) -> Vec<Box<dyn Term>> {
         let [_, first] = Self::numbers(bodies, joints);
         let part = |measure: Measured, part: &Coupled| {
-            let (joint, freed) = self.coupled(part)?;
-            let coordinate = joints[joint].freedoms.iter().find_map(|freedom| freedom.coupled(freed))?;
+            let (joint, free) = self.coupled_coordinate(part)?;
+            let coordinate = joints[joint].recorded.iter().find_map(|recorded| recorded.coupled(free))?;
             Some(measure.plus(coordinate, part.factor))
         };
         let tie = |(k, coupling): (usize, &Coupling)| {
             let measure = coupling.joints.iter().try_fold(Measured::default(), part);
-            let measure = measure.expect("a checked coupling names freedoms that are there");
+            let measure = measure.expect("a checked coupling names coordinates of its joints");
             Box::new(MeasureConstraint::new(measure, first + k).named("coupling")) as Box<dyn Term>
         };
         self.couplings.iter().enumerate().map(tie).collect()

@@ -13,7 +13,7 @@ pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
     for (path, body) in bodies_of(model) {
         let sections = || model.sections.keys().map(String::as_str).collect();
         let materials = || model.materials.keys().map(String::as_str).collect();
-        let Some((section, material)) = body.stuff() else {
+        let Some((section, material)) = body.section_and_material() else {
             findings.extend(rule_of_inertia(&path, body));
             continue;
         };

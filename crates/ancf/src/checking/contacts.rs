@@ -26,7 +26,9 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
         }
     }
     let bare = contact.bodies(model).into_iter().map(|i| &model.bodies[i]);
-    let bare = bare.filter(|body| body.stuff().is_some_and(|(name, _)| model.sections.contains_key(name)));
+    let bare = bare.filter(|body| {
+        body.section_and_material().is_some_and(|(name, _)| model.sections.contains_key(name))
+    });
     if let Some(body) = bare.into_iter().find(|body| contact.radius(model, body).is_none()) {
         let found = format!("no radius of {}, whose section is not one circle or tube", quoted(body.name()));
         let error = finding(path.to_owned(), found, "a key `radius`, or other `bodies`");

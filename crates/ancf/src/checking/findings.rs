@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
 use crate::joints::End;
-use crate::model::{At, Body, Model, Named, ON_AXIS, Place, bodies_of, joints_of, loads_of};
+use crate::model::{At, Body, Model, NamedPosition, ON_AXIS, Place, bodies_of, joints_of, loads_of};
 use crate::schema::did_you_mean;
 
 /// How far apart, relative to the longer body, two places may be that a joint connects.
@@ -65,10 +65,10 @@ pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Optio
                 finding(format!("{path}.at"), number(s), wanted).rests_on(rests_on(["from", "to", "shape"]))
             })
         }
-        (Body::Rigid(_), At::Point(_)) | (_, At::Named(Named::Center)) => None,
+        (Body::Rigid(_), At::Point(_)) | (_, At::Named(NamedPosition::Center)) => None,
         (_, at) => {
             let found = match at {
-                At::Named(Named::Start) => "\"start\"".into(),
+                At::Named(NamedPosition::Start) => "\"start\"".into(),
                 At::Named(_) => "\"end\"".into(),
                 At::Length(s) => number(s),
                 At::Point(_) => "a point".into(),

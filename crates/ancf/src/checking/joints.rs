@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::joints::{Acting, Coupled, End, Freed, Joint};
+use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
 use crate::model::{Model, TimeFunction, Varying, joints_of};
 
 /// Axes are directions.
@@ -61,16 +61,21 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
 pub(crate) fn acting(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let (turning, moving) = (joint.kind().turning(), joint.kind().moving());
-        for (acting, names) in [(turning, ["angle", "rate"]), (moving, ["displacement", "speed"])] {
-            findings.extend(rule_of_drive(model, &format!("{path}.{}", acting.table), &acting, names));
+        let (angle, displacement) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
+        for (actions, names) in [(angle, ["angle", "rate"]), (displacement, ["displacement", "speed"])] {
+            findings.extend(rule_of_drive(model, &format!("{path}.{}", actions.table), &actions, names));
         }
     }
     findings
 }
 
-fn rule_of_drive(model: &Model, path: &str, acting: &Acting<'_>, [own, rate]: [&str; 2]) -> Option<Finding> {
-    let drive = acting.drive?;
+fn rule_of_drive(
+    model: &Model,
+    path: &str,
+    actions: &JointActions<'_>,
+    [own, rate]: [&str; 2],
+) -> Option<Finding> {
+    let drive = actions.drive?;
     let wanted = || format!("either `{own}` or `{rate}`");
     match drive.amounts {
         [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), wanted())),
@@ -88,7 +93,7 @@ fn rule_of_drive(model: &Model, path: &str, acting: &Acting<'_>, [own, rate]: [&
             let function = drive.time.compile().ok()?;
             let key = format!("{path}.time");
             if drive.time.jumps() {
-                return Some(finding(key, "a function that jumps", "one that bodies can follow"));
+                return Some(finding(key, "a function that jumps", "a continuous function"));
             }
             let start = amount * function.value(0.0);
             (is_dynamic(model) && start.abs() > 1e-6 * scale(model, own)).then(|| {
@@ -105,7 +110,7 @@ fn scale(model: &Model, own: &str) -> f64 {
     if own == "angle" { 1.0 } else { model.length() }
 }
 
-/// Couplings name freedoms that are there, each once, with factors.
+/// Couplings name free coordinates of joints, each once, with factors.
 pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, coupling) in model.couplings.iter().enumerate() {
@@ -129,10 +134,10 @@ fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -
         let names = model.joints.iter().map(Joint::name).collect();
         return Some(unknown(key, "joint", &part.joint, names).rests_on(["joints".into()]));
     };
-    let listed = match joint.kind().freedoms() {
+    let listed = match joint.kind().free_coordinates() {
         [] => None,
-        [Freed::Angle] => Some("\"angle\""),
-        [Freed::Displacement] => Some("\"displacement\""),
+        [JointCoordinate::Angle] => Some("\"angle\""),
+        [JointCoordinate::Displacement] => Some("\"displacement\""),
         _ => Some("\"angle\" or \"displacement\""),
     };
     let Some(listed) = listed else {
@@ -140,13 +145,13 @@ fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -
         let wanted = "a \"revolute\", \"cylindrical\", \"prismatic\" or \"slide\" joint";
         return Some(finding(key, found, wanted).rests_on(["joints".into()]));
     };
-    if model.coupled(part).is_none() {
+    if model.coupled_coordinate(part).is_none() {
         let found = "a freedom that the joint does not have";
         return Some(finding(format!("{path}.of"), found, listed).rests_on(["joints".into(), key]));
     }
     if part.factor == 0.0 {
         return Some(finding(format!("{path}.factor"), "0", "a factor that is not 0"));
     }
-    let again = before.iter().any(|other| model.coupled(other) == model.coupled(part));
+    let again = before.iter().any(|other| model.coupled_coordinate(other) == model.coupled_coordinate(part));
     again.then(|| finding(key.clone(), format!("{} a second time", quoted(&part.joint)), "each freedom once"))
 }

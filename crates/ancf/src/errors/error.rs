@@ -1,42 +1,42 @@
 use std::fmt;
 use std::ops::{Deref, Range};
 
-/// Something wrong in a model, for its user to mend.
+/// Error in a model.
 ///
-/// All errors of a model are reported together. The path is that of the key in the model file, such as
-/// `bodies[0].material`; the position is known if the model came from a text.
+/// All errors of a model are reported together. The path states the key in the model file, such as `bodies[0].material`. The
+/// position is known if the model was read from a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModelError {
     /// Path of the key, empty for the file as a whole.
     pub path: String,
-    /// What was found there.
+    /// Value or problem that was found.
     pub found: String,
-    /// What is wanted instead.
+    /// Expected value.
     pub wanted: String,
-    /// A suggestion, such as the key that was probably meant.
+    /// Suggestion, such as the corrected key.
     pub hint: Option<String>,
-    /// Where in the text.
+    /// Position in the text.
     pub at: Option<Position>,
 }
 
-/// A place in the text of a model file.
+/// Position in the text of a model file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Position {
     /// Line, from 1.
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Bytes of the text.
+    /// Range of bytes of the text.
     pub bytes: Range<usize>,
 }
 
 impl ModelError {
-    /// An error at `path`.
+    /// Error at `path`.
     pub fn new(path: impl Into<String>, found: impl Into<String>, wanted: impl Into<String>) -> Self {
         Self { path: path.into(), found: found.into(), wanted: wanted.into(), hint: None, at: None }
     }
 
-    /// The same error with a suggestion.
+    /// Adds a suggestion.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
@@ -62,7 +62,7 @@ impl fmt::Display for ModelError {
 
 impl std::error::Error for ModelError {}
 
-/// All that is wrong in a model, in the order of its text; read as a slice of [`ModelError`].
+/// All errors of a model, in the order of its text. Dereferences to a slice of [`ModelError`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModelErrors(pub Vec<ModelError>);
 

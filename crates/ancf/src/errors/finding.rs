@@ -1,13 +1,13 @@
 use super::error::ModelError;
 
-/// An error of a model, with the conditions on which it is reported.
+/// Error of a model, with the conditions under which it is reported.
 #[derive(Debug)]
 pub struct Finding {
     /// The error.
     pub error: ModelError,
-    /// Paths on which the finding depends: if one of them is wrong itself, the finding is dropped.
+    /// Paths on which the finding depends. If one of them has an error, the finding is not reported.
     pub rests_on: Vec<String>,
-    /// True if a part is missing, which an error of syntax may have hidden.
+    /// True if a part is missing. A syntax error may hide it.
     pub absence: bool,
     /// True if the key is wrong, not its value.
     pub at_key: bool,
@@ -19,7 +19,7 @@ impl From<ModelError> for Finding {
     }
 }
 
-/// Finding at the path of a key: what was found there, and what is expected.
+/// Finding at the path of a key, with the found and the expected value.
 pub fn finding(path: String, found: impl Into<String>, wanted: impl Into<String>) -> Finding {
     ModelError::new(path, found, wanted).into()
 }

@@ -1,4 +1,4 @@
-//! Errors of a model: the key, what was found there, what is expected.
+//! Errors of a model: key, found value, expected value.
 
 mod error;
 mod finding;

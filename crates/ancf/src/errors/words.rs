@@ -1,10 +1,10 @@
-/// A number in as few digits as tell it from others.
+/// Number with the smallest number of digits that distinguishes it from other numbers.
 pub(crate) fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 || !x.is_finite() || (1e-4..1e7).contains(&size) { x.to_string() } else { format!("{x:e}") }
 }
 
-/// A text in quotes, shortened if it is long.
+/// Text in quotes, shortened to 40 characters.
 pub(crate) fn quoted(text: &str) -> String {
     match text.char_indices().nth(40) {
         Some((end, _)) => format!("{:?}", format!("{}…", &text[..end])),
@@ -12,7 +12,7 @@ pub(crate) fn quoted(text: &str) -> String {
     }
 }
 
-/// `a, b or c`.
+/// List such as `a, b or c`.
 pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> String {
     let mut words: Vec<_> = words.into_iter().collect();
     match words.pop() {
@@ -21,7 +21,7 @@ pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> Str
     }
 }
 
-/// The candidate that was probably meant by a word, if at most a third of the letters differ.
+/// Candidate nearest to a misspelt word, if at most a third of the letters differ.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{LoadBuilder, LoadKind};
-use crate::model::{Clock, Place};
+use crate::model::{Place, TimeMode};
 use crate::units::{Scaled, Scales};
 
 /// Force at a point, computed by a function of time, position and velocity of the point.
@@ -33,9 +33,9 @@ fn own() -> Scales {
 
 impl ExternalLoad {
     /// Supplied function in the units of the model, for an analysis.
-    pub(crate) fn function(&self, clock: Clock) -> Option<ForceFunction> {
+    pub(crate) fn function(&self, time_mode: TimeMode) -> Option<ForceFunction> {
         let own = self.supplied.as_ref()?;
-        let own = if clock == Clock::Runs { own.clone() } else { own.frozen_at(1.0) };
+        let own = if time_mode == TimeMode::AsGiven { own.clone() } else { own.frozen_at(1.0) };
         Some(own.in_units(self.units.length, self.units.time, self.units.force))
     }
 }
@@ -46,7 +46,7 @@ impl LoadKind for ExternalLoad {
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
-        if let Some(function) = self.function(builder.clock()) {
+        if let Some(function) = self.function(builder.time_mode()) {
             builder.external_force(&self.on, function);
         }
     }

@@ -133,7 +133,7 @@ impl LoadKind for Fluid {
         let mut findings = Vec::new();
         for (key, name) in self.bodies() {
             let Some((owner, body)) = context.body(name) else { continue };
-            let Some((section, _)) = body.stuff() else {
+            let Some((section, _)) = body.section_and_material() else {
                 let found = format!("{}, which is rigid", quoted(name));
                 findings.push(finding(format!("{path}.{key}"), found, "a beam or a cable").rests_on([owner]));
                 continue;

@@ -1,4 +1,4 @@
-//! Data of a model as stated by the user: plain values in the user's units.
+//! Data of a model as given by the user, in the user's units.
 
 mod analyses;
 mod bodies;
@@ -19,8 +19,8 @@ pub use analyses::{
     Start, Statics, Step, Stop,
 };
 pub use bodies::{
-    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, Named, Place, PointMass, Rigid, Shape,
-    Slopes,
+    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place, PointMass, Rigid,
+    Shape, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{TimeFunction, Varying};
@@ -31,20 +31,20 @@ pub use sections::{
 
 pub use crate::errors::{ModelError, ModelErrors, Position};
 pub use crate::joints::{
-    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, Clamped, Coupled, Coupling, Cylindrical,
-    Distance, DrivenClamp, End, Freed, Ground, Joint, LinearDrive, LinearFriction, LinearSpring, Planar,
-    PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
+    AngularDrive, AngularFriction, AngularSpring, Bushing, Clamp, ClampedGradients, Coupled, Coupling,
+    Cylindrical, Distance, DrivenClamp, End, Ground, Joint, JointCoordinate, LinearDrive, LinearFriction,
+    LinearSpring, Planar, PointOnLine, PointSpring, Prismatic, Revolute, Slide, Spherical, Universal,
 };
 pub use crate::loads::{
     BaseAcceleration, DistributedForce, DistributedMoment, ExternalLoad, Fluid, Load, PointForce, PointMoment,
 };
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::ON_AXIS;
-pub(crate) use functions::Clock;
+pub(crate) use functions::TimeMode;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 pub(crate) use sections::disk_area;
 
-/// Flexible multibody model as stated by the user.
+/// Flexible multibody model as given by the user.
 ///
 /// All numbers are in any coherent system of units (m-kg-s, mm-t-s, ...). A model is read from TOML or built in Rust.
 /// [`Model::scaled`] converts it to other units.
@@ -72,7 +72,7 @@ pub struct Model {
     /// Cross-sections by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty", serialize_with = "stated_sections")]
     pub sections: BTreeMap<String, Section>,
-    /// The bodies, flexible and rigid.
+    /// Flexible and rigid bodies.
     #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
     /// Joints between bodies, or between a body and the ground.
@@ -82,7 +82,7 @@ pub struct Model {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[unit(depends)]
     pub couplings: Vec<Coupling>,
-    /// Loads besides gravity.
+    /// Loads in addition to gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]
     pub loads: Vec<Load>,
     /// True to close gaps of joints before the analysis. Gaps are errors by default.
@@ -91,7 +91,7 @@ pub struct Model {
     /// Contacts of bodies with obstacles and with each other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Contact>,
-    /// Units in which the equations are solved; those of the model by default.
+    /// Units in which the equations are solved; the units of the model by default.
     #[serde(default)]
     pub scales: ScaleChoice,
     /// Analysis to run.
@@ -121,7 +121,7 @@ fn stated_joints<S: Serializer>(joints: &[Joint], to: S) -> Result<S::Ok, S::Err
     to.collect_seq(joints.iter().filter(|joint| !matches!(joint, Joint::Custom(_))))
 }
 
-/// Writes the loads that a model file can state.
+/// Writes the loads that model files can contain.
 fn stated_loads<S: Serializer>(loads: &[Load], to: S) -> Result<S::Ok, S::Error> {
     to.collect_seq(loads.iter().filter(|load| !matches!(load, Load::Custom(_))))
 }

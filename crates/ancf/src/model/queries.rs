@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use crate::joints::{Coupled, Freed, Joint, JointContext};
+use crate::joints::{Coupled, Joint, JointContext, JointCoordinate};
 use crate::loads::{Load, LoadContext};
 use crate::model::Model;
 use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
 use crate::model::contacts::Contact;
-use crate::model::functions::{Clock, TimeFunction, Varying};
+use crate::model::functions::{TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
 
 impl Model {
@@ -22,7 +22,7 @@ impl Model {
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
-            Body::Beam(_) | Body::Cable(_) => self.line(body).0 * body.length(),
+            Body::Beam(_) | Body::Cable(_) => self.line_properties(body).0 * body.length(),
         };
         self.bodies.iter().map(mass).sum()
     }
@@ -42,8 +42,9 @@ impl Model {
             Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
             _ => None,
         });
-        let reach = points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
-        if reach > 0.0 { reach } else { 1.0 }
+        let extent =
+            points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
+        if extent > 0.0 { extent } else { 1.0 }
     }
 
     /// Point of a place in the reference state; `None` if the place does not exist.
@@ -53,47 +54,47 @@ impl Model {
     }
 
     /// Mass per length ρA and smaller bending stiffness E I of a flexible body.
-    pub(crate) fn line(&self, body: &Body) -> (f64, f64) {
-        let Some((section, material)) = body.stuff() else { return (0.0, 0.0) };
+    pub(crate) fn line_properties(&self, body: &Body) -> (f64, f64) {
+        let Some((section, material)) = body.section_and_material() else { return (0.0, 0.0) };
         let (material, section) = (&self.materials[material], self.sections[section].moments());
         (material.density * section.area, material.young * section.yy.min(section.zz))
     }
 
     /// Section of a flexible body of a valid model at a fraction of its length, from 0 to 1.
     pub fn section_at(&self, body: &Body, part: f64) -> Option<Section> {
-        let start = &self.sections[body.stuff()?.0];
+        let start = &self.sections[body.section_and_material()?.0];
         match body {
             Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
             _ => Some(start.clone()),
         }
     }
 
-    /// Number of the joint and free coordinate of a member of a coupling; `None` if they do not exist.
-    pub(crate) fn coupled(&self, part: &Coupled) -> Option<(usize, Freed)> {
+    /// Number of the joint and free coordinate in a part of a coupling; `None` if they do not exist.
+    pub(crate) fn coupled_coordinate(&self, part: &Coupled) -> Option<(usize, JointCoordinate)> {
         let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
-        let freedoms = self.joints[joint].kind().freedoms();
-        let freed = part.of.or_else(|| freedoms.first().copied())?;
-        freedoms.contains(&freed).then_some((joint, freed))
+        let free = self.joints[joint].kind().free_coordinates();
+        let coordinate = part.of.or_else(|| free.first().copied())?;
+        free.contains(&coordinate).then_some((joint, coordinate))
     }
 
     /// True if a coupling contains a free coordinate of a joint.
-    pub(crate) fn is_coupled(&self, joint: usize, freed: Freed) -> bool {
+    pub(crate) fn is_coupled(&self, joint: usize, coordinate: JointCoordinate) -> bool {
         let mut parts = self.couplings.iter().flat_map(|coupling| &coupling.joints);
-        parts.any(|part| self.coupled(part) == Some((joint, freed)))
+        parts.any(|part| self.coupled_coordinate(part) == Some((joint, coordinate)))
     }
 
-    /// Treatment of functions of time in the analysis.
-    pub(crate) const fn clock(&self) -> Clock {
-        if self.analysis.dynamics().is_some() { Clock::Runs } else { Clock::Stands }
+    /// Treatment of functions of time in the analysis of the model.
+    pub(crate) const fn time_mode(&self) -> TimeMode {
+        if self.analysis.dynamics().is_some() { TimeMode::AsGiven } else { TimeMode::One }
     }
 
-    /// True if the model has functions of time by name that are supplied (`already`), or not yet supplied.
-    pub(crate) fn has_functions(&self, already: bool) -> bool {
-        let is_one = |time: &TimeFunction| match time {
-            TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == already,
+    /// True if the model has external functions of time that are supplied, or that are not yet supplied.
+    pub(crate) fn has_external_functions(&self, are_supplied: bool) -> bool {
+        let is_meant = |time: &TimeFunction| match time {
+            TimeFunction::Varying(Varying::External { supplied, .. }) => supplied.is_some() == are_supplied,
             _ => false,
         };
-        self.time_functions().iter().any(|(_, time)| is_one(time))
+        self.time_functions().iter().any(|(_, time)| is_meant(time))
     }
 
     /// Functions of time with their paths.
@@ -158,19 +159,21 @@ impl Contact {
     /// Numbers of the bodies in contact.
     pub(crate) fn bodies(&self, model: &Model) -> Vec<usize> {
         let carrier = self.with.on().map(|place| place.body.as_str());
-        let meant = |name: &str| match self.bodies.is_empty() {
+        let is_meant = |name: &str| match self.bodies.is_empty() {
             true => Some(name) != carrier,
             false => self.bodies.iter().any(|body| body == name),
         };
         (0..model.bodies.len())
-            .filter(|&i| model.bodies[i].is_flexible() && meant(model.bodies[i].name()))
+            .filter(|&i| model.bodies[i].is_flexible() && is_meant(model.bodies[i].name()))
             .collect()
     }
 
     /// Contact radius of a body: as stated, or that of a round, constant section.
     pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
         let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
-        let own = || model.sections.get(body.stuff()?.0).filter(|_| !tapered)?.shape().outer_radius();
+        let own = || {
+            model.sections.get(body.section_and_material()?.0).filter(|_| !tapered)?.shape().outer_radius()
+        };
         self.radius.or_else(own)
     }
 }

@@ -1,4 +1,4 @@
-//! Checks of whole models, and assembly of models that pass them.
+//! Checks of whole models, and assembly of valid models.
 
 use serde::Deserialize;
 use toml::Value;
@@ -6,42 +6,43 @@ use toml::Value;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
-use crate::model::{Clock, ExternalLoad, Load, Model, TimeFunction, Varying, loads_of};
-use crate::schema::{SCHEMA, Survey};
+use crate::model::{ExternalLoad, Load, Model, TimeFunction, TimeMode, Varying, loads_of};
+use crate::schema::{SCHEMA, SchemaCheck};
 
 impl Model {
-    /// Makes a model of data such as a table of another language, and checks it.
+    /// Creates a model from data, such as a table of another language, and checks it.
     ///
     /// # Errors
-    /// All that is wrong, without positions.
+    /// All errors of the model, without positions.
     pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
-        let (model, findings) = judge(data);
+        let (model, findings) = check_data(data);
         model.filter(|_| findings.is_empty()).ok_or_else(|| ModelErrors(errors(findings)))
     }
 
-    /// Checks a model that was built in Rust by the rules for model files, and functions that are supplied by those for functions
-    /// of time.
+    /// Checks a model that was built in Rust by the rules for model files.
+    ///
+    /// Supplied functions are checked by the rules for functions of time.
     ///
     /// # Errors
-    /// All that is wrong, without positions.
+    /// All errors of the model, without positions.
     pub fn check(&self) -> Result<(), ModelErrors> {
         let data = Value::try_from(self)
             .map_err(|error| ModelErrors(vec![ModelError::new("", error.to_string(), "a model")]))?;
-        // The data have neither added parts nor supplied functions: the rules are checked on the model itself.
+        // The data lack added joints and loads and supplied functions, so the rules are checked on the model itself.
         let findings = if self.is_extended() {
-            let (survey, _) = Survey::of(&SCHEMA, &data);
-            if survey.findings.is_empty() { broken(self) } else { survey.findings }
+            let (check, _) = SchemaCheck::of(&SCHEMA, &data);
+            if check.findings.is_empty() { rule_findings(self) } else { check.findings }
         } else {
             Self::from_value(&data)?;
-            if self.has_functions(true) { broken(self) } else { Vec::new() }
+            if self.has_external_functions(true) { rule_findings(self) } else { Vec::new() }
         };
         if findings.is_empty() { Ok(()) } else { Err(ModelErrors(errors(findings))) }
     }
 
-    /// Checks that the program has supplied all functions that the model asks for.
+    /// Checks that the program has supplied all external functions of the model.
     ///
     /// # Errors
-    /// Each place that waits for one.
+    /// One error for each function that is not supplied.
     pub fn check_supplies(&self) -> Result<(), ModelErrors> {
         let missing = |path: String, what: &str, name: &str| {
             let found = format!("the external {what} {}", quoted(name));
@@ -65,27 +66,28 @@ impl Model {
         if errors.is_empty() { Ok(()) } else { Err(ModelErrors(errors)) }
     }
 
-    /// Turns a valid model into equations of motion in the model's own numbers.
+    /// Assembles the equations of motion of a valid model, in the units of the model.
     ///
     /// # Errors
-    /// If the model is not valid, or functions are not supplied.
+    /// If the model is not valid, or external functions are not supplied.
     pub fn assemble(&self) -> Result<Assembly, ModelErrors> {
-        self.valid_assembly(Clock::Runs)
+        self.valid_assembly(TimeMode::AsGiven)
     }
 
-    /// The same for statics: functions of time are 1, so that loads and angles have their full values, times the load factor of
-    /// a state.
+    /// Assembles the equations of statics.
+    ///
+    /// Functions of time are 1: loads and prescribed motions have their full values, times the load factor of a state.
     ///
     /// # Errors
-    /// If the model is not valid, or functions are not supplied.
+    /// If the model is not valid, or external functions are not supplied.
     pub fn assemble_static(&self) -> Result<Assembly, ModelErrors> {
-        self.valid_assembly(Clock::Stands)
+        self.valid_assembly(TimeMode::One)
     }
 
-    fn valid_assembly(&self, clock: Clock) -> Result<Assembly, ModelErrors> {
+    fn valid_assembly(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         self.check()?;
         self.check_supplies()?;
-        self.assembled(clock)
+        self.assembled(time_mode)
     }
 }
 
@@ -93,22 +95,22 @@ fn errors(findings: Vec<Finding>) -> Vec<ModelError> {
     findings.into_iter().map(|finding| finding.error).collect()
 }
 
-/// The rules that a model of the right form breaks; only if there is none, what its joints contradict.
-fn broken(model: &Model) -> Vec<Finding> {
+/// Violated rules of a model that satisfies the schema; without any, contradictions of its joints.
+fn rule_findings(model: &Model) -> Vec<Finding> {
     let findings = broken_rules(model);
     if findings.is_empty() { contradictions(model) } else { findings }
 }
 
-/// All that is wrong with data by the schema, and by the rules as far as these rest on sound data.
-pub(crate) fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut survey, mended) = Survey::of(&SCHEMA, data);
-    let mut findings = std::mem::take(&mut survey.findings);
-    let model = Model::deserialize(mended);
-    let broken = model.as_ref().map(broken_rules).unwrap_or_default();
+/// Checks data against the schema, and against those rules that depend on valid data only.
+pub(super) fn check_data(data: &Value) -> (Option<Model>, Vec<Finding>) {
+    let (mut check, corrected) = SchemaCheck::of(&SCHEMA, data);
+    let mut findings = std::mem::take(&mut check.findings);
+    let model = Model::deserialize(corrected);
+    let violations = model.as_ref().map(broken_rules).unwrap_or_default();
     findings = findings.into_iter().map(with_memory).collect();
-    findings.extend(broken.into_iter().map(|finding| spelt(finding, &survey)).filter(|finding| {
-        !survey.has_mended(&finding.error.path)
-            && !finding.rests_on.iter().any(|path| survey.has_mended(path))
+    findings.extend(violations.into_iter().map(|finding| in_file(finding, &check)).filter(|finding| {
+        !check.has_replaced(&finding.error.path)
+            && !finding.rests_on.iter().any(|path| check.has_replaced(path))
     }));
     match &model {
         Ok(model) if findings.is_empty() => findings.extend(contradictions(model)),
@@ -120,9 +122,9 @@ pub(crate) fn judge(data: &Value) -> (Option<Model>, Vec<Finding>) {
     (model.ok(), findings)
 }
 
-/// The finding with its paths as the file spells them.
-fn spelt(mut finding: Finding, survey: &Survey) -> Finding {
-    finding.error.path = survey.spelt(&finding.error.path);
-    finding.rests_on.iter_mut().for_each(|path| *path = survey.spelt(path));
+/// Finding with its paths as in the file.
+fn in_file(mut finding: Finding, check: &SchemaCheck) -> Finding {
+    finding.error.path = check.path_in_file(&finding.error.path);
+    finding.rests_on.iter_mut().for_each(|path| *path = check.path_in_file(path));
     finding
 }

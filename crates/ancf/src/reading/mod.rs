@@ -1,4 +1,4 @@
-//! Models from text, from parts, and with supplied functions.
+//! Reading of models from text, checks of models and parts, and supplied functions.
 
 mod check;
 mod part;

@@ -6,19 +6,19 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::Value;
 
-use super::check::judge;
+use super::check::check_data;
 use crate::errors::{Finding, ModelError, ModelErrors};
 use crate::model::Model;
-use crate::schema::{Document, Survey, position};
+use crate::schema::{Document, SchemaCheck, position};
 
-/// Bytes beyond which a file is taken for something else than a model.
-const LARGEST: u64 = 100_000_000;
+/// Maximum size of a model file in bytes.
+const MAX_BYTES: u64 = 100_000_000;
 
 impl Model {
     /// Reads a model file and checks the model.
     ///
     /// # Errors
-    /// All that is wrong, in the order of the text; or why the file cannot be read.
+    /// All errors of the model, in the order of the text; or the reason why the file cannot be read.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelErrors> {
         Self::parse(&Self::read_text(path)?)
     }
@@ -26,10 +26,10 @@ impl Model {
     /// Reads the text of a model file, for [`Model::parse`].
     ///
     /// # Errors
-    /// Why the file cannot be read.
+    /// The reason why the file cannot be read.
     pub fn read_text(path: impl AsRef<Path>) -> Result<String, ModelErrors> {
         let bytes = bytes_of(path.as_ref()).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
-        if bytes.len() as u64 > LARGEST {
+        if bytes.len() as u64 > MAX_BYTES {
             return Err(ModelErrors(vec![too_large()]));
         }
         String::from_utf8(bytes).map_err(|error| ModelErrors(vec![not_utf8(error.as_bytes())]))
@@ -38,32 +38,32 @@ impl Model {
     /// Reads the text of a model file and checks the model.
     ///
     /// # Errors
-    /// All that is wrong, in the order of the text.
+    /// All errors of the model, in the order of the text.
     ///
     /// ```
     /// let errors = ancf::Model::parse("gravity = [0, -9.81]").unwrap_err();
     /// assert_eq!(errors[2].to_string(), "1:11: gravity: found an array of 2, wanted an array of 3 numbers");
     /// ```
     pub fn parse(text: &str) -> Result<Self, ModelErrors> {
-        judged(text, judge)
+        parse_checked(text, check_data)
     }
 }
 
-/// Reads a TOML text of another type by the rules for model files: `schema` says what it may have, `rules` what else must hold.
+/// Reads a TOML text of another type like a model file. `schema` states the form of the data, `rules` returns violated rules.
 ///
-/// The schema is that of the type by schemars, with all it consists of in place (`SchemaSettings::inline_subschemas`).
+/// The schema is the schemars schema of the type without references (`SchemaSettings::inline_subschemas`).
 ///
 /// # Errors
-/// All that is wrong, in the order of the text; broken rules only where the text has the form of the schema.
+/// All errors of the data, in the order of the text. Rules are checked only if the data satisfy the schema.
 pub fn parse_as<T: DeserializeOwned>(
     text: &str,
     schema: &'static Json,
     rules: impl FnOnce(&T) -> Vec<ModelError>,
 ) -> Result<T, ModelErrors> {
-    judged(text, |data| {
-        let (survey, mended) = Survey::of(schema, data);
-        let mut findings = survey.findings;
-        match T::deserialize(mended) {
+    parse_checked(text, |data| {
+        let (check, corrected) = SchemaCheck::of(schema, data);
+        let mut findings = check.findings;
+        match T::deserialize(corrected) {
             Ok(value) if findings.is_empty() => {
                 findings.extend(rules(&value).into_iter().map(Finding::from));
                 (Some(value), findings)
@@ -76,27 +76,30 @@ pub fn parse_as<T: DeserializeOwned>(
     })
 }
 
-/// Reads a text, has its data judged, and puts what was found in its place.
-fn judged<T>(text: &str, judge: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>)) -> Result<T, ModelErrors> {
+/// Parses a text, checks its data, and locates the findings in the text.
+fn parse_checked<T>(
+    text: &str,
+    check: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>),
+) -> Result<T, ModelErrors> {
     let mut document = Document::parse(text);
-    let (value, findings) = judge(&Value::Table(std::mem::take(&mut document.data)));
-    let is_hidden = |finding: &Finding| finding.absence || document.is_spoilt(&finding.error.path);
+    let (value, findings) = check(&Value::Table(std::mem::take(&mut document.data)));
+    let is_hidden = |finding: &Finding| finding.absence || document.has_syntax_error(&finding.error.path);
     let findings = findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
-    let mut errors: Vec<_> = findings.map(|finding| placed(finding, &document, text)).collect();
+    let mut errors: Vec<_> = findings.map(|finding| located(finding, &document, text)).collect();
     errors.extend(document.errors);
     errors.sort_by_key(|error| error.at.as_ref().map(|at| at.bytes.start));
     value.filter(|_| errors.is_empty()).ok_or(ModelErrors(errors))
 }
 
-fn placed(finding: Finding, document: &Document, text: &str) -> ModelError {
+fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
     let bytes = document.find(&finding.error.path, finding.at_key);
     ModelError { at: Some(position(text, bytes)), ..finding.error }
 }
 
-/// The bytes of a file, no more than one beyond the largest number, be it a pipe that never ends.
+/// Reads the bytes of a file, at most one byte more than the maximum size, since a pipe may be endless.
 fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    fs::File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    fs::File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -110,7 +113,7 @@ fn unreadable(error: &io::Error) -> ModelError {
     let found = match error.kind() {
         ErrorKind::NotFound => "no such file".into(),
         ErrorKind::IsADirectory => "a directory".into(),
-        ErrorKind::PermissionDenied => "a file that may not be read".into(),
+        ErrorKind::PermissionDenied => "a file without read permission".into(),
         _ => error.to_string(),
     };
     ModelError::new("", found, "a model file")

@@ -1,4 +1,4 @@
-//! Values set in the data of a model by paths that people write, such as `bodies.rod.material.young`.
+//! Changes of values in the data of a model by paths, such as `bodies.rod.material.young`.
 
 use std::borrow::Cow;
 
@@ -6,9 +6,9 @@ use serde_json::Value as Json;
 use toml::{Table, Value};
 
 use crate::errors::{ModelError, listed, nearest, quoted};
-use crate::schema::{SCHEMA, Step, did_you_mean, forms, found, keys, kind, segments, spelt, tag};
+use crate::schema::{PathStep, SCHEMA, did_you_mean, forms, found, keys, kind, path_of, path_steps, tag};
 
-/// Keys whose texts are names of something, and where that is.
+/// Keys whose values are names, and the tables or arrays of the named items.
 const REFERENCES: [(&str, &str); 5] = [
     ("material", "materials"),
     ("section", "sections"),
@@ -17,19 +17,20 @@ const REFERENCES: [(&str, &str); 5] = [
     ("joint", "joints"),
 ];
 
-/// Sets a value in the data of a model, before this becomes a [`Model`](crate::model::Model); returns the paths that were set.
+/// Sets a value in the data of a model, from which a [`Model`](crate::model::Model) is then read; returns the paths that were
+/// set.
 ///
-/// | path | what it means |
+/// | path | meaning |
 /// |---|---|
-/// | `analysis.step`, `gravity[1]` | keys with dots, places in vectors from 0 |
-/// | `joints.root.stiffness`, `loads[0].force` | items of arrays by their `name`, or by their place from 0 |
-/// | `bodies.rod.material.young` | a name is followed to what it names, here `materials.steel.young`: for all that use it |
-/// | `elements` | a key that is none of a model's own: that of every body that may have it |
+/// | `analysis.step`, `gravity[1]` | keys separated by dots, indices of components from 0 |
+/// | `joints.root.stiffness`, `loads[0].force` | items of arrays by their `name`, or by their index from 0 |
+/// | `bodies.rod.material.young` | a key of the named item, here `materials.steel.young`; it changes for all bodies that use it |
+/// | `elements` | a key of bodies, not of the model: set in every body that can have it |
 ///
-/// A key that was left out is set if the schema knows it. Whether the value suits is found when the model is read.
+/// A missing key is added if the schema contains it. The value is checked when the model is read.
 ///
 /// # Errors
-/// If the path leads nowhere, at the part of it that does; the data is then as it was.
+/// If the path does not exist. The error states the first part of the path that does not exist; the data are unchanged.
 ///
 /// ```
 /// let mut data: toml::Value = toml::from_str(r#"
@@ -44,110 +45,114 @@ const REFERENCES: [(&str, &str); 5] = [
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn substitute(data: &mut Value, path: &str, value: Value) -> Result<Vec<String>, ModelError> {
-    let mut places: Vec<Vec<Sought>> = Vec::new();
-    for place in resolve(data, &segments(path)?)? {
-        if !places.iter().any(|other| spelt(other.iter().map(|sought| &sought.step)) == place.path()) {
-            places.push(place.steps);
+    let mut locations: Vec<Vec<ResolvedStep>> = Vec::new();
+    for location in resolve(data, &path_steps(path)?)? {
+        if !locations
+            .iter()
+            .any(|other| path_of(other.iter().map(|resolved| &resolved.step)) == location.path())
+        {
+            locations.push(location.steps);
         }
     }
-    for place in &places {
-        put(data, place, &value);
+    for steps in &locations {
+        set(data, steps, &value);
     }
-    Ok(places.iter().map(|place| spelt(place.iter().map(|sought| &sought.step))).collect())
+    Ok(locations.iter().map(|steps| path_of(steps.iter().map(|resolved| &resolved.step))).collect())
 }
 
-/// A step to a place in the data.
+/// Step of a path that was found in the schema.
 #[derive(Clone)]
-struct Sought {
-    step: Step,
-    /// What to put there on the way if there is nothing yet.
-    otherwise: Value,
+struct ResolvedStep {
+    step: PathStep,
+    /// Value that is added if the data has none.
+    initial: Value,
 }
 
-/// A place in the data, and what the schema says of it.
+/// Location in the data with its schema.
 #[derive(Clone)]
-struct Place<'a> {
-    steps: Vec<Sought>,
+struct Location<'a> {
+    steps: Vec<ResolvedStep>,
     schema: &'static Json,
-    /// What is there, or what is meant if there is nothing; `None` if nothing can be meant.
+    /// Value in the data, or the default of a missing value; `None` without a default.
     value: Option<Cow<'a, Value>>,
 }
 
-/// The places that a path means.
-fn resolve<'a>(data: &'a Value, path: &[Step]) -> Result<Vec<Place<'a>>, ModelError> {
-    let root = Place { steps: Vec::new(), schema: &SCHEMA, value: Some(Cow::Borrowed(data)) };
-    let walk = |from: &Place<'a>| {
-        (1..=path.len()).try_fold(from.clone(), |place, end| place.followed(&root).step(&path[..end]))
+/// Returns the locations to which a path refers.
+fn resolve<'a>(data: &'a Value, path: &[PathStep]) -> Result<Vec<Location<'a>>, ModelError> {
+    let root = Location { steps: Vec::new(), schema: &SCHEMA, value: Some(Cow::Borrowed(data)) };
+    let walk = |from: &Location<'a>| {
+        (1..=path.len())
+            .try_fold(from.clone(), |location, end| location.dereferenced(&root).step(&path[..end]))
     };
-    let Step::Key(first) = &path[0] else { return walk(&root).map(|place| vec![place]) };
+    let PathStep::Key(first) = &path[0] else { return walk(&root).map(|location| vec![location]) };
     if !SCHEMA["properties"][first].is_null() {
-        return walk(&root).map(|place| vec![place]);
+        return walk(&root).map(|location| vec![location]);
     }
-    let bodies = root.clone().step(&[Step::Key("bodies".into())])?;
+    let bodies = root.clone().step(&[PathStep::Key("bodies".into())])?;
     let count = bodies.value.as_ref().and_then(|value| value.as_array()).map_or(0, Vec::len);
-    let places = (0..count).map(|i| bodies.clone().step(&[Step::Index(i)]));
-    let places = places.filter(|body| body.as_ref().is_ok_and(|body| body.keys().contains(&&**first)));
-    let places: Vec<_> = places.map(|body| walk(&body?)).collect::<Result<_, _>>()?;
-    if places.is_empty() {
+    let bodies = (0..count).map(|i| bodies.clone().step(&[PathStep::Index(i)]));
+    let bodies = bodies.filter(|body| body.as_ref().is_ok_and(|body| body.keys().contains(&&**first)));
+    let locations: Vec<_> = bodies.map(|body| walk(&body?)).collect::<Result<_, _>>()?;
+    if locations.is_empty() {
         let of_bodies = || forms(&SCHEMA["properties"]["bodies"]["items"]).into_iter().flat_map(keys);
-        let known = of_bodies().any(|key| key == first);
-        let found = if known { format!("no body that may have `{first}`") } else { unknown(first) };
+        let is_known = of_bodies().any(|key| key == first);
+        let found = if is_known { format!("no body that can have `{first}`") } else { unknown(first) };
         let wanted = "a key of the model or of a body".to_owned();
-        let near = nearest(first, keys(&SCHEMA).into_iter().chain(of_bodies())).filter(|_| !known);
-        return Err(did_you_mean(ModelError::new(spelt(&path[..1]), found, wanted), near.map(ticked)));
+        let near = nearest(first, keys(&SCHEMA).into_iter().chain(of_bodies())).filter(|_| !is_known);
+        return Err(did_you_mean(ModelError::new(path_of(&path[..1]), found, wanted), near.map(ticked)));
     }
-    Ok(places)
+    Ok(locations)
 }
 
-impl<'a> Place<'a> {
-    /// The place that is named here, if what is here is the name of something.
-    fn followed(self, root: &Self) -> Self {
-        let Some(Step::Key(key)) = self.steps.last().map(|sought| &sought.step) else { return self };
+impl<'a> Location<'a> {
+    /// Returns the location of the named item, if the value is a name, else the location itself.
+    fn dereferenced(self, root: &Self) -> Self {
+        let Some(PathStep::Key(key)) = self.steps.last().map(|resolved| &resolved.step) else { return self };
         let Some((_, list)) = REFERENCES.iter().find(|(name, _)| name == key) else { return self };
         let Some(name) = self.value.as_ref().and_then(|value| value.as_str()) else { return self };
-        let list = root.clone().step(&[Step::Key((*list).into())]);
-        let named = list.and_then(|list| list.step(&[Step::Key(name.into())]));
-        // A name of nothing is an error of the model, which ends the walk here as any text does.
+        let list = root.clone().step(&[PathStep::Key((*list).into())]);
+        let named = list.and_then(|list| list.step(&[PathStep::Key(name.into())]));
+        // An unknown name is an error of the model. The next step reports it like any other text.
         named.unwrap_or(self)
     }
 
-    /// One step on: the last of a path.
-    fn step(self, path: &[Step]) -> Result<Self, ModelError> {
+    /// Follows the last step of a path.
+    fn step(self, path: &[PathStep]) -> Result<Self, ModelError> {
         let Some(step) = path.last() else { return Ok(self) };
         match (self.value.as_deref(), step) {
-            (Some(Value::Table(_)), Step::Key(key)) => self.entry(key, path),
-            (Some(Value::Array(_)), Step::Key(name)) => self.named(name, path),
-            (Some(Value::Array(items)), Step::Index(i)) => {
+            (Some(Value::Table(_)), PathStep::Key(key)) => self.entry(key, path),
+            (Some(Value::Array(_)), PathStep::Key(name)) => self.named_item(name, path),
+            (Some(Value::Array(items)), PathStep::Index(i)) => {
                 let count = items.len();
                 if *i < count { Ok(self.item(*i)) } else { Err(out_of_range(*i, count, path)) }
             }
-            (value, step) => Err(no_way_on(value, step, path)),
+            (value, step) => Err(no_such_step(value, step, path)),
         }
     }
 
-    /// The keys that the schema admits here.
+    /// Keys that the schema allows.
     fn keys(&self) -> Vec<&'static str> {
         self.forms().into_iter().flat_map(keys).collect()
     }
 
-    /// The forms of the table that is here.
+    /// Forms that the schema allows for the table; one form if the table states its tag.
     fn forms(&self) -> Vec<&'static Json> {
         let mut tables = forms(self.schema);
         tables.retain(|form| kind(form) == "object");
-        let is_said =
+        let is_stated =
             |form: &&'static Json| tag(form).is_some_and(|(key, word)| self.text(key) == Some(word));
-        match tables.iter().copied().find(is_said) {
+        match tables.iter().copied().find(is_stated) {
             Some(form) => vec![form],
             None => tables,
         }
     }
 
-    /// The text of a key of the table that is here.
+    /// Text of a key of the table.
     fn text(&self, key: &str) -> Option<&str> {
         self.value.as_deref()?.get(key)?.as_str()
     }
 
-    fn entry(self, key: &str, path: &[Step]) -> Result<Self, ModelError> {
+    fn entry(self, key: &str, path: &[PathStep]) -> Result<Self, ModelError> {
         let forms = self.forms();
         let any_key = forms.first().map(|form| &form["additionalProperties"]).filter(|any| any.is_object());
         if let Some(schema) = any_key {
@@ -162,34 +167,34 @@ impl<'a> Place<'a> {
             if !names.contains(&key) {
                 return Err(no_such_name(key, &names, path));
             }
-            return Ok(self.go(Step::Key(key.into()), schema));
+            return Ok(self.child(PathStep::Key(key.into()), schema));
         }
         let properties = forms.iter().map(|form| &form["properties"][key]);
         match properties.into_iter().find(|schema| !schema.is_null()) {
-            Some(schema) => Ok(self.go(Step::Key(key.into()), schema)),
+            Some(schema) => Ok(self.child(PathStep::Key(key.into()), schema)),
             None => {
                 let mut known = self.keys();
                 known.sort_unstable();
                 known.dedup();
                 let near = nearest(key, known.iter().copied());
                 let wanted = listed(known.iter().copied().map(ticked), "or");
-                Err(did_you_mean(ModelError::new(spelt(path), unknown(key), wanted), near.map(ticked)))
+                Err(did_you_mean(ModelError::new(path_of(path), unknown(key), wanted), near.map(ticked)))
             }
         }
     }
 
-    /// The item of a name.
-    fn named(self, name: &str, path: &[Step]) -> Result<Self, ModelError> {
+    /// Item of an array by its name.
+    fn named_item(self, name: &str, path: &[PathStep]) -> Result<Self, ModelError> {
         let items = self.value.as_deref().and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         let names: Vec<_> = items.iter().filter_map(|item| item.get("name")?.as_str()).collect();
-        let place = items.iter().position(|item| item.get("name").and_then(Value::as_str) == Some(name));
-        match place {
+        let index = items.iter().position(|item| item.get("name").and_then(Value::as_str) == Some(name));
+        match index {
             Some(i) => Ok(self.item(i)),
             None if names.is_empty() && !items.is_empty() => {
                 let wanted =
-                    format!("a place from 0 in brackets, such as `{}[0]`", spelt(&path[..path.len() - 1]));
+                    format!("an index from 0 in brackets, such as `{}[0]`", path_of(&path[..path.len() - 1]));
                 Err(ModelError::new(
-                    spelt(path),
+                    path_of(path),
                     format!("`{name}` after {}", found(&Value::Array(items.to_vec()))),
                     wanted,
                 ))
@@ -201,28 +206,28 @@ impl<'a> Place<'a> {
     fn item(self, i: usize) -> Self {
         let array = forms(self.schema).into_iter().find(|form| kind(form) == "array");
         let schema = array.map_or(&Json::Null, |array| &array["items"]);
-        self.go(Step::Index(i), schema)
+        self.child(PathStep::Index(i), schema)
     }
 
-    fn go(self, step: Step, schema: &'static Json) -> Self {
+    fn child(self, step: PathStep, schema: &'static Json) -> Self {
         let value = match self.value {
             Some(Cow::Borrowed(value)) => step.of(value).map(Cow::Borrowed),
             Some(Cow::Owned(value)) => step.of(&value).cloned().map(Cow::Owned),
             None => None,
         };
-        let otherwise = initial(schema);
-        let value = value.or_else(|| otherwise.clone().map(Cow::Owned));
+        let initial = initial(schema);
+        let value = value.or_else(|| initial.clone().map(Cow::Owned));
         let mut steps = self.steps;
-        steps.push(Sought { step, otherwise: otherwise.unwrap_or(Value::Table(Table::new())) });
+        steps.push(ResolvedStep { step, initial: initial.unwrap_or(Value::Table(Table::new())) });
         Self { steps, schema, value }
     }
 
     fn path(&self) -> String {
-        spelt(self.steps.iter().map(|sought| &sought.step))
+        path_of(self.steps.iter().map(|resolved| &resolved.step))
     }
 }
 
-/// What a key means that was left out: its default, a table to be filled, or no items.
+/// Value of a missing key: its default, an empty table, or an empty array of tables.
 fn initial(schema: &'static Json) -> Option<Value> {
     let default = schema.get("default").and_then(|default| Value::try_from(default).ok());
     default.or_else(|| {
@@ -234,18 +239,18 @@ fn initial(schema: &'static Json) -> Option<Value> {
     })
 }
 
-/// Puts a value at a place that was found in this data.
-fn put(data: &mut Value, place: &[Sought], value: &Value) {
-    let Some((first, rest)) = place.split_first() else { return data.clone_from(value) };
+/// Sets a value at a location that was found in this data.
+fn set(data: &mut Value, steps: &[ResolvedStep], value: &Value) {
+    let Some((first, rest)) = steps.split_first() else { return data.clone_from(value) };
     let next = match (&first.step, data) {
-        (Step::Key(key), Value::Table(table)) => {
-            Some(table.entry(key.clone()).or_insert_with(|| first.otherwise.clone()))
+        (PathStep::Key(key), Value::Table(table)) => {
+            Some(table.entry(key.clone()).or_insert_with(|| first.initial.clone()))
         }
-        (Step::Index(i), Value::Array(items)) => items.get_mut(*i),
+        (PathStep::Index(i), Value::Array(items)) => items.get_mut(*i),
         _ => None,
     };
     if let Some(next) = next {
-        put(next, rest, value);
+        set(next, rest, value);
     }
 }
 
@@ -257,36 +262,38 @@ fn unknown(key: &str) -> String {
     format!("unknown key `{key}`")
 }
 
-fn no_such_name(name: &str, names: &[&str], path: &[Step]) -> ModelError {
+fn no_such_name(name: &str, names: &[&str], path: &[PathStep]) -> ModelError {
     let wanted = match names {
-        [] => "a name, of which there are none".to_owned(),
+        [] => "a path without a name, since there are no items".to_owned(),
         names => listed(names.iter().copied().map(ticked), "or"),
     };
-    let error = ModelError::new(spelt(path), format!("no `{name}`"), wanted);
+    let error = ModelError::new(path_of(path), format!("no `{name}`"), wanted);
     did_you_mean(error, nearest(name, names.iter().copied()).map(ticked))
 }
 
-fn out_of_range(i: usize, count: usize, path: &[Step]) -> ModelError {
+fn out_of_range(i: usize, count: usize, path: &[PathStep]) -> ModelError {
     let wanted = match count {
-        0 => "an item, of which there are none".to_owned(),
+        0 => "a path without an index, since there are no items".to_owned(),
         1 => "the only item, `[0]`".to_owned(),
-        _ => format!("a place from `[0]` to `[{}]`", count - 1),
+        _ => format!("an index from `[0]` to `[{}]`", count - 1),
     };
-    ModelError::new(spelt(path), format!("place `[{i}]`"), wanted)
+    ModelError::new(path_of(path), format!("index `[{i}]`"), wanted)
 }
 
-/// A path that goes on where it should end, or wants an item where there are keys.
-fn no_way_on(value: Option<&Value>, step: &Step, path: &[Step]) -> ModelError {
-    let before = spelt(&path[..path.len() - 1]);
+/// Error of a path that is too long, or that has an index where there are keys.
+fn no_such_step(value: Option<&Value>, step: &PathStep, path: &[PathStep]) -> ModelError {
+    let before = path_of(&path[..path.len() - 1]);
     let (found, wanted) = match (value, step) {
-        (Some(Value::Table(_)), Step::Index(i)) => (format!("place `[{i}]` of a table"), "a key".to_owned()),
-        (Some(Value::String(text)), _) => (format!("the text {} before it", quoted(text)), ends(&before)),
-        (Some(value), _) => (format!("{} before it", found(value)), ends(&before)),
-        (None, _) => (format!("no `{before}` before it"), "it to be set as a whole".to_owned()),
+        (Some(Value::Table(_)), PathStep::Index(i)) => {
+            (format!("index `[{i}]` of a table"), "a key".to_owned())
+        }
+        (Some(Value::String(text)), _) => (format!("the text {} before it", quoted(text)), path_end(&before)),
+        (Some(value), _) => (format!("{} before it", found(value)), path_end(&before)),
+        (None, _) => (format!("no `{before}` before it"), format!("a value for `{before}` as a whole")),
     };
-    ModelError::new(spelt(path), found, wanted)
+    ModelError::new(path_of(path), found, wanted)
 }
 
-fn ends(before: &str) -> String {
+fn path_end(before: &str) -> String {
     format!("a path that ends with `{before}`")
 }

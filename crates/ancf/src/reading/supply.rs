@@ -1,13 +1,14 @@
-//! Functions that the program supplies to a model, by the names under which the model asks for them.
+//! External functions of a model, which the program supplies by name.
 
 use ancf_mechanics::functions::{ExternalFunction, ForceFunction};
 
 use crate::model::{Load, Model, TimeFunction, Varying};
 
 impl Model {
-    /// Supplies a function of time wherever the model asks for one of this name; returns whether it does anywhere.
+    /// Supplies an external function of time by its name; returns true if the model uses it.
     ///
-    /// A motor that a program controls:
+    /// Example: a motor that a program controls.
+    ///
     ///
     /// ```
     /// use ancf::mechanics::functions::{ExternalFunction, FunctionValue};
@@ -41,20 +42,20 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn supply(&mut self, name: &str, function: ExternalFunction) -> bool {
-        let mut asked = false;
+        let mut is_used = false;
         for time in self.time_functions_mut() {
             if let TimeFunction::Varying(Varying::External { name: own, supplied, .. }) = time
                 && own == name
             {
-                (*supplied, asked) = (Some(function.clone()), true);
+                (*supplied, is_used) = (Some(function.clone()), true);
             }
         }
-        asked
+        is_used
     }
 
-    /// Supplies a force wherever the model asks for one of this name; returns whether it does anywhere.
+    /// Supplies an external force by its name; returns true if the model uses it.
     ///
-    /// A spring that holds a mass to the origin, with which it swings once in a unit of time:
+    /// Example: a spring between a mass and the origin. The period of vibration is one unit of time.
     ///
     /// ```
     /// use ancf::mechanics::functions::ForceFunction;
@@ -80,14 +81,14 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn supply_force(&mut self, name: &str, function: ForceFunction) -> bool {
-        let mut asked = false;
+        let mut is_used = false;
         for load in &mut self.loads {
             if let Load::External(external) = load
                 && external.name == name
             {
-                (external.supplied, asked) = (Some(function.clone()), true);
+                (external.supplied, is_used) = (Some(function.clone()), true);
             }
         }
-        asked
+        is_used
     }
 }

@@ -45,7 +45,7 @@ pub struct Rows {
 pub(crate) struct Past {
     /// Total energy of the first state.
     initial: Option<f64>,
-    /// Angles of the row before, by freedom.
+    /// Angles of the row before, by coordinate.
     angles: Vec<f64>,
 }
 
@@ -94,8 +94,8 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, own: &[&str]) -> Vec<Col
         columns.extend(Column::of(name, ["fx", "fy", "fz"], Dimension::FORCE));
         columns.extend(Column::of(name, ["mx", "my", "mz"], Dimension::ENERGY));
     }
-    for (joint, freedom) in assembly.freedoms() {
-        let pairs = freedom.columns().into_iter().zip(freedom.dimensions());
+    for (joint, coordinate) in assembly.joint_coordinates() {
+        let pairs = coordinate.columns().into_iter().zip(coordinate.dimensions());
         columns.extend(pairs.flat_map(|(column, dimension)| Column::of(joint, [column], dimension)));
     }
     if assembly.energy_parts {
@@ -140,7 +140,7 @@ impl Rows {
             columns,
             scales,
             parts: assembly.energy_parts,
-            past: Past { initial: None, angles: vec![0.0; assembly.freedoms().count()] },
+            past: Past { initial: None, angles: vec![0.0; assembly.joint_coordinates().count()] },
         }
     }
 
@@ -167,7 +167,7 @@ impl Rows {
             self.extend(reaction.force, Dimension::FORCE);
             self.extend(reaction.moment, Dimension::ENERGY);
         }
-        self.freedoms(assembly, s);
+        self.joint_coordinates(assembly, s);
         if self.parts {
             for (_, body) in assembly.bodies() {
                 let StrainEnergy { axial, bending, shear, torsion, section, volume } = body.strain_energy(s);
@@ -236,14 +236,14 @@ impl Rows {
         }
     }
 
-    fn freedoms(&mut self, assembly: &Assembly, s: &State) {
-        for (k, (_, freedom)) in assembly.freedoms().enumerate() {
-            let [mut value, rate] = freedom.at(s);
-            if freedom.wraps() {
+    fn joint_coordinates(&mut self, assembly: &Assembly, s: &State) {
+        for (k, (_, coordinate)) in assembly.joint_coordinates().enumerate() {
+            let [mut value, rate] = coordinate.at(s);
+            if coordinate.wraps() {
                 value += TAU * ((self.past.angles[k] - value) / TAU).round();
                 self.past.angles[k] = value;
             }
-            let [of_value, of_rate] = freedom.dimensions();
+            let [of_value, of_rate] = coordinate.dimensions();
             self.push(value, of_value);
             self.push(rate, of_rate);
         }

@@ -3,27 +3,28 @@
 use nalgebra::Vector3;
 
 use crate::model::Model;
-use crate::units::{Chosen, ScaleChoice, Scales};
+use crate::units::{ChosenScales, ScaleChoice, Scales};
 
 /// Quantities of a model from which its units are chosen.
-struct Largest {
+struct ReferenceQuantities {
     name: String,
     length: f64,
     line_mass: f64,
     /// Unit of force without gravity, and its formula.
     force: f64,
-    of_force: &'static str,
+    force_formula: &'static str,
 }
 
 impl Model {
     /// Chooses the units in which the equations of this model are solved.
     ///
     /// The model must be valid (see [`Model::check`]).
-    pub fn scales(&self) -> Chosen {
+    pub fn scales(&self) -> ChosenScales {
         if self.scales == ScaleChoice::None {
-            return Chosen { scales: Scales::UNIT, reason: "the user's own units".into() };
+            return ChosenScales { scales: Scales::UNIT, reason: "the user's own units".into() };
         }
-        let Largest { name, length, line_mass, force, of_force } = self.largest();
+        let ReferenceQuantities { name, length, line_mass, force, force_formula } =
+            self.reference_quantities();
         let weight = line_mass * length * Vector3::from(self.gravity).norm();
         let (scales, reason) = match self.scales {
             ScaleChoice::Given { length, force, time } => {
@@ -40,22 +41,28 @@ impl Model {
             ),
             ScaleChoice::Auto | ScaleChoice::None => (
                 Scales::from_force(length, force, line_mass).rounded(),
-                format!("length L and {of_force} of {name}, time by eq. (7), as powers of two"),
+                format!("length L and {force_formula} of {name}, time by eq. (7), as powers of two"),
             ),
         };
-        Chosen { scales, reason }
+        ChosenScales { scales, reason }
     }
 
     /// Quantities of the longest flexible body, or of the whole model if all bodies are rigid.
-    fn largest(&self) -> Largest {
+    fn reference_quantities(&self) -> ReferenceQuantities {
         let flexible = self.bodies.iter().filter(|body| body.is_flexible());
         if let Some(body) = flexible.max_by(|a, b| a.length().total_cmp(&b.length())) {
-            let (length, (line_mass, bending)) = (body.length(), self.line(body));
+            let (length, (line_mass, bending)) = (body.length(), self.line_properties(body));
             let (name, force) = (format!("the longest body, `{}`", body.name()), bending / length.powi(2));
-            return Largest { name, length, line_mass, force, of_force: "E I/L2" };
+            return ReferenceQuantities { name, length, line_mass, force, force_formula: "E I/L2" };
         }
         let (length, mass) = (self.length(), self.mass());
         let name = "the whole model".into();
-        Largest { name, length, line_mass: mass / length, force: mass * length, of_force: "mass times L" }
+        ReferenceQuantities {
+            name,
+            length,
+            line_mass: mass / length,
+            force: mass * length,
+            force_formula: "mass times L",
+        }
     }
 }

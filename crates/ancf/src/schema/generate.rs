@@ -1,4 +1,4 @@
-//! The JSON Schema of a model file, and the words in which it speaks to a user.
+//! JSON Schema of a model file, and its description in messages.
 
 use std::sync::LazyLock;
 
@@ -12,10 +12,10 @@ use super::units::add_units;
 use crate::errors::{listed, quoted};
 use crate::model::Model;
 
-/// The schema as the reader of models uses it.
+/// Schema for reading models.
 pub(crate) static SCHEMA: LazyLock<Json> = LazyLock::new(|| schema().to_value());
 
-/// The JSON Schema (draft 2020-12) of a model file, generated from [`Model`].
+/// Returns the JSON Schema (draft 2020-12) of a model file, generated from [`Model`].
 ///
 /// The keyword `x-unit` states the unit of a key as a product of powers, such as `force/length^2`.
 pub fn schema() -> Schema {
@@ -28,38 +28,38 @@ pub fn schema() -> Schema {
     Schema::try_from(json).expect("an object is a schema")
 }
 
-/// The text of `docs/model.schema.json`, by which an editor completes and checks model files.
+/// Returns the text of `docs/model.schema.json`, for completion and checks in an editor.
 pub fn schema_text() -> String {
     let text = serde_json::to_string_pretty(&schema());
     text.expect("a schema has text keys and finite numbers only") + "\n"
 }
 
-/// Links between Rust items mean nothing to the reader of a schema.
+/// Removes links between Rust items from a description.
 fn without_links(schema: &mut Schema) {
     if let Some(Json::String(text)) = schema.get_mut("description") {
         *text = text.replace("[`", "`").replace("`]", "`");
     }
 }
 
-/// The forms a schema allows, with references and alternatives resolved.
+/// Alternative forms of a schema, with references resolved.
 pub(crate) fn forms(schema: &'static Json) -> Vec<&'static Json> {
     let name = schema["$ref"].as_str().and_then(|name| name.strip_prefix("#/$defs/"));
     if let Some(name) = name {
         return forms(&SCHEMA["$defs"][name]);
     }
     match ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array()) {
-        // That a key may be left out is no form of its value.
+        // `null` marks an optional key; it is not a form of the value.
         Some(forms_of) => forms_of.iter().flat_map(forms).filter(|form| form["type"] != "null").collect(),
         None => vec![schema],
     }
 }
 
-/// Whether a form admits anything.
+/// True if a form allows any value.
 pub(crate) fn is_free(form: &Json) -> bool {
     form["type"].is_null() && form["const"].is_null()
 }
 
-/// The type of a form; that a key may be left out (`null`) is said by `required`.
+/// Type of a form. `null` is ignored, since `required` states whether a key is optional.
 pub(crate) fn kind(form: &Json) -> &str {
     let first = |types: &'_ Vec<Json>| types.iter().position(|kind| kind != "null");
     match &form["type"] {
@@ -68,13 +68,13 @@ pub(crate) fn kind(form: &Json) -> &str {
     }
 }
 
-/// The key that tells the forms of a table apart, and its value in this form.
+/// Key that distinguishes the forms of a table, and its value in this form.
 pub(crate) fn tag(form: &'static Json) -> Option<(&'static str, &'static str)> {
     let keys = form["properties"].as_object()?;
     keys.iter().find_map(|(key, schema)| Some((key.as_str(), schema["const"].as_str()?)))
 }
 
-/// The keys of a table, in alphabetical order.
+/// Keys of a table, in alphabetical order.
 pub(crate) fn keys(form: &'static Json) -> Vec<&'static str> {
     let mut keys: Vec<_> =
         form["properties"].as_object().into_iter().flatten().map(|(key, _)| &**key).collect();
@@ -82,12 +82,12 @@ pub(crate) fn keys(form: &'static Json) -> Vec<&'static str> {
     keys
 }
 
-/// The keys that a table must have, in the order of the type.
+/// Required keys of a table, in the order of the type.
 pub(crate) fn required(form: &'static Json) -> impl Iterator<Item = &'static str> {
     form["required"].as_array().into_iter().flatten().filter_map(Json::as_str)
 }
 
-/// Whether a number is within the limits of a form.
+/// True if a number is within the limits of a form.
 pub(crate) fn allows(form: &Json, x: f64) -> bool {
     let holds = |key: &str, test: fn(f64, f64) -> bool| form[key].as_f64().is_none_or(|limit| test(x, limit));
     x.is_finite()
@@ -98,7 +98,7 @@ pub(crate) fn allows(form: &Json, x: f64) -> bool {
         && (form["format"] != "uint32" || x <= f64::from(u32::MAX))
 }
 
-/// What a form wants, in words.
+/// Description of the values that a form allows.
 pub(crate) fn wanted(form: &'static Json) -> String {
     match kind(form) {
         "number" => format!("a number{}", limits(form)),
@@ -144,7 +144,7 @@ fn wanted_table(form: &'static Json) -> String {
     }
 }
 
-/// What any of several forms wants, in words.
+/// Description of the values that alternative forms allow.
 pub(crate) fn wanted_of(forms: &[&'static Json]) -> String {
     let tags: Vec<_> = forms.iter().filter_map(|form| tag(form)).collect();
     match tags.first() {
@@ -157,7 +157,7 @@ pub(crate) fn wanted_of(forms: &[&'static Json]) -> String {
     }
 }
 
-/// A value as it would be written in a model file, if it is short.
+/// Description of a value: short values as in a model file.
 pub(crate) fn found(value: &Value) -> String {
     match value {
         Value::String(text) => quoted(text),

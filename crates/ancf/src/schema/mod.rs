@@ -6,9 +6,9 @@ mod schema_check;
 mod syntax;
 mod units;
 
-pub(crate) use address::{Step, segments, spelt};
+pub(crate) use address::{PathStep, path_of, path_steps};
 pub(crate) use generate::{SCHEMA, forms, found, keys, kind, tag};
 pub use generate::{schema, schema_text};
 pub use schema_check::join;
-pub(crate) use schema_check::{Survey, did_you_mean};
+pub(crate) use schema_check::{SchemaCheck, did_you_mean};
 pub(crate) use syntax::{Document, position};

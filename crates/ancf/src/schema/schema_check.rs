@@ -1,6 +1,6 @@
-//! Compares data with a schema, such as that of a model, collects all that is wrong, and mends a copy.
+//! Checks data against a schema, collects all errors, and returns a corrected copy of the data.
 //!
-//! The mended copy has the form of the schema, so that the rules of `check` can be applied to the rest of it.
+//! The corrected copy satisfies the schema, so that further rules can be checked on its valid part.
 
 use std::collections::BTreeMap;
 
@@ -10,38 +10,38 @@ use toml::{Table, Value};
 use super::generate::{allows, forms, found, is_free, keys, kind, required, tag, wanted, wanted_of};
 use crate::errors::{Finding, ModelError, listed, nearest, quoted};
 
-/// What a comparison with the schema brought to light.
+/// Result of the check of data against a schema.
 #[derive(Debug, Default)]
-pub(crate) struct Survey {
+pub(crate) struct SchemaCheck {
     pub(crate) findings: Vec<Finding>,
-    /// Paths whose values were replaced by something of the right type.
-    mended: Vec<String>,
-    /// Paths as meant and as spelt.
+    /// Paths whose values were replaced by valid values.
+    replaced: Vec<String>,
+    /// Corrected paths, and the paths in the file.
     misspelt: Vec<(String, String)>,
 }
 
-/// A table with the keys as meant; each goes with the key as spelt.
+/// Table by corrected keys, with the keys in the file.
 type Entries<'a> = BTreeMap<&'a str, (&'a str, &'a Value)>;
 
-impl Survey {
-    /// Compares data with a schema; returns a copy of the data that has its form.
+impl SchemaCheck {
+    /// Checks data against a schema; returns the findings and a corrected copy of the data.
     pub(crate) fn of(schema: &'static Json, data: &Value) -> (Self, Value) {
-        let mut survey = Self::default();
-        let mended = survey.value(schema, data, "");
-        (survey, mended)
+        let mut check = Self::default();
+        let corrected = check.value(schema, data, "");
+        (check, corrected)
     }
 
-    /// The path in the file of a path in the model: the same but for misspelt keys.
-    pub(crate) fn spelt(&self, path: &str) -> String {
+    /// Converts a path in the model to the path in the file. Misspelt keys differ.
+    pub(crate) fn path_in_file(&self, path: &str) -> String {
         self.misspelt.iter().fold(path.to_owned(), |path, (meant, spelt)| match path.strip_prefix(&**meant) {
             Some(rest) if within(&path, meant) => format!("{spelt}{rest}"),
             _ => path,
         })
     }
 
-    /// Whether the value at this path of the file was mended.
-    pub(crate) fn has_mended(&self, path: &str) -> bool {
-        self.mended.iter().any(|mended| within(path, mended))
+    /// True if the value at this path of the file was replaced.
+    pub(crate) fn has_replaced(&self, path: &str) -> bool {
+        self.replaced.iter().any(|replaced| within(path, replaced))
     }
 
     fn value(&mut self, schema: &'static Json, value: &Value, path: &str) -> Value {
@@ -60,16 +60,16 @@ impl Survey {
             }
             Value::Boolean(_) if !of(&["boolean"]).is_empty() => value.clone(),
             Value::String(text) if !of(&["string"]).is_empty() => self.text(&forms, text, path),
-            _ => self.wrong(&forms, value, path),
+            _ => self.wrong_type(&forms, value, path),
         }
     }
 
     fn number(&mut self, form: &'static Json, value: &Value, path: &str) -> Value {
         let x = match *value {
             Value::Float(x) if kind(form) == "number" => x,
-            // Beyond 2⁵³ this rounds, as reading the same digits with a decimal point would.
+            // Integers above 2⁵³ are rounded, like numbers with a decimal point.
             Value::Integer(n) => n as f64,
-            _ => return self.wrong(&[form], value, path),
+            _ => return self.wrong_type(&[form], value, path),
         };
         if !x.is_finite() {
             self.report(path, value, wanted(form).replacen("a number", "a finite number", 1));
@@ -99,19 +99,19 @@ impl Survey {
     fn array(&mut self, form: &'static Json, items: &[Value], path: &str) -> Value {
         let count = |key: &str| form[key].as_u64().and_then(|count| usize::try_from(count).ok());
         let (min, max) = (count("minItems").unwrap_or(0), count("maxItems").unwrap_or(usize::MAX));
-        let before = self.mended.len();
+        let before = self.replaced.len();
         let item = |(i, item)| self.value(&form["items"], item, &format!("{path}[{i}]"));
-        let mut mended: Vec<_> = items.iter().enumerate().map(item).collect();
-        // Whoever uses a vector uses all of it.
-        if min == max && self.mended.len() > before {
-            self.mended.push(path.to_owned());
+        let mut corrected: Vec<_> = items.iter().enumerate().map(item).collect();
+        // Rules use all components of a vector, so one replaced component invalidates the vector.
+        if min == max && self.replaced.len() > before {
+            self.replaced.push(path.to_owned());
         }
         if !(min..=max).contains(&items.len()) {
             self.report(path, &Value::Array(items.to_vec()), wanted(form));
-            self.mended.push(path.to_owned());
-            mended.resize_with(mended.len().clamp(min, max), || placeholder(&form["items"]));
+            self.replaced.push(path.to_owned());
+            corrected.resize_with(corrected.len().clamp(min, max), || placeholder(&form["items"]));
         }
-        Value::Array(mended)
+        Value::Array(corrected)
     }
 
     fn table(&mut self, forms: &[&'static Json], table: &Table, path: &str) -> Value {
@@ -122,38 +122,39 @@ impl Survey {
             return Value::Table(table.iter().map(entry).collect());
         }
         let mut entries: Entries = table.iter().map(|(key, value)| (&**key, (&**key, value))).collect();
-        let (form, sure) = self.form(forms, &mut entries, path);
-        if sure {
-            self.correct(form, &mut entries, path);
+        let (form, is_certain) = self.form(forms, &mut entries, path);
+        if is_certain {
+            self.correct_keys(form, &mut entries, path);
         }
-        self.properties(form, &entries, sure, path)
+        self.properties(form, &entries, is_certain, path)
     }
 
-    /// Which of several forms a table has by its tag, and whether that is sure; takes out the tag.
+    /// Selects the form of a table by its tag, and removes the tag from the entries. The flag is true if the form is certain.
     fn form(&mut self, forms: &[&'static Json], entries: &mut Entries, path: &str) -> (&'static Json, bool) {
-        let Some((key, _)) = tag(forms[0]) else { return (nearest_form(forms, entries), true) };
+        let Some((key, _)) = tag(forms[0]) else { return (untagged_form(forms, entries), true) };
         self.correct_tag(key, forms, entries, path);
         let words = || forms.iter().filter_map(|form| Some(tag(form)?.1));
         let named = |word| forms.iter().copied().find(|form| tag(form).is_some_and(|(_, own)| own == word));
-        let said = entries.remove(key);
-        let word = said.and_then(|(_, value)| value.as_str());
+        let stated = entries.remove(key);
+        let word = stated.and_then(|(_, value)| value.as_str());
         if let Some(form) = word.and_then(named) {
             return (form, true);
         }
         let near = word.and_then(|word| nearest(word, words()));
         let wanted = listed(words().map(quoted), "or");
-        match said {
+        match stated {
             Some((spelt, value)) => {
                 let error = ModelError::new(join(path, spelt), found(value), wanted);
                 self.findings.push(did_you_mean(error, near.map(quoted)).into());
             }
             None => self.missing(key, wanted, &Json::Null, path),
         }
-        self.mended.push(join(path, key));
-        near.and_then(named).map_or_else(|| (closest(forms, entries), forms.len() == 1), |form| (form, true))
+        self.replaced.push(join(path, key));
+        near.and_then(named)
+            .map_or_else(|| (form_by_keys(forms, entries), forms.len() == 1), |form| (form, true))
     }
 
-    /// Finds the tag under a misspelt key.
+    /// Corrects a misspelt tag.
     fn correct_tag<'a>(
         &mut self,
         tag: &'a str,
@@ -169,8 +170,8 @@ impl Survey {
         }
     }
 
-    /// Reports keys that the form has not, and reads those that are misspelt as they were meant.
-    fn correct(&mut self, form: &'static Json, entries: &mut Entries, path: &str) {
+    /// Reports unknown keys, and corrects misspelt keys.
+    fn correct_keys(&mut self, form: &'static Json, entries: &mut Entries, path: &str) {
         let keys = keys(form);
         let unknown: Vec<_> = entries.keys().copied().filter(|key| !keys.contains(key)).collect();
         for spelt in unknown {
@@ -192,31 +193,31 @@ impl Survey {
         }
     }
 
-    /// The table's properties as the form wants them; what is missing is reported if the form is sure.
-    fn properties(&mut self, form: &'static Json, entries: &Entries, sure: bool, path: &str) -> Value {
-        let mut mended = Table::new();
+    /// Returns the corrected properties of a table. Missing keys are reported if the form is certain.
+    fn properties(&mut self, form: &'static Json, entries: &Entries, is_certain: bool, path: &str) -> Value {
+        let mut corrected = Table::new();
         for key in keys(form) {
             let schema = &form["properties"][key];
             if let Some((_, word)) = tag(form).filter(|(tag, _)| *tag == key) {
-                mended.insert(key.into(), word.into());
+                corrected.insert(key.into(), word.into());
             } else if let Some((spelt, value)) = entries.get(key) {
-                mended.insert(key.into(), self.value(schema, value, &join(path, spelt)));
+                corrected.insert(key.into(), self.value(schema, value, &join(path, spelt)));
             } else if required(form).any(|required| required == key) {
-                if sure {
+                if is_certain {
                     self.missing(key, wanted_of(&forms(schema)), &schema["description"], path);
                 }
-                mended.insert(key.into(), self.replace(schema, &join(path, key)));
+                corrected.insert(key.into(), self.replace(schema, &join(path, key)));
             }
         }
-        Value::Table(mended)
+        Value::Table(corrected)
     }
 
     fn replace(&mut self, schema: &'static Json, path: &str) -> Value {
-        self.mended.push(path.to_owned());
+        self.replaced.push(path.to_owned());
         placeholder(schema)
     }
 
-    fn wrong(&mut self, forms: &[&'static Json], value: &Value, path: &str) -> Value {
+    fn wrong_type(&mut self, forms: &[&'static Json], value: &Value, path: &str) -> Value {
         let mut error = ModelError::new(path, found(value), wanted_of(forms));
         let is_list = |form: &&&Json| kind(form) == "array" && kind(&form["items"]) != "number";
         error.hint =
@@ -244,13 +245,13 @@ impl Survey {
     }
 }
 
-/// The first of the forms that have the most keys of a table.
-fn closest(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+/// Form with the largest number of keys of a table; the first of equals.
+fn form_by_keys(forms: &[&'static Json], entries: &Entries) -> &'static Json {
     let common = |form: &&Json| entries.keys().filter(|key| !form["properties"][**key].is_null()).count();
     forms.iter().copied().rev().max_by_key(common).unwrap_or(forms[0])
 }
 
-/// The error with the suggestion, if there is one.
+/// Adds a suggestion to an error, if there is one.
 pub(crate) fn did_you_mean(error: ModelError, meant: Option<String>) -> ModelError {
     match meant {
         Some(meant) => error.hint(format!("did you mean {meant}?")),
@@ -258,8 +259,8 @@ pub(crate) fn did_you_mean(error: ModelError, meant: Option<String>) -> ModelErr
     }
 }
 
-/// The form without a tag to which most keys belong, as spelt or as probably meant; the first of equals.
-fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
+/// Form without a tag that has the largest number of keys, also of misspelt keys; the first of equals.
+fn untagged_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
     let known = |form: &Json, key: &str| !form["properties"][key].is_null();
     let meant = |form: &'static Json, key: &str| known(form, key) || nearest(key, keys(form)).is_some();
     let fit = |form: &'static Json| {
@@ -269,8 +270,10 @@ fn nearest_form(forms: &[&'static Json], entries: &Entries) -> &'static Json {
     forms.iter().copied().rev().max_by_key(|form| fit(form)).unwrap_or(forms[0])
 }
 
-/// The path of a key in a table, as TOML spells it: in quotes if it has other signs than letters, digits, `_` and `-`,
-/// with a backslash before quotes and backslashes, and `\uXXXX` for what controls.
+/// Path of a key in a table, in the syntax of TOML.
+///
+/// A key with other characters than letters, digits, `_` and `-` is in quotes, with escape sequences for quotes, backslashes
+/// and control characters.
 pub fn join(path: &str, key: &str) -> String {
     let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
     let key = if bare { key.to_owned() } else { format!("\"{}\"", escaped(key)) };
@@ -285,12 +288,12 @@ fn escaped(key: &str) -> String {
     })
 }
 
-/// Whether a path is another or lies below it.
+/// True if a path equals another path or is below it.
 fn within(path: &str, above: &str) -> bool {
     path.strip_prefix(above).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
-/// A value of the right type.
+/// Valid value for a schema: its default, or a value of the required type.
 fn placeholder(schema: &'static Json) -> Value {
     if let Some(default) = schema.get("default").and_then(|default| Value::try_from(default).ok()) {
         return default;

@@ -1,4 +1,4 @@
-//! A TOML text as data with positions, as much of it as can be understood.
+//! Parsing of a TOML text into data with positions, with recovery from syntax errors.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -9,40 +9,40 @@ use toml::{Spanned, Table, Value};
 use super::schema_check::join;
 use crate::errors::{ModelError, Position};
 
-/// Errors of syntax after which the rest of a text is not looked at.
-const MANY: usize = 20;
+/// Number of syntax errors after which the rest of a text is ignored.
+const MAX_SYNTAX_ERRORS: usize = 20;
 
-/// What a TOML text says.
+/// Content of a TOML text.
 #[derive(Debug, Default)]
 pub(crate) struct Document {
-    /// The data; what could not be understood is left out, all of it if that is too much.
+    /// Data without the statements that have syntax errors; empty if there are too many.
     pub(crate) data: Table,
-    /// Errors of syntax, in the order of the text.
+    /// Syntax errors, in the order of the text.
     pub(crate) errors: Vec<ModelError>,
-    /// Where keys and values are, by path.
-    places: BTreeMap<String, Place>,
-    /// Lines left out, in bytes.
+    /// Positions of keys and values, by path.
+    entries: BTreeMap<String, EntrySpan>,
+    /// Ranges of bytes that were blanked out.
     blank: Vec<Range<usize>>,
 }
 
-/// Where a key and its value are, in bytes.
+/// Positions of a key and its value, in bytes.
 #[derive(Clone, Debug)]
-struct Place {
+struct EntrySpan {
     key: Range<usize>,
     value: Range<usize>,
 }
 
 impl Document {
-    /// Reads a text.
+    /// Parses a text.
     ///
-    /// After an error of syntax its statement is blanked out and the text is read again, so that one open bracket
-    /// does not swallow all that follows.
+    /// After a syntax error the statement is blanked out and the text is parsed again. Without this step, one unclosed bracket
+    /// would hide all following errors.
     pub(crate) fn parse(text: &str) -> Self {
         let mut rest = text.to_owned();
         let mut document = Self::default();
         while let Some((error, blank)) = document.read(text, &rest) {
             document.errors.push(error);
-            if document.errors.len() == MANY || rest[blank.clone()].trim().is_empty() {
+            if document.errors.len() == MAX_SYNTAX_ERRORS || rest[blank.clone()].trim().is_empty() {
                 document.data = Table::new();
                 break;
             }
@@ -54,16 +54,16 @@ impl Document {
         document
     }
 
-    /// Notes what the text says; the first error of syntax, if there is one, and the lines it spoils.
+    /// Stores the data of a text; returns the first syntax error, if there is one, and the lines of its statement.
     fn read(&mut self, text: &str, rest: &str) -> Option<(ModelError, Range<usize>)> {
         let (table, errors) = DeTable::parse_recoverable(rest);
-        self.places.clear();
+        self.entries.clear();
         self.data = self.table(table.get_ref(), "");
         let first = errors.into_iter().min_by_key(|error| error.span().map_or(0, |span| span.start))?;
         let span = first.span().unwrap_or(0..0);
-        let unclosed = self.places.values().filter(|place| is_unclosed(&place.value, span.start, rest));
-        Some(match unclosed.min_by_key(|place| place.value.start) {
-            Some(Place { key, value }) => {
+        let unclosed = self.entries.values().filter(|entry| is_unclosed(&entry.value, span.start, rest));
+        Some(match unclosed.min_by_key(|entry| entry.value.start) {
+            Some(EntrySpan { key, value }) => {
                 (unclosed_error(text, value.start), lines(rest, key.start, is_statement))
             }
             None if is_header(line(rest, span.start)) => {
@@ -94,33 +94,33 @@ impl Document {
             }
             DeValue::Table(table) => Value::Table(self.table(table, &path)),
         };
-        self.places.insert(path, Place { key, value: value.span() });
+        self.entries.insert(path, EntrySpan { key, value: value.span() });
         data
     }
 
-    /// Where the value of a path is, or its key; where its nearest parent is, if it is not there.
+    /// Position of the value of a path, or of its key; position of the nearest parent if the path is missing.
     pub(crate) fn find(&self, path: &str, at_key: bool) -> Range<usize> {
-        match self.places.get(path) {
-            Some(place) if at_key => place.key.clone(),
-            Some(place) => place.value.clone(),
+        match self.entries.get(path) {
+            Some(entry) if at_key => entry.key.clone(),
+            Some(entry) => entry.value.clone(),
             None => path.rfind(['.', '[']).map_or(0..0, |end| self.find(&path[..end], false)),
         }
     }
 
-    /// Whether an error of syntax lies within the value of a path.
-    pub(crate) fn is_spoilt(&self, path: &str) -> bool {
+    /// True if the value of a path contains a syntax error.
+    pub(crate) fn has_syntax_error(&self, path: &str) -> bool {
         let value = self.find(path, false);
         self.blank.iter().any(|blank| value.start <= blank.start && blank.start < value.end)
     }
 }
 
-/// Integers beyond 64 bits become numbers with a decimal point.
+/// Converts integers of more than 64 bits to numbers with a decimal point.
 fn integer(n: &DeInteger<'_>) -> Value {
     let exact = i64::from_str_radix(n.as_str(), n.radix()).map(Value::Integer);
     exact.unwrap_or_else(|_| n.as_str().parse().map_or(Value::Float(f64::NAN), Value::Float))
 }
 
-/// The position of a range of bytes.
+/// Position of a range of bytes.
 pub(crate) fn position(text: &str, bytes: Range<usize>) -> Position {
     let before = text.get(..bytes.start).unwrap_or(text);
     let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -128,7 +128,7 @@ pub(crate) fn position(text: &str, bytes: Range<usize>) -> Position {
     Position { line: before.matches('\n').count() + 1, column, bytes }
 }
 
-/// The error of the TOML reader in our words.
+/// Converts an error of the TOML parser.
 fn error(text: &str, error: &toml::de::Error, span: Range<usize>) -> ModelError {
     let word = text.get(span.clone()).unwrap_or_default().trim();
     let (what, wanted) = error.message().split_once(", expected ").unwrap_or((error.message(), "valid TOML"));
@@ -154,7 +154,7 @@ fn unclosed_error(text: &str, start: usize) -> ModelError {
     ModelError { at, ..ModelError::new("", format!("{what} that does not end"), format!("{end} at its end")) }
 }
 
-/// Whether a value is still open where an error was met: at the end, or at what looks like the next statement.
+/// True if a value is unclosed at the position of an error: at the end of the text, or at the next statement.
 fn is_unclosed(value: &Range<usize>, error: usize, text: &str) -> bool {
     let inside = value.start < error && error <= value.end;
     inside
@@ -162,7 +162,7 @@ fn is_unclosed(value: &Range<usize>, error: usize, text: &str) -> bool {
         && (text[error..].trim().is_empty() || is_statement(line(text, error)))
 }
 
-/// The lines from that of a byte to the next one that passes a test.
+/// Range of lines from the line of a byte to the next line that passes a test.
 fn lines(text: &str, at: usize, is_next: fn(&str) -> bool) -> Range<usize> {
     let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
     let mut end = start;
@@ -175,7 +175,7 @@ fn lines(text: &str, at: usize, is_next: fn(&str) -> bool) -> Range<usize> {
     start..end
 }
 
-/// The line of a byte.
+/// Line of a byte.
 fn line(text: &str, at: usize) -> &str {
     text[lines(text, at, |_| true)].trim()
 }

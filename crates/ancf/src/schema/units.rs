@@ -25,16 +25,16 @@ pub(super) fn add_units(schema: &mut Json, at: &str, tree: &UnitTree) {
     }
 }
 
-/// Pointer to a form of a value: the form with this tag, or the one at this place of the type.
-fn form(schema: &Json, list: &str, place: usize, word: &str) -> String {
+/// Pointer to a form of a value: the form with this tag, else the form with this index in the type.
+fn form(schema: &Json, list: &str, index: usize, word: &str) -> String {
     for key in ["oneOf", "anyOf"] {
         let Some(forms) = schema.pointer(list).and_then(|list| list[key].as_array()) else { continue };
         let is_tagged = |form: &Json| {
             let keys = form["properties"].as_object();
             keys.is_some_and(|keys| keys.values().any(|value| value["const"] == word))
         };
-        let place = forms.iter().position(is_tagged).unwrap_or(place);
-        return format!("{list}/{key}/{place}");
+        let index = forms.iter().position(is_tagged).unwrap_or(index);
+        return format!("{list}/{key}/{index}");
     }
     list.to_owned()
 }
@@ -44,7 +44,7 @@ fn set(schema: &mut Json, at: &str, unit: Json) {
     key["x-unit"] = unit;
 }
 
-/// Pointer to the schema of a value, with references, arrays, maps and absent values resolved.
+/// Pointer to the schema of a value, with references, arrays, maps and optional values resolved.
 fn resolved(schema: &Json, at: &str) -> String {
     let Some(here) = schema.pointer(at) else { return at.to_owned() };
     if let Some(reference) = here["$ref"].as_str() {
@@ -110,7 +110,7 @@ mod tests {
         }
     }
 
-    /// Units in a description: the parts between commas, semicolons and full stops that are units.
+    /// Units in a description: those parts between commas, semicolons and full stops that are units.
     fn described(text: &str) -> BTreeSet<[i32; 3]> {
         let text = text.replace('\n', " ");
         let parts = text.split(". ").flat_map(|sentence| sentence.trim_end_matches('.').split([',', ';']));
@@ -122,7 +122,7 @@ mod tests {
         texts.iter().map(|text| dimension(text.as_str().unwrap()).unwrap()).collect()
     }
 
-    /// Paths and schemas of all parts that have a unit.
+    /// Collects paths and schemas of all parts with a unit.
     fn quantities<'a>(part: &'a Json, path: &str, found: &mut Vec<(String, &'a Json)>) {
         if !part["x-unit"].is_null() {
             found.push((path.to_owned(), part));

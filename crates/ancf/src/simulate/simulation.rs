@@ -5,13 +5,13 @@ use crate::errors::ModelErrors;
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
 use crate::model::{Model, Section, SectionObject};
-use crate::units::{Chosen, Scales};
+use crate::units::{ChosenScales, Scales};
 
 /// A model that is ready to run: checked, scaled, assembled.
 #[derive(Debug)]
 pub struct Simulation {
     pub(crate) scaled: Model,
-    pub(crate) chosen: Chosen,
+    pub(crate) chosen: ChosenScales,
     pub(crate) assembly: Assembly,
     pub(crate) interrupt: Interrupt,
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::model::Analysis;
-use crate::units::{Chosen, Scales};
+use crate::units::{ChosenScales, Scales};
 
 /// How a run ended. Whatever was recorded until then stands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -85,7 +85,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(crate) fn new(assembly: &Assembly, chosen: Chosen) -> Self {
+    pub(crate) fn new(assembly: &Assembly, chosen: ChosenScales) -> Self {
         Self {
             outcome: Outcome::Finished,
             time: 0.0,

@@ -11,13 +11,13 @@ pub enum ScaleChoice {
     /// Units of the model: the dimensional form of the equations.
     #[default]
     None,
-    /// Units of Kim et al. (2017), for one beam under gravity. They are the length of the beam, the weight of one element and
-    /// the time by eq. (7).
+    /// Units of Kim et al. (2017), for one beam under gravity: the length of the beam, the weight of one element and the time by
+    /// eq. (7).
     Paper,
     /// Length and weight of the longest body.
     ///
-    /// Units are the length L, the weight, or E I/L² without gravity, and the time by eq. (7) of Kim et al. (2017). Each is
-    /// rounded to a power of two, so that conversion is exact.
+    /// The unit of force is the weight, or E I/L² without gravity. The unit of time follows from eq. (7) of Kim et al. (2017).
+    /// Units are rounded to powers of two, so that conversion is exact.
     Auto,
     /// Given units.
     Given {
@@ -39,7 +39,7 @@ pub enum ScaleChoice {
 
 /// Units chosen for a model.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
+pub struct ChosenScales {
     /// Units of the equations.
     pub scales: Scales,
     /// Reason for the choice, in words.

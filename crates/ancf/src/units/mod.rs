@@ -8,7 +8,7 @@ mod scales;
 mod unit_tree;
 
 pub(crate) use ancf_derive::Scaled;
-pub use choice::{Chosen, ScaleChoice};
+pub use choice::{ChosenScales, ScaleChoice};
 pub(crate) use convert::{Convert, number};
 pub use names::Units;
 pub use scaled::Scaled;

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use super::scales::Scales;
 use super::unit_tree::UnitTree;
 
-/// Types of the model that can be written in other units; implemented by `#[derive(Scaled)]`.
+/// Types of the model that can be converted to other units; implemented by `#[derive(Scaled)]`.
 ///
 /// Numbers do not implement it: they state their dimension by the attribute `#[unit(..)]`.
 #[diagnostic::on_unimplemented(
@@ -68,7 +68,7 @@ impl Scaled for u32 {
     }
 }
 
-/// Units of the model, measured in units of another program.
+/// Units of the model, expressed in the units of another program.
 impl Scaled for Scales {
     fn scaled(self, scales: &Scales) -> Self {
         self.then(scales)

@@ -55,13 +55,13 @@ impl Dimension {
     }
 }
 
-/// Units of length, time and force in which a model is rewritten.
+/// Units of length, time and force to which a model is converted.
 ///
 /// A quantity x of dimension Lˡ Tᵗ Fᶠ has the value x* = x / (Lˡ Tᵗ Fᶠ) in these units.
 ///
 /// Scales form a group: identity [`Scales::UNIT`], composition [`Scales::then`], inverse [`Scales::inverse`].
 ///
-/// Scales are measured in the units of the model, any coherent system.
+/// Scales are expressed in the units of the model, any coherent system.
 /// Source: Kim et al. (2017), eqs (7), (8), (26), (33).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

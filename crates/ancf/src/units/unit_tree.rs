@@ -1,4 +1,4 @@
-/// Units of the keys of a type, nested as the type is.
+/// Units of the keys of a type, nested like the type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnitTree {
     /// No unit.
@@ -9,6 +9,6 @@ pub enum UnitTree {
     Components(&'static [&'static str]),
     /// Keys of a table and their units.
     Keys(Vec<(&'static str, Self)>),
-    /// Forms of which a value has one, in the order of the type, by name.
+    /// Alternative forms of a value by name, in the order of the type.
     Forms(Vec<(&'static str, Self)>),
 }

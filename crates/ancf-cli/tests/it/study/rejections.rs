@@ -28,7 +28,7 @@ fn invalid_studies_are_rejected() {
             &[
                 ":4:12: parameters.elements: found 2 values, wanted 3, as many as `bodies.beam.elements` has",
                 ":4:12: parameters.elements: found `bodies[0].elements`, which `bodies.beam.elements` sets too",
-                ":6:16: parameters.\"gravity[3]\": found place `[3]`, wanted a place from `[0]` to `[2]`",
+                ":6:16: parameters.\"gravity[3]\": found index `[3]`, wanted an index from `[0]` to `[2]`",
                 ":7:20: parameters.\"bodies.beem.to\": found no `beem`, wanted `beam` (did you mean `beam`?)",
                 ":7:20: parameters.\"bodies.beem.to\": found a distribution without `samples`",
                 ":7:56: parameters.\"bodies.beem.to\".high: found 1, wanted a number > 2, which is `low`",

@@ -34,7 +34,7 @@ from ancf.model.base.functions import (
     TimeFunction,
     Varying,
 )
-from ancf.model.base.places import At, End, Ground, Named, Place
+from ancf.model.base.places import At, End, Ground, NamedPosition, Place
 from ancf.model.bodies import (
     Arc,
     Beam,
@@ -58,14 +58,14 @@ from ancf.model.drives import (
     AngularSpring,
     Coupled,
     Coupling,
-    Freed,
+    JointCoordinate,
     LinearDrive,
     LinearFriction,
     LinearSpring,
 )
 from ancf.model.joints import (
     Clamp,
-    Clamped,
+    ClampedGradients,
     Cylindrical,
     Drive,
     Joint,
@@ -121,7 +121,7 @@ __all__ = [
     "Cable",
     "Circle",
     "Clamp",
-    "Clamped",
+    "ClampedGradients",
     "Contact",
     "ContactSurface",
     "Coupled",
@@ -144,7 +144,6 @@ __all__ = [
     "Fluid",
     "Force",
     "Formulation",
-    "Freed",
     "GeneralSection",
     "GeneralizedAlpha",
     "GivenScales",
@@ -153,6 +152,7 @@ __all__ = [
     "IncrementStop",
     "InitialMotion",
     "Joint",
+    "JointCoordinate",
     "LinearDrive",
     "LinearFriction",
     "LinearSpring",
@@ -162,7 +162,7 @@ __all__ = [
     "Model",
     "Modes",
     "Moment",
-    "Named",
+    "NamedPosition",
     "Newmark",
     "NewtonMethod",
     "NoScales",

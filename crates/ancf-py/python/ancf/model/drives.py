@@ -15,7 +15,7 @@ __all__ = [
     "AngularSpring",
     "Coupled",
     "Coupling",
-    "Freed",
+    "JointCoordinate",
     "LinearDrive",
     "LinearFriction",
     "LinearSpring",
@@ -24,7 +24,7 @@ __all__ = [
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class AngularDrive(Part):
-    """Prescribes the angle of a joint: by ``angle`` or by ``rate``.
+    """Prescribed angle of a joint, by ``angle`` or by ``rate``.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class AngularFriction(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class LinearDrive(Part):
-    """Prescribes the displacement of a joint: by ``displacement`` or by ``speed``.
+    """Prescribed displacement of a joint, by ``displacement`` or by ``speed``.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ class LinearFriction(Part):
     speed: float
 
 
-Freed: TypeAlias = Literal["angle", "displacement"]
+JointCoordinate: TypeAlias = Literal["angle", "displacement"]
 """Free coordinate of a joint.
 
 * ``"angle"``: Angle about the axis.
@@ -178,7 +178,7 @@ class Coupled(Part):
 
     joint: str
     factor: float
-    of: Freed | None = None
+    of: JointCoordinate | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)

@@ -5,7 +5,7 @@ use ancf_mechanics::constraints::{CoincidenceConstraint, Wrench};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
-use super::freedom::Freedom;
+use super::recorded_coordinate::RecordedCoordinate;
 use super::term::JointTerm;
 
 /// Result of closing the gaps of a model, in the units of the assembly.
@@ -48,15 +48,15 @@ pub(crate) struct JointEquations {
     pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
     /// Angles and displacements by which the joint moves.
-    pub(crate) freedoms: Vec<Freedom>,
+    pub(crate) recorded: Vec<RecordedCoordinate>,
 }
 
 impl fmt::Debug for JointEquations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, coordinates, multipliers, freedoms, .. } = self;
+        let Self { name, coordinates, multipliers, recorded, .. } = self;
         let mut debug = f.debug_struct("JointEquations");
         debug.field("name", name).field("coordinates", coordinates).field("multipliers", multipliers);
-        debug.field("freedoms", freedoms).finish_non_exhaustive()
+        debug.field("recorded", recorded).finish_non_exhaustive()
     }
 }
 

@@ -3,7 +3,7 @@ use nalgebra::Vector3;
 
 use super::context::LoadContext;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::model::{At, Body, Named, ON_AXIS};
+use crate::model::{At, Body, NamedPosition, ON_AXIS};
 
 /// Part of a body's axis with a load per length that varies linearly.
 #[derive(Clone, Copy, Debug)]
@@ -91,10 +91,10 @@ impl LoadedSpan {
 
 /// Start of an axis, the default of `from`.
 pub(in crate::loads) fn start() -> At {
-    At::Named(Named::Start)
+    At::Named(NamedPosition::Start)
 }
 
 /// End of an axis, the default of `to`.
 pub(in crate::loads) fn end() -> At {
-    At::Named(Named::End)
+    At::Named(NamedPosition::End)
 }

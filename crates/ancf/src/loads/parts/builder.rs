@@ -8,7 +8,7 @@ use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
 use super::context::LoadContext;
-use crate::model::{Body, Clock, Place, TimeFunction};
+use crate::model::{Body, Place, TimeFunction, TimeMode};
 
 /// Builder of the terms of one load.
 ///
@@ -17,7 +17,7 @@ pub struct LoadBuilder<'a> {
     context: &'a dyn LoadContext,
     bodies: &'a [(String, BodyTerms)],
     attach: &'a dyn Fn(&Place) -> Attachment,
-    clock: Clock,
+    time_mode: TimeMode,
     terms: Vec<Box<dyn Term>>,
 }
 
@@ -33,9 +33,9 @@ impl<'a> LoadBuilder<'a> {
         context: &'a dyn LoadContext,
         bodies: &'a [(String, BodyTerms)],
         attach: &'a dyn Fn(&Place) -> Attachment,
-        clock: Clock,
+        time_mode: TimeMode,
     ) -> Self {
-        Self { context, bodies, attach, clock, terms: Vec::new() }
+        Self { context, bodies, attach, time_mode, terms: Vec::new() }
     }
 
     /// The finished terms.
@@ -45,12 +45,12 @@ impl<'a> LoadBuilder<'a> {
 
     /// Function of time for the analysis: 1 in statics, where the load factor multiplies the load.
     pub fn function(&self, time: &TimeFunction) -> Function {
-        self.clock.function(time)
+        self.time_mode.function(time)
     }
 
     /// Treatment of functions of time.
-    pub(crate) fn clock(&self) -> Clock {
-        self.clock
+    pub(crate) fn time_mode(&self) -> TimeMode {
+        self.time_mode
     }
 
     /// Attachment of a place to its body.

@@ -43,7 +43,7 @@ pub struct Dynamics {
     #[unit(time)]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
-    /// Step size, time; in the units of the model, whatever the scales.
+    /// Step size, time; in the units of the model with any `scales`.
     pub step: Step,
     /// Time integration scheme.
     #[serde(default)]
@@ -76,7 +76,7 @@ impl Dynamics {
         10
     }
 
-    /// Settings of a duration and a step, with default values otherwise.
+    /// Settings with a duration and a fixed step; default values otherwise.
     pub const fn new(duration: f64, step: f64) -> Self {
         Self {
             duration,
@@ -164,8 +164,7 @@ pub enum Scheme {
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     GeneralizedAlpha {
-        /// Spectral radius at infinite frequency: 0 removes such vibrations in one step, 1 is without damping. Recommended:
-        /// 0.8.
+        /// Spectral radius at infinite frequency, from 0 (maximum damping) to 1 (no damping). Recommended: 0.8.
         #[unit(number)]
         #[schemars(range(min = 0, max = 1))]
         spectral_radius: f64,
@@ -174,7 +173,7 @@ pub enum Scheme {
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     Hht {
-        /// α from −1/3, maximum damping, to 0, no damping.
+        /// α from −1/3 (maximum damping) to 0 (no damping).
         #[unit(number)]
         #[schemars(extend("minimum" = -1.0 / 3.0, "maximum" = 0))]
         alpha: f64,

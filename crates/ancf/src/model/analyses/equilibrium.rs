@@ -6,7 +6,7 @@ use crate::units::Scaled;
 
 /// Settings of an equilibrium under increasing loads. The factor `load` multiplies all loads, gravity included.
 ///
-/// Load increments are automatic. A failed increment is halved, the one after a success doubled.
+/// Load increments are automatic. A failed increment is halved; after a success the next increment is doubled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Statics {
@@ -34,7 +34,7 @@ impl Default for Statics {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Path {
-    /// Load factor at which the path ends when first reached.
+    /// Load factor at which the path ends when it first reaches it.
     #[unit(number)]
     pub load: f64,
     /// Maximum number of points.

@@ -11,7 +11,7 @@ pub struct Probe {
     /// Name in the outputs. The columns are `name.x`, `name.vx`, `name.ax` and so on.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The place on the axis.
+    /// Place on the axis.
     pub on: Place,
     /// Coordinates (y, z) of the point in the section, length; on the axis by default.
     #[serde(default)]
@@ -61,17 +61,17 @@ pub struct Output {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub interval: Option<f64>,
-    /// Record each n-th instant. The first and the last instant are always recorded.
+    /// Recording of every n-th instant only. The first and the last instant are always recorded.
     #[schemars(range(min = 1))]
     pub every: u32,
-    /// Record the parts of the strain energy of each body.
+    /// True to record the parts of the strain energy of each body.
     pub energy_parts: bool,
-    /// Write `probes.csv`.
+    /// True to write `probes.csv`.
     pub csv: bool,
-    /// Write `results.parquet`.
+    /// True to write `results.parquet`.
     pub parquet: bool,
-    /// Approximate number of states kept for figures and reports, evenly spaced in time. The first and the last are kept.
-    /// Equilibria, modes and critical loads are all kept, unless 0.
+    /// Approximate number of states stored for figures and reports, evenly spaced in time. The first and the last state are
+    /// always stored. All equilibria, modes and critical loads are stored, unless 0.
     pub states: u32,
 }
 

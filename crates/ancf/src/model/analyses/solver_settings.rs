@@ -7,8 +7,8 @@ use crate::units::Scaled;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum NewtonMethod {
-    /// Modified Newton: a new tangent only if it is cheaper than more iterations with the old one. Absolute convergence
-    /// criteria and redundant joints use the full method instead.
+    /// Modified Newton: a new tangent only if it costs less than more iterations with the old tangent. Absolute convergence
+    /// criteria and redundant joints require the full method.
     #[default]
     Modified,
     /// Full Newton: a new tangent in each iteration.

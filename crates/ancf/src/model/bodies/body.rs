@@ -37,7 +37,7 @@ impl Body {
     }
 
     /// Names of the start section and of the material of a flexible body.
-    pub fn stuff(&self) -> Option<(&str, &str)> {
+    pub fn section_and_material(&self) -> Option<(&str, &str)> {
         match self {
             Self::Beam(beam) => Some((&beam.section, &beam.material)),
             Self::Cable(cable) => Some((&cable.section, &cable.material)),
@@ -60,7 +60,7 @@ impl Body {
         }
     }
 
-    /// Number of elements, 0 for a rigid body.
+    /// Number of elements; 0 for rigid bodies and point masses.
     pub const fn elements(&self) -> u32 {
         match self {
             Self::Beam(beam) => beam.elements,
@@ -80,7 +80,7 @@ impl Body {
 
     /// Axis in the reference state, relative to its start; `None` if there is no such curve.
     ///
-    /// The origin at the start keeps the curve, with its rounding, independent of the place of the body.
+    /// With the origin at the start, rounding errors are independent of the position of the body.
     pub fn curve(&self) -> Option<ReferenceCurve> {
         let [from, to] = self.span().map(Vector3::from);
         match self {
@@ -98,9 +98,9 @@ impl Body {
     /// Arc length of a position on the axis.
     pub fn arc_length(&self, at: At) -> f64 {
         match at {
-            At::Named(Named::Start) | At::Point(_) => 0.0,
-            At::Named(Named::Center) => 0.5 * self.length(),
-            At::Named(Named::End) => self.length(),
+            At::Named(NamedPosition::Start) | At::Point(_) => 0.0,
+            At::Named(NamedPosition::Center) => 0.5 * self.length(),
+            At::Named(NamedPosition::End) => self.length(),
             At::Length(s) => s,
         }
     }
@@ -114,7 +114,7 @@ impl Body {
                 (s <= curve.length() * (1.0 + ON_AXIS)).then(|| from + curve.at(s).0)
             }
             (Self::Rigid(_), At::Point(point)) => Some(Vector3::from(point)),
-            (Self::Rigid(_) | Self::Mass(_), At::Named(Named::Center)) => Some(from),
+            (Self::Rigid(_) | Self::Mass(_), At::Named(NamedPosition::Center)) => Some(from),
             _ => None,
         }
     }
@@ -132,7 +132,7 @@ impl Body {
         }
     }
 
-    /// Direction of the section's y-axis at the start; `None` if `up` is parallel to the tangent.
+    /// Direction of the y-axis of the section at the start; `None` if `up` is parallel to the tangent.
     pub fn up(&self) -> Option<Vector3<f64>> {
         let (_, tangent) = self.curve()?.at(0.0);
         let up = match self {
@@ -160,8 +160,8 @@ pub struct Beam {
     /// Shape of the axis between start and end; straight by default. This state is free of stress.
     #[serde(default, skip_serializing_if = "Shape::is_straight")]
     pub shape: Shape,
-    /// Direction whose part normal to the axis is the section's y-axis at the start. Global y by default, global z for a
-    /// beam along y.
+    /// Direction of the y-axis of the section at the start; its component along the axis has no effect. Global y by default,
+    /// global z for a beam along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(none)]
     pub up: Option<[f64; 3]>,
@@ -177,7 +177,7 @@ pub struct Beam {
     pub formulation: Formulation,
     /// Name of the section, a key of `sections`.
     pub section: String,
-    /// Name of the section at the end, of the same kind; dimensions vary linearly. The start section by default.
+    /// Name of the section at the end, of the same kind; by default the start section. Dimensions vary linearly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section_end: Option<String>,
     /// Name of the material, a key of `materials`.
@@ -221,12 +221,12 @@ impl Beam {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Formulation {
-    /// Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element locks: the bending stiffness
-    /// is (λ+2G) I instead of E I, the torsion constant is the polar moment of area. Errors decrease as 1/(3n²).
+    /// Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element locks: the bending stiffness is
+    /// (λ+2G) I instead of E I, the torsion constant is the polar moment of area. With n elements the error is 1/(3n²).
     #[default]
     Continuum,
-    /// Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). Poisson's effect acts on the
-    /// axis only. Shear factors and St. Venant's torsion constant apply.
+    /// Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). The Poisson effect is limited to
+    /// the axis. Shear factors and St. Venant's torsion constant apply.
     Enhanced,
     /// Enhanced element with linked strains, free of shear locking. One element is exact for end loads.
     Linked,
@@ -308,7 +308,7 @@ impl Place {
 #[serde(untagged)]
 pub enum At {
     /// Named position.
-    Named(Named),
+    Named(NamedPosition),
     /// Arc length from the start in the undeformed state, length.
     Length(
         #[unit(length)]
@@ -322,7 +322,7 @@ pub enum At {
 /// Named positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
-pub enum Named {
+pub enum NamedPosition {
     /// Start of the axis.
     Start,
     /// Middle of the axis, or centre of mass of a rigid body.

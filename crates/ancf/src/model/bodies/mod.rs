@@ -7,7 +7,7 @@ mod rigid;
 mod shape;
 
 pub(crate) use body::ON_AXIS;
-pub use body::{At, Beam, Body, Cable, Formulation, Named, Place, Slopes};
+pub use body::{At, Beam, Body, Cable, Formulation, NamedPosition, Place, Slopes};
 pub use capability::Capability;
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Initial motion of a body, that of a rigid body: v(r) = v₀ + ω × (r − c).
+/// Initial motion of a body, with the velocity field of a rigid body: v(r) = v₀ + ω × (r − c).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct InitialMotion {

@@ -22,10 +22,10 @@ pub enum Shape {
     },
     /// Helix.
     Helix {
-        /// Point of the helix's axis, length.
+        /// Point of the axis of the helix, length.
         #[unit(length)]
         center: [f64; 3],
-        /// Direction of the helix's axis. The helix turns about it by the right-hand rule.
+        /// Direction of the axis of the helix. The rotation from start to end follows the right-hand rule.
         #[unit(none)]
         axis: [f64; 3],
         /// Number of turns.
@@ -53,15 +53,15 @@ impl Shape {
     /// `None` if points coincide, points of an arc are collinear, or the radius of a helix is zero.
     pub fn curve(&self, start: Vector3<f64>, end: Vector3<f64>) -> Option<ReferenceCurve> {
         let (from, to) = (Vector3::zeros(), end - start);
-        let seen = |point: &[f64; 3]| Vector3::from(*point) - start;
+        let relative = |point: &[f64; 3]| Vector3::from(*point) - start;
         match self {
             Self::Straight => {
                 let length = to.norm();
                 (length > 0.0 && length.is_finite()).then_some(ReferenceCurve::Line { from, to })
             }
-            Self::Arc { through } => ReferenceCurve::arc(from, seen(through), to),
+            Self::Arc { through } => ReferenceCurve::arc(from, relative(through), to),
             Self::Helix { center, axis, turns } => {
-                let (center, axis) = (seen(center), Vector3::from(*axis).try_normalize(0.0)?);
+                let (center, axis) = (relative(center), Vector3::from(*axis).try_normalize(0.0)?);
                 let center = center - axis * axis.dot(&center);
                 let radius = -center;
                 let rise = axis.dot(&to);
@@ -74,7 +74,7 @@ impl Shape {
                 })
             }
             Self::Spline { through } => {
-                let through = through.iter().map(seen);
+                let through = through.iter().map(relative);
                 Spline::new([from].into_iter().chain(through).chain([to]).collect())
                     .map(ReferenceCurve::Spline)
             }

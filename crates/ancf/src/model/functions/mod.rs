@@ -2,5 +2,5 @@
 
 mod time_function;
 
-pub(crate) use time_function::Clock;
+pub(crate) use time_function::TimeMode;
 pub use time_function::{TimeFunction, Varying};

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// Function of time that multiplies a load or the motion of a drive: a number or a table.
+/// Function of time that multiplies a load or the motion of a drive: a constant or a varying function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(untagged)]
 pub enum TimeFunction {
@@ -45,11 +45,11 @@ pub enum Varying {
         #[serde(default)]
         #[unit(time)]
         start: f64,
-        /// Begin of the value 1, time.
+        /// Start of the value 1, time.
         #[unit(time)]
         end: f64,
     },
-    /// Step: 0, then 1 from a time on.
+    /// Step from 0 to 1, and back to 0 if stated.
     Step {
         /// Time of the step from 0 to 1, time.
         #[serde(default)]
@@ -82,9 +82,9 @@ pub enum Varying {
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
     },
-    /// Function that the calling program supplies under a name. The command line has none.
+    /// External function, which the calling program supplies by name. The command line supplies none.
     External {
-        /// The name under which the program supplies it.
+        /// Name by which the program supplies the function.
         #[schemars(length(min = 1))]
         name: String,
         /// Increase of the t of the function per unit of time, 1/time; 1 by default.
@@ -92,7 +92,7 @@ pub enum Varying {
         #[unit(1 / time)]
         #[schemars(extend("exclusiveMinimum" = 0))]
         unit: f64,
-        /// The supplied function ([`Model::supply`](crate::model::Model::supply)).
+        /// Supplied function ([`Model::supply`](crate::model::Model::supply)).
         #[serde(skip)]
         #[unit(none)]
         #[schemars(skip)]
@@ -105,12 +105,12 @@ fn one() -> f64 {
 }
 
 impl TimeFunction {
-    /// Function that the calling program supplies under a name.
+    /// External function, which the calling program supplies by name.
     pub fn external(name: &str) -> Self {
         Self::Varying(Varying::External { name: name.into(), unit: 1.0, supplied: None })
     }
 
-    /// True if the value is known to jump. Jumps of formulas and of supplied functions are not known.
+    /// True if the function has a jump. Jumps of formulas and of supplied functions are not detected.
     pub(crate) fn jumps(&self) -> bool {
         match self {
             Self::Varying(Varying::Step { .. }) => true,
@@ -136,31 +136,31 @@ impl TimeFunction {
                 Function::Expression { formula: Arc::new(Expression::parse(text)?), unit: *unit }
             }
             Self::Varying(Varying::External { unit, supplied, .. }) => {
-                let rest = || ExternalFunction::new(|_| FunctionValue::default());
-                Function::External { function: supplied.clone().unwrap_or_else(rest), unit: *unit }
+                let zero = || ExternalFunction::new(|_| FunctionValue::default());
+                Function::External { function: supplied.clone().unwrap_or_else(zero), unit: *unit }
             }
         })
     }
 }
 
-/// Treatment of the functions of time in the assembly of a model.
+/// Values of the functions of time in the assembly of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Clock {
-    /// As stated, for dynamics.
-    Runs,
+pub(crate) enum TimeMode {
+    /// As given, for dynamics.
+    AsGiven,
     /// 0, for closing gaps before drives begin.
-    Waits,
+    Zero,
     /// 1, for statics, where the load factor varies the loads.
-    Stands,
+    One,
 }
 
-impl Clock {
+impl TimeMode {
     /// Compiles a function of time of a checked model.
     pub(crate) fn function(self, time: &TimeFunction) -> Function {
         match self {
-            Self::Runs => time.compile().expect("the formulas of a checked model can be read"),
-            Self::Waits => Function::Constant(0.0),
-            Self::Stands => Function::ONE,
+            Self::AsGiven => time.compile().expect("the formulas of a checked model have no syntax errors"),
+            Self::Zero => Function::Constant(0.0),
+            Self::One => Function::ONE,
         }
     }
 }

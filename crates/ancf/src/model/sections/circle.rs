@@ -7,7 +7,7 @@ use super::shape::{SectionShape, interpolate};
 use super::tube::Tube;
 use crate::units::Scaled;
 
-/// A full circle.
+/// Full circle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
@@ -17,7 +17,7 @@ pub struct Circle {
     pub diameter: f64,
 }
 
-/// Formulas are those of a [`Tube`] whose inner diameter vanishes.
+/// The formulas of a [`Tube`] with an inner diameter of zero apply.
 impl SectionShape for Circle {
     /// A = πR², ∫y² = AR²/4, ∫y⁴ = AR⁴/8, ∫y²z² = ∫y⁴/3 with the radius R.
     fn moments(&self) -> Moments {

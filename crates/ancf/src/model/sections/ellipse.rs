@@ -9,15 +9,15 @@ use super::outline::SectionOutline;
 use super::shape::{SectionShape, interpolate};
 use crate::units::Scaled;
 
-/// A full ellipse.
+/// Full ellipse.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Ellipse {
-    /// Extent along the section's y-axis, twice that semi-axis, length.
+    /// Extent along the y-axis of the section, twice the semi-axis, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub height: f64,
-    /// Extent along the section's z-axis, twice that semi-axis, length.
+    /// Extent along the z-axis of the section, twice the semi-axis, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub width: f64,
@@ -39,7 +39,7 @@ impl SectionShape for Ellipse {
         PI * (a * b).powi(3) / (a * a + b * b)
     }
 
-    /// 12(1+ν)a²(3a²+b²)/((40+37ν)a⁴ + (16+10ν)a²b² + νb⁴), with the semi-axis a along the force and the other one b.
+    /// 12(1+ν)a²(3a²+b²)/((40+37ν)a⁴ + (16+10ν)a²b² + νb⁴), with the semi-axis a along the force and the semi-axis b normal to it.
     ///
     /// For ν < 0 the formula fails for flat ellipses: the factor along the shorter axis is large, infinite or negative.
     ///

@@ -7,7 +7,7 @@ use super::outline::SectionOutline;
 use super::shape::{SectionShape, interpolate};
 use crate::units::Scaled;
 
-/// A section known by its numbers only, with moduli E and G of its material.
+/// General section, defined by its constants. The moduli E and G are those of the material.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct GeneralSection {
@@ -15,11 +15,11 @@ pub struct GeneralSection {
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^2)]
     pub area: f64,
-    /// Second moment ∫z² dA for bending about y, deflections along z, length⁴.
+    /// Second moment of area ∫z² dA for bending about y, length⁴.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub iy: f64,
-    /// Second moment ∫y² dA for bending about z, deflections along y, length⁴.
+    /// Second moment of area ∫y² dA for bending about z, length⁴.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub iz: f64,
@@ -28,22 +28,22 @@ pub struct GeneralSection {
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub j: Option<f64>,
-    /// Shear factor of forces along y: their stiffness is ky G A; 1 by default.
+    /// Shear factor along y; 1 by default. The shear stiffness is ky G A.
     #[serde(default = "one")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(number)]
     pub ky: f64,
-    /// Shear factor of forces along z: their stiffness is kz G A; 1 by default.
+    /// Shear factor along z; 1 by default. The shear stiffness is kz G A.
     #[serde(default = "one")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(number)]
     pub kz: f64,
-    /// ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default.
+    /// Second moment of area for the rotary inertia about y, length⁴; iy by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
     pub mass_iy: Option<f64>,
-    /// ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default.
+    /// Second moment of area for the rotary inertia about z, length⁴; iz by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length^4)]
@@ -55,9 +55,9 @@ fn one() -> f64 {
 }
 
 impl SectionShape for GeneralSection {
-    /// Area and second moments as stated, fourth moments of an ellipse with the same radii of gyration.
+    /// Area and second moments as given. Fourth moments are those of an ellipse with the same radii of gyration.
     ///
-    /// Only elements that are continua across the section use fourth moments.
+    /// Only continuum elements use fourth moments.
     fn moments(&self) -> Moments {
         elliptic_moments(self.area, self.iz, self.iy)
     }
@@ -66,12 +66,12 @@ impl SectionShape for GeneralSection {
         elliptic_moments(self.area, self.mass_iz.unwrap_or(self.iz), self.mass_iy.unwrap_or(self.iy))
     }
 
-    /// J as stated, else iy + iz.
+    /// J as given, else iy + iz.
     fn torsion_constant(&self) -> f64 {
         self.j.unwrap_or(self.iy + self.iz)
     }
 
-    /// Factors as stated, for any ν.
+    /// Factors as given, for any ν.
     fn shear_factors(&self, _poisson: f64) -> [f64; 2] {
         [self.ky, self.kz]
     }

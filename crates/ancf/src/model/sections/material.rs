@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Scaled;
 
-/// An isotropic elastic material with damping.
+/// Isotropic elastic material with damping.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -21,41 +21,41 @@ pub struct Material {
     #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5))]
     pub poisson: f64,
-    /// How stress follows strain.
+    /// Constitutive law.
     #[serde(default)]
     pub law: MaterialLaw,
-    /// What dissipates.
+    /// Material damping.
     #[serde(default)]
     pub damping: Damping,
 }
 
-/// How stress follows strain.
+/// Constitutive law of a material, by its strain energy density.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum MaterialLaw {
-    /// St. Venant and Kirchhoff: ½(λ tr² E + 2G E:E) of Green's strain.
+    /// St. Venant-Kirchhoff: ½(λ tr² E + 2G E:E) with the Green-Lagrange strain E.
     #[default]
     StVenantKirchhoff,
-    /// Compressible neo-Hookean: ½G (tr C − 3) − G ln J + ½λ ln² J; for the continuum formulation.
+    /// Compressible neo-Hookean: ½G (tr C − 3) − G ln J + ½λ ln² J. Only for the continuum formulation.
     NeoHookean,
 }
 
-/// What dissipates in a material.
+/// Damping of a material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Damping {
-    /// Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt, time.
+    /// Retardation time τ of the Kelvin-Voigt model, time. Stresses follow from the strain E + τ dE/dt.
     #[unit(time)]
     #[schemars(extend("minimum" = 0))]
     pub strain: f64,
-    /// Rate α of the mass-proportional damping, the force −α v per mass. 1/time.
+    /// Rate α of the mass-proportional damping, 1/time. The force per mass is −α v.
     #[unit(1 / time)]
     #[schemars(extend("minimum" = 0))]
     pub mass: f64,
 }
 
 impl Material {
-    /// An elastic material without damping.
+    /// Elastic material without damping.
     pub const fn elastic(density: f64, young: f64, poisson: f64) -> Self {
         let damping = Damping { strain: 0.0, mass: 0.0 };
         Self { density, young, poisson, law: MaterialLaw::StVenantKirchhoff, damping }

@@ -1,6 +1,6 @@
 //! Cross-sections and materials of a model.
 //!
-//! One file a kind of section, and one line each in `section.rs`. A kind implements [`SectionShape`].
+//! One file per kind of section, and one line per kind in `section.rs`. A kind implements [`SectionShape`].
 
 mod circle;
 mod cubature;

@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-/// Outline of a cross-section in its plane, for drawings.
+/// Outline of a cross-section in its plane, for figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionOutline {
     /// Outer outline.
@@ -31,7 +31,7 @@ impl SectionOutline {
 }
 
 impl OutlineCurve {
-    /// Corners (y, z) of the closed polygon that is drawn, counter-clockwise; an ellipse has `sides` of them.
+    /// Corners (y, z) of a closed polygon, counter-clockwise. An ellipse is replaced by a polygon of `sides` corners.
     pub fn corners(&self, sides: usize) -> Vec<[f64; 2]> {
         match self {
             Self::Ellipse([a, b]) => {

@@ -9,15 +9,15 @@ use super::outline::SectionOutline;
 use super::shape::{SectionShape, interpolate};
 use crate::units::Scaled;
 
-/// A full rectangle.
+/// Full rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
-    /// Extent along the section's y-axis, length.
+    /// Extent along the y-axis of the section, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub height: f64,
-    /// Extent along the section's z-axis, length.
+    /// Extent along the z-axis of the section, length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub width: f64,

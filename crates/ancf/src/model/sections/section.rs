@@ -14,10 +14,10 @@ use crate::units::Scaled;
 /// Declares the kinds of sections of model files: variant and data of each.
 macro_rules! sections {
     ($($kind:ident($data:ident),)*) => {
-        /// A cross-section, centred on the beam's axis, with its principal axes along y and z.
+        /// Cross-section, centred on the axis of the beam, with principal axes along y and z.
         ///
-        /// Second moments have the names of the axes about which they bend: `iy` = ∫z² dA, `iz` = ∫y² dA. Shear factors have
-        /// those of their forces: `ky` belongs to a shear force along y.
+        /// Second moments are named by the axis of bending: `iy` = ∫z² dA, `iz` = ∫y² dA. Shear factors are named by the direction
+        /// of the shear force: `ky` belongs to a force along y.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
         #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
         #[expect(missing_docs, reason = "the data of each kind are documented")]
@@ -111,7 +111,7 @@ impl Section {
         self.shape().mass_moments()
     }
 
-    /// St. Venant's torsion constant J, length⁴: a torque M twists by M/(G J) per length.
+    /// St. Venant's torsion constant J, length⁴. The twist per length under a torque M is M/(G J).
     pub fn torsion_constant(&self) -> f64 {
         self.shape().torsion_constant()
     }

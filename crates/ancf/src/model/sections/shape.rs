@@ -7,8 +7,8 @@ use crate::errors::Finding;
 
 /// Kind of cross-section: stiffness, inertia, outline and checks of its data.
 ///
-/// The data of each kind implement this trait in a file of their own, and one line in `section.rs` registers the kind.
-/// All lengths are in the unit of length of the data.
+/// Each kind implements this trait in its own file, and one line in `section.rs` registers it. All lengths are in the unit
+/// of length of the data.
 pub trait SectionShape {
     /// Moments of area up to the fourth degree.
     fn moments(&self) -> Moments;
@@ -18,7 +18,7 @@ pub trait SectionShape {
         self.moments()
     }
 
-    /// St. Venant's torsion constant J, length⁴: a torque M twists by M/(G J) per length.
+    /// St. Venant's torsion constant J, length⁴. The twist per length under a torque M is M/(G J).
     fn torsion_constant(&self) -> f64;
 
     /// Shear factors [k_y, k_z] for Poisson's ratio ν: the shear stiffness along y is k_y G A.
@@ -29,7 +29,7 @@ pub trait SectionShape {
     /// Points are symmetric about both axes, so that odd moments vanish without rounding errors.
     fn points(&self) -> Option<Vec<SectionPoint>>;
 
-    /// Outline for drawings; exact if there are integration points.
+    /// Outline for figures; exact if there are integration points.
     fn outline(&self) -> SectionOutline;
 
     /// Outer radius of a section that is round outside, for contact and flow.
@@ -48,7 +48,7 @@ pub trait SectionShape {
     where
         Self: Sized;
 
-    /// Findings of checks beyond the schema. `path` is that of the section in the model.
+    /// Findings of checks beyond the schema. `path` is the path of the section in the model.
     fn check(&self, _path: &str) -> Vec<Finding> {
         Vec::new()
     }

@@ -1,4 +1,4 @@
-//! Checks that every kind of section passes, on its examples.
+//! Tests of all kinds of sections, on their examples.
 
 use crate::units::Scaled;
 use ancf_mechanics::sections::{Moments, SectionPoint};
@@ -6,7 +6,7 @@ use ancf_mechanics::sections::{Moments, SectionPoint};
 use super::{OutlineCurve, Section};
 use crate::units::Scales;
 
-/// Sides of the polygon that stands for a round outline.
+/// Number of sides of the polygon that replaces an ellipse.
 const SIDES: usize = 4096;
 /// Relative error of the second moment of that polygon, below 2π²·2/(3·4096²).
 const POLYGON_ERROR: f64 = 1e-6;
@@ -47,7 +47,7 @@ fn outline_moments(section: &Section) -> [f64; 3] {
 #[test]
 fn examples_cover_all_kinds() {
     let schema = schemars::schema_for!(Section).to_value();
-    let kinds = schema["oneOf"].as_array().expect("one form a kind");
+    let kinds = schema["oneOf"].as_array().expect("one form per kind");
     for kind in kinds {
         let word = &kind["properties"]["kind"]["const"];
         let of_kind = |section: &Section| {
@@ -123,7 +123,7 @@ fn exact_outlines_have_the_moments() {
     }
 }
 
-/// Other outlines have at least the ratio of the second moments.
+/// Outlines of general sections have only the ratio of the second moments.
 #[test]
 fn outlines_have_the_ratio_of_second_moments() {
     for section in Section::examples() {

@@ -10,7 +10,7 @@ use super::shape::{SectionShape, interpolate};
 use crate::errors::{Finding, finding, number};
 use crate::units::Scaled;
 
-/// A circular tube.
+/// Circular tube.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Tube {
@@ -18,7 +18,7 @@ pub struct Tube {
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub outer: f64,
-    /// Inner diameter, length; less than the outer.
+    /// Inner diameter, length; less than the outer diameter.
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(length)]
     pub inner: f64,
@@ -70,7 +70,7 @@ impl SectionShape for Tube {
         }
     }
 
-    /// The inner diameter is less than the outer one.
+    /// Requires an inner diameter below the outer diameter.
     fn check(&self, path: &str) -> Vec<Finding> {
         let Self { outer, inner } = *self;
         let found = (inner >= outer).then(|| {

@@ -1,7 +1,7 @@
 //! Contact forces: impact, sliding, belt friction and static contact against closed forms.
 
 use ancf::assembly::Assembly;
-use ancf::model::{At, Named, Place, Probe};
+use ancf::model::{At, NamedPosition, Place, Probe};
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{State, System};
 use ancf::solver::newton::{Newton, StopRule};
@@ -100,7 +100,7 @@ fn large_steps_find_new_contacts() {
 fn units_do_not_change_contact() {
     let mut model = rod(&format!("{FLOOR}\nfriction = 0.3\ndamping = 0.2"));
     model.gravity = [3.0, -GRAVITY, 1.0];
-    model.probes = vec![Probe::of_motion("tip", Place::new("rod", At::Named(Named::End)))];
+    model.probes = vec![Probe::of_motion("tip", Place::new("rod", At::Named(NamedPosition::End)))];
     let settings = model.analysis.dynamics_mut().unwrap();
     settings.duration = 0.02;
     let (a, units) = (Run::of(&model), Scales { length: 0.037, time: 13.0, force: 2.9e5 });

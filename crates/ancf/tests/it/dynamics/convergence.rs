@@ -3,7 +3,7 @@
 //! Differences of the results at h, h/2, h/4 have the ratio 2ᵖ for the order p.
 
 use ancf::Model;
-use ancf::model::{self, Clamped, Start};
+use ancf::model::{self, ClampedGradients, Start};
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper};
 use ancf::solver::equations::{Energy, Local, LocalMatrix, State, System, Term, Weights};
 use ancf::solver::newton::{Newton, StopRule};
@@ -107,7 +107,7 @@ fn static_tip(model: &Model) -> Vector3<f64> {
 /// Tip deflections under own weight miss 1/(3n²) of their limit.
 #[test]
 fn static_tip_converges_at_order_two() {
-    for fix in [Clamped::All, Clamped::Section] {
+    for fix in [ClampedGradients::All, ClampedGradients::Section] {
         let tips = [8, 16, 32].map(|elements| static_tip(&rod::clamped(elements, fix)));
         assert_order(&format!("{fix:?}"), order(tips), 2.0);
         let missing = 1.0 - tips[0].y / LIMIT;

@@ -3,8 +3,8 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, Named, Place, Probe, Spherical,
-    Start, Statics,
+    Analysis, At, Beam, Body, Clamp, End, Ground, InitialMotion, Joint, NamedPosition, Place, Probe,
+    Spherical, Start, Statics,
 };
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_velocities};
 use ancf::solver::equations::{EquationsOfMotion, State};
@@ -121,7 +121,7 @@ fn consistent_velocities_are_unchanged() {
 
 /// Clamped rod of linked elements along x whose end is attached to a point of the ground.
 fn with_gap(to: [f64; 3]) -> Model {
-    let mut model = weightless(rod::clamped(4, ancf::model::Clamped::Section));
+    let mut model = weightless(rod::clamped(4, ancf::model::ClampedGradients::Section));
     let beam = rod::beam(&mut model);
     beam.formulation = ancf::model::Formulation::Linked;
     let b = End::Point(Ground { point: to });
@@ -166,7 +166,7 @@ fn loose_bodies_are_moved_without_strain() {
     let (from, to) = ([1.0, 0.03, 0.0], [1.4, 0.03, 0.3]);
     let second = Beam { name: "second".into(), from, to, ..rod::beam(&mut model).clone() };
     model.bodies.push(Body::Beam(second));
-    let a = Place::new("second", At::Named(Named::Start));
+    let a = Place::new("second", At::Named(NamedPosition::Start));
     model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b: End::Place(rod::end()) }));
     let refused = model.check().unwrap_err();
     assert!(refused[0].hint.as_ref().unwrap().ends_with("; `assemble = true` closes the gap"), "{refused}");
@@ -199,10 +199,10 @@ fn statics_starts_with_closed_gaps() {
         ..rod::beam(&mut model).clone()
     };
     model.bodies.push(Body::Beam(hanger));
-    let hanger = Place::new("hanger", At::Named(Named::Start));
+    let hanger = Place::new("hanger", At::Named(NamedPosition::Start));
     model.joints.push(Joint::Clamp(Clamp { name: "hang".into(), a: hanger, b: End::Place(a), fix: None }));
     model.analysis = Analysis::Statics(Statics::default());
-    model.probes.push(Probe::of_motion("foot", Place::new("hanger", At::Named(Named::Start))));
+    model.probes.push(Probe::of_motion("foot", Place::new("hanger", At::Named(NamedPosition::Start))));
     model.probes.push(Probe::of_motion("middle", Place::new("rod", At::Length(0.5))));
     let run = Run::of(&model);
     assert!(distance(&run.vectors("foot."), &run.vectors("middle.")) < 1e-12);

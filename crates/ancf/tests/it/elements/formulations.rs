@@ -3,7 +3,7 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::mechanics::kinematics::VectorKind;
-use ancf::model::{Clamped, Formulation, GeneralSection, Load, Material, Section};
+use ancf::model::{ClampedGradients, Formulation, GeneralSection, Load, Material, Section};
 use ancf::solver::equations::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ fn cantilever(
     formulation: Formulation,
     section: Section,
     poisson: f64,
-    fix: Clamped,
+    fix: ClampedGradients,
 ) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
@@ -54,7 +54,7 @@ fn tip(assembly: &Assembly, state: &State) -> Vector3<f64> {
 }
 
 /// Deflections along y and z, relative to PL³/3EI + PL/kGA.
-fn deflections(elements: u32, formulation: Formulation, section: Section, fix: Clamped) -> [f64; 2] {
+fn deflections(elements: u32, formulation: Formulation, section: Section, fix: ClampedGradients) -> [f64; 2] {
     let poisson = 0.3;
     let model = cantilever(elements, formulation, section.clone(), poisson, fix);
     let (material, m) = (model.materials["steel"], section.moments());
@@ -73,11 +73,13 @@ fn tip_deflection_is_exact_in_one_element() {
     for section in SECTIONS {
         for elements in [1, 2, 5] {
             for formulation in [Formulation::Linked, Formulation::Quadratic] {
-                for part in deflections(elements, formulation, section.clone(), Clamped::Section) {
+                for part in deflections(elements, formulation, section.clone(), ClampedGradients::Section) {
                     assert!((part - 1.0).abs() < 1e-9, "{formulation:?}, {section:?}, {elements}: {part}");
                 }
             }
-            for part in deflections(elements, Formulation::Enhanced, section.clone(), Clamped::Section) {
+            for part in
+                deflections(elements, Formulation::Enhanced, section.clone(), ClampedGradients::Section)
+            {
                 let missing = (1.0 - part) * f64::from(4 * elements * elements);
                 assert!((0.99..1.0).contains(&missing), "{section:?}, {elements}: {part}");
             }
@@ -93,7 +95,7 @@ fn full_clamp_suppresses_shear_in_the_first_element() {
         let shear = 1.0 / (section.shear_factors(0.3)[0] * material.lame().shear * m.area);
         let share = shear / (shear + 1.0 / (3.0 * material.young * m.yy));
         for elements in [1, 2, 4, 8] {
-            let part = deflections(elements, Formulation::Linked, section.clone(), Clamped::All)[0];
+            let part = deflections(elements, Formulation::Linked, section.clone(), ClampedGradients::All)[0];
             let expected = 1.0 - share / f64::from(2 * elements);
             assert!((part - expected).abs() < 1e-9, "{section:?}, {elements}: {part} and {expected}");
         }
@@ -106,7 +108,8 @@ fn torsion_angle_is_that_of_st_venant() {
     for section in SECTIONS {
         for formulation in RODS {
             for elements in [1, 3] {
-                let model = cantilever(elements, formulation, section.clone(), 0.3, Clamped::Section);
+                let model =
+                    cantilever(elements, formulation, section.clone(), 0.3, ClampedGradients::Section);
                 let exact =
                     rod::LENGTH / (model.materials["steel"].lame().shear * section.torsion_constant());
                 let assembly = model.assemble().unwrap();
@@ -130,7 +133,8 @@ fn torsion_angle_is_that_of_st_venant() {
 fn tension_with_free_contraction_has_modulus_e() {
     for formulation in RODS {
         for (poisson, stretch) in [(0.0, 1.1), (0.3, 1.1), (0.45, 0.8), (-0.3, 1.3)] {
-            let mut model = cantilever(3, formulation, Section::circle(0.02), poisson, Clamped::Section);
+            let mut model =
+                cantilever(3, formulation, Section::circle(0.02), poisson, ClampedGradients::Section);
             model.joints.clear();
             let assembly = model.assemble().unwrap();
             let (system, mut state) = (&assembly.system, assembly.rest());
@@ -169,7 +173,7 @@ fn tension_with_free_contraction_has_modulus_e() {
 fn own_weight(elements: u32, formulation: Formulation) -> f64 {
     let section = Section::circle(0.02);
     let poisson = if formulation == Formulation::Continuum { 0.0 } else { 0.3 };
-    let mut model = cantilever(elements, formulation, section.clone(), poisson, Clamped::Section);
+    let mut model = cantilever(elements, formulation, section.clone(), poisson, ClampedGradients::Section);
     model.gravity = [0.0, -rod::GRAVITY, 0.0];
     let (material, m) = (model.materials["steel"], section.moments());
     let k = if formulation == Formulation::Continuum { 1.0 } else { section.shear_factors(poisson)[0] };

@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use ancf::Model;
-use ancf::model::{Clamped, Formulation, GeneralSection, Load, Section, Shape};
+use ancf::model::{ClampedGradients, Formulation, GeneralSection, Load, Section, Shape};
 use nalgebra::Vector3;
 
 use crate::common::models::rod;
@@ -21,7 +21,7 @@ fn cantilever(
     poisson: f64,
     force: [f64; 3],
 ) -> Model {
-    let mut model = rod::clamped(elements, Clamped::Section);
+    let mut model = rod::clamped(elements, ClampedGradients::Section);
     model.gravity = [0.0; 3];
     rod::beam(&mut model).formulation = formulation;
     rod::material(&mut model).poisson = poisson;

@@ -4,8 +4,9 @@
 //! relative to L, forces relative to the weight.
 
 use ancf::model::{
-    At, Body, Clamp, Clamped, End, Joint, Load, Material, Named, Place, PointForce, PointMoment, Probe,
-    Revolute, ScaleChoice, Section, Slopes, Spherical, Start, Step, TimeFunction, Varying,
+    At, Body, Clamp, ClampedGradients, End, Joint, Load, Material, NamedPosition, Place, PointForce,
+    PointMoment, Probe, Revolute, ScaleChoice, Section, Slopes, Spherical, Start, Step, TimeFunction,
+    Varying,
 };
 use ancf::{Model, Scales};
 use nalgebra::{Rotation3, Vector3};
@@ -35,10 +36,10 @@ fn linkage() -> Model {
     (second.name, second.from, second.to, second.elements) = ("second".into(), beam.to, [1.1, 0.4, 0.1], 1);
     model.bodies.push(Body::Beam(second));
     let place = |body: &str, at| Place::new(body, At::Named(at));
-    let tip = place("second", Named::End);
+    let tip = place("second", NamedPosition::End);
     model.joints.push(Joint::Revolute(Revolute {
         name: "elbow".into(),
-        a: place("second", Named::Start),
+        a: place("second", NamedPosition::Start),
         b: End::Place(rod::end()),
         axis: [0.3, -0.1, 0.9],
         drive: None,
@@ -235,8 +236,8 @@ fn direction_of_beams_does_not_change_the_motion() {
         }
         let swap = |place: &mut Place| {
             place.at = match place.at {
-                At::Named(Named::Start) => At::Named(Named::End),
-                At::Named(Named::End) => At::Named(Named::Start),
+                At::Named(NamedPosition::Start) => At::Named(NamedPosition::End),
+                At::Named(NamedPosition::End) => At::Named(NamedPosition::Start),
                 _ => panic!("joints and probes are at the ends"),
             }
         };
@@ -303,9 +304,9 @@ fn clamped_beams_equal_one_beam() {
         ("second".into(), [2.0 / 3.0, 0.0, 0.0], [1.0, 0.0, 0.0], 1);
     halves.bodies.push(Body::Beam(second));
     let place = |at| Place::new("second", At::Named(at));
-    halves.probes[0].on = place(Named::End);
-    let (a, b) = (place(Named::Start), End::Place(rod::end()));
-    halves.joints.push(Joint::Clamp(Clamp { name: "weld".into(), a, b, fix: Some(Clamped::All) }));
+    halves.probes[0].on = place(NamedPosition::End);
+    let (a, b) = (place(NamedPosition::Start), End::Place(rod::end()));
+    halves.joints.push(Joint::Clamp(Clamp { name: "weld".into(), a, b, fix: Some(ClampedGradients::All) }));
     assert_equivalent(whole, &halves, identity, [1.0; 2]);
 }
 

@@ -1,6 +1,6 @@
 //! Diagnosis of models: contents, mobility, loose bodies, names of equations.
 
-use ancf::model::{Analysis, At, Beam, Body, End, Joint, Named, Place, Spherical, Statics};
+use ancf::model::{Analysis, At, Beam, Body, End, Joint, NamedPosition, Place, Spherical, Statics};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
@@ -17,7 +17,7 @@ fn with_loose_beams(mut model: Model, names: &[&str]) -> Model {
     model
 }
 
-fn end(body: &str, end: Named) -> Place {
+fn end(body: &str, end: NamedPosition) -> Place {
     Place::new(body, At::Named(end))
 }
 
@@ -41,7 +41,7 @@ fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
 #[test]
 fn unconnected_bodies_are_named() {
     let mut model = with_loose_beams(rod::cantilever(1), &["alone", "one", "two"]);
-    let (a, b) = (end("two", Named::Start), End::Place(end("one", Named::End)));
+    let (a, b) = (end("two", NamedPosition::Start), End::Place(end("one", NamedPosition::End)));
     model.joints.push(Joint::Spherical(Spherical { name: "elbow".into(), a, b }));
     let diagnosis = model.diagnose().unwrap();
     assert_eq!(diagnosis.unconnected, ["alone"]);

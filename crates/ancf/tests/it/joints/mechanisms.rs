@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::diagnosis::Motion;
-use ancf::model::{At, Beam, Body, Clamped, End, Joint, Named, Place, Revolute, Spherical};
+use ancf::model::{At, Beam, Body, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Spherical};
 use ancf::solver::eigen::modes;
 use ancf::solver::equations::State;
 use ancf::solver::newton::Interrupt;
@@ -30,12 +30,12 @@ fn with_second(mut model: Model, [x, y, z]: [f64; 3], joints: Vec<Joint>) -> Mod
     model
 }
 
-fn second(end: Named) -> Place {
+fn second(end: NamedPosition) -> Place {
     Place::new("second", At::Named(end))
 }
 
 fn elbow() -> Joint {
-    let (a, b) = (second(Named::Start), End::Place(rod::end()));
+    let (a, b) = (second(NamedPosition::Start), End::Place(rod::end()));
     Joint::Revolute(Revolute {
         name: "elbow".into(),
         a,
@@ -91,7 +91,7 @@ fn rod_between_two_spherical_joints_spins() {
 
 #[test]
 fn clamped_and_propped_rods_have_no_free_motion() {
-    for fix in [Clamped::All, Clamped::Section] {
+    for fix in [ClampedGradients::All, ClampedGradients::Section] {
         assert!(motion_names(&rod::clamped(2, fix)).is_empty());
     }
     let mut propped = rod::revolute(2);
@@ -120,8 +120,8 @@ fn motions_of_a_chain_name_all_moving_bodies() {
 #[test]
 fn truss_rotates_about_its_diagonal() {
     let ball = |name: &str, a, b| Joint::Spherical(Spherical { name: name.into(), a, b });
-    let top = ball("top", second(Named::End), End::Ground);
-    let elbow = ball("elbow", second(Named::Start), End::Place(rod::end()));
+    let top = ball("top", second(NamedPosition::End), End::Ground);
+    let elbow = ball("elbow", second(NamedPosition::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
     let assembly = truss.assemble().unwrap();
     let motions = assembly.free_motions(&assembly.rest());
@@ -138,7 +138,7 @@ fn weight_restrains_a_hanging_pendulum() {
         rod::beam(&mut model).to = [0.0, -rod::LENGTH, 0.0];
         model
     };
-    let (_, loaded) = equilibrium(&hanging(rod::clamped(2, Clamped::Section)), 1);
+    let (_, loaded) = equilibrium(&hanging(rod::clamped(2, ClampedGradients::Section)), 1);
     let assembly = hanging(rod::revolute(2)).assemble().unwrap();
     let state = State { q: loaded.q, ..assembly.rest() };
     assert_eq!(assembly.free_motions(&assembly.rest()).len(), 1);
@@ -184,8 +184,8 @@ fn long_chain_has_one_motion_per_hinge() {
         let name = format!("link {k}");
         let link = Beam { name: name.clone(), from: [x, 0.0, 0.0], to: [x + 1.0, 0.0, 0.0], ..first.clone() };
         model.bodies.push(Body::Beam(link));
-        let a = Place::new(&name, At::Named(Named::Start));
-        let b = End::Place(Place::new(&before, At::Named(Named::End)));
+        let a = Place::new(&name, At::Named(NamedPosition::Start));
+        let b = End::Place(Place::new(&before, At::Named(NamedPosition::End)));
         model.joints.push(Joint::Revolute(Revolute {
             name: format!("hinge {k}"),
             a,

@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use ancf::model::{
-    Analysis, At, Beam, Body, Buckling, Clamp, Clamped, DrivenClamp, End, Formulation, Ground, Joint, Load,
-    Modes, Named, Path, Place, Spherical, Statics, TimeFunction, Varying,
+    Analysis, At, Beam, Body, Buckling, Clamp, ClampedGradients, DrivenClamp, End, Formulation, Ground,
+    Joint, Load, Modes, NamedPosition, Path, Place, Spherical, Statics, TimeFunction, Varying,
 };
 use ancf::record::Series;
 use ancf::solver::equations::dependences;
@@ -20,7 +20,7 @@ fn ball(name: &str, a: Place) -> Joint {
     Joint::Spherical(Spherical { name: name.into(), a, b: End::Ground })
 }
 
-fn clamp(name: &str, a: Place, fix: Clamped) -> Joint {
+fn clamp(name: &str, a: Place, fix: ClampedGradients) -> Joint {
     Joint::Clamp(Clamp { name: name.into(), a, b: End::Ground, fix: Some(fix) })
 }
 
@@ -42,7 +42,7 @@ fn redundant(model: &Model) -> Vec<String> {
 /// Two clamps of one end carry half of the reactions each; the motion is that with one clamp.
 #[test]
 fn two_clamps_share_the_reaction_equally() {
-    for fix in [Clamped::All, Clamped::Section] {
+    for fix in [ClampedGradients::All, ClampedGradients::Section] {
         let one = short(rod::clamped(4, fix));
         let two = with(one.clone(), [clamp("again", rod::start(), fix)]);
         let (one, two) = (Run::of(&one), Run::of(&two));
@@ -69,9 +69,11 @@ fn redundant_joints_do_not_change_equilibria() {
         model.analysis = Analysis::Statics(Statics::default());
         model
     };
-    let one = load(rod::clamped(4, Clamped::Section));
-    let two =
-        with(one.clone(), [clamp("again", rod::start(), Clamped::Section), ball("third", rod::start())]);
+    let one = load(rod::clamped(4, ClampedGradients::Section));
+    let two = with(
+        one.clone(),
+        [clamp("again", rod::start(), ClampedGradients::Section), ball("third", rod::start())],
+    );
     assert_eq!(redundant(&two).len(), 12);
     let (one, two) = (Run::of(&one), Run::of(&two));
     assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9 * rod::LENGTH);
@@ -92,7 +94,7 @@ fn redundant_joints_do_not_change_modes() {
         Run::of(&model).column("squared").to_vec()
     };
     let one = of(rod::cantilever(3));
-    let two = of(with(rod::cantilever(3), [clamp("again", rod::start(), Clamped::All)]));
+    let two = of(with(rod::cantilever(3), [clamp("again", rod::start(), ClampedGradients::All)]));
     assert!(one.iter().zip(&two).all(|(a, b)| (a - b).abs() < 1e-8 * a), "{one:?} {two:?}");
 }
 
@@ -106,14 +108,14 @@ fn redundant_joints_do_not_change_paths_and_critical_loads() {
     };
     let path = || Analysis::Path(Path { load: 3.0, ..Path::default() });
     let buckling = || Analysis::Buckling(Buckling { count: 3, ..Buckling::default() });
-    let again = || clamp("again", rod::start(), Clamped::Section);
-    let one = pushed(rod::clamped(4, Clamped::Section), path());
+    let again = || clamp("again", rod::start(), ClampedGradients::Section);
+    let one = pushed(rod::clamped(4, ClampedGradients::Section), path());
     let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
     assert_eq!(one.summary.steps, two.summary.steps);
     assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9 * rod::LENGTH);
     let same = |(a, b): (&f64, &f64)| a == b || a.is_nan() && b.is_nan();
     assert!(one.column("unstable").iter().zip(two.column("unstable")).all(same));
-    let one = pushed(rod::clamped(4, Clamped::Section), buckling());
+    let one = pushed(rod::clamped(4, ClampedGradients::Section), buckling());
     let (one, two) = (Run::of(&one), Run::of(&with(one, [again()])));
     let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-8 * a.abs();
     assert!(one.column("factor").iter().zip(two.column("factor")).all(near));
@@ -127,7 +129,7 @@ fn message_names_the_later_joint() {
         axes.map(|axis| format!("joint `{joint}`: position along {axis}, follows from joint `{earlier}`"))
     };
     assert_eq!(redundant(&with(rod::cantilever(2), [ball("ball", rod::start())])), later("ball", "root"));
-    let swapped = with(rod::spherical(2), [clamp("clamp", rod::start(), Clamped::All)]);
+    let swapped = with(rod::spherical(2), [clamp("clamp", rod::start(), ClampedGradients::All)]);
     assert_eq!(redundant(&swapped), later("clamp", "root"));
     let hinge = |name: &str| Joint::revolute(name, rod::start(), End::Ground, [0.0, 0.0, 2.0]);
     let twice = redundant(&with(rod::free(2), [hinge("one"), hinge("two")]));
@@ -140,7 +142,8 @@ fn message_names_the_later_joint() {
 #[test]
 fn joint_between_two_clamped_nodes_is_redundant() {
     let middle = Place::new("rod", At::Length(0.5));
-    let clamped = with(rod::cantilever(1), [clamp("far", rod::end(), Clamped::All), ball("middle", middle)]);
+    let clamped =
+        with(rod::cantilever(1), [clamp("far", rod::end(), ClampedGradients::All), ball("middle", middle)]);
     let found = redundant(&clamped);
     assert_eq!(found.len(), 3);
     assert_eq!(found[0], "joint `middle`: position along x, follows from joints `root` and `far`");
@@ -154,8 +157,10 @@ fn joint_between_two_clamped_nodes_is_redundant() {
 /// Redundancy does not depend on units and slope coordinates.
 #[test]
 fn redundancy_does_not_depend_on_units() {
-    let model =
-        with(rod::cantilever(3), [clamp("again", rod::start(), Clamped::Section), ball("far", rod::end())]);
+    let model = with(
+        rod::cantilever(3),
+        [clamp("again", rod::start(), ClampedGradients::Section), ball("far", rod::end())],
+    );
     for length in [1e-4, 1.0, 1e4] {
         let mut other = model.scaled(&ancf::Scales { length, time: 10.0, force: 1e6 });
         assert_eq!(redundant(&other), redundant(&model));
@@ -167,7 +172,7 @@ fn redundancy_does_not_depend_on_units() {
 
 fn drive(name: &str, text: &str) -> Joint {
     let time = TimeFunction::Varying(Varying::Expression { text: text.into(), unit: 1.0 });
-    let (axis, fix) = ([0.0, 0.0, 1.0], Some(Clamped::Section));
+    let (axis, fix) = ([0.0, 0.0, 1.0], Some(ClampedGradients::Section));
     Joint::Drive(DrivenClamp {
         name: name.into(),
         a: rod::start(),
@@ -193,7 +198,7 @@ fn contradicting_joints_are_rejected() {
         "joints[1]: found equations that contradict `one`: driven direction y along x; driven direction y along y, \
          wanted joints that agree where they tie the same"
     );
-    let held = short(with(rod::clamped(2, Clamped::Section), [drive("motor", "t^3")]));
+    let held = short(with(rod::clamped(2, ClampedGradients::Section), [drive("motor", "t^3")]));
     assert!(
         held.check().unwrap_err()[0]
             .found
@@ -212,7 +217,7 @@ fn contradicting_joints_are_rejected() {
 #[test]
 fn short_contradictions_fail_the_run() {
     let jerk = "max(0, 1 - ((t - 0.10078)/0.0005)^2)";
-    let mut model = short(with(rod::clamped(2, Clamped::Section), [drive("motor", jerk)]));
+    let mut model = short(with(rod::clamped(2, ClampedGradients::Section), [drive("motor", jerk)]));
     rod::settings(&mut model).max_halvings = 2;
     let summary = simulate(&model, &mut Series::new()).unwrap();
     let Outcome::Failed { time, reason, at, .. } = summary.outcome else { panic!("{:?}", summary.outcome) };
@@ -237,12 +242,12 @@ fn four_bar_linkage_of_beams_is_not_redundant() {
     let place = |k: usize, end| Place::new(names[k], At::Named(end));
     let hinge = |name: &str, a, b| Joint::revolute(name, a, b, [0.0, 0.0, 1.0]);
     model.joints = vec![
-        hinge("o", place(0, Named::Start), End::Ground),
-        hinge("a", place(1, Named::Start), End::Place(place(0, Named::End))),
-        hinge("b", place(2, Named::Start), End::Place(place(1, Named::End))),
-        hinge("c", place(2, Named::End), End::Ground),
+        hinge("o", place(0, NamedPosition::Start), End::Ground),
+        hinge("a", place(1, NamedPosition::Start), End::Place(place(0, NamedPosition::End))),
+        hinge("b", place(2, NamedPosition::Start), End::Place(place(1, NamedPosition::End))),
+        hinge("c", place(2, NamedPosition::End), End::Ground),
     ];
-    model.probes[0].on = place(1, Named::End);
+    model.probes[0].on = place(1, NamedPosition::End);
     let diagnosis = model.diagnose().unwrap();
     assert_eq!((diagnosis.gruebler, diagnosis.motions.len(), diagnosis.redundant.len()), (-2, 1, 0));
     assert!(
@@ -250,7 +255,7 @@ fn four_bar_linkage_of_beams_is_not_redundant() {
     );
     // A second hinge beside the first carries half of the force; the motion is unchanged.
     let one = short(model);
-    let two = with(one.clone(), [hinge("again", place(0, Named::Start), End::Ground)]);
+    let two = with(one.clone(), [hinge("again", place(0, NamedPosition::Start), End::Ground)]);
     assert_eq!(redundant(&two).len(), 5);
     let (one, two) = (Run::of(&one), Run::of(&two));
     assert!(distance(&one.vectors("tip."), &two.vectors("tip.")) < 1e-9);
@@ -268,10 +273,10 @@ fn thousand_joints_are_analysed_within_a_second() {
     model.bodies.clear();
     for k in 0..500 {
         let (y, name) = (f64::from(k), format!("rod {k}"));
-        let place = Place::new(&name, At::Named(Named::Start));
+        let place = Place::new(&name, At::Named(NamedPosition::Start));
         model.bodies.push(Body::Beam(Beam { name, from: [0.0, y, 0.0], to: [1.0, y, 0.0], ..first.clone() }));
         for n in 0..2 {
-            model.joints.push(clamp(&format!("clamp {k} {n}"), place.clone(), Clamped::All));
+            model.joints.push(clamp(&format!("clamp {k} {n}"), place.clone(), ClampedGradients::All));
         }
     }
     model.probes.clear();

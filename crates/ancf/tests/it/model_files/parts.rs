@@ -41,7 +41,7 @@ fn all_errors_of_a_part_are_reported() {
     );
     assert_eq!(
         errors_of("Probe", "name = 'tip'"),
-        ["on: found no key `on`, wanted a table with `body` and `at` (The place on the axis)"]
+        ["on: found no key `on`, wanted a table with `body` and `at` (Place on the axis)"]
     );
 }
 

@@ -118,7 +118,7 @@ fn names_are_followed() {
     }
     let (model, set) = set("bodies.rod.material", "rubber");
     assert_eq!(set, ["bodies[0].material"]);
-    assert_eq!(model.bodies[0].stuff(), Some(("rod", "rubber")));
+    assert_eq!(model.bodies[0].section_and_material(), Some(("rod", "rubber")));
 }
 
 #[test]
@@ -216,20 +216,23 @@ fn paths_without_target_are_rejected() {
             "element",
             "element: found unknown key `element`, wanted a key of the model or of a body (did you mean `elements`?)",
         ),
-        ("up[1]", "up[1]: found no `up` before it, wanted it to be set as a whole"),
-        ("bodies[3].mass", "bodies[3]: found place `[3]`, wanted a place from `[0]` to `[2]`"),
-        ("gravity[3]", "gravity[3]: found place `[3]`, wanted a place from `[0]` to `[2]`"),
-        ("loads[1]", "loads[1]: found place `[1]`, wanted the only item, `[0]`"),
-        ("probes.tip.offset[0]", "probes.tip: found no `tip`, wanted a name, of which there are none"),
+        ("up[1]", "up[1]: found no `up` before it, wanted a value for `up` as a whole"),
+        ("bodies[3].mass", "bodies[3]: found index `[3]`, wanted an index from `[0]` to `[2]`"),
+        ("gravity[3]", "gravity[3]: found index `[3]`, wanted an index from `[0]` to `[2]`"),
+        ("loads[1]", "loads[1]: found index `[1]`, wanted the only item, `[0]`"),
+        (
+            "probes.tip.offset[0]",
+            "probes.tip: found no `tip`, wanted a path without a name, since there are no items",
+        ),
         (
             "loads.wind.force",
-            "loads.wind: found `wind` after an array of 1, wanted a place from 0 in brackets, such as `loads[0]`",
+            "loads.wind: found `wind` after an array of 1, wanted an index from 0 in brackets, such as `loads[0]`",
         ),
         (
             "gravity.y",
-            "gravity.y: found `y` after an array of 3, wanted a place from 0 in brackets, such as `gravity[0]`",
+            "gravity.y: found `y` after an array of 3, wanted an index from 0 in brackets, such as `gravity[0]`",
         ),
-        ("analysis[0]", "analysis[0]: found place `[0]` of a table, wanted a key"),
+        ("analysis[0]", "analysis[0]: found index `[0]` of a table, wanted a key"),
         (
             "analysis.step.size",
             "analysis.step.size: found 0.001 before it, wanted a path that ends with `analysis.step`",
@@ -253,7 +256,7 @@ fn bare_keys_without_suitable_body_are_rejected() {
     let error = substitute(&mut data, "mass", 1.into()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "mass: found no body that may have `mass`, wanted a key of the model or of a body"
+        "mass: found no body that can have `mass`, wanted a key of the model or of a body"
     );
 }
 
@@ -269,7 +272,7 @@ fn malformed_paths_are_rejected() {
         ("gravity[-1]", "`-1` in brackets"),
         ("bodies.\"guy wire.elements", "quotes that do not end"),
         ("bodies.\"guy wire\\\".elements", "quotes that do not end"),
-        ("bodies.\"guy\\ wire\".elements", "a backslash that TOML does not know"),
+        ("bodies.\"guy\\ wire\".elements", "an invalid escape sequence"),
         ("gravity[1]x", "`x` after a bracket or quotes"),
     ] {
         let error = rejection(path);

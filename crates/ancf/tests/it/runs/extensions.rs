@@ -1,10 +1,12 @@
 //! Joints, loads and sections of a program's own kinds.
 
 use ancf::errors::{Finding, finding};
-use ancf::joints::{Acting, Capability, JointBuilder, JointKind};
+use ancf::joints::{Capability, JointActions, JointBuilder, JointKind};
 use ancf::loads::{LoadBuilder, LoadKind};
 use ancf::mechanics::sections::{Moments, SectionPoint};
-use ancf::model::{At, End, Named, Place, Rectangle, SectionOutline, SectionShape, TimeFunction, Varying};
+use ancf::model::{
+    At, End, NamedPosition, Place, Rectangle, SectionOutline, SectionShape, TimeFunction, Varying,
+};
 use ancf::record::{Series, Sink};
 use ancf::units::{Dimension, Scaled, Scales};
 use ancf::{Extension, Model, Simulation};
@@ -60,7 +62,10 @@ impl JointKind for Bearing {
         let axis = Vector3::from(self.axis).normalize();
         builder.coincide();
         builder.parallel(axis, "hinge axis");
-        builder.angle(axis, &Acting { friction: Some([self.torque, self.rate]), ..Acting::default() });
+        builder.angle(
+            axis,
+            &JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() },
+        );
     }
 }
 
@@ -177,17 +182,23 @@ step = 2e-3
 
 const AXIS: &str = "[0.8, 0.1, -0.6]";
 
-fn place(at: Named) -> Place {
+fn place(at: NamedPosition) -> Place {
     Place::new("rod", At::Named(at))
 }
 
 fn bearing() -> Bearing {
-    Bearing { a: place(Named::Start), b: End::Ground, axis: [0.8, 0.1, -0.6], torque: 0.7, rate: 1e-2 }
+    Bearing {
+        a: place(NamedPosition::Start),
+        b: End::Ground,
+        axis: [0.8, 0.1, -0.6],
+        torque: 0.7,
+        rate: 1e-2,
+    }
 }
 
 fn pull() -> Pull {
     let time = TimeFunction::Varying(Varying::Ramp { start: 0.0, end: 0.1 });
-    Pull { on: place(Named::End), force: [1.0, 2.0, -3.0], time }
+    Pull { on: place(NamedPosition::End), force: [1.0, 2.0, -3.0], time }
 }
 
 fn rows(simulation: &Simulation) -> Series {
@@ -241,7 +252,7 @@ fn added_parts_give_the_results_of_built_in_ones() {
 #[test]
 fn added_parts_are_checked() {
     let model = Model::parse(MODEL).unwrap();
-    let nowhere = Place::new("mast", At::Named(Named::Start));
+    let nowhere = Place::new("mast", At::Named(NamedPosition::Start));
     let wrong = Simulation::builder(&model)
         .with(Extension::joint(Bearing { axis: [0.0; 3], ..bearing() }))
         .with(Extension::load(Pull { on: nowhere, ..pull() }))

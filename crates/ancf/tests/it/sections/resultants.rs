@@ -4,7 +4,7 @@ use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::mechanics::kinematics::gauss;
-use ancf::model::{Clamped, Formulation, Load, Section, Shape, Slopes};
+use ancf::model::{ClampedGradients, Formulation, Load, Section, Shape, Slopes};
 use ancf::solver::equations::State;
 use nalgebra::{Rotation3, Vector3};
 
@@ -14,7 +14,7 @@ use crate::common::solutions::equilibrium;
 
 /// Thick, soft cantilever of two elements: straight, or a twisted arc of 60°.
 fn cantilever(formulation: Formulation, curved: bool, slopes: Slopes) -> Model {
-    let mut model = rod::clamped(2, Clamped::Section);
+    let mut model = rod::clamped(2, ClampedGradients::Section);
     model.gravity = [0.0; 3];
     model.sections.insert("circle".into(), Section::rectangle(0.1, 0.06));
     (rod::material(&mut model).young, rod::material(&mut model).poisson) = (1e6, 0.3);

@@ -9,7 +9,9 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model;
-use ancf::model::{At, Body, Clamp, Clamped, End, Joint, Named, Place, Revolute, Spherical, Start};
+use ancf::model::{
+    At, Body, Clamp, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Spherical, Start,
+};
 use ancf::solver::dynamics::{SchemeCoefficients, TimeStepper, consistent_accelerations};
 use ancf::solver::equations::{EquationsOfMotion, State, Weights};
 use ancf::solver::newton::{Newton, StopRule};
@@ -37,13 +39,13 @@ fn branched(along: [f64; 3], joint: impl FnOnce(Place, End) -> Joint) -> Model {
     (branch.from, branch.elements) = ([FORK, 0.0, 0.0], 1);
     branch.to = std::array::from_fn(|i| branch.from[i] + ELEMENT * along[i]);
     let place = |body: &str, at| Place::new(body, at);
-    let start = place(&branch.name, At::Named(Named::Start));
+    let start = place(&branch.name, At::Named(NamedPosition::Start));
     model.joints.push(joint(start, End::Place(place("rod", At::Length(FORK)))));
     model.bodies.push(Body::Beam(branch));
     model
 }
 
-fn clamp(fix: Clamped) -> impl FnOnce(Place, End) -> Joint {
+fn clamp(fix: ClampedGradients) -> impl FnOnce(Place, End) -> Joint {
     move |a, b| Joint::Clamp(Clamp { name: "fork".into(), a, b, fix: Some(fix) })
 }
 
@@ -51,8 +53,8 @@ fn clamp(fix: Clamped) -> impl FnOnce(Place, End) -> Joint {
 fn forks() -> [(&'static str, Model); 4] {
     let along = [0.0, 0.6, 0.8];
     [
-        ("clamp", branched(along, clamp(Clamped::All))),
-        ("clamp of the section", branched(along, clamp(Clamped::Section))),
+        ("clamp", branched(along, clamp(ClampedGradients::All))),
+        ("clamp of the section", branched(along, clamp(ClampedGradients::Section))),
         ("spherical", branched(along, |a, b| Joint::Spherical(Spherical { name: "fork".into(), a, b }))),
         (
             "revolute",
@@ -250,7 +252,7 @@ fn reactions_at_rest_are_the_weights() {
     // The deflection of 2 mm shifts the weight inwards by micrometres.
     assert_near("moment", root.moment.z / (0.5 * WEIGHT * rod::LENGTH), 1.0, 1e-5);
 
-    let model = branched([0.0, -1.0, 0.0], clamp(Clamped::All));
+    let model = branched([0.0, -1.0, 0.0], clamp(ClampedGradients::All));
     let (assembly, state) = equilibrium(&model, 1);
     let [root, fork] = [0, 1].map(|joint| assembly.reactions(&state).nth(joint).unwrap());
     assert_near("force", root.force.y / (1.5 * WEIGHT), 1.0, 1e-9);
@@ -308,7 +310,7 @@ fn adams_dissipates_and_average_acceleration_does_not() {
 fn long_steps_end_at_the_equilibrium() {
     let with_force = |step: f64, duration: f64| {
         let mut model = rod::cantilever(20);
-        let on = Place::new(model.bodies[0].name(), At::Named(Named::End));
+        let on = Place::new(model.bodies[0].name(), At::Named(NamedPosition::End));
         model.loads.push(model::Load::force(on, [0.0, -10.0, 0.0]));
         let settings = rod::settings(&mut model);
         *settings = model::Dynamics::new(duration, step); // consistent start, halved steps where needed

@@ -9,7 +9,7 @@
 //! of St. Venant-Kirchhoff for ν = 0.
 
 use ancf::Model;
-use ancf::model::{Clamped, Load};
+use ancf::model::{ClampedGradients, Load};
 use ancf::solver::dynamics::consistent_accelerations;
 
 use crate::common::assertions::assert_near;
@@ -22,7 +22,7 @@ fn area(model: &Model) -> f64 {
 }
 
 /// Rod without gravity under the tension P = `part` EA at its end.
-fn pulled(elements: u32, fix: Clamped, part: f64) -> Model {
+fn pulled(elements: u32, fix: ClampedGradients, part: f64) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
     let force = part * model.materials["steel"].young * area(&model);
@@ -40,7 +40,7 @@ fn uniform_stretch_is_exact() {
         (0.5, 1.324717957244746),
     ] {
         for elements in [1, 3] {
-            let (assembly, state) = equilibrium(&pulled(elements, Clamped::Section, part), 1);
+            let (assembly, state) = equilibrium(&pulled(elements, ClampedGradients::Section, part), 1);
             let tip = assembly.probes[0].1.value(&state);
             assert_near(&format!("P = {part} EA"), tip.x / rod::LENGTH, stretch, 1e-10);
             assert_near("across", tip.y.hypot(tip.z), 0.0, 1e-10);
@@ -64,8 +64,8 @@ fn elongation_depends_on_the_clamped_slope() {
         (16, 0.9926343044),
         (32, 0.9963171522),
     ] {
-        assert_near("r_x free", elongation(elements, Clamped::Section), 1.0, 1e-10);
-        assert_near("r_x fixed", elongation(elements, Clamped::All), fixed, 1e-9);
+        assert_near("r_x free", elongation(elements, ClampedGradients::Section), 1.0, 1e-10);
+        assert_near("r_x fixed", elongation(elements, ClampedGradients::All), fixed, 1e-9);
     }
 }
 
@@ -102,12 +102,12 @@ fn uniform_load_deflections_have_closed_forms() {
         let y = assembly.probes[0].1.sum(&linear(&assembly, &[]).q).y;
         assert_near(&format!("{fix:?}, {elements} elements"), y / exact, 1.0, 1e-9);
     };
-    tip(1, Clamped::All, 1.0 / 12.0, 7.0 / 18.0);
-    tip(2, Clamped::All, 11.0 / 96.0, 15.0 / 34.0);
-    tip(3, Clamped::All, 13.0 / 108.0, 821.0 / 1782.0);
+    tip(1, ClampedGradients::All, 1.0 / 12.0, 7.0 / 18.0);
+    tip(2, ClampedGradients::All, 11.0 / 96.0, 15.0 / 34.0);
+    tip(3, ClampedGradients::All, 13.0 / 108.0, 821.0 / 1782.0);
     for elements in [1, 2, 3, 4, 8] {
         let n = f64::from(elements);
-        tip(elements, Clamped::Section, (1.0 - 1.0 / (3.0 * n * n)) / 8.0, 0.5);
+        tip(elements, ClampedGradients::Section, (1.0 - 1.0 / (3.0 * n * n)) / 8.0, 0.5);
     }
 }
 

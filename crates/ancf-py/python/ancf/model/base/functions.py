@@ -39,7 +39,7 @@ class Ramp(Part):
     Attributes
     ----------
     end
-        Begin of the value 1, time.
+        Start of the value 1, time.
     start
         End of the value 0, time. Default: ``0.0``.
 
@@ -55,7 +55,7 @@ class Ramp(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Step(Part):
-    """Step: 0, then 1 from a time on.
+    """Step from 0 to 1, and back to 0 if stated.
 
     Attributes
     ----------
@@ -118,12 +118,12 @@ class Expression(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class ExternalFunction(Part):
-    """Function that the calling program supplies under a name. The command line has none.
+    """External function, which the calling program supplies by name. The command line supplies none.
 
     Attributes
     ----------
     name
-        The name under which the program supplies it.
+        Name by which the program supplies the function.
     unit
         Increase of the t of the function per unit of time, 1/time; 1 by default (> 0).
 
@@ -141,7 +141,7 @@ Varying: TypeAlias = Table | Ramp | Step | Sine | Expression | ExternalFunction
 """Variation of a function in time. All values are pure numbers."""
 
 TimeFunction: TypeAlias = float | Varying | Callable[[float], float | tuple[float, float, float]]
-"""Function of time that multiplies a load or the motion of a drive: a number or a table.
+"""Function of time that multiplies a load or the motion of a drive: a constant or a varying function.
 
 Or a Python function of time that returns the value, or value, rate and acceleration.
 """

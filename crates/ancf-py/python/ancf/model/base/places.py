@@ -7,9 +7,9 @@ from typing import Literal, TypeAlias
 
 from ancf.model.base.part import Part, Vector
 
-__all__ = ["At", "End", "Ground", "Named", "Place"]
+__all__ = ["At", "End", "Ground", "NamedPosition", "Place"]
 
-Named: TypeAlias = Literal["start", "center", "end"]
+NamedPosition: TypeAlias = Literal["start", "center", "end"]
 """Named positions.
 
 * ``"start"``: Start of the axis.
@@ -17,7 +17,7 @@ Named: TypeAlias = Literal["start", "center", "end"]
 * ``"end"``: End of the axis.
 """
 
-At: TypeAlias = Named | float | Vector
+At: TypeAlias = NamedPosition | float | Vector
 """Position on a body.
 
 On a beam or a cable: ``"start"``, ``"center"``, ``"end"`` or the arc length from the start. On a rigid body:

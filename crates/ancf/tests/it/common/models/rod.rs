@@ -4,8 +4,8 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, Clamped, Dynamics, End, Joint, Material, Named, NewtonMethod, Output,
-    Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical, Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Joint, Material, NamedPosition,
+    NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical, Start, Step, Stop,
 };
 
 /// Length L.
@@ -47,11 +47,11 @@ pub(crate) fn free(elements: u32) -> Model {
 
 /// Rod clamped at its start, all twelve coordinates of the node.
 pub(crate) fn cantilever(elements: u32) -> Model {
-    clamped(elements, Clamped::All)
+    clamped(elements, ClampedGradients::All)
 }
 
 /// Rod clamped at its start.
-pub(crate) fn clamped(elements: u32, fix: Clamped) -> Model {
+pub(crate) fn clamped(elements: u32, fix: ClampedGradients) -> Model {
     let clamp = Joint::Clamp(Clamp { name: "root".into(), a: start(), b: End::Ground, fix: Some(fix) });
     Model { joints: vec![clamp], ..free(elements) }
 }
@@ -80,12 +80,12 @@ pub(crate) fn spherical(elements: u32) -> Model {
 
 /// Start of the rod.
 pub(crate) fn start() -> Place {
-    Place::new("rod", At::Named(Named::Start))
+    Place::new("rod", At::Named(NamedPosition::Start))
 }
 
 /// End of the rod.
 pub(crate) fn end() -> Place {
-    Place::new("rod", At::Named(Named::End))
+    Place::new("rod", At::Named(NamedPosition::End))
 }
 
 /// Returns the beam, the first body.

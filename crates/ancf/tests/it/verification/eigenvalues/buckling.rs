@@ -12,7 +12,8 @@
 use ancf::Model;
 use ancf::assembly::Assembly;
 use ancf::model::{
-    At, Body, Cable, Clamp, Clamped, Formulation, GeneralSection, Joint, Load, MaterialLaw, Section, Slopes,
+    At, Body, Cable, Clamp, ClampedGradients, Formulation, GeneralSection, Joint, Load, MaterialLaw, Section,
+    Slopes,
 };
 use ancf::solver::eigen::{CriticalLoad, EigenError, LoadDirection, buckling};
 use ancf::solver::equations::{State, Weights};
@@ -76,7 +77,7 @@ fn column_buckles_at_eulers_load() {
 
 /// Rod in another formulation with a clamped section.
 fn formulated(elements: u32, formulation: Formulation) -> Model {
-    let mut model = rod::clamped(elements, Clamped::Section);
+    let mut model = rod::clamped(elements, ClampedGradients::Section);
     rod::beam(&mut model).formulation = formulation;
     model
 }

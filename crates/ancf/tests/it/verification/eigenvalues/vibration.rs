@@ -5,7 +5,7 @@
 //! its axis; Euler (1744) for the column.
 
 use ancf::Model;
-use ancf::model::{Clamped, Load, Section, Slopes};
+use ancf::model::{ClampedGradients, Load, Section, Slopes};
 use ancf::solver::eigen::modes;
 use ancf::solver::equations::{State, Weights};
 use ancf::solver::newton::{Interrupt, Newton, StopRule};
@@ -62,7 +62,7 @@ fn compound_pendulum_has_its_frequency() {
             model.gravity = [0.0, gravity, 0.0];
             model
         };
-        let (_, loaded) = equilibrium(&vertical(rod::clamped(8, Clamped::Section)), 1);
+        let (_, loaded) = equilibrium(&vertical(rod::clamped(8, ClampedGradients::Section)), 1);
         let assembly = vertical(rod::revolute(8)).assemble().unwrap();
         let state = State { q: loaded.q, ..assembly.rest() };
         let found =

@@ -11,14 +11,14 @@
 use std::f64::consts::PI;
 
 use ancf::Model;
-use ancf::model::{Clamped, Formulation, Load, Section};
+use ancf::model::{ClampedGradients, Formulation, Load, Section};
 
 use crate::common::assertions::assert_near;
 use crate::common::models::rod;
 use crate::common::solutions::equilibrium;
 
 /// Rod without gravity under the end moment M = φ EI about z, per unit length.
-fn rolled(elements: u32, section: Section, phi: f64, fix: Clamped) -> Model {
+fn rolled(elements: u32, section: Section, phi: f64, fix: ClampedGradients) -> Model {
     let mut model = rod::clamped(elements, fix);
     model.gravity = [0.0; 3];
     model.sections.insert("circle".into(), section.clone());
@@ -33,7 +33,7 @@ const CIRCLE: Section = Section::circle(0.02);
 #[test]
 fn end_angles_equal_independent_meshes() {
     for (elements, angle) in [(8, 3.0311), (16, 3.1612), (32, 3.17550)] {
-        let (assembly, state) = equilibrium(&rolled(elements, SQUARE, PI, Clamped::All), 10);
+        let (assembly, state) = equilibrium(&rolled(elements, SQUARE, PI, ClampedGradients::All), 10);
         let [normal, ..] = assembly.mesh("rod").unwrap().section_frame(&state, rod::LENGTH);
         let theta = normal.y.atan2(normal.x).rem_euclid(2.0 * PI);
         assert_near("angle", theta, angle, 5e-5);
@@ -44,7 +44,7 @@ fn end_angles_equal_independent_meshes() {
 ///
 /// The clamp at the start suppresses the change of thickness there and reduces the angle of the square by 1.4e-4.
 fn far_from_the_clamp(elements: u32, section: Section, phi: f64, formulation: Formulation) -> [f64; 3] {
-    let mut model = rolled(2 * elements, section, phi, Clamped::Section);
+    let mut model = rolled(2 * elements, section, phi, ClampedGradients::Section);
     let beam = rod::beam(&mut model);
     (beam.formulation, beam.to) = (formulation, [2.0, 0.0, 0.0]);
     let (assembly, state) = equilibrium(&model, 40);
@@ -89,7 +89,7 @@ fn roll_up_of_two_node_elements_converges_at_order_two() {
 /// A follower moment about the bending axis equals a moment of fixed direction.
 #[test]
 fn follower_moment_equals_fixed_moment_in_the_plane() {
-    let model = rolled(8, SQUARE, PI, Clamped::All);
+    let model = rolled(8, SQUARE, PI, ClampedGradients::All);
     let mut other = model.clone();
     let Load::Moment(moment) = &mut other.loads[0] else { panic!("a moment") };
     moment.follower = true;

@@ -23,7 +23,7 @@ pub(crate) fn scaled(input: &DeriveInput) -> syn::Result<TokenStream> {
         Data::Enum(data) => of_enum(data.variants.iter(), partial)?,
         Data::Union(_) => return Err(syn::Error::new_spanned(name, "unions have no units")),
     };
-    let scales = quote!(scales: &crate::units::Scales);
+    let scales = quote!(scales: &::ancf::units::Scales);
     Ok(if partial {
         quote! {
             #[automatically_derived]
@@ -34,7 +34,7 @@ pub(crate) fn scaled(input: &DeriveInput) -> syn::Result<TokenStream> {
                 }
 
                 /// Units of all keys.
-                pub(crate) fn unit_tree() -> crate::units::UnitTree {
+                pub(crate) fn unit_tree() -> ::ancf::units::UnitTree {
                     #units
                 }
             }
@@ -42,13 +42,13 @@ pub(crate) fn scaled(input: &DeriveInput) -> syn::Result<TokenStream> {
     } else {
         quote! {
             #[automatically_derived]
-            impl crate::units::Scaled for #name {
+            impl ::ancf::units::Scaled for #name {
                 fn scaled(self, #scales) -> Self {
                     let _ = scales;
                     #conversion
                 }
 
-                fn unit_tree() -> crate::units::UnitTree {
+                fn unit_tree() -> ::ancf::units::UnitTree {
                     #units
                 }
             }
@@ -81,7 +81,7 @@ fn of_enum<'a>(
         arms.push(quote!(#pattern => #value));
         forms.push(quote!((#word, #units)));
     }
-    Ok((quote!(match self { #(#arms,)* }), quote!(crate::units::UnitTree::Forms(vec![#(#forms),*]))))
+    Ok((quote!(match self { #(#arms,)* }), quote!(::ancf::units::UnitTree::Forms(vec![#(#forms),*]))))
 }
 
 /// A struct or a variant.
@@ -118,7 +118,7 @@ impl Form {
                 Self {
                     pattern: quote!(#path { #(#names: #bindings),* }),
                     value: quote!(#path { #(#names: #values),* }),
-                    units: quote!(crate::units::UnitTree::Keys(vec![#((#keys, #units)),*])),
+                    units: quote!(::ancf::units::UnitTree::Keys(vec![#((#keys, #units)),*])),
                 }
             }
             Fields::Unnamed(fields) if fields.unnamed.len() == 1 => Self {
@@ -132,7 +132,7 @@ impl Form {
             Fields::Unit => Self {
                 pattern: path.clone(),
                 value: path.clone(),
-                units: quote!(crate::units::UnitTree::None),
+                units: quote!(::ancf::units::UnitTree::None),
             },
         })
     }
@@ -144,20 +144,20 @@ fn converted(name: &Ident, ty: &syn::Type, unit: &FieldUnit) -> (TokenStream, To
     let span = ty.span().resolved_at(Span::call_site());
     match unit {
         FieldUnit::Nested => (
-            quote_spanned!(span=> <#ty as crate::units::Scaled>::scaled(#name, scales)),
-            quote_spanned!(span=> <#ty as crate::units::Scaled>::unit_tree()),
+            quote_spanned!(span=> <#ty as ::ancf::units::Scaled>::scaled(#name, scales)),
+            quote_spanned!(span=> <#ty as ::ancf::units::Scaled>::unit_tree()),
         ),
         FieldUnit::Unchanged | FieldUnit::Depends => {
-            (name.to_token_stream(), quote!(crate::units::UnitTree::None))
+            (name.to_token_stream(), quote!(::ancf::units::UnitTree::None))
         }
         FieldUnit::One(unit) => {
             let (text, dimension) = (&unit.text, unit.dimension());
             let value = if unit.is_number() {
                 name.to_token_stream()
             } else {
-                quote_spanned!(span=> <#ty as crate::units::Convert>::converted(#name, #dimension, scales))
+                quote_spanned!(span=> <#ty as ::ancf::units::Convert>::converted(#name, #dimension, scales))
             };
-            (value, quote!(crate::units::UnitTree::Unit(#text)))
+            (value, quote!(::ancf::units::UnitTree::Unit(#text)))
         }
         FieldUnit::Components(units) => {
             let texts = units.iter().map(|unit| &unit.text);
@@ -165,9 +165,9 @@ fn converted(name: &Ident, ty: &syn::Type, unit: &FieldUnit) -> (TokenStream, To
             let names: Vec<_> = (0..units.len()).map(|at| format_ident!("component_{at}")).collect();
             let value = quote_spanned!(span=> {
                 let [#(#names),*] = #name;
-                [#(crate::units::Convert::converted(#names, #dimensions, scales)),*]
+                [#(::ancf::units::Convert::converted(#names, #dimensions, scales)),*]
             });
-            (value, quote!(crate::units::UnitTree::Components(&[#(#texts),*])))
+            (value, quote!(::ancf::units::UnitTree::Components(&[#(#texts),*])))
         }
     }
 }
@@ -254,10 +254,7 @@ mod tests {
         };
         let code = scaled(&spring).unwrap().to_string();
         assert!(code.contains("Dimension :: new (- 1i32 , 0i32 , 1i32)"), "{code}");
-        assert!(
-            code.contains("< Place as crate :: units :: Scaled > :: scaled (field_1 , scales)"),
-            "{code}"
-        );
+        assert!(code.contains("< Place as ancf :: units :: Scaled > :: scaled (field_1 , scales)"), "{code}");
         assert!(code.contains("axis : field_2"), "{code}");
         let at: DeriveInput = parse_quote!(
             enum At {
@@ -267,7 +264,7 @@ mod tests {
             }
         );
         let code = scaled(&at).unwrap().to_string();
-        assert!(code.contains("(\"length\" , crate :: units :: UnitTree :: Unit (\"length\"))"), "{code}");
+        assert!(code.contains("(\"length\" , ancf :: units :: UnitTree :: Unit (\"length\"))"), "{code}");
         assert!(code.contains("Self :: Start => Self :: Start"), "{code}");
     }
 }

@@ -7,7 +7,7 @@ mod unit;
 use proc_macro::TokenStream;
 use syn::{DeriveInput, parse_macro_input};
 
-/// Implements `crate::units::Scaled`: conversion of all fields to other units, and the unit of each key as data.
+/// Implements `ancf::units::Scaled`: conversion of all fields to other units, and the unit of each key as data.
 ///
 /// Each field of type `f64`, or of an array, `Option` or `Vec` of it, states its unit:
 ///
@@ -27,6 +27,7 @@ use syn::{DeriveInput, parse_macro_input};
 /// without a unit does not compile:
 ///
 /// ```
+/// # extern crate self as ancf;
 /// # mod units {
 /// #     pub struct Scales;
 /// #     #[derive(Debug, PartialEq)]
@@ -67,6 +68,7 @@ use syn::{DeriveInput, parse_macro_input};
 /// ```
 ///
 /// ```compile_fail,E0277
+/// # extern crate self as ancf;
 /// # mod units {
 /// #     pub struct Scales;
 /// #     pub enum UnitTree { Keys(Vec<(&'static str, UnitTree)>) }

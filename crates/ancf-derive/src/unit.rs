@@ -29,7 +29,7 @@ impl Unit {
     /// Expression of type `Dimension`.
     pub(crate) fn dimension(&self) -> TokenStream {
         let [length, time, force] = self.exponents;
-        quote!(crate::units::Dimension::new(#length, #time, #force))
+        quote!(::ancf::units::Dimension::new(#length, #time, #force))
     }
 
     /// True if conversion does not change the number.

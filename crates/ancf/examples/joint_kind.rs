@@ -3,24 +3,19 @@
 use ancf::joints::{End, JointActions, JointBuilder, JointKind};
 use ancf::model::Place;
 use ancf::record::Series;
-use ancf::units::{Dimension, Scaled, Scales};
+use ancf::units::Scaled;
 use ancf::{Extension, Model, Simulation};
 
 /// Bearing about the z axis with a friction torque, reduced below a rate of rotation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Bearing {
     name: String,
     a: Place,
     b: End,
+    #[unit(force * length)]
     torque: f64,
+    #[unit(radian / time)]
     rate: f64,
-}
-
-impl Scaled for Bearing {
-    fn scaled(self, to: &Scales) -> Self {
-        let (torque, rate) = (self.torque / to.unit(Dimension::ENERGY), self.rate / to.unit(Dimension::RATE));
-        Self { a: self.a.scaled(to), b: self.b.scaled(to), torque, rate, ..self }
-    }
 }
 
 impl JointKind for Bearing {

@@ -4,20 +4,15 @@ use ancf::loads::{LoadBuilder, LoadKind};
 use ancf::mechanics::functions::ForceFunction;
 use ancf::model::{At, NamedPosition, Place};
 use ancf::record::Series;
-use ancf::units::{Dimension, Scaled, Scales};
+use ancf::units::Scaled;
 use ancf::{Extension, Model, Simulation};
 
 /// Attraction to the origin by the force k/r².
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Attraction {
     on: Place,
+    #[unit(force * length^2)]
     strength: f64,
-}
-
-impl Scaled for Attraction {
-    fn scaled(self, to: &Scales) -> Self {
-        Self { on: self.on.scaled(to), strength: self.strength / to.unit(Dimension::new(2, 0, 1)) }
-    }
 }
 
 impl LoadKind for Attraction {

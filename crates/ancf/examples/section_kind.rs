@@ -1,21 +1,16 @@
 //! A kind of section that a program adds: a regular hexagon.
 
-use ancf::mechanics::sections::{Moments, SectionPoint};
+use ancf::mechanics::sections::Moments;
 use ancf::model::{SectionOutline, SectionShape};
 use ancf::record::Series;
-use ancf::units::{Dimension, Scaled, Scales};
+use ancf::units::Scaled;
 use ancf::{Extension, Model, Simulation};
 
 /// Regular hexagon with a corner on the section's y-axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Hexagon {
+    #[unit(length)]
     side: f64,
-}
-
-impl Scaled for Hexagon {
-    fn scaled(self, to: &Scales) -> Self {
-        Self { side: self.side / to.unit(Dimension::LENGTH) }
-    }
 }
 
 impl SectionShape for Hexagon {
@@ -33,10 +28,6 @@ impl SectionShape for Hexagon {
         [6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson); 2] // An estimate: the factor of a circle.
     }
 
-    fn points(&self) -> Option<Vec<SectionPoint>> {
-        None // An ellipse with the same second moments is integrated.
-    }
-
     fn outline(&self) -> SectionOutline {
         let corner = |k: u32| (std::f64::consts::FRAC_PI_3 * f64::from(k)).sin_cos();
         let corners = (0..6).map(corner).map(|(sin, cos)| [self.side * cos, self.side * sin]);
@@ -49,7 +40,6 @@ impl SectionShape for Hexagon {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // The file states a section under the name; the hexagon replaces it.
     let model = Model::parse(
         r#"
         materials.steel = { density = 7800, young = 2e11 }

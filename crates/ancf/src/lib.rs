@@ -73,6 +73,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+// `#[derive(Scaled)]` names this crate by its path.
+extern crate self as ancf;
+
 pub mod assembly;
 mod checking;
 pub mod diagnosis;

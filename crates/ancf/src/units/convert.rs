@@ -6,7 +6,7 @@ pub(crate) fn number(x: f64, of: Dimension, scales: &Scales) -> f64 {
 }
 
 /// Quantities of one dimension: numbers, and arrays and options of numbers.
-pub(crate) trait Convert {
+pub trait Convert {
     /// Converts the quantity into the units of `scales`.
     fn converted(self, dimension: Dimension, scales: &Scales) -> Self;
 }

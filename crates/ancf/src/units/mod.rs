@@ -7,9 +7,10 @@ mod scaled;
 mod scales;
 mod unit_tree;
 
-pub(crate) use ancf_derive::Scaled;
+pub use ancf_derive::Scaled;
 pub use choice::{ChosenScales, ScaleChoice};
-pub(crate) use convert::{Convert, number};
+pub use convert::Convert;
+pub(crate) use convert::number;
 pub use names::Units;
 pub use scaled::Scaled;
 pub use scales::{Dimension, Scales};

@@ -1,9 +1,8 @@
-use ancf_mechanics::sections::{Moments, SectionPoint};
+use ancf_mechanics::sections::Moments;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::ellipse::elliptic_moments;
-use super::outline::SectionOutline;
 use super::shape::{SectionShape, interpolate};
 use crate::units::Scaled;
 
@@ -74,15 +73,6 @@ impl SectionShape for GeneralSection {
     /// Factors as given, for any ν.
     fn shear_factors(&self, _poisson: f64) -> [f64; 2] {
         [self.ky, self.kz]
-    }
-
-    fn points(&self) -> Option<Vec<SectionPoint>> {
-        None
-    }
-
-    /// Ellipse with the same radii of gyration: semi-axes 2 √(I_z/A) along y and 2 √(I_y/A) along z.
-    fn outline(&self) -> SectionOutline {
-        SectionOutline::ellipse([self.iz, self.iy].map(|second| 2.0 * (second / self.area).sqrt()))
     }
 
     /// Constants vary linearly; constants left out vary with their defaults.

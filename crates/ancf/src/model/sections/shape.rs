@@ -27,10 +27,15 @@ pub trait SectionShape {
     /// Integration points, exact for polynomials of degree seven in y and z; none if the geometry is unknown.
     ///
     /// Points are symmetric about both axes, so that odd moments vanish without rounding errors.
-    fn points(&self) -> Option<Vec<SectionPoint>>;
+    fn points(&self) -> Option<Vec<SectionPoint>> {
+        None
+    }
 
-    /// Outline for figures; exact if there are integration points.
-    fn outline(&self) -> SectionOutline;
+    /// Outline for drawings, exact if there are integration points; an ellipse with the same radii of gyration by default.
+    fn outline(&self) -> SectionOutline {
+        let Moments { area, yy, zz, .. } = self.moments();
+        SectionOutline::ellipse([yy, zz].map(|second| 2.0 * (second / area).sqrt()))
+    }
 
     /// Outer radius of a section that is round outside, for contact and flow.
     fn outer_radius(&self) -> Option<f64> {

@@ -8,25 +8,21 @@ use ancf::model::{
     At, End, NamedPosition, Place, Rectangle, SectionOutline, SectionShape, TimeFunction, Varying,
 };
 use ancf::record::{Series, Sink};
-use ancf::units::{Dimension, Scaled, Scales};
+use ancf::units::Scaled;
 use ancf::{Extension, Model, Simulation};
 use nalgebra::Vector3;
 
 /// Hinge with dry friction, like the revolute joint of model files.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Bearing {
     a: Place,
     b: End,
+    #[unit(none)]
     axis: [f64; 3],
+    #[unit(force * length)]
     torque: f64,
+    #[unit(radian / time)]
     rate: f64,
-}
-
-impl Scaled for Bearing {
-    fn scaled(self, to: &Scales) -> Self {
-        let (torque, rate) = (self.torque / to.unit(Dimension::ENERGY), self.rate / to.unit(Dimension::RATE));
-        Self { a: self.a.scaled(to), b: self.b.scaled(to), torque, rate, ..self }
-    }
 }
 
 impl JointKind for Bearing {
@@ -70,18 +66,12 @@ impl JointKind for Bearing {
 }
 
 /// Force at a point, like that of model files.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Pull {
     on: Place,
+    #[unit(force)]
     force: [f64; 3],
     time: TimeFunction,
-}
-
-impl Scaled for Pull {
-    fn scaled(self, to: &Scales) -> Self {
-        let force = self.force.map(|x| x / to.unit(Dimension::FORCE));
-        Self { on: self.on.scaled(to), force, time: self.time.scaled(to) }
-    }
 }
 
 impl LoadKind for Pull {
@@ -104,22 +94,17 @@ impl LoadKind for Pull {
 }
 
 /// Rectangle, like that of model files.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Scaled)]
 struct Bar {
+    #[unit(length)]
     height: f64,
+    #[unit(length)]
     width: f64,
 }
 
 impl Bar {
     fn rectangle(&self) -> Rectangle {
         Rectangle { height: self.height, width: self.width }
-    }
-}
-
-impl Scaled for Bar {
-    fn scaled(self, to: &Scales) -> Self {
-        let unit = to.unit(Dimension::LENGTH);
-        Self { height: self.height / unit, width: self.width / unit }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A kind of joint that a program adds: a bearing with dry friction.
 
-use ancf::joints::{Acting, End, JointBuilder, JointKind};
+use ancf::joints::{End, JointActuation, JointBuilder, JointKind};
 use ancf::model::Place;
 use ancf::record::Series;
 use ancf::units::{Dimension, Scaled, Scales};
@@ -41,7 +41,8 @@ impl JointKind for Bearing {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        let friction = Acting { friction: Some([self.torque, self.rate]), ..Acting::default() };
+        let friction =
+            JointActuation { friction: Some([self.torque, self.rate]), ..JointActuation::default() };
         builder.coincide();
         builder.parallel([0.0, 0.0, 1.0], "bearing axis");
         builder.angle([0.0, 0.0, 1.0], &friction);

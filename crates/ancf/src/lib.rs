@@ -87,7 +87,7 @@ pub use errors::{ModelError, ModelErrors};
 pub use model::Model;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{
-    Checkpoint, Error, Extension, Mismatch, Observer, Outcome, Simulation, SimulationBuilder, Summary,
+    Checkpoint, Error, Extension, Observer, Outcome, ResumeError, Simulation, SimulationBuilder, Summary,
     simulate,
 };
 pub use units::Scales;

@@ -178,7 +178,7 @@ fn a_failed_equilibrium_is_reported() {
     let run = folder.run(path.to_str().unwrap()).output().unwrap();
     assert_eq!(run.status.code(), Some(1));
     let messages = stderr(&run);
-    assert!(messages.starts_with("failed at load factor 0: there is no equilibrium to find"), "{messages}");
+    assert!(messages.starts_with("failed at load factor 0: the model has no equilibrium"), "{messages}");
     assert!(
         messages.contains("body `bend` can rotate") && messages.contains("\nno equilibrium, "),
         "{messages}"

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::joints::{Acting, Coupled, End, Freed, Joint};
+use crate::joints::{Coupled, End, Freed, Joint, JointActuation};
 use crate::model::{Model, TimeFunction, Varying, joints_of};
 
 /// Axes are directions.
@@ -61,16 +61,21 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
 pub(crate) fn acting(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let (turning, moving) = (joint.kind().turning(), joint.kind().moving());
-        for (acting, names) in [(turning, ["angle", "rate"]), (moving, ["displacement", "speed"])] {
-            findings.extend(rule_of_drive(model, &format!("{path}.{}", acting.table), &acting, names));
+        let (angular, linear) = (joint.kind().angular_actuation(), joint.kind().linear_actuation());
+        for (actuation, names) in [(angular, ["angle", "rate"]), (linear, ["displacement", "speed"])] {
+            findings.extend(rule_of_drive(model, &format!("{path}.{}", actuation.table), &actuation, names));
         }
     }
     findings
 }
 
-fn rule_of_drive(model: &Model, path: &str, acting: &Acting<'_>, [own, rate]: [&str; 2]) -> Option<Finding> {
-    let drive = acting.drive?;
+fn rule_of_drive(
+    model: &Model,
+    path: &str,
+    actuation: &JointActuation<'_>,
+    [own, rate]: [&str; 2],
+) -> Option<Finding> {
+    let drive = actuation.drive?;
     let wanted = || format!("either `{own}` or `{rate}`");
     match drive.amounts {
         [Some(_), Some(_)] => Some(finding(path.into(), format!("both `{own}` and `{rate}`"), wanted())),

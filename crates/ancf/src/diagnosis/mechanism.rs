@@ -9,7 +9,7 @@ use crate::assembly::Assembly;
 
 /// What a rigid body does in a free motion. Points in the units of the assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion {
+pub enum RigidMotion {
     /// It moves in a direction, a unit vector.
     Translation {
         /// The direction.
@@ -39,7 +39,7 @@ pub enum Motion {
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMotion {
     /// Names and motions of all bodies that take part, the leading one first.
-    pub moves: Vec<(String, Motion)>,
+    pub moves: Vec<(String, RigidMotion)>,
 }
 
 /// Singular rows and motions are told from others by this, relative to what they are sums of.
@@ -231,7 +231,7 @@ impl Rigid {
 
     /// A motion in words, beginning with one body.
     fn describe(&self, assembly: &Assembly, leader: usize, motion: &SparseVector) -> FreeMotion {
-        let mut moves: Vec<(bool, (String, Motion))> = Vec::new();
+        let mut moves: Vec<(bool, (String, RigidMotion))> = Vec::new();
         let largest = motion.values().fold(0.0, |max: f64, y| max.max(y.abs()));
         for (b, ((name, _), body)) in assembly.bodies().zip(&self.bodies).enumerate() {
             let of = |j: usize| motion.get(&(6 * b + j)).copied().unwrap_or(0.0);
@@ -291,12 +291,12 @@ impl RigidBody {
     }
 
     /// The motion of a velocity of the origin and a rotation times length.
-    fn motion(&self, velocity: Vector3<f64>, turn: Vector3<f64>) -> Motion {
+    fn motion(&self, velocity: Vector3<f64>, turn: Vector3<f64>) -> RigidMotion {
         let clean = |x: Vector3<f64>, size: f64| x.map(|x| if x.abs() > SMALL * size { x } else { 0.0 });
         let upwards = |x: Vector3<f64>| if x[x.iamax()] < 0.0 { -x } else { x };
         if turn.norm() <= SMALL * velocity.norm() {
             let along = upwards(clean(velocity.normalize(), 1.0)).into();
-            return Motion::Translation { along };
+            return RigidMotion::Translation { along };
         }
         let rate = turn / self.length;
         let through = self.origin + rate.cross(&velocity) / rate.norm_squared();
@@ -304,9 +304,9 @@ impl RigidBody {
         let pitch = rate.dot(&velocity) / rate.norm_squared();
         let along = upwards(clean(rate.normalize(), 1.0)).into();
         if pitch.abs() > SMALL * (self.length + velocity.norm() / rate.norm()) {
-            Motion::Screw { through, along, pitch }
+            RigidMotion::Screw { through, along, pitch }
         } else {
-            Motion::Rotation { through, along }
+            RigidMotion::Rotation { through, along }
         }
     }
 }
@@ -316,9 +316,9 @@ impl FreeMotion {
     pub fn scaled(mut self, length: f64) -> Self {
         for (_, motion) in &mut self.moves {
             match motion {
-                Motion::Translation { .. } => {}
-                Motion::Rotation { through, .. } => *through = through.map(|x| x * length),
-                Motion::Screw { through, pitch, .. } => {
+                RigidMotion::Translation { .. } => {}
+                RigidMotion::Rotation { through, .. } => *through = through.map(|x| x * length),
+                RigidMotion::Screw { through, pitch, .. } => {
                     (*through, *pitch) = (through.map(|x| x * length), *pitch * length);
                 }
             }
@@ -341,13 +341,13 @@ impl fmt::Display for FreeMotion {
 }
 
 /// A motion as the end of a sentence; `s` is the ending of its verb.
-fn words(motion: &Motion, s: &str) -> String {
+fn words(motion: &RigidMotion, s: &str) -> String {
     match motion {
-        Motion::Translation { along } => format!("translate{s} along {}", direction(along)),
-        Motion::Rotation { through, along } => {
+        RigidMotion::Translation { along } => format!("translate{s} along {}", direction(along)),
+        RigidMotion::Rotation { through, along } => {
             format!("rotate{s} about the axis through {} along {}", triple(through), direction(along))
         }
-        Motion::Screw { through, along, pitch } => {
+        RigidMotion::Screw { through, along, pitch } => {
             let (point, along, pitch) = (triple(through), direction(along), number(*pitch));
             format!(
                 "rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian"

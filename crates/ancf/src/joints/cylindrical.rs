@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularSpring, End, Freed, JointBuilder, JointKind, LinearDrive,
+    AngularDrive, AngularSpring, End, Freed, JointActuation, JointBuilder, JointKind, LinearDrive,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -60,8 +60,8 @@ impl JointKind for Cylindrical {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::cylindrical(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2)], measures);
-        builder.angle(axis, &self.turning());
-        builder.displacement(axis, &self.moving());
+        builder.angle(axis, &self.angular_actuation());
+        builder.displacement(axis, &self.linear_actuation());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -86,11 +86,11 @@ impl JointKind for Cylindrical {
         &[Freed::Angle, Freed::Displacement]
     }
 
-    fn turning(&self) -> Acting<'_> {
-        Acting::turning(&self.drive, &self.spring, &None)
+    fn angular_actuation(&self) -> JointActuation<'_> {
+        JointActuation::angular(&self.drive, &self.spring, &None)
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting { table: "feed", ..Acting::moving(&self.feed, &None, &None) }
+    fn linear_actuation(&self) -> JointActuation<'_> {
+        JointActuation { table: "feed", ..JointActuation::linear(&self.feed, &None, &None) }
     }
 }

@@ -25,9 +25,9 @@ pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
 pub use joint::Joint;
 pub use parts::{
-    Acting, AngularDrive, AngularFriction, AngularSpring, Clamped, Closed, Coupled, Coupling, CustomJoint,
-    End, Freed, Freedom, Ground, JointBuilder, JointContext, JointKind, JointObject, JointTerm, Led,
-    LinearDrive, LinearFriction, LinearSpring, Symbol,
+    AngularDrive, AngularFriction, AngularSpring, Clamped, Coupled, Coupling, CustomJoint, End, Freed,
+    GapClosure, Ground, JointActuation, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
+    JointTerm, LinearDrive, LinearFriction, LinearSpring, PrescribedMotion, Symbol,
 };
 pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
 pub use planar::Planar;

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{Acting, End, JointBuilder, JointKind};
+use crate::joints::parts::{End, JointActuation, JointBuilder, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
@@ -49,7 +49,7 @@ impl JointKind for PointOnLine {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::on_line(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2)], measures);
-        builder.displacement(axis, &Acting::default());
+        builder.displacement(axis, &JointActuation::default());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

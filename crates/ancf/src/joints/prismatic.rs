@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    Acting, End, Freed, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    End, Freed, JointActuation, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -60,7 +60,7 @@ impl JointKind for Prismatic {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::prismatic(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2), ("rotation about the axis", 1)], measures);
-        builder.displacement(axis, &self.moving());
+        builder.displacement(axis, &self.linear_actuation());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -83,7 +83,7 @@ impl JointKind for Prismatic {
         &[Freed::Displacement]
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting::moving(&self.drive, &self.spring, &self.friction)
+    fn linear_actuation(&self) -> JointActuation<'_> {
+        JointActuation::linear(&self.drive, &self.spring, &self.friction)
     }
 }

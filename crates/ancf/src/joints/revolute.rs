@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{
-    Acting, AngularDrive, AngularFriction, AngularSpring, End, Freed, JointBuilder, JointKind,
+    AngularDrive, AngularFriction, AngularSpring, End, Freed, JointActuation, JointBuilder, JointKind,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
@@ -55,7 +55,7 @@ impl JointKind for Revolute {
         let axis = Vector3::from(self.axis).normalize();
         builder.coincide();
         builder.parallel(axis, "hinge axis");
-        builder.angle(axis, &self.turning());
+        builder.angle(axis, &self.angular_actuation());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -78,8 +78,8 @@ impl JointKind for Revolute {
         &[Freed::Angle]
     }
 
-    fn turning(&self) -> Acting<'_> {
-        Acting::turning(&self.drive, &self.spring, &self.friction)
+    fn angular_actuation(&self) -> JointActuation<'_> {
+        JointActuation::angular(&self.drive, &self.spring, &self.friction)
     }
 
     fn closes(&self) -> bool {

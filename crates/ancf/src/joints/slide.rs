@@ -3,7 +3,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::{Finding, finding};
 use crate::joints::parts::{
-    Acting, End, Freed, JointBuilder, JointContext, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    End, Freed, JointActuation, JointBuilder, JointContext, JointKind, LinearDrive, LinearFriction,
+    LinearSpring,
 };
 use crate::model::{Beam, Body, Formulation, Place, TimeFunction};
 use crate::units::Scaled;
@@ -48,7 +49,7 @@ impl JointKind for Slide {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        builder.slide(&self.moving());
+        builder.slide(&self.linear_actuation());
     }
 
     fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
@@ -63,8 +64,8 @@ impl JointKind for Slide {
         &[Freed::Displacement]
     }
 
-    fn moving(&self) -> Acting<'_> {
-        Acting::moving(&self.drive, &self.spring, &self.friction)
+    fn linear_actuation(&self) -> JointActuation<'_> {
+        JointActuation::linear(&self.drive, &self.spring, &self.friction)
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {

@@ -10,12 +10,12 @@ use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, ElementAxis, Marker};
 use nalgebra::Vector3;
 
-use super::acting::Acting;
+use super::actuation::JointActuation;
 use super::clamped::{Clamped, reference};
+use super::coordinate::{JointCoordinate, Source};
 use super::coupling::Freed;
 use super::end::{End, Ground};
 use super::equations::{JointEquations, Part};
-use super::freedom::{Freedom, Source};
 use super::measures;
 use super::term::JointTerm;
 use crate::model::{Clock, TimeFunction};
@@ -72,7 +72,7 @@ impl<'a> JointBuilder<'a> {
             multipliers: multiplier..multiplier,
             position: None,
             parts: Vec::new(),
-            freedoms: Vec::new(),
+            free_coordinates: Vec::new(),
         };
         Self { ends, coupled, clock, equations }
     }
@@ -182,35 +182,37 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Records the angle about an axis of unit length, and adds the actions along it.
-    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, acting: &Acting<'_>) {
+    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actuation: &JointActuation<'_>) {
         let markers = measures::hinge(self.a(), self.b(), axis.into());
         let mut coordinate = None;
-        if (self.coupled)(Freed::Angle) || acting.is_some() {
+        if (self.coupled)(Freed::Angle) || actuation.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let [p, u, v] = &markers;
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
-            self.act(own, acting);
+            self.act(own, actuation);
             coordinate = Some(own);
         }
-        self.equations.freedoms.push(Freedom { source: Source::Angle(markers), coordinate });
+        self.equations.free_coordinates.push(JointCoordinate { source: Source::Angle(markers), coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.
-    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, acting: &Acting<'_>) {
+    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, actuation: &JointActuation<'_>) {
         let measure = measures::along(self.a(), self.b(), axis.into());
         let mut coordinate = None;
-        if (self.coupled)(Freed::Displacement) || acting.is_some() {
+        if (self.coupled)(Freed::Displacement) || actuation.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
-            self.act(own, acting);
+            self.act(own, actuation);
             coordinate = Some(own);
         }
-        self.equations.freedoms.push(Freedom { source: Source::Displacement(measure), coordinate });
+        self.equations
+            .free_coordinates
+            .push(JointCoordinate { source: Source::Displacement(measure), coordinate });
     }
 
     /// Constrains the first point to the axis of the second body, and adds the actions along it.
-    pub fn slide(&mut self, acting: &Acting<'_>) {
+    pub fn slide(&mut self, actuation: &JointActuation<'_>) {
         let Some((axes, start)) = self.ends.beam.take() else { return };
         let (own, first) = (self.coordinate(), self.multipliers(3));
         // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
@@ -219,14 +221,16 @@ impl<'a> JointBuilder<'a> {
         {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
-        self.act(own, acting);
-        self.equations.freedoms.push(Freedom { source: Source::Position(start), coordinate: Some(own) });
+        self.act(own, actuation);
+        self.equations
+            .free_coordinates
+            .push(JointCoordinate { source: Source::Position(start), coordinate: Some(own) });
     }
 
     /// Records the distance of the two points.
     pub fn length(&mut self) {
         let source = Source::Length(measures::apart(self.a(), self.b()));
-        self.equations.freedoms.push(Freedom { source, coordinate: None });
+        self.equations.free_coordinates.push(JointCoordinate { source, coordinate: None });
     }
 
     /// Adds a spring and a damper along a measure.
@@ -244,16 +248,16 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Adds drive, spring and friction of a joint coordinate.
-    fn act(&mut self, coordinate: usize, acting: &Acting<'_>) {
+    fn act(&mut self, coordinate: usize, actuation: &JointActuation<'_>) {
         let measure = || BilinearMeasure::coordinate(coordinate);
-        if let Some(drive) = &acting.drive {
+        if let Some(drive) = &actuation.drive {
             self.prescribe("drive", measure(), drive.target(self.clock));
         }
-        if let Some([stiffness, damping, rest]) = acting.spring {
+        if let Some([stiffness, damping, rest]) = actuation.spring {
             let rest = MeasureTarget::new(rest, Function::ONE);
             self.add(Spring::with_set_point(measure(), stiffness, damping, rest));
         }
-        if let Some([force, creep]) = acting.friction {
+        if let Some([force, creep]) = actuation.friction {
             self.add(Friction::new(measure(), force, creep));
         }
     }

@@ -5,12 +5,12 @@ use ancf_mechanics::constraints::{CoincidenceConstraint, Wrench};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
-use super::freedom::Freedom;
+use super::coordinate::JointCoordinate;
 use super::term::JointTerm;
 
 /// Result of closing the gaps of a model, in the units of the assembly.
 #[derive(Clone, Debug)]
-pub struct Closed {
+pub struct GapClosure {
     /// The closed state, at rest and without loads.
     pub state: State,
     /// Name and distance of the ends of each joint that was open.
@@ -48,15 +48,15 @@ pub(crate) struct JointEquations {
     pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
     /// Angles and displacements by which the joint moves.
-    pub(crate) freedoms: Vec<Freedom>,
+    pub(crate) free_coordinates: Vec<JointCoordinate>,
 }
 
 impl fmt::Debug for JointEquations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, coordinates, multipliers, freedoms, .. } = self;
+        let Self { name, coordinates, multipliers, free_coordinates, .. } = self;
         let mut debug = f.debug_struct("JointEquations");
         debug.field("name", name).field("coordinates", coordinates).field("multipliers", multipliers);
-        debug.field("freedoms", freedoms).finish_non_exhaustive()
+        debug.field("free_coordinates", free_coordinates).finish_non_exhaustive()
     }
 }
 

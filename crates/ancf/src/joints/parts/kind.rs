@@ -2,7 +2,7 @@ use std::fmt;
 
 use nalgebra::Vector3;
 
-use super::acting::Acting;
+use super::actuation::JointActuation;
 use super::builder::JointBuilder;
 use super::coupling::Freed;
 use super::end::End;
@@ -62,13 +62,13 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     }
 
     /// Drive, spring and friction along the angle of the joint.
-    fn turning(&self) -> Acting<'_> {
-        Acting::default()
+    fn angular_actuation(&self) -> JointActuation<'_> {
+        JointActuation::default()
     }
 
     /// Drive, spring and friction along the displacement of the joint.
-    fn moving(&self) -> Acting<'_> {
-        Acting::default()
+    fn linear_actuation(&self) -> JointActuation<'_> {
+        JointActuation::default()
     }
 
     /// True if a gap between the ends can be closed before the analysis, and if the second end may be a ground point.

@@ -1,6 +1,6 @@
 //! Joints and loads of a program's own kinds.
 
-use ancf::joints::{Acting, Capability, JointBuilder, JointKind};
+use ancf::joints::{Capability, JointActuation, JointBuilder, JointKind};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::Attachment;
@@ -61,7 +61,10 @@ impl JointKind for Bearing {
         let axis = Vector3::from(self.axis).normalize();
         builder.coincide();
         builder.parallel(axis, "hinge axis");
-        builder.angle(axis, &Acting { friction: Some([self.torque, self.rate]), ..Acting::default() });
+        builder.angle(
+            axis,
+            &JointActuation { friction: Some([self.torque, self.rate]), ..JointActuation::default() },
+        );
     }
 }
 

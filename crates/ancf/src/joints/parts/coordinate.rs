@@ -6,26 +6,26 @@ use nalgebra::Vector3;
 use super::coupling::Freed;
 use crate::units::Dimension;
 
-/// An angle or a displacement by which a joint moves, as it is recorded.
+/// Recorded coordinate of a joint: an angle, a displacement, an arc length or a distance.
 #[derive(Clone, Debug)]
-pub struct Freedom {
+pub struct JointCoordinate {
     pub(crate) source: Source,
-    /// The coordinate that it is, if something drives, couples or springs it.
+    /// Index of the coordinate in the state, if a drive, coupling, spring or friction acts on it.
     pub(crate) coordinate: Option<usize>,
 }
 
-/// How it is known without a coordinate.
+/// Source of the value.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
     /// p of the first end, and u, v of the other.
     Angle([Marker; 3]),
     Displacement(BilinearMeasure),
-    /// An arc length from the start of a beam on, of the start of the motion.
+    /// Arc length on a beam at the start of the motion.
     Position(f64),
     Length(Marker),
 }
 
-impl Freedom {
+impl JointCoordinate {
     /// Names of value and rate.
     pub const fn columns(&self) -> [&'static str; 2] {
         match self.source {
@@ -44,7 +44,7 @@ impl Freedom {
         }
     }
 
-    /// Whether the value is an angle known but for whole turns.
+    /// True if the value is an angle modulo 2π.
     pub const fn wraps(&self) -> bool {
         matches!(self.source, Source::Angle(_)) && self.coordinate.is_none()
     }
@@ -71,7 +71,7 @@ impl Freedom {
         }
     }
 
-    /// The coordinate of this freedom, for couplings.
+    /// The coordinate of this joint coordinate, for couplings.
     pub(crate) fn coupled(&self, freed: Freed) -> Option<usize> {
         let fits = match self.source {
             Source::Angle(_) => freed == Freed::Angle,

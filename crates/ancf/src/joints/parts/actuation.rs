@@ -112,11 +112,11 @@ pub struct LinearFriction {
 
 /// Drive, spring and friction along a free angle or displacement of a joint.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Acting<'a> {
+pub struct JointActuation<'a> {
     /// Table that states the drive: `"drive"` or `"feed"`.
     pub table: &'static str,
     /// Prescribed motion.
-    pub drive: Option<Led<'a>>,
+    pub drive: Option<PrescribedMotion<'a>>,
     /// Stiffness, damping and position without spring force.
     pub spring: Option<[f64; 3]>,
     /// Magnitude, and velocity below which friction is viscous.
@@ -125,53 +125,54 @@ pub struct Acting<'a> {
 
 /// Prescribed angle or displacement.
 #[derive(Clone, Copy, Debug)]
-pub struct Led<'a> {
+pub struct PrescribedMotion<'a> {
     /// Factor of the coordinate, or of its rate.
     pub amounts: [Option<f64>; 2],
     /// Function of time.
     pub time: &'a TimeFunction,
 }
 
-impl Acting<'_> {
+impl JointActuation<'_> {
     /// True if there is a drive, a spring or friction.
     pub(crate) const fn is_some(&self) -> bool {
         self.drive.is_some() || self.spring.is_some() || self.friction.is_some()
     }
 }
 
-impl<'a> Acting<'a> {
+impl<'a> JointActuation<'a> {
     /// Drive, spring and friction along an angle.
-    pub(crate) fn turning(
+    pub(crate) fn angular(
         drive: &'a Option<AngularDrive>,
         spring: &Option<AngularSpring>,
         friction: &Option<AngularFriction>,
     ) -> Self {
-        let led = |d: &'a AngularDrive| Led { amounts: [d.angle, d.rate], time: &d.time };
+        let prescribed = |d: &'a AngularDrive| PrescribedMotion { amounts: [d.angle, d.rate], time: &d.time };
         Self {
             table: "drive",
-            drive: drive.as_ref().map(led),
+            drive: drive.as_ref().map(prescribed),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
             friction: friction.map(|f| [f.moment, f.rate]),
         }
     }
 
     /// Drive, spring and friction along a displacement.
-    pub(crate) fn moving(
+    pub(crate) fn linear(
         drive: &'a Option<LinearDrive>,
         spring: &Option<LinearSpring>,
         friction: &Option<LinearFriction>,
     ) -> Self {
-        let led = |d: &'a LinearDrive| Led { amounts: [d.displacement, d.speed], time: &d.time };
+        let prescribed =
+            |d: &'a LinearDrive| PrescribedMotion { amounts: [d.displacement, d.speed], time: &d.time };
         Self {
             table: "drive",
-            drive: drive.as_ref().map(led),
+            drive: drive.as_ref().map(prescribed),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
             friction: friction.map(|f| [f.force, f.speed]),
         }
     }
 }
 
-impl Led<'_> {
+impl PrescribedMotion<'_> {
     /// Prescribed value as a function of time: as stated, or the integral of the stated rate. In statics the rate is zero.
     pub(crate) fn target(&self, clock: Clock) -> MeasureTarget {
         match self.amounts {

@@ -96,7 +96,7 @@ fn formulas_that_become_infinite_fail() {
     let Failed { time, reason, at, advice, last } = failed(&model("not_a_number"));
     assert!((time - 1.0).abs() < 0.01 && last == 0.99, "{time}, {last}");
     assert!(reason.starts_with("the value of `loads[0].time` became -inf: "), "{reason}");
-    assert!(at == "`loads[0].time`" && advice.contains("a number at all times"), "{at}; {advice}");
+    assert!(at == "`loads[0].time`" && advice.contains("finite at all times"), "{at}; {advice}");
 }
 
 /// A drive with an infinite rate at the start, and an external force that becomes NaN.

@@ -115,10 +115,10 @@ fn recorded(probe: &Probe) -> String {
 fn name_and_kind_of_load(number: usize, load: &Load) -> (String, String) {
     let word = match load {
         Load::Force { follower: false, .. } => "force",
-        Load::Force { follower: true, .. } => "following force",
+        Load::Force { follower: true, .. } => "follower force",
         Load::Moment { follower: false, .. } => "moment",
-        Load::Moment { follower: true, .. } => "following moment",
-        Load::External { name, .. } => return (name.clone(), "supplied force".to_owned()),
+        Load::Moment { follower: true, .. } => "follower moment",
+        Load::External { name, .. } => return (name.clone(), "external force".to_owned()),
         _ => "load",
     };
     (format!("loads[{number}]"), word.to_owned())

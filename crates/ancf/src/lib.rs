@@ -1,24 +1,23 @@
 //! Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
 //!
-//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`](fn@simulate) rewrites it in the units
-//! of its [`Scales`], assembles the index-3 equations of motion
+//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`](fn@simulate) converts it into the
+//! units of its [`Scales`] and assembles the index-3 equations of motion
 //!
-//! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0,
+//! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0.
 //!
-//! integrates them by a generalized-α scheme with Newton's method and the exact tangent, and passes every instant, in the
-//! user's units again, to a [`Sink`](record::Sink).
+//! They are integrated by a generalized-α scheme with Newton's method and the exact tangent. A [`Sink`](record::Sink) receives
+//! the output rows in the user's units.
 //!
-//! Floors, arrows pointing downwards only:
-//!
-//! ```text
-//!            simulate              model -> scaled model -> equations -> states -> rows -> sinks
-//!          /    |     \
-//!      model  --+    record        what the user states, analyses too; rows of numbers under names
-//!        |   analysis   |          Newton, schemes: know equations of motion, no mechanics
-//!    mechanics  |       |          elements, markers, constraints: know terms, no analysis
-//!          \    |       |
-//!  function  system    scales       functions of time; states, terms, assembly, sparse matrices; units
-//! ```
+//! | module | contents |
+//! |---|---|
+//! | [`model`], [`joints`] | data of a model |
+//! | [`reading`], [`schema`], [`errors`] | model files, their JSON Schema and error messages |
+//! | [`units`] | units, scales and dimensions |
+//! | [`assembly`] | equations of motion of a model |
+//! | [`diagnosis`] | degrees of freedom, redundant constraints, free motions |
+//! | [`record`] | sinks for result rows |
+//! | [`mechanics`] | elements, constraints and forces |
+//! | [`solver`] | time integration, statics, eigenvalues, sparse equations |
 //!
 //! The cantilever of Kim et al. (2017), dropped under its own weight:
 //!

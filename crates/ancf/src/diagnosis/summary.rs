@@ -159,7 +159,7 @@ const fn noun(body: &Body) -> &'static str {
     }
 }
 
-/// Degrees of freedom that a joint removes between two rigid bodies, those that it drives among them.
+/// Degrees of freedom that a joint removes between two rigid bodies, including driven ones.
 fn removed(joint: &Joint) -> usize {
     joint.kind().removes() + joint.times().iter().filter(|(key, _)| !key.is_empty()).count()
 }

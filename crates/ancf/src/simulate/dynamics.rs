@@ -122,11 +122,11 @@ impl<'a> AnalysisRun<'a> {
     fn record(&mut self, motion: &mut DynamicRun<'a>, report: &StepReport) -> io::Result<ControlFlow<()>> {
         let DynamicRun { rows, control, .. } = motion;
         let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
-        let own = [f64::from(iterations), residual, increment, drift, violation];
+        let values = [f64::from(iterations), residual, increment, drift, violation];
         let dynamics = control.dynamics();
         let s = dynamics.state();
         let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
-        let row = rows.fill(self.assembly, s, t, &own, energy, Some(dynamics.energy_exchange()));
+        let row = rows.fill(self.assembly, s, t, &values, energy, Some(dynamics.energy_exchange()));
         let flow = self.observer.record(row, s)?;
         control.mark_recorded();
         Ok(flow)

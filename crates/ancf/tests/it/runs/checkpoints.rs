@@ -206,7 +206,7 @@ fn resumed_failures_are_equal() {
 }
 
 /// Returns the reason for which a checkpoint is rejected.
-fn mismatch(model: &Model, checkpoint: &Checkpoint) -> ResumeError {
+fn resume_error(model: &Model, checkpoint: &Checkpoint) -> ResumeError {
     let mut recorder = Recorder::default();
     let Err(Error::Checkpoint(mismatch)) = Simulation::new(model).unwrap().resume(checkpoint, &mut recorder)
     else {
@@ -222,15 +222,18 @@ fn checkpoints_of_other_models_are_rejected() {
     let model = beam("", "", settings);
     let all = run(&model, true).0.checkpoints;
     let checkpoint = read(&all[3]);
-    assert_eq!(mismatch(&beam("", PULSE, settings), &checkpoint), ResumeError::Model);
-    assert_eq!(mismatch(&beam(", damping = { mass = 1 }", "", settings), &checkpoint), ResumeError::Model);
-    assert_eq!(mismatch(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), ResumeError::Model);
-    assert_eq!(mismatch(&file("double_pendulum", settings), &checkpoint), ResumeError::Model);
-    assert_eq!(mismatch(&files::model("column"), &checkpoint), ResumeError::Analysis);
+    assert_eq!(resume_error(&beam("", PULSE, settings), &checkpoint), ResumeError::Model);
+    assert_eq!(
+        resume_error(&beam(", damping = { mass = 1 }", "", settings), &checkpoint),
+        ResumeError::Model
+    );
+    assert_eq!(resume_error(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), ResumeError::Model);
+    assert_eq!(resume_error(&file("double_pendulum", settings), &checkpoint), ResumeError::Model);
+    assert_eq!(resume_error(&files::model("column"), &checkpoint), ResumeError::Analysis);
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(mismatch(&model, &read(&other)), ResumeError::Version { found: 2, expected: 1 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 2, expected: 1 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.

@@ -149,7 +149,7 @@ fn rows(simulation: &Simulation) -> Series {
     series
 }
 
-/// The same equations give the same numbers, whether a joint or a load is of the library or of the program.
+/// Built-in and added joints and loads with equal equations give equal results.
 #[test]
 fn added_parts_give_the_results_of_built_in_ones() {
     let stated = format!(

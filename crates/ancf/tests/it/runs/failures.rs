@@ -26,7 +26,7 @@ struct Failed {
     reason: String,
     at: String,
     advice: String,
-    /// Last recorded instant.
+    /// Last recorded time.
     last: f64,
 }
 

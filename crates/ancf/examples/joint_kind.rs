@@ -1,6 +1,6 @@
 //! A kind of joint that a program adds: a bearing with dry friction.
 
-use ancf::joints::{End, JointActuation, JointBuilder, JointKind};
+use ancf::joints::{End, JointActions, JointBuilder, JointKind};
 use ancf::model::Place;
 use ancf::record::Series;
 use ancf::units::{Dimension, Scaled, Scales};
@@ -42,7 +42,7 @@ impl JointKind for Bearing {
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
         let friction =
-            JointActuation { friction: Some([self.torque, self.rate]), ..JointActuation::default() };
+            JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() };
         builder.coincide();
         builder.parallel([0.0, 0.0, 1.0], "bearing axis");
         builder.angle([0.0, 0.0, 1.0], &friction);

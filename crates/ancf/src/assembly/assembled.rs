@@ -8,7 +8,7 @@ use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};
 use super::redundant::Redundant;
-use crate::joints::{GapClosure, JointCoordinate, JointEquations};
+use crate::joints::{GapClosure, RecordedCoordinate, JointEquations};
 use crate::model::Quantity;
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -66,9 +66,9 @@ impl Assembly {
     }
 
     /// Recorded coordinates of the joints, with the names of the joints.
-    pub fn joint_coordinates(&self) -> impl Iterator<Item = (&str, &JointCoordinate)> {
+    pub fn joint_coordinates(&self) -> impl Iterator<Item = (&str, &RecordedCoordinate)> {
         self.joints.iter().flat_map(|joint| {
-            joint.free_coordinates.iter().map(|coordinate| (joint.name.as_str(), coordinate))
+            joint.recorded.iter().map(|coordinate| (joint.name.as_str(), coordinate))
         })
     }
 

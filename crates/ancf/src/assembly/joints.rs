@@ -93,7 +93,7 @@ impl Model {
         let [_, first] = Self::numbers(bodies, joints);
         let part = |measure: Measured, part: &Coupled| {
             let (joint, freed) = self.coupled(part)?;
-            let coordinate = joints[joint].free_coordinates.iter().find_map(|own| own.coupled(freed))?;
+            let coordinate = joints[joint].recorded.iter().find_map(|own| own.coupled(freed))?;
             Some(measure.plus(coordinate, part.factor))
         };
         let tie = |(k, coupling): (usize, &Coupling)| {

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
 use crate::errors::{Finding, finding, number, quoted};
-use crate::joints::{Coupled, End, Freed, Joint, JointActuation};
+use crate::joints::{Coupled, End, Freed, Joint, JointActions};
 use crate::model::{Model, TimeFunction, Varying, joints_of};
 
 /// Axes are directions.
@@ -61,7 +61,7 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
 pub(crate) fn acting(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
-        let (angular, linear) = (joint.kind().angular_actuation(), joint.kind().linear_actuation());
+        let (angular, linear) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
         for (actuation, names) in [(angular, ["angle", "rate"]), (linear, ["displacement", "speed"])] {
             findings.extend(rule_of_drive(model, &format!("{path}.{}", actuation.table), &actuation, names));
         }
@@ -72,7 +72,7 @@ pub(crate) fn acting(model: &Model) -> Vec<Finding> {
 fn rule_of_drive(
     model: &Model,
     path: &str,
-    actuation: &JointActuation<'_>,
+    actuation: &JointActions<'_>,
     [own, rate]: [&str; 2],
 ) -> Option<Finding> {
     let drive = actuation.drive?;

@@ -1,26 +1,26 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{Clamped, End, JointBuilder, JointKind};
+use crate::joints::parts::{ClampedGradients, End, JointBuilder, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
-/// A clamp: ties position and orientation.
+/// Clamp: constrains position and orientation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Clamp {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end; the ground by default.
+    /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Which gradients are tied besides the position: `"all"` for beams of the continuum formulation, `"section"`
-    /// for all else, by default.
+    /// Gradients that are constrained in addition to the position. By default `"all"` for beams of the continuum formulation,
+    /// `"section"` for other bodies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fix: Option<Clamped>,
+    pub fix: Option<ClampedGradients>,
 }
 
 impl JointKind for Clamp {

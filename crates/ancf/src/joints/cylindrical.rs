@@ -4,33 +4,33 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    AngularDrive, AngularSpring, End, Freed, JointActuation, JointBuilder, JointKind, LinearDrive,
+    AngularDrive, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A pin in a sleeve: leaves rotation about an axis and displacement along it.
+/// Cylindrical joint: allows rotation about an axis and displacement along it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Cylindrical {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the axis; the ground by default.
+    /// Second end, to which the axis is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
-    /// Prescribes the angle.
+    /// Prescribed angle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<AngularDrive>,
-    /// A torsion spring and a damper.
+    /// Torsion spring and damper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<AngularSpring>,
-    /// Prescribes the displacement.
+    /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub feed: Option<LinearDrive>,
 }
@@ -60,8 +60,8 @@ impl JointKind for Cylindrical {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::cylindrical(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2)], measures);
-        builder.angle(axis, &self.angular_actuation());
-        builder.displacement(axis, &self.linear_actuation());
+        builder.angle(axis, &self.angle_actions());
+        builder.displacement(axis, &self.displacement_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -82,15 +82,15 @@ impl JointKind for Cylindrical {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Angle, Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Angle, JointCoordinate::Displacement]
     }
 
-    fn angular_actuation(&self) -> JointActuation<'_> {
-        JointActuation::angular(&self.drive, &self.spring, &None)
+    fn angle_actions(&self) -> JointActions<'_> {
+        JointActions::along_angle(&self.drive, &self.spring, &None)
     }
 
-    fn linear_actuation(&self) -> JointActuation<'_> {
-        JointActuation { table: "feed", ..JointActuation::linear(&self.feed, &None, &None) }
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions { table: "feed", ..JointActions::along_displacement(&self.feed, &None, &None) }
     }
 }

@@ -4,26 +4,26 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding, number};
-use crate::joints::parts::{End, JointBuilder, JointContext, JointKind, Symbol};
+use crate::joints::parts::{End, JointBuilder, JointContext, JointKind, JointSymbol};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A massless rod with balls at its ends: keeps the distance of two points, or leads it.
+/// Massless rod with ball joints at its ends: constrains or prescribes the distance of two points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Distance {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end: a place or a point of the ground, elsewhere than `a`.
+    /// Second end: a place or a point of the ground, at a distance from `a`.
     pub b: End,
-    /// By how much the distance grows, times the function of time, length; 0 by default.
+    /// Change of the distance, length; 0 by default. The function of time multiplies it.
     #[unit(length)]
     #[serde(default)]
     pub change: f64,
-    /// Function of time; 1 by default. Statics ignores it and changes the distance with the load.
+    /// Function of time; 1 by default. In statics the load factor multiplies `change` instead.
     #[serde(default)]
     pub time: TimeFunction,
 }
@@ -68,14 +68,14 @@ impl JointKind for Distance {
         true
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line("rod")
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line("rod")
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
         let key = format!("{path}.time");
         if self.change != 0.0 && self.time.jumps() {
-            return vec![finding(key, "a function that jumps", "one that bodies can follow")];
+            return vec![finding(key, "a function that jumps", "a continuous function")];
         }
         let start = self.change * self.time.compile().map_or(0.0, |function| function.value(0.0));
         let nonzero = context.is_dynamic() && start.abs() > 1e-6 * context.length();

@@ -5,36 +5,36 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::errors::{Finding, finding, number};
-use crate::joints::parts::{Clamped, End, JointBuilder, JointContext, JointKind};
+use crate::joints::parts::{ClampedGradients, End, JointBuilder, JointContext, JointKind};
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A clamp to a frame that rotates about the place and moves as prescribed.
+/// Clamp to a frame with prescribed rotation about the place and prescribed displacement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct DrivenClamp {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end whose motion is prescribed; it receives the reaction.
+    /// End with prescribed motion, on which the reaction acts.
     pub a: Place,
-    /// Direction of the axis in the global frame; its length does not matter. Without one the frame does not turn.
+    /// Direction of the axis of rotation in the global frame. Its magnitude has no effect. No rotation by default.
     #[unit(none)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<[f64; 3]>,
-    /// Angle by which the function of time is multiplied, in radians; 1 by default.
+    /// Angle, in radians; 1 by default. The function of time multiplies it.
     #[unit(radian)]
     #[serde(default = "one")]
     pub angle: f64,
-    /// Displacement by which the function of time is multiplied, length; none by default.
+    /// Displacement, length; zero by default. The function of time multiplies it.
     #[unit(length)]
     #[serde(default)]
     pub displacement: [f64; 3],
-    /// Function of time; statics ignores it, turns and moves with the load.
+    /// Function of time. In statics the load factor multiplies angle and displacement instead.
     pub time: TimeFunction,
-    /// Which gradients are tied besides the position, by default as those of a clamp.
+    /// Gradients that are constrained in addition to the position; by default as in a clamp.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fix: Option<Clamped>,
+    pub fix: Option<ClampedGradients>,
 }
 
 fn one() -> f64 {
@@ -43,15 +43,15 @@ fn one() -> f64 {
 
 /// Second end of a driven clamp.
 static GROUND: End = End::Ground;
-/// Angles below this count as zero, in radians.
-const NO_ANGLE: f64 = 1e-6;
-/// Displacements below this part of the length of the model count as zero.
-const NO_DISPLACEMENT: f64 = 1e-6;
+/// Largest initial angle that counts as zero, in radians.
+const ANGLE_TOLERANCE: f64 = 1e-6;
+/// Largest initial displacement that counts as zero, relative to the model length.
+const DISPLACEMENT_TOLERANCE: f64 = 1e-6;
 /// Expectation of a prescribed motion.
-const STARTS: &str = "a motion that starts from the undeformed state, at 0";
+const REST_AT_START: &str = "a motion that starts from the undeformed state, at 0";
 
 impl DrivenClamp {
-    fn moves(&self) -> bool {
+    fn has_displacement(&self) -> bool {
         self.displacement != [0.0; 3]
     }
 }
@@ -74,7 +74,7 @@ impl JointKind for DrivenClamp {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        if !self.moves() {
+        if !self.has_displacement() {
             builder.coincide();
         }
         let function = builder.function(&self.time);
@@ -85,11 +85,15 @@ impl JointKind for DrivenClamp {
                 builder.prescribe_rotation(axis, self.angle, &function, self.fix);
             }
         }
-        if self.moves() {
-            for (measure, way) in
+        if self.has_displacement() {
+            for (measure, displacement) in
                 measures::meeting(builder.a(), builder.b()).into_iter().zip(self.displacement)
             {
-                builder.prescribe("driven position", measure, MeasureTarget::new(way, function.clone()));
+                builder.prescribe(
+                    "driven position",
+                    measure,
+                    MeasureTarget::new(displacement, function.clone()),
+                );
             }
         }
     }
@@ -120,15 +124,15 @@ impl JointKind for DrivenClamp {
         let angle = if self.axis.is_some() { self.angle * start } else { 0.0 };
         let displacement = Vector3::from(self.displacement).norm() * start;
         if self.time.jumps() {
-            return vec![finding(key, "a function that jumps", "one that bodies can follow")];
+            return vec![finding(key, "a function that jumps", "a continuous function")];
         }
         let nonzero = |found: String, own: &str| {
-            let error = finding(key.clone(), found, STARTS);
+            let error = finding(key.clone(), found, REST_AT_START);
             vec![Finding { absence: true, ..error.rests_on([format!("{path}.{own}")]) }]
         };
-        if context.is_dynamic() && angle.abs() > NO_ANGLE {
+        if context.is_dynamic() && angle.abs() > ANGLE_TOLERANCE {
             nonzero(format!("an angle of {} at t = 0", number(angle)), "angle")
-        } else if context.is_dynamic() && displacement.abs() > NO_DISPLACEMENT * context.length() {
+        } else if context.is_dynamic() && displacement.abs() > DISPLACEMENT_TOLERANCE * context.length() {
             nonzero(format!("a displacement of {} at t = 0", number(displacement)), "displacement")
         } else {
             Vec::new()

@@ -13,29 +13,29 @@ use super::slide::Slide;
 use super::spherical::Spherical;
 use super::universal::Universal;
 use crate::joints::elastic::{Bushing, PointSpring};
-use crate::joints::parts::{Clamped, CustomJoint, End, JointKind};
+use crate::joints::parts::{ClampedGradients, CustomJoint, End, JointKind};
 use crate::model::{Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Declares the kinds of joints of model files: variant and data of each.
 macro_rules! joint_kinds {
     ($($kind:ident($data:ident),)*) => {
-        /// A joint between a body and the ground or another body.
+        /// Joint between a body and the ground or another body.
         ///
-        /// Reactions are reported as the force and the moment that the joint exerts on its end `a`.
+        /// Reactions are the force and the moment that the joint exerts on its end `a`.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
         #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
         #[expect(missing_docs, reason = "the data of each kind are documented")]
         pub enum Joint {
             $($kind($data),)*
-            /// A joint of a kind that a program adds; model files have none.
+            /// Joint of a kind that a program adds. Model files do not have such joints.
             #[serde(skip)]
             #[schemars(skip)]
             Custom(CustomJoint),
         }
 
         impl Joint {
-            /// The joint as an implementation of its kind.
+            /// Joint as an implementation of its kind.
             pub fn kind(&self) -> &dyn JointKind {
                 match self {
                     $(Self::$kind(joint) => joint,)*
@@ -43,7 +43,7 @@ macro_rules! joint_kinds {
                 }
             }
 
-            /// The joint as a mutable implementation of its kind.
+            /// Joint as a mutable implementation of its kind.
             pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
                 match self {
                     $(Self::$kind(joint) => joint,)*
@@ -77,22 +77,22 @@ joint_kinds! {
 }
 
 impl Joint {
-    /// A clamp with the default of its bodies.
+    /// Clamp with the default gradients of its bodies.
     pub fn clamp(name: &str, a: Place, b: End) -> Self {
         Self::clamped(name, a, b, None)
     }
 
-    /// A clamp of stated gradients.
-    pub fn clamped(name: &str, a: Place, b: End, fix: Option<Clamped>) -> Self {
+    /// Clamp of given gradients.
+    pub fn clamped(name: &str, a: Place, b: End, fix: Option<ClampedGradients>) -> Self {
         Self::Clamp(Clamp { name: name.into(), a, b, fix })
     }
 
-    /// A hinge without drive, spring and friction.
+    /// Hinge without drive, spring and friction.
     pub fn revolute(name: &str, a: Place, b: End, axis: [f64; 3]) -> Self {
         Self::Revolute(Revolute { name: name.into(), a, b, axis, drive: None, spring: None, friction: None })
     }
 
-    /// A ball joint.
+    /// Ball joint.
     pub fn spherical(name: &str, a: Place, b: End) -> Self {
         Self::Spherical(Spherical { name: name.into(), a, b })
     }
@@ -102,12 +102,12 @@ impl Joint {
         self.kind().name()
     }
 
-    /// The two ends.
+    /// First and second end.
     pub fn ends(&self) -> (&Place, &End) {
         self.kind().ends()
     }
 
-    /// Functions of time, with the suffix of the table that holds each one.
+    /// Functions of time, each with the suffix of its table.
     pub fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
         self.kind().times()
     }

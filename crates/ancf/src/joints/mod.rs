@@ -1,6 +1,6 @@
-//! Joints: one file a kind, and one line each in `joint.rs`.
+//! Joints: one file per kind, and one line per kind in `joint.rs`.
 //!
-//! A kind of joint implements [`JointKind`]: data and units, needs and checks, constraint equations, symbol in drawings.
+//! A kind of joint implements [`JointKind`]: data and units, required capabilities, checks, constraint equations, symbol in drawings.
 
 mod clamp;
 mod cylindrical;
@@ -25,9 +25,9 @@ pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
 pub use joint::Joint;
 pub use parts::{
-    AngularDrive, AngularFriction, AngularSpring, Clamped, Coupled, Coupling, CustomJoint, End, Freed,
-    GapClosure, Ground, JointActuation, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
-    JointTerm, LinearDrive, LinearFriction, LinearSpring, PrescribedMotion, Symbol,
+    AngularDrive, AngularFriction, AngularSpring, ClampedGradients, GapClosure, Coupled, Coupling, CustomJoint,
+    End, Ground, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
+    JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, PrescribedMotion, RecordedCoordinate,
 };
 pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};
 pub use planar::Planar;

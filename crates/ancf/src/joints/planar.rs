@@ -7,19 +7,19 @@ use crate::joints::parts::{End, JointBuilder, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
-/// A plate on a plane: leaves displacements in a plane and rotation about its normal.
+/// Planar joint: allows displacements in a plane and rotation about its normal.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Planar {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the plane; the ground by default.
+    /// Second end, to which the plane is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Normal of the plane in the undeformed state, in the global frame; its length does not matter.
+    /// Normal of the plane in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub normal: [f64; 3],
 }

@@ -3,23 +3,23 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
-use crate::joints::parts::{End, JointActuation, JointBuilder, JointKind};
+use crate::joints::parts::{End, JointActions, JointBuilder, JointKind};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
-/// A point on a straight line: leaves displacement along it and all rotations.
+/// Point on a straight line: allows displacement along the line and all rotations.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct PointOnLine {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the line; the ground by default.
+    /// Second end, to which the line is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the line in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the line in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
 }
@@ -49,7 +49,7 @@ impl JointKind for PointOnLine {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::on_line(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2)], measures);
-        builder.displacement(axis, &JointActuation::default());
+        builder.displacement(axis, &JointActions::default());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {

@@ -4,30 +4,30 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::measures;
 use crate::joints::parts::{
-    End, Freed, JointActuation, JointBuilder, JointKind, LinearDrive, LinearFriction, LinearSpring,
+    End, JointActions, JointBuilder, JointCoordinate, JointKind, LinearDrive, LinearFriction, LinearSpring,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A slider in a straight guide: leaves displacement along an axis.
+/// Prismatic joint: allows displacement along an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Prismatic {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the axis; the ground by default.
+    /// Second end, to which the axis is fixed; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
-    /// Prescribes the displacement.
+    /// Prescribed displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<LinearDrive>,
-    /// A spring and a damper.
+    /// Spring and damper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LinearSpring>,
     /// Dry friction.
@@ -60,7 +60,7 @@ impl JointKind for Prismatic {
         let axis = Vector3::from(self.axis).normalize();
         let measures = measures::prismatic(builder.a(), builder.b(), axis);
         builder.keep(&[(measures::GUIDE, 2), (measures::AXIS, 2), ("rotation about the axis", 1)], measures);
-        builder.displacement(axis, &self.linear_actuation());
+        builder.displacement(axis, &self.displacement_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -79,11 +79,11 @@ impl JointKind for Prismatic {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Displacement]
     }
 
-    fn linear_actuation(&self) -> JointActuation<'_> {
-        JointActuation::linear(&self.drive, &self.spring, &self.friction)
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
     }
 }

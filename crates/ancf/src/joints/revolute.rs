@@ -3,30 +3,30 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::joints::parts::{
-    AngularDrive, AngularFriction, AngularSpring, End, Freed, JointActuation, JointBuilder, JointKind,
+    AngularDrive, AngularFriction, AngularSpring, End, JointActions, JointBuilder, JointCoordinate, JointKind,
 };
 use crate::model::{Capability, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A hinge: ties the position and leaves rotation about one axis.
+/// Hinge: constrains the position and allows rotation about one axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Revolute {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end; the ground by default.
+    /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+    /// Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     #[unit(none)]
     pub axis: [f64; 3],
-    /// Prescribes the angle.
+    /// Prescribed angle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<AngularDrive>,
-    /// A torsion spring and a damper.
+    /// Torsion spring and damper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<AngularSpring>,
     /// Dry friction.
@@ -55,7 +55,7 @@ impl JointKind for Revolute {
         let axis = Vector3::from(self.axis).normalize();
         builder.coincide();
         builder.parallel(axis, "hinge axis");
-        builder.angle(axis, &self.angular_actuation());
+        builder.angle(axis, &self.angle_actions());
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -74,12 +74,12 @@ impl JointKind for Revolute {
         vec![("axis", self.axis)]
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Angle]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Angle]
     }
 
-    fn angular_actuation(&self) -> JointActuation<'_> {
-        JointActuation::angular(&self.drive, &self.spring, &self.friction)
+    fn angle_actions(&self) -> JointActions<'_> {
+        JointActions::along_angle(&self.drive, &self.spring, &self.friction)
     }
 
     fn closes(&self) -> bool {

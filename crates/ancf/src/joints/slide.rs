@@ -3,30 +3,30 @@ use serde::{Deserialize, Serialize};
 
 use crate::errors::{Finding, finding};
 use crate::joints::parts::{
-    End, Freed, JointActuation, JointBuilder, JointContext, JointKind, LinearDrive, LinearFriction,
+    End, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, LinearDrive, LinearFriction,
     LinearSpring,
 };
 use crate::model::{Beam, Body, Formulation, Place, TimeFunction};
 use crate::units::Scaled;
 
-/// A bead on a beam: a point slides along the axis of a beam, bent as it is.
+/// Sliding joint: constrains a point to the deformed axis of a beam or cable.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Slide {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The point that slides, and receives the reaction.
+    /// Sliding point, on which the reaction acts.
     pub a: Place,
-    /// The place of a beam of two-node elements or of a cable where it is at the start.
+    /// Initial place on the axis of a cable or of a beam of two-node elements.
     pub b: End,
-    /// Prescribes the displacement along the beam.
+    /// Prescribed displacement along the axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<LinearDrive>,
-    /// A spring and a damper along the beam.
+    /// Spring and damper along the axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LinearSpring>,
-    /// Dry friction along the beam, of a given force.
+    /// Dry friction along the axis, of a given force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<LinearFriction>,
 }
@@ -49,7 +49,7 @@ impl JointKind for Slide {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        builder.slide(&self.linear_actuation());
+        builder.slide(&self.displacement_actions());
     }
 
     fn times(&self) -> Vec<(&'static str, &TimeFunction)> {
@@ -60,22 +60,22 @@ impl JointKind for Slide {
         self.drive.iter_mut().map(|drive| &mut drive.time).collect()
     }
 
-    fn freedoms(&self) -> &'static [Freed] {
-        &[Freed::Displacement]
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
+        &[JointCoordinate::Displacement]
     }
 
-    fn linear_actuation(&self) -> JointActuation<'_> {
-        JointActuation::linear(&self.drive, &self.spring, &self.friction)
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions::along_displacement(&self.drive, &self.spring, &self.friction)
     }
 
     fn check(&self, path: &str, context: &dyn JointContext) -> Vec<Finding> {
-        self.misfit(path, context).into_iter().collect()
+        self.check_axis(path, context).into_iter().collect()
     }
 }
 
 impl Slide {
     /// Finding if the second end is not on an axis with a continuous tangent.
-    fn misfit(&self, path: &str, context: &dyn JointContext) -> Option<Finding> {
+    fn check_axis(&self, path: &str, context: &dyn JointContext) -> Option<Finding> {
         let wanted = "a place on a cable or on a beam of two-node elements";
         let End::Place(place) = &self.b else {
             return Some(finding(format!("{path}.b"), "the ground", wanted));
@@ -85,7 +85,7 @@ impl Slide {
             Body::Beam(Beam { formulation: Formulation::Quadratic, .. }) => quadratic,
             Body::Beam(_) | Body::Cable(_) if place.offset == [0.0; 3] => return None,
             Body::Beam(_) | Body::Cable(_) => {
-                let wanted = "none: points slide along the axis";
+                let wanted = "no arm, since the point slides along the axis";
                 return Some(finding(format!("{path}.b.offset"), "an arm", wanted));
             }
             Body::Rigid(_) => "a rigid body",

@@ -5,16 +5,16 @@ use crate::joints::parts::{End, JointBuilder, JointKind};
 use crate::model::Place;
 use crate::units::Scaled;
 
-/// A ball joint: ties the position.
+/// Ball joint: constrains the position.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Spherical {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end; the ground by default.
+    /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
 }

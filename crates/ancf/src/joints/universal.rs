@@ -11,22 +11,23 @@ use crate::units::Scaled;
 /// Sine of the angle below which two axes count as parallel.
 const PARALLEL: f64 = 1e-3;
 
-/// Two shafts that meet: ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
+/// Cardan joint of two shafts: constrains the position and the angle between the arms of the cross.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Universal {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end; the ground by default.
+    /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Direction of the arm of the cross that is fixed to `a`, in the undeformed state.
+    /// Direction of the arm of the cross that is fixed to `a`, in the undeformed state, in the global frame.
     #[unit(none)]
     pub axis_a: [f64; 3],
-    /// Direction of the arm of the cross that is fixed to `b`, in the undeformed state, not along the other.
+    /// Direction of the arm of the cross that is fixed to `b`, in the undeformed state, in the global frame. Not parallel to
+    /// `axis_a`.
     #[unit(none)]
     pub axis_b: [f64; 3],
 }
@@ -68,11 +69,11 @@ impl JointKind for Universal {
 
     fn check(&self, path: &str, _context: &dyn JointContext) -> Vec<Finding> {
         let [a, b] = [self.axis_a, self.axis_b].map(|axis| Vector3::from(axis).normalize());
-        // A direction that vanishes has no cross product: it is reported by itself.
+        // A zero direction has a zero cross product; it is reported by another check.
         let parallel = a.cross(&b).norm() < PARALLEL;
         let found = parallel.then(|| {
             let key = format!("{path}.axis_b");
-            let error = finding(key, "a direction along `axis_a`", "an arm of the cross of its own");
+            let error = finding(key, "a direction parallel to `axis_a`", "a direction of its own");
             error.rests_on([format!("{path}.axis_a")])
         });
         found.into_iter().collect()

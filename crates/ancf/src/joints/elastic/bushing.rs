@@ -1,20 +1,20 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{End, JointBuilder, JointKind, Symbol, measures};
+use crate::joints::parts::{End, JointBuilder, JointKind, JointSymbol, measures};
 use crate::model::{Capability, Place};
 use crate::units::Scaled;
 
-/// An elastic mount: springs and dampers between two places that coincide, three along and three about the axes.
+/// Bushing: springs and dampers between two coincident places, along and about three axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Bushing {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end, which carries the axes, at first the global ones; the ground by default.
+    /// Second end, to which the axes are fixed; the ground by default. The axes are initially parallel to the global axes.
     #[serde(default)]
     pub b: End,
     /// Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
@@ -55,7 +55,7 @@ impl JointKind for Bushing {
         [Some((Capability::Section, "a bushing")); 2]
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line("bushing")
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line("bushing")
     }
 }

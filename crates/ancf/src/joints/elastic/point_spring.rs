@@ -1,20 +1,20 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::joints::parts::{End, JointBuilder, JointKind, Symbol};
+use crate::joints::parts::{End, JointBuilder, JointKind, JointSymbol};
 use crate::model::Place;
 use crate::units::Scaled;
 
-/// A spring and a damper between two points.
+/// Spring and damper between two points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct PointSpring {
     /// Name in outputs and messages.
     #[schemars(length(min = 1))]
     pub name: String,
-    /// The end that receives the reaction.
+    /// First end, on which the reaction acts.
     pub a: Place,
-    /// The other end: a place or a point of the ground, elsewhere than `a`.
+    /// Second end: a place or a point of the ground, at a distance from `a`.
     pub b: End,
     /// Stiffness, force/length.
     #[unit(force / length)]
@@ -26,12 +26,12 @@ pub struct PointSpring {
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub damping: f64,
-    /// Length without force, length. By default the distance in the undeformed state.
+    /// Length at zero force, length. By default the distance in the undeformed state.
     #[unit(length)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0))]
     pub length: Option<f64>,
-    /// Whether it only draws, as a rope does.
+    /// True for tension only, as in a rope.
     #[serde(default)]
     pub tension_only: bool,
 }
@@ -61,8 +61,8 @@ impl JointKind for PointSpring {
         true
     }
 
-    fn symbol(&self) -> Symbol {
-        Symbol::Line(match (self.tension_only, self.stiffness) {
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Line(match (self.tension_only, self.stiffness) {
             (true, _) => "rope",
             (false, 0.0) => "damper",
             (false, _) => "spring",

@@ -10,15 +10,15 @@ use ancf_mechanics::functions::Function;
 use ancf_mechanics::kinematics::{Attachment, ElementAxis, Marker};
 use nalgebra::Vector3;
 
-use super::actuation::JointActuation;
-use super::clamped::{Clamped, reference};
-use super::coordinate::{JointCoordinate, Source};
-use super::coupling::Freed;
+use super::actions::JointActions;
+use super::clamped_gradients::{ClampedGradients, reference};
+use super::coupling::JointCoordinate;
 use super::end::{End, Ground};
 use super::equations::{JointEquations, Part};
 use super::measures;
+use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
-use crate::model::{Clock, TimeFunction};
+use crate::model::{TimeFunction, TimeMode};
 
 /// The ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
@@ -32,12 +32,12 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) on_continuum: bool,
 }
 
-/// First free coordinate and multiplier, and the rule for functions of time.
+/// First unused coordinate and multiplier, and the treatment of functions of time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numbering {
     pub(crate) coordinate: usize,
     pub(crate) multiplier: usize,
-    pub(crate) clock: Clock,
+    pub(crate) time_mode: TimeMode,
 }
 
 /// Builder of the equations of one joint.
@@ -46,8 +46,8 @@ pub(crate) struct Numbering {
 /// and multipliers are numbered in the order in which they are added.
 pub struct JointBuilder<'a> {
     ends: JointEnds<'a>,
-    coupled: &'a dyn Fn(Freed) -> bool,
-    clock: Clock,
+    coupled: &'a dyn Fn(JointCoordinate) -> bool,
+    time_mode: TimeMode,
     equations: JointEquations,
 }
 
@@ -63,18 +63,18 @@ impl<'a> JointBuilder<'a> {
         name: &str,
         ends: JointEnds<'a>,
         numbering: Numbering,
-        coupled: &'a dyn Fn(Freed) -> bool,
+        coupled: &'a dyn Fn(JointCoordinate) -> bool,
     ) -> Self {
-        let Numbering { coordinate, multiplier, clock } = numbering;
+        let Numbering { coordinate, multiplier, time_mode } = numbering;
         let equations = JointEquations {
             name: name.to_owned(),
             coordinates: coordinate..coordinate,
             multipliers: multiplier..multiplier,
             position: None,
             parts: Vec::new(),
-            free_coordinates: Vec::new(),
+            recorded: Vec::new(),
         };
-        Self { ends, coupled, clock, equations }
+        Self { ends, coupled, time_mode, equations }
     }
 
     /// The finished equations.
@@ -94,7 +94,7 @@ impl<'a> JointBuilder<'a> {
 
     /// Function of time for the analysis: constant in statics, where loads and drives grow by the load factor.
     pub fn function(&self, time: &TimeFunction) -> Function {
-        self.clock.function(time)
+        self.time_mode.function(time)
     }
 
     /// Reserves a coordinate of the joint; returns its number.
@@ -131,7 +131,7 @@ impl<'a> JointBuilder<'a> {
         axis: Vector3<f64>,
         angle: f64,
         function: &Function,
-        fix: Option<Clamped>,
+        fix: Option<ClampedGradients>,
     ) {
         let here = self.a();
         for &direction in self.fixed(fix).of(&reference(here)) {
@@ -140,8 +140,8 @@ impl<'a> JointBuilder<'a> {
         }
     }
 
-    pub(crate) fn fixed(&self, fix: Option<Clamped>) -> Clamped {
-        let default = if self.ends.on_continuum { Clamped::All } else { Clamped::Section };
+    pub(crate) fn fixed(&self, fix: Option<ClampedGradients>) -> ClampedGradients {
+        let default = if self.ends.on_continuum { ClampedGradients::All } else { ClampedGradients::Section };
         fix.unwrap_or(default)
     }
 
@@ -182,37 +182,37 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Records the angle about an axis of unit length, and adds the actions along it.
-    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actuation: &JointActuation<'_>) {
+    pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
         let markers = measures::hinge(self.a(), self.b(), axis.into());
         let mut coordinate = None;
-        if (self.coupled)(Freed::Angle) || actuation.is_some() {
+        if (self.coupled)(JointCoordinate::Angle) || actions.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let [p, u, v] = &markers;
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
-            self.act(own, actuation);
+            self.act(own, actions);
             coordinate = Some(own);
         }
-        self.equations.free_coordinates.push(JointCoordinate { source: Source::Angle(markers), coordinate });
+        self.equations.recorded.push(RecordedCoordinate { source: Source::Angle(markers), coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.
-    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, actuation: &JointActuation<'_>) {
+    pub fn displacement(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
         let measure = measures::along(self.a(), self.b(), axis.into());
         let mut coordinate = None;
-        if (self.coupled)(Freed::Displacement) || actuation.is_some() {
+        if (self.coupled)(JointCoordinate::Displacement) || actions.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
             let tie = MeasureConstraint::defining(own, measure.clone(), multiplier);
             self.add(tie.named("definition of the displacement"));
-            self.act(own, actuation);
+            self.act(own, actions);
             coordinate = Some(own);
         }
         self.equations
-            .free_coordinates
-            .push(JointCoordinate { source: Source::Displacement(measure), coordinate });
+            .recorded
+            .push(RecordedCoordinate { source: Source::Displacement(measure), coordinate });
     }
 
     /// Constrains the first point to the axis of the second body, and adds the actions along it.
-    pub fn slide(&mut self, actuation: &JointActuation<'_>) {
+    pub fn slide(&mut self, actions: &JointActions<'_>) {
         let Some((axes, start)) = self.ends.beam.take() else { return };
         let (own, first) = (self.coordinate(), self.multipliers(3));
         // Each term evaluates the multipliers that all of them share: the first one reports the reaction.
@@ -221,16 +221,16 @@ impl<'a> JointBuilder<'a> {
         {
             self.equations.parts.push(Part { term: Box::new(slide), reacts: k == 0 });
         }
-        self.act(own, actuation);
+        self.act(own, actions);
         self.equations
-            .free_coordinates
-            .push(JointCoordinate { source: Source::Position(start), coordinate: Some(own) });
+            .recorded
+            .push(RecordedCoordinate { source: Source::Position(start), coordinate: Some(own) });
     }
 
     /// Records the distance of the two points.
     pub fn length(&mut self) {
         let source = Source::Length(measures::apart(self.a(), self.b()));
-        self.equations.free_coordinates.push(JointCoordinate { source, coordinate: None });
+        self.equations.recorded.push(RecordedCoordinate { source, coordinate: None });
     }
 
     /// Adds a spring and a damper along a measure.
@@ -248,16 +248,16 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Adds drive, spring and friction of a joint coordinate.
-    fn act(&mut self, coordinate: usize, actuation: &JointActuation<'_>) {
+    fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
         let measure = || BilinearMeasure::coordinate(coordinate);
-        if let Some(drive) = &actuation.drive {
-            self.prescribe("drive", measure(), drive.target(self.clock));
+        if let Some(drive) = &actions.drive {
+            self.prescribe("drive", measure(), drive.target(self.time_mode));
         }
-        if let Some([stiffness, damping, rest]) = actuation.spring {
+        if let Some([stiffness, damping, rest]) = actions.spring {
             let rest = MeasureTarget::new(rest, Function::ONE);
             self.add(Spring::with_set_point(measure(), stiffness, damping, rest));
         }
-        if let Some([force, creep]) = actuation.friction {
+        if let Some([force, creep]) = actions.friction {
             self.add(Friction::new(measure(), force, creep));
         }
     }

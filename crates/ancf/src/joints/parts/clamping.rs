@@ -6,21 +6,21 @@ use ancf_mechanics::kinematics::{Attachment, Marker};
 use nalgebra::Vector3;
 
 use super::builder::JointBuilder;
-use super::clamped::{Clamped, reference};
+use super::clamped_gradients::{ClampedGradients, reference};
 
 /// Cosine of the angle beyond which sections or lines that meet form a corner: 5°.
 const CORNER: f64 = 0.996;
 
 impl JointBuilder<'_> {
     /// Constrains the orientations of both ends, by the default of the bodies if `fix` is not stated.
-    pub fn clamp(&mut self, fix: Option<Clamped>) {
+    pub fn clamp(&mut self, fix: Option<ClampedGradients>) {
         let fix = self.fixed(fix);
         clamp(self, fix);
     }
 }
 
 /// Constrains the orientations of the two ends of a joint.
-fn clamp(builder: &mut JointBuilder<'_>, fix: Clamped) {
+fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
     let (here, there) = (builder.a(), builder.b());
     match (&here.directions, &there.directions) {
         (None, _) | (_, None) => {}
@@ -30,14 +30,16 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: Clamped) {
                 keep_angle(builder, &here.direction(axes[k]), &there.direction(axes[(k + 1) % 3]));
             }
         }
-        (Section(a), Section(b)) if fix == Clamped::Section && corner(a, b) => clamp_corner(builder, a, b),
+        (Section(a), Section(b)) if fix == ClampedGradients::Section && corner(a, b) => {
+            clamp_corner(builder, a, b);
+        }
         (Section(_), Section(_) | Rigid(_)) => builder.coincide_directions(fix.of(&reference(here))),
         (Rigid(_), Section(_)) => builder.coincide_directions(fix.of(&reference(there))),
         // A line has a tangent only: it stays normal to the directions across it at the other end.
         (Line(tangent), Line(other)) if lines_corner(tangent, other) => keep_angle(builder, tangent, other),
         (Line(tangent), Line(_)) => builder.coincide_directions(&[tangent.reference()]),
         (Line(tangent), Section(_) | Rigid(_)) => {
-            if fix == Clamped::All {
+            if fix == ClampedGradients::All {
                 return builder.coincide_directions(&[tangent.reference()]);
             }
             keep_normal(builder, [here, there], tangent);

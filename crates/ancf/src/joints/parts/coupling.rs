@@ -25,13 +25,13 @@ pub struct Coupled {
     pub factor: f64,
     /// Coupled coordinate of the joint; by default the angle, if the joint has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub of: Option<Freed>,
+    pub of: Option<JointCoordinate>,
 }
 
 /// Free coordinate of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Freed {
+pub enum JointCoordinate {
     /// Angle about the axis.
     Angle,
     /// Displacement along the axis.

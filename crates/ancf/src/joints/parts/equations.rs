@@ -5,7 +5,7 @@ use ancf_mechanics::constraints::{CoincidenceConstraint, Wrench};
 use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
-use super::coordinate::JointCoordinate;
+use super::recorded_coordinate::RecordedCoordinate;
 use super::term::JointTerm;
 
 /// Result of closing the gaps of a model, in the units of the assembly.
@@ -27,7 +27,7 @@ pub(crate) enum Gap {
     /// The gap closes with the load factor.
     Drawn,
     /// The gap is closed.
-    Closed,
+    GapClosure,
 }
 
 /// A term of a joint.
@@ -48,15 +48,15 @@ pub(crate) struct JointEquations {
     pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
     /// Angles and displacements by which the joint moves.
-    pub(crate) free_coordinates: Vec<JointCoordinate>,
+    pub(crate) recorded: Vec<RecordedCoordinate>,
 }
 
 impl fmt::Debug for JointEquations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, coordinates, multipliers, free_coordinates, .. } = self;
+        let Self { name, coordinates, multipliers, recorded, .. } = self;
         let mut debug = f.debug_struct("JointEquations");
         debug.field("name", name).field("coordinates", coordinates).field("multipliers", multipliers);
-        debug.field("free_coordinates", free_coordinates).finish_non_exhaustive()
+        debug.field("recorded", recorded).finish_non_exhaustive()
     }
 }
 
@@ -66,7 +66,7 @@ impl JointEquations {
         self.position = self.position.map(|position| match gap {
             Gap::Kept => position.kept(),
             Gap::Drawn => position.closed_by_load(),
-            Gap::Closed => position.closed(),
+            Gap::GapClosure => position.closed(),
         });
         self
     }

@@ -2,9 +2,9 @@ use std::fmt;
 
 use nalgebra::Vector3;
 
-use super::actuation::JointActuation;
+use super::actions::JointActions;
 use super::builder::JointBuilder;
-use super::coupling::Freed;
+use super::coupling::JointCoordinate;
 use super::end::End;
 use crate::errors::Finding;
 use crate::model::{Body, Capability, Place, TimeFunction};
@@ -56,19 +56,19 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
         Vec::new()
     }
 
-    /// Joint coordinates that a coupling can use.
-    fn freedoms(&self) -> &'static [Freed] {
+    /// Free coordinates of the joint, which couplings can use.
+    fn free_coordinates(&self) -> &'static [JointCoordinate] {
         &[]
     }
 
     /// Drive, spring and friction along the angle of the joint.
-    fn angular_actuation(&self) -> JointActuation<'_> {
-        JointActuation::default()
+    fn angle_actions(&self) -> JointActions<'_> {
+        JointActions::default()
     }
 
     /// Drive, spring and friction along the displacement of the joint.
-    fn linear_actuation(&self) -> JointActuation<'_> {
-        JointActuation::default()
+    fn displacement_actions(&self) -> JointActions<'_> {
+        JointActions::default()
     }
 
     /// True if a gap between the ends can be closed before the analysis, and if the second end may be a ground point.
@@ -87,8 +87,8 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     }
 
     /// Symbol in drawings.
-    fn symbol(&self) -> Symbol {
-        Symbol::Marker
+    fn symbol(&self) -> JointSymbol {
+        JointSymbol::Marker
     }
 
     /// Findings of checks that the kind alone requires. `path` is that of the joint in the model.
@@ -133,7 +133,7 @@ pub trait JointContext {
 
 /// Symbol of a joint in drawings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Symbol {
+pub enum JointSymbol {
     /// Marker at the first end.
     Marker,
     /// Line between the two ends, of a style that its name states: `"spring"`, `"rod"`.

@@ -1,6 +1,6 @@
 //! Joints and loads of a program's own kinds.
 
-use ancf::joints::{Capability, JointActuation, JointBuilder, JointKind};
+use ancf::joints::{Capability, JointActions, JointBuilder, JointKind};
 use ancf::mechanics::forces::Force;
 use ancf::mechanics::functions::Function;
 use ancf::mechanics::kinematics::Attachment;
@@ -63,7 +63,7 @@ impl JointKind for Bearing {
         builder.parallel(axis, "hinge axis");
         builder.angle(
             axis,
-            &JointActuation { friction: Some([self.torque, self.rate]), ..JointActuation::default() },
+            &JointActions { friction: Some([self.torque, self.rate]), ..JointActions::default() },
         );
     }
 }

@@ -5,10 +5,10 @@ use ancf_mechanics::functions::Function;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::model::{Clock, TimeFunction};
+use crate::model::{TimeFunction, TimeMode};
 use crate::units::Scaled;
 
-/// Prescribes the angle of a joint: by `angle` or by `rate`.
+/// Prescribed angle of a joint, by `angle` or by `rate`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct AngularDrive {
@@ -25,7 +25,7 @@ pub struct AngularDrive {
     pub time: TimeFunction,
 }
 
-/// Prescribes the displacement of a joint: by `displacement` or by `speed`.
+/// Prescribed displacement of a joint, by `displacement` or by `speed`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct LinearDrive {
@@ -112,7 +112,7 @@ pub struct LinearFriction {
 
 /// Drive, spring and friction along a free angle or displacement of a joint.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct JointActuation<'a> {
+pub struct JointActions<'a> {
     /// Table that states the drive: `"drive"` or `"feed"`.
     pub table: &'static str,
     /// Prescribed motion.
@@ -132,40 +132,40 @@ pub struct PrescribedMotion<'a> {
     pub time: &'a TimeFunction,
 }
 
-impl JointActuation<'_> {
+impl JointActions<'_> {
     /// True if there is a drive, a spring or friction.
     pub(crate) const fn is_some(&self) -> bool {
         self.drive.is_some() || self.spring.is_some() || self.friction.is_some()
     }
 }
 
-impl<'a> JointActuation<'a> {
+impl<'a> JointActions<'a> {
     /// Drive, spring and friction along an angle.
-    pub(crate) fn angular(
+    pub(crate) fn along_angle(
         drive: &'a Option<AngularDrive>,
         spring: &Option<AngularSpring>,
         friction: &Option<AngularFriction>,
     ) -> Self {
-        let prescribed = |d: &'a AngularDrive| PrescribedMotion { amounts: [d.angle, d.rate], time: &d.time };
+        let motion = |d: &'a AngularDrive| PrescribedMotion { amounts: [d.angle, d.rate], time: &d.time };
         Self {
             table: "drive",
-            drive: drive.as_ref().map(prescribed),
+            drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.angle]),
             friction: friction.map(|f| [f.moment, f.rate]),
         }
     }
 
     /// Drive, spring and friction along a displacement.
-    pub(crate) fn linear(
+    pub(crate) fn along_displacement(
         drive: &'a Option<LinearDrive>,
         spring: &Option<LinearSpring>,
         friction: &Option<LinearFriction>,
     ) -> Self {
-        let prescribed =
+        let motion =
             |d: &'a LinearDrive| PrescribedMotion { amounts: [d.displacement, d.speed], time: &d.time };
         Self {
             table: "drive",
-            drive: drive.as_ref().map(prescribed),
+            drive: drive.as_ref().map(motion),
             spring: spring.map(|s| [s.stiffness, s.damping, s.displacement]),
             friction: friction.map(|f| [f.force, f.speed]),
         }
@@ -174,11 +174,11 @@ impl<'a> JointActuation<'a> {
 
 impl PrescribedMotion<'_> {
     /// Prescribed value as a function of time: as stated, or the integral of the stated rate. In statics the rate is zero.
-    pub(crate) fn target(&self, clock: Clock) -> MeasureTarget {
+    pub(crate) fn target(&self, time_mode: TimeMode) -> MeasureTarget {
         match self.amounts {
-            [Some(amount), _] => MeasureTarget::new(amount, clock.function(self.time)),
-            [None, Some(rate)] if clock == Clock::Runs => {
-                let integral = clock.function(self.time).integral();
+            [Some(amount), _] => MeasureTarget::new(amount, time_mode.function(self.time)),
+            [None, Some(rate)] if time_mode == TimeMode::AsGiven => {
+                let integral = time_mode.function(self.time).integral();
                 MeasureTarget::new(
                     rate,
                     integral.expect("a checked model prescribes rates that can be integrated"),

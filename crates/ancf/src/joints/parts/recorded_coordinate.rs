@@ -3,29 +3,31 @@ use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
-use super::coupling::Freed;
+use super::coupling::JointCoordinate;
 use crate::units::Dimension;
 
-/// Recorded coordinate of a joint: an angle, a displacement, an arc length or a distance.
+/// Angle, displacement, arc length or distance that a joint records.
 #[derive(Clone, Debug)]
-pub struct JointCoordinate {
+pub struct RecordedCoordinate {
     pub(crate) source: Source,
-    /// Index of the coordinate in the state, if a drive, coupling, spring or friction acts on it.
+    /// Its coordinate in the equations, if it is driven, coupled or has a spring or friction.
     pub(crate) coordinate: Option<usize>,
 }
 
-/// Source of the value.
+/// Computation of the value from a state.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// p of the first end, and u, v of the other.
+    /// Angle of the vector p of the first end in the plane of u and v of the second end.
     Angle([Marker; 3]),
+    /// Displacement along an axis.
     Displacement(BilinearMeasure),
-    /// Arc length on a beam at the start of the motion.
+    /// Arc length along a beam, with its initial value.
     Position(f64),
+    /// Distance of the two points.
     Length(Marker),
 }
 
-impl JointCoordinate {
+impl RecordedCoordinate {
     /// Names of value and rate.
     pub const fn columns(&self) -> [&'static str; 2] {
         match self.source {
@@ -44,7 +46,7 @@ impl JointCoordinate {
         }
     }
 
-    /// True if the value is an angle modulo 2π.
+    /// True if the value is an angle in the range from −π to π.
     pub const fn wraps(&self) -> bool {
         matches!(self.source, Source::Angle(_)) && self.coordinate.is_none()
     }
@@ -71,11 +73,11 @@ impl JointCoordinate {
         }
     }
 
-    /// The coordinate of this joint coordinate, for couplings.
-    pub(crate) fn coupled(&self, freed: Freed) -> Option<usize> {
+    /// Number of the coordinate in the equations, if it is the stated free coordinate of the joint.
+    pub(crate) fn coupled(&self, free: JointCoordinate) -> Option<usize> {
         let fits = match self.source {
-            Source::Angle(_) => freed == Freed::Angle,
-            Source::Displacement(_) | Source::Position(_) => freed == Freed::Displacement,
+            Source::Angle(_) => free == JointCoordinate::Angle,
+            Source::Displacement(_) | Source::Position(_) => free == JointCoordinate::Displacement,
             Source::Length(_) => false,
         };
         self.coordinate.filter(|_| fits)

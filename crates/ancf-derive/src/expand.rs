@@ -254,7 +254,10 @@ mod tests {
         };
         let code = scaled(&spring).unwrap().to_string();
         assert!(code.contains("Dimension :: new (- 1i32 , 0i32 , 1i32)"), "{code}");
-        assert!(code.contains("< Place as ancf :: units :: Scaled > :: scaled (field_1 , scales)"), "{code}");
+        assert!(
+            code.contains("< Place as :: ancf :: units :: Scaled > :: scaled (field_1 , scales)"),
+            "{code}"
+        );
         assert!(code.contains("axis : field_2"), "{code}");
         let at: DeriveInput = parse_quote!(
             enum At {
@@ -264,7 +267,7 @@ mod tests {
             }
         );
         let code = scaled(&at).unwrap().to_string();
-        assert!(code.contains("(\"length\" , ancf :: units :: UnitTree :: Unit (\"length\"))"), "{code}");
+        assert!(code.contains("(\"length\" , :: ancf :: units :: UnitTree :: Unit (\"length\"))"), "{code}");
         assert!(code.contains("Self :: Start => Self :: Start"), "{code}");
     }
 }

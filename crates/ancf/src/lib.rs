@@ -1,28 +1,23 @@
 //! Flexible multibody dynamics on the absolute nodal coordinate formulation (ANCF).
 //!
-//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`](fn@simulate) rewrites it in the units
-//! of its [`Scales`], assembles the index-3 equations of motion
+//! A [`Model`] states beams, joints, loads and an analysis in the user's units. [`simulate`](fn@simulate) converts it into the
+//! units of its [`Scales`] and assembles the index-3 equations of motion
 //!
-//! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0,
+//! M a + f(q) + Φ_qᵀ λ = 0,  Φ(q) = 0.
 //!
-//! integrates them by a generalized-α scheme with Newton's method and the exact tangent, and passes every instant, in the
-//! user's units again, to a [`Sink`](record::Sink).
+//! They are integrated by a generalized-α scheme with Newton's method and the exact tangent. A [`Sink`](record::Sink) receives
+//! the output rows in the user's units.
 //!
-//! Modules, from top to bottom; each one imports from those below it only (`layers.toml`):
-//!
-//! ```text
-//! simulate      model -> scaled model -> equations -> states -> rows -> sinks
-//! failure       causes of failed runs, advice
-//! results       columns and rows
-//! diagnosis     degrees of freedom, mechanisms, redundant constraints
-//! reading       model files, supplied functions
-//! assembly      equations of motion of a model
-//! scaling       units of the equations
-//! checking      checks beyond the schema
-//! schema        JSON schema
-//! model         data of a model; joints, loads, sections: one file per kind
-//! errors, units, record
-//! ```
+//! | module | contents |
+//! |---|---|
+//! | [`model`], [`joints`], [`loads`] | data of a model; joints, loads and sections are one file per kind |
+//! | [`reading`], [`schema`], [`errors`] | model files, their JSON Schema and error messages |
+//! | [`units`] | units, scales and dimensions |
+//! | [`assembly`] | equations of motion of a model |
+//! | [`diagnosis`] | degrees of freedom, redundant constraints, free motions |
+//! | [`record`] | sinks for result rows |
+//! | [`mechanics`] | elements, constraints and forces |
+//! | [`solver`] | time integration, statics, eigenvalues, sparse equations |
 //!
 //! Below are the crates [`mechanics`] (elements, constraints, forces, contact) and [`solver`] (Newton's method, integrators, sparse
 //! factorisation).
@@ -98,7 +93,7 @@ pub use errors::{ModelError, ModelErrors};
 pub use model::Model;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{
-    Checkpoint, Error, Extension, Mismatch, Observer, Outcome, Simulation, SimulationBuilder, Summary,
+    Checkpoint, Error, Extension, Observer, Outcome, ResumeError, Simulation, SimulationBuilder, Summary,
     simulate,
 };
 pub use units::Scales;

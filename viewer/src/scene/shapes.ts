@@ -1,12 +1,12 @@
-// Labels of vibration and buckling shapes.
+// Labels of vibration and buckling modes.
 
 import { formatNumber } from "../base/numbers";
 import { isModal, type Scene } from "./scene";
 
-/** Parts of a label such as "mode 3: 12.34 Hz" or "form 1: load factor 2.5": text, number, unit. */
+/** Parts of a label such as "mode 3: 12.34 Hz" or "buckling mode 1: load factor 2.5": text, number, unit. */
 const LABEL = /^(.*: (?:load factor )?)([-+]?[\d.]+(?:e[-+]?\d+)?)(.*)$/i;
 
-/** Labels of the frames. Labels of shapes get six digits if the charts have them, or the word "rigid". */
+/** Labels of the frames. Numbers in labels of modes have six digits if the charts contain them. Rigid-body modes have the word "rigid". */
 export function frameLabels(scene: Scene): string[] | null {
   const { labels, values } = scene.frames;
   if (!labels || !isModal(scene)) return labels;
@@ -24,7 +24,7 @@ export function frameLabels(scene: Scene): string[] | null {
   });
 }
 
-/** Index of the first shape that is not a rigid body mode. */
+/** Index of the first mode that is not a rigid-body mode. */
 export function firstElasticShape(scene: Scene): number {
   if (!isModal(scene)) return 0;
   return Math.max(0, scene.frames.labels?.findIndex((label) => !label.endsWith(": rigid")) ?? 0);

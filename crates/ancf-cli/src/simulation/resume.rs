@@ -50,7 +50,7 @@ impl ResumeArguments {
             return Ok(Ended::Done);
         }
         let (folder, text, model) = (results.folder().clone(), results.text(), results.model());
-        let simulation = Simulation::new(model)?.heeding(interrupt()?);
+        let simulation = Simulation::new(model)?.with_interrupt(interrupt()?);
         let resumed = match Recorder::resume(folder.clone(), text, model, &simulation) {
             Err(error @ CheckpointError::Damaged { .. }) => return Ok(reject(&error.to_string())),
             resumed => resumed?,

@@ -56,7 +56,7 @@ impl RunArguments {
             Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
-        let simulation = simulation.heeding(interrupt()?);
+        let simulation = simulation.with_interrupt(interrupt()?);
         let name = self.file.display().to_string();
         let recorder = Recorder::new(Folder::new(&self.output), &name, &text, &model, &simulation);
         let recorder = recorder.with_checkpoints(self.checkpoint);

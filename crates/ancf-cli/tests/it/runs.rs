@@ -178,7 +178,7 @@ fn a_failed_equilibrium_is_reported() {
     let run = folder.run(path.to_str().unwrap()).output().unwrap();
     assert_eq!(run.status.code(), Some(1));
     let messages = stderr(&run);
-    assert!(messages.starts_with("failed at load factor 0: there is no equilibrium to find"), "{messages}");
+    assert!(messages.starts_with("failed at load factor 0: the model has no equilibrium"), "{messages}");
     assert!(
         messages.contains("body `bend` can rotate") && messages.contains("\nno equilibrium, "),
         "{messages}"
@@ -240,10 +240,10 @@ fn a_model_is_diagnosed() {
         "joints:    1 clamp, 1 spherical\n",
         "loads:     1 gravity\n",
         "equations: 252 coordinates, 15 constraints, 3 of them redundant\n",
-        "mobility:  -3 by Grübler's count, rigid bodies\n",
+        "mobility:  -3 by Grübler's formula, rigid bodies\n",
         "           0 by rank, rigid bodies\n",
-        "           240 by rank, bodies that deform\n",
-        "warning:   redundant: joint `again`: position along y, follows from joint `root`; they share its force\n",
+        "           240 by rank, deformable bodies\n",
+        "warning:   redundant: joint `again`: position along y, follows from joint `root`; they share the constraint force\n",
     ] {
         assert!(printed.contains(&line.replace("1 gravity", "gravity")), "{line} is not in\n{printed}");
     }
@@ -268,7 +268,7 @@ fn gaps_are_reported_or_closed() {
     let check = command(&["check", &open]).output().unwrap();
     assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
     let printed = String::from_utf8(check.stdout).unwrap();
-    assert!(printed.contains("closed:    joint `root`, whose places are 0.01 apart\n"), "{printed}");
+    assert!(printed.contains("closed:    gap of joint `root`, 0.01\n"), "{printed}");
     assert!(printed.contains("moved:     body `beam`, by up to 0.01\n"), "{printed}");
 }
 

@@ -47,7 +47,7 @@ impl Simulation {
         let (model, signals) = (valid_model(py, &value)?, Signals::default());
         let data = to_python_with(py, &value, &reader.callables)?.unbind();
         let (model, simulation) = reader.callables.with(py, model, &signals, ancf::Simulation::new)?;
-        let simulation = Arc::new(simulation.heeding(signals.interrupt()));
+        let simulation = Arc::new(simulation.with_interrupt(signals.interrupt()));
         let units = model.units.as_ref().map(|units| column_units(units, &simulation)).unwrap_or_default();
         let every = model.output.every;
         Ok(Self { simulation, model: data, analysis: model.analysis, units, every, signals })

@@ -70,7 +70,7 @@ pub(super) const GLOBAL: &[ColumnGroup] = &[
     chart(&["factor"], ChartGroup::Solver, "critical load factor"),
     chart(&["load"], ChartGroup::Solver, "load factor"),
     chart(&["kinetic", "strain", "potential", "work", "dissipated"], ChartGroup::Energy, "energy"),
-    chart(&["balance"], ChartGroup::Energy, "balance of energy"),
+    chart(&["balance"], ChartGroup::Energy, "energy balance"),
     chart(&["iterations"], ChartGroup::Solver, "iterations"),
     chart(&["unstable"], ChartGroup::Solver, "unstable directions"),
     chart(&["slope"], ChartGroup::Solver, "slope of the path"),

@@ -97,7 +97,7 @@ impl Symbols {
 /// Attachment of a probe as assembled, or of its place if it has no columns.
 fn attachment_of_probe(attachments: Attachments<'_>, probe: &Probe) -> Option<Attachment> {
     // All quantities of a probe are recorded at the same place.
-    let measure = attachments.assembly.measures.iter().find(|measure| measure.name == probe.name);
+    let measure = attachments.assembly.recorded_quantities.iter().find(|measure| measure.name == probe.name);
     measure.map(|measure| measure.place.clone()).or_else(|| attachments.of(&probe.on))
 }
 

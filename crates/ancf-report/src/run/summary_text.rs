@@ -8,7 +8,7 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         ("divided steps", summary.divided_steps.to_string()),
         ("rejected steps", summary.rejected_steps.to_string()),
         ("Newton iterations", summary.iterations.to_string()),
-        ("most in a step", summary.most_iterations.to_string()),
+        ("maximum iterations per step", summary.most_iterations.to_string()),
         ("coordinates", summary.coordinates.to_string()),
         ("multipliers", summary.multipliers.to_string()),
         ("units of the solver", format!("length {length}, time {time}, force {force}")),

@@ -7,24 +7,24 @@ fn count(number: usize, one: &str, several: &str) -> String {
 
 /// Message about omitted frames.
 pub(super) fn thinned(shown: usize, all: usize) -> String {
-    format!("{shown} of {} are shown, evenly spaced, to keep the file small", count(all, "frame", "frames"))
+    format!("{shown} of {} are shown, evenly spaced, to limit the file size", count(all, "frame", "frames"))
 }
 
 /// Message about omitted stations.
 pub(super) fn coarse(parts: u32) -> String {
-    let lines = count(parts as usize, "straight piece", "straight pieces");
-    format!("each element is drawn by {lines}, to keep the file small")
+    let segments = count(parts as usize, "straight segment", "straight segments");
+    format!("each element is drawn as {segments}, to limit the file size")
 }
 
 /// Message about frames that cannot be drawn.
 pub(super) fn not_finite(number: usize) -> String {
-    format!("{} left out: not all positions are numbers", count(number, "frame", "frames"))
+    format!("{} omitted: not all positions are finite", count(number, "frame", "frames"))
 }
 
 /// Message about frames of another model.
 pub(super) fn unfit(number: usize) -> String {
-    format!("{} left out: of another model", count(number, "frame", "frames"))
+    format!("{} omitted: states of another model", count(number, "frame", "frames"))
 }
 
 /// Message of a scene without recorded states.
-pub(super) const EMPTY: &str = "no states were recorded yet: the undeformed state is shown";
+pub(super) const EMPTY: &str = "no recorded states: the undeformed state is shown";

@@ -61,7 +61,7 @@ fn document(title: &str, policy: &str, scene: &Markup, fallback: &Markup) -> Str
                 div id="app" {}
                 noscript {
                     h1 { (title) }
-                    p { "The animation and the charts of this page are drawn by a script, and scripts are off." }
+                    p { "The animation and the charts require JavaScript, which is disabled." }
                     (fallback)
                 }
                 (scene)

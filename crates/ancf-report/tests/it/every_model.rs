@@ -53,7 +53,7 @@ fn every_model_gives_a_scene() {
         recording.frames.clear();
         let empty = Scene::read(&scene(&recording, BUDGET));
         check(&path, &empty);
-        assert!(empty.has_message("no states were recorded"), "{path}");
+        assert!(empty.has_message("no recorded states"), "{path}");
         // Small budget.
         recording.frames.clone_from(&run.frames);
         check(&path, &Scene::read(&scene(&recording, 1000)));
@@ -88,9 +88,9 @@ fn check(path: &str, scene: &Scene) {
         for frame in 0..frames {
             for axes in scene.directors(name, frame) {
                 for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
-                    let wanted = if i == j { 1.0 } else { 0.0 };
+                    let expected = if i == j { 1.0 } else { 0.0 };
                     let found = dot(axes[i], axes[j]);
-                    assert!((found - wanted).abs() < 2e-4, "{path}: {axes:?}");
+                    assert!((found - expected).abs() < 2e-4, "{path}: {axes:?}");
                 }
             }
         }

@@ -17,8 +17,8 @@ fn a_round_outline_has_the_requested_sides() {
     let inner = tube.inner.as_ref().expect("a bore");
     assert_eq!((tube.outer.len(), inner.len(), tube.edges().len()), (100, 100, 100));
     let polygon = (std::f64::consts::TAU / 100.0).sin() / (std::f64::consts::TAU / 100.0);
-    let wanted = polygon * std::f64::consts::PI * (0.05_f64.powi(2) - 0.04_f64.powi(2));
-    assert!(((area(&tube.outer) - area(inner)) / wanted - 1.0).abs() < 1e-12);
+    let expected = polygon * std::f64::consts::PI * (0.05_f64.powi(2) - 0.04_f64.powi(2));
+    assert!(((area(&tube.outer) - area(inner)) / expected - 1.0).abs() < 1e-12);
     assert_eq!(tube.edges()[99], [99, 0]);
     let rectangle = outline(&Section::from(Rectangle { height: 0.02, width: 0.01 }), 100);
     assert_eq!(rectangle.edges(), [[0, 1], [2, 3], [4, 5], [6, 7]]);

@@ -34,13 +34,13 @@ fn outlines_go_about_the_axis_and_their_normals_point_outwards() {
         assert!(inner.iter().all(|p| p[0] * p[2] + p[1] * p[3] > 0.0), "away from the axis");
         assert_eq!(inner.is_empty(), !kind.contains("tube"));
         // A polygon with 24 sides has 0.9886 of the area of its circle.
-        let wanted = match kind {
+        let expected = match kind {
             _ if kind.contains("circle") || kind.contains("tube") => PI * 0.0025,
             _ if kind.contains("rectangle") => 0.005,
             _ if kind.contains("ellipse") => PI * 0.05 * 0.025,
             _ => 4.0 * PI * (1e-4_f64 * 4e-4).sqrt(),
         };
-        assert!((area(&outer) / wanted - 1.0).abs() < 0.012, "{kind}");
+        assert!((area(&outer) / expected - 1.0).abs() < 0.012, "{kind}");
     }
 }
 
@@ -83,11 +83,11 @@ fn rigid_bodies_are_boxes_of_their_inertia() {
 fn rods_end_where_their_lengths_say() {
     let run = Run::of_file("crates/ancf/tests/models/good/joints.toml", 0.2, 2);
     let scene = run.scene();
-    let wanted = [("distance", "rod"), ("bushing", "bushing"), ("spring", "spring")];
+    let expected = [("distance", "rod"), ("bushing", "bushing"), ("spring", "spring")];
     let mut checked = 0;
     for joint in &run.model.joints {
         let marker = scene.named("markers", joint.name());
-        let kinds = wanted.iter().filter(|(detail, _)| marker["detail"] == *detail);
+        let kinds = expected.iter().filter(|(detail, _)| marker["detail"] == *detail);
         for (_, kind) in kinds {
             let links = scene.header["links"].as_array().unwrap();
             let link = links.iter().find(|link| link["name"] == joint.name()).expect("a link");

@@ -246,11 +246,11 @@ fn corners_of_rigid_bodies_move_as_rigid_bodies_do() {
     let centre: [f64; 3] = std::array::from_fn(|k| points[..8].iter().map(|x| x[k]).sum::<f64>() / 8.0);
     for k in 0..8 {
         let arm: [f64; 3] = std::array::from_fn(|i| points[k][i] - centre[i]);
-        let wanted = cross([0.0, 0.0, 2.0], arm);
-        let inward = cross([0.0, 0.0, 2.0], wanted);
+        let expected = cross([0.0, 0.0, 2.0], arm);
+        let inward = cross([0.0, 0.0, 2.0], expected);
         for i in 0..3 {
             let drift = if i == 0 { 5.0 } else { 0.0 };
-            assert!((v[k][i] - drift - wanted[i]).abs() < 1e-5, "{:?}, not {wanted:?}", v[k]);
+            assert!((v[k][i] - drift - expected[i]).abs() < 1e-5, "{:?}, not {expected:?}", v[k]);
             assert!((acceleration[k][i] - inward[i]).abs() < 1e-5, "{:?}, not {inward:?}", acceleration[k]);
         }
     }
@@ -280,9 +280,9 @@ fn stress_on_the_skin_is_that_of_bending() {
         sides[usize::from(y > 0.0)] += 1;
         let second = 0.01 * 0.02_f64.powi(3) / 12.0;
         let bending = -moment(axis[*station]) * y / second;
-        let wanted = fx / 2e-4 + bending;
+        let expected = fx / 2e-4 + bending;
         let allowed = 1e-4 * (fx / 2e-4 + bending.abs());
-        assert!((skin["stress"][k] - wanted).abs() < allowed, "{}, not {wanted}", skin["stress"][k]);
+        assert!((skin["stress"][k] - expected).abs() < allowed, "{}, not {expected}", skin["stress"][k]);
     }
     assert_eq!(sides, [18, 18]);
 }

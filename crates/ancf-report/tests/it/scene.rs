@@ -24,10 +24,10 @@ fn fields_of_a_cantilever_are_those_of_statics() {
         let x = &centres[k];
         // Equilibrium of the remaining part in the deformed state.
         let moment = (tip[0] - x[0]) * fy - (tip[1] - x[1]) * fx;
-        let close = |name: &str, wanted: f64, scale: f64| {
+        let close = |name: &str, expected: f64, scale: f64| {
             let found = scene.field(name, "beam", last)[k];
             let allowed = 1e-4 * scale + scene.resolution(name);
-            assert!((found - wanted).abs() < allowed, "{name} at {k}: {found}, not {wanted}");
+            assert!((found - expected).abs() < allowed, "{name} at {k}: {found}, not {expected}");
         };
         close("axial force", fx, fx);
         close("bending moment", moment.abs(), 0.006);
@@ -149,7 +149,7 @@ fn a_budget_is_kept_and_what_is_left_out_is_said() {
         assert!(size(&bytes) < last);
         last = size(&bytes);
         let found = Scene::read(&bytes);
-        assert!(found.has_message("to keep the file small"));
+        assert!(found.has_message("to limit the file size"));
         let times = found.numbers(&found.header["frames"]["values"]);
         let all = run.column("t");
         assert_eq!((times[0], *times.last().unwrap()), (all[0], all[all.len() - 1]));
@@ -195,9 +195,9 @@ fn numbers_that_are_none_are_left_out() {
     run.frames[6].state.lambda.fill(f64::NAN);
     let found = run.scene();
     assert_eq!(found.frames(), count - 1);
-    assert!(found.has_message("not all positions are numbers"));
+    assert!(found.has_message("not all positions are finite"));
     run.frames[0].state.q.pop();
-    assert!(run.scene().has_message("1 frame left out: of another model"));
+    assert!(run.scene().has_message("1 frame omitted: states of another model"));
     let recording = Recording { ending: Ending::Failed("at t = 0.02".into()), ..run.recording() };
     let empty = Series::new();
     let found = Scene::read(&scene(&Recording { series: &empty, ..recording }, BUDGET));

@@ -89,7 +89,7 @@ impl CaseRow {
     fn simulate(model: &Model, objectives: &Objectives, interrupt: &Interrupt) -> Self {
         let mut gauges = ObjectiveGauges::new(objectives);
         let simulation = match Simulation::new(model) {
-            Ok(simulation) => simulation.heeding(interrupt.clone()),
+            Ok(simulation) => simulation.with_interrupt(interrupt.clone()),
             Err(errors) => return Self::without(CaseOutcome::Invalid, errors.to_string(), objectives),
         };
         match simulation.run(&mut Every::new(model.output.every, &mut gauges)) {

@@ -3,7 +3,7 @@ use std::collections::BTreeSet;
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{System, Term};
 
-use super::assembled::{Assembly, Measure};
+use super::assembled::{Assembly, RecordedQuantity};
 use crate::errors::ModelErrors;
 use crate::joints::JointEquations;
 use crate::model::{Model, Probe, TimeMode};
@@ -30,14 +30,14 @@ impl Model {
             .iter()
             .map(|probe| (probe.name.clone(), self.probed(&bodies, probe).2.point))
             .collect();
-        let measures = self.probes.iter().flat_map(|probe| {
+        let recorded = self.probes.iter().flat_map(|probe| {
             let (body, s, place) = self.probed(&bodies, probe);
             probe.record.iter().map(move |&quantity| {
                 let (name, place, offset) = (probe.name.clone(), place.clone(), probe.offset);
-                Measure { name, quantity, place, body, s, offset }
+                RecordedQuantity { name, quantity, place, body, s, offset }
             })
         });
-        let (measures, energy_parts) = (measures.collect(), self.output.energy_parts);
+        let (recorded_quantities, energy_parts) = (recorded.collect(), self.output.energy_parts);
         let [coordinates, multipliers] = Self::numbers(&bodies, &joints);
         let multipliers = multipliers + self.couplings.len();
         let system = System::new(coordinates, multipliers, terms).with_batches(batches);
@@ -47,7 +47,7 @@ impl Model {
         let assembly = Assembly {
             system,
             probes,
-            measures,
+            recorded_quantities,
             energy_parts,
             bodies,
             joints,

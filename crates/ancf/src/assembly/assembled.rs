@@ -8,7 +8,7 @@ use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};
 use super::redundant::Redundant;
-use crate::joints::{Closed, JointEquations, RecordedCoordinate};
+use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::Quantity;
 
 /// A model as equations of motion, with what is needed to read their solution.
@@ -18,8 +18,8 @@ pub struct Assembly {
     pub system: System,
     /// Names and points of the probes.
     pub probes: Vec<(String, Marker)>,
-    /// What the probes record.
-    pub measures: Vec<Measure>,
+    /// Quantities that the probes record.
+    pub recorded_quantities: Vec<RecordedQuantity>,
     /// Whether strain energies of bodies are recorded by part.
     pub energy_parts: bool,
     pub(crate) bodies: Vec<(String, ancf_mechanics::bodies::BodyTerms)>,
@@ -27,14 +27,14 @@ pub struct Assembly {
     pub(crate) couplings: Vec<String>,
     pub(crate) redundant: Vec<Redundant>,
     pub(crate) undetermined: BTreeSet<usize>,
-    pub(crate) closed: Option<Closed>,
+    pub(crate) closed: Option<GapClosure>,
     pub(crate) breaks: Vec<f64>,
     pub(crate) inputs: Inputs,
 }
 
 /// One quantity that a probe records.
 #[derive(Debug)]
-pub struct Measure {
+pub struct RecordedQuantity {
     /// Name of the probe.
     pub name: String,
     /// What it records.
@@ -77,7 +77,7 @@ impl Assembly {
         self.bodies.iter().map(|(name, body)| (name.as_str(), body))
     }
 
-    /// The body of a number, as [`Measure`] has it.
+    /// The body of a number, as [`RecordedQuantity`] has it.
     pub fn body_of(&self, number: usize) -> &ancf_mechanics::bodies::BodyTerms {
         &self.bodies[number].1
     }
@@ -149,7 +149,7 @@ impl Assembly {
     }
 
     /// How gaps were closed, if the model asks for it.
-    pub fn closed(&self) -> Option<&Closed> {
+    pub fn closed(&self) -> Option<&GapClosure> {
         self.closed.as_ref()
     }
 

@@ -6,7 +6,7 @@ use ancf_solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 
 use super::assembled::Assembly;
 use crate::errors::{ModelError, ModelErrors};
-use crate::joints::{Closed, Gap, JointEquations};
+use crate::joints::{Gap, GapClosure, JointEquations};
 use crate::model::{Model, TimeMode};
 
 /// Gaps that are none, relative to the length of the model.
@@ -32,7 +32,7 @@ impl Model {
     ///
     /// # Errors
     /// If the gaps cannot be closed.
-    pub(crate) fn close(&self, assembly: &Assembly) -> Result<Closed, ModelErrors> {
+    pub(crate) fn close(&self, assembly: &Assembly) -> Result<GapClosure, ModelErrors> {
         let model = Self { gravity: [0.0; 3], loads: Vec::new(), ..self.clone() };
         let meshes = model.meshes();
         let draw = |gap| if gap == Gap::Closed { Gap::Drawn } else { Gap::Kept };
@@ -53,7 +53,7 @@ impl Model {
             .map(|joint| (joint.name.clone(), joint.gap().norm()))
             .collect();
         if gaps.is_empty() {
-            return Ok(Closed { state: rest, gaps, moved: Vec::new() });
+            return Ok(GapClosure { state: rest, gaps, moved: Vec::new() });
         }
         let state = closed(&system, self.length()).map_err(|error| {
             let (place, open) =
@@ -65,7 +65,7 @@ impl Model {
         })?;
         let moved = meshes.iter().map(|(name, mesh)| (name.clone(), displacement(mesh, &state)));
         let moved = moved.filter(|(_, by)| *by > MOVED * self.length()).collect();
-        Ok(Closed { state, gaps, moved })
+        Ok(GapClosure { state, gaps, moved })
     }
 }
 

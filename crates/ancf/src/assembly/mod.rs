@@ -13,6 +13,6 @@ mod redundant;
 mod sharing;
 mod start;
 
-pub use assembled::{Assembly, Measure};
+pub use assembled::{Assembly, RecordedQuantity};
 pub(crate) use contradictions::contradictions;
 pub use redundant::Redundant;

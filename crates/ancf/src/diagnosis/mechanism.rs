@@ -7,87 +7,86 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use crate::assembly::Assembly;
 
-/// What a rigid body does in a free motion. Points in the units of the assembly.
+/// Motion of one body, as a rigid body, in a free motion. Lengths in the units of the assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion {
-    /// It moves in a direction, a unit vector.
+pub enum RigidMotion {
+    /// Translation.
     Translation {
-        /// The direction.
+        /// Direction, a unit vector.
         along: [f64; 3],
     },
-    /// It turns about an axis.
+    /// Rotation about an axis.
     Rotation {
-        /// A point of the axis.
+        /// Point of the axis.
         through: [f64; 3],
-        /// Its direction, a unit vector.
+        /// Direction of the axis, a unit vector.
         along: [f64; 3],
     },
-    /// It turns about an axis and moves along it.
+    /// Rotation about an axis and translation along it.
     Screw {
-        /// A point of the axis.
+        /// Point of the axis.
         through: [f64; 3],
-        /// Its direction, a unit vector.
+        /// Direction of the axis, a unit vector.
         along: [f64; 3],
-        /// Length moved per angle turned.
+        /// Displacement per angle.
         pitch: f64,
     },
 }
 
-/// A motion of rigid bodies that neither joints nor stiffness hold.
+/// Motion of rigid bodies without constraint and without stiffness.
 ///
-/// In words: "body `a` can rotate about the axis through (0, 0, 0) along z; with it body `b` translates along y".
+/// Text: "body `a` can rotate about the axis through (0, 0, 0) along z; with it body `b` translates along y".
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMotion {
-    /// Names and motions of all bodies that take part, the leading one first.
-    pub moves: Vec<(String, Motion)>,
+    /// Names and motions of all bodies involved, the leading body first.
+    pub moves: Vec<(String, RigidMotion)>,
 }
 
-/// Singular rows and motions are told from others by this, relative to what they are sums of.
-const SMALL: f64 = 1e-9;
-/// A stiffness within this many rounding errors is none.
-const ROUNDING: f64 = 8.0;
+/// Rank tolerance, relative to the sum of magnitudes.
+const RANK_TOLERANCE: f64 = 1e-9;
+/// Tolerance of zero stiffness, in rounding errors.
+const STIFFNESS_TOLERANCE: f64 = 8.0;
 
 impl Assembly {
-    /// All independent motions that nothing holds in a state: bodies as rigid, velocities that all joints admit, without
-    /// stiffness.
+    /// Independent free motions in a state: rigid-body motions that satisfy all constraints and have no stiffness.
     ///
-    /// x = Σ (translation + ω × arm) over the bodies, in the kernel of Φ_q, and xᵀ K x = 0 but for rounding. Motions that
-    /// move no coordinate, such as the spin of a straight cable, do not count. In a state under load a pendulum has stiffness
-    /// and is held; in the reference state at λ = 0 it is not. Elastic bodies move freely in no other way.
+    /// x = Σ (translation + ω × arm) over the bodies, with Φ_q x = 0, and xᵀ K x = 0 within rounding. Motions that change no
+    /// coordinate, such as the spin of a straight cable, are excluded. A pendulum under load has geometric stiffness and no free
+    /// motion; in the reference state with λ = 0 it has one.
     pub fn free_motions(&self, s: &State) -> Vec<FreeMotion> {
-        let rigid = Rigid::new(self, s);
-        let unknowns = 6 * rigid.bodies.len() + rigid.own.len();
+        let rigid = RigidModel::new(self, s);
+        let unknowns = 6 * rigid.bodies.len() + rigid.joint_coordinates.len();
         let motions: Vec<(usize, SparseVector)> = rigid.kernel(self, s).basis(unknowns).into_iter().collect();
         let free = self.without_stiffness(s, &rigid, &motions);
         let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
         moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
     }
 
-    /// Those combinations of motions that cost no force.
+    /// Combinations of motions without stiffness forces.
     fn without_stiffness(
         &self,
         s: &State,
-        rigid: &Rigid,
+        rigid: &RigidModel,
         motions: &[(usize, SparseVector)],
     ) -> Vec<(usize, SparseVector)> {
         let mut stiffness = self.system.matrix();
         self.system.tangent(s, Weights::STIFFNESS, &mut stiffness);
         let size = stiffness.pattern().size();
         let mut rows = vec![SparseVector::new(); motions.len()];
-        // By coordinate: the motions that move it, and how far.
+        // By coordinate: motions that change it, with the displacements.
         let mut movers = vec![Vec::new(); size];
         for (i, (_, y)) in motions.iter().enumerate() {
-            rigid.moved(y).into_iter().for_each(|(c, x)| movers[c].push((i, x)));
+            rigid.displacements(y).into_iter().for_each(|(c, x)| movers[c].push((i, x)));
         }
         let mut scale = Vec::with_capacity(motions.len());
         for (j, (_, y)) in motions.iter().enumerate() {
             let mut full = vec![0.0; size];
-            rigid.moved(y).into_iter().for_each(|(c, x)| full[c] = x);
+            rigid.displacements(y).into_iter().for_each(|(c, x)| full[c] = x);
             let (force, sizes) = (stiffness.times(&full), stiffness.magnitudes(&full));
-            let rounding = |c: usize| ROUNDING * f64::EPSILON * sizes[c];
+            let rounding = |c: usize| STIFFNESS_TOLERANCE * f64::EPSILON * sizes[c];
             let of_all: f64 = (0..size).map(|c| rounding(c) * full[c].abs()).sum();
             scale.push(if of_all > 0.0 { 1.0 / of_all.sqrt() } else { 0.0 });
-            // Bodies that turn without stress exert rounding errors only: not to be multiplied out.
+            // Rotations without stress have rounding errors only, which are excluded from the products.
             for c in (0..size).filter(|&c| force[c].abs() > rounding(c)) {
                 for &(i, x) in &movers[c] {
                     *rows[i].entry(j).or_default() += x * force[c];
@@ -102,7 +101,7 @@ impl Assembly {
         let combine = |(leader, parts): (usize, SparseVector)| {
             let mut sum = SparseVector::new();
             for (k, part) in parts {
-                // Parts were scaled for their products to be compared.
+                // Undoes the scaling of the products.
                 let part = if scale[leader] > 0.0 { part * scale[k] / scale[leader] } else { part };
                 motions[k].1.iter().for_each(|(&at, y)| *sum.entry(at).or_default() += part * y);
             }
@@ -112,24 +111,26 @@ impl Assembly {
     }
 }
 
-/// The bodies of an assembly as rigid ones. Unknowns of body b: 6 b + 0, 1, 2 translations, 3, 4, 5 rotations about the
-/// global axes through the origin times its length. Coordinates of joints, which no body owns, are the unknowns after these.
-struct Rigid {
-    bodies: Vec<RigidBody>,
+/// Bodies of an assembly as rigid bodies.
+///
+/// Unknowns of body b: 6 b + 0, 1, 2 translations; 6 b + 3, 4, 5 rotations about global axes through its origin, times its
+/// length. The coordinates of joints are the unknowns after these.
+struct RigidModel {
+    bodies: Vec<RigidBodyModel>,
     /// Coordinates of joints.
-    own: Vec<usize>,
-    /// Body and vector that each coordinate belongs to.
+    joint_coordinates: Vec<usize>,
+    /// Body and nodal vector of each coordinate.
     owner: Vec<Option<(usize, usize)>>,
 }
 
-struct RigidBody {
+struct RigidBodyModel {
     vectors: Vec<NodalVector>,
-    /// A node near its first joint, else its centre.
+    /// Node near the first joint, otherwise the centre.
     origin: Vector3<f64>,
     length: f64,
 }
 
-impl Rigid {
+impl RigidModel {
     fn new(assembly: &Assembly, s: &State) -> Self {
         let mut owner = vec![None; s.q.len()];
         let mut bodies = Vec::new();
@@ -138,7 +139,7 @@ impl Rigid {
             for (k, vector) in vectors.iter().enumerate() {
                 owner[vector.first..vector.first + 3].fill(Some((b, k)));
             }
-            bodies.push(RigidBody { vectors, origin: Vector3::zeros(), length: 1.0 });
+            bodies.push(RigidBodyModel { vectors, origin: Vector3::zeros(), length: 1.0 });
         }
         let mut joint = vec![None; bodies.len()];
         for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
@@ -152,29 +153,29 @@ impl Rigid {
         for (body, joint) in bodies.iter_mut().zip(joint) {
             body.locate(joint);
         }
-        let own = (0..owner.len()).filter(|&c| owner[c].is_none()).collect();
-        Self { bodies, own, owner }
+        let joint_coordinates = (0..owner.len()).filter(|&c| owner[c].is_none()).collect();
+        Self { bodies, joint_coordinates, owner }
     }
 
-    /// The velocities that all joints admit and that move something.
+    /// Kernel of all constraints and of rotations without effect.
     fn kernel(&self, assembly: &Assembly, s: &State) -> NullSpace {
         let mut kernel = NullSpace::default();
         let translation = |unknown: usize| unknown >= 6 * self.bodies.len() || unknown % 6 < 3;
         for (b, body) in self.bodies.iter().enumerate() {
-            for spin in body.idle_spins() {
-                let row = (0..3).map(|k| (6 * b + 3 + k, spin[k])).collect();
-                kernel.add_row(row, SMALL, translation);
+            for axis in body.null_rotations() {
+                let row = (0..3).map(|k| (6 * b + 3 + k, axis[k])).collect();
+                kernel.add_row(row, RANK_TOLERANCE, translation);
             }
         }
         for term in assembly.system.terms().iter().filter(|term| !term.multipliers().is_empty()) {
             for row in self.rows(term.as_ref(), s) {
-                kernel.add_row(row, SMALL, translation);
+                kernel.add_row(row, RANK_TOLERANCE, translation);
             }
         }
         kernel
     }
 
-    /// The rows Φ_q of one term on rigid motions, relative to the magnitudes that they are sums of.
+    /// Rows Φ_q of one term for rigid motions, relative to the sum of magnitudes.
     fn rows(&self, term: &dyn Term, s: &State) -> Vec<SparseVector> {
         let on_rigid = |of_term: SparseVector| {
             let (mut row, mut magnitude) = (SparseVector::new(), SparseVector::new());
@@ -192,7 +193,7 @@ impl Rigid {
         constraint_rows(term, s).into_iter().map(on_rigid).collect()
     }
 
-    /// What the six motions of its body do to a coordinate.
+    /// Derivatives of a coordinate with respect to the six unknowns of its body, or to its own.
     fn motions_of(&self, coordinate: usize) -> impl Iterator<Item = (usize, f64)> {
         let motions = self.owner[coordinate].map(|(b, k)| {
             let (body, vector) = (&self.bodies[b], self.bodies[b].vectors[k]);
@@ -203,18 +204,19 @@ impl Rigid {
                 .enumerate()
                 .map(move |(j, x)| (6 * b + j, x))
         });
-        let own = self.own.binary_search(&coordinate).ok().map(|k| (6 * self.bodies.len() + k, 1.0));
+        let own =
+            self.joint_coordinates.binary_search(&coordinate).ok().map(|k| (6 * self.bodies.len() + k, 1.0));
         motions.into_iter().flatten().chain(own)
     }
 
-    /// Whether a motion, told by a free unknown, is one of bodies.
+    /// True if a motion, identified by its free unknown, moves bodies.
     fn moves_bodies(&self, leader: usize, motion: &SparseVector) -> bool {
         let bodies = 6 * self.bodies.len();
         leader < bodies || motion.keys().any(|&unknown| unknown < bodies)
     }
 
-    /// The coordinates that a motion moves, and how far.
-    fn moved(&self, motion: &SparseVector) -> Vec<(usize, f64)> {
+    /// Coordinates that a motion changes, with their displacements.
+    fn displacements(&self, motion: &SparseVector) -> Vec<(usize, f64)> {
         let mut moved = Vec::new();
         for (b, body) in self.bodies.iter().enumerate() {
             let part: Vec<(usize, f64)> = motion.range(6 * b..6 * b + 6).map(|(j, y)| (j % 6, *y)).collect();
@@ -225,18 +227,19 @@ impl Rigid {
             }
         }
         let joints = motion.range(6 * self.bodies.len()..);
-        moved.extend(joints.map(|(unknown, y)| (self.own[unknown - 6 * self.bodies.len()], *y)));
+        moved
+            .extend(joints.map(|(unknown, y)| (self.joint_coordinates[unknown - 6 * self.bodies.len()], *y)));
         moved
     }
 
-    /// A motion in words, beginning with one body.
+    /// Free motion of the bodies, beginning with the leading body.
     fn describe(&self, assembly: &Assembly, leader: usize, motion: &SparseVector) -> FreeMotion {
-        let mut moves: Vec<(bool, (String, Motion))> = Vec::new();
+        let mut moves: Vec<(bool, (String, RigidMotion))> = Vec::new();
         let largest = motion.values().fold(0.0, |max: f64, y| max.max(y.abs()));
         for (b, ((name, _), body)) in assembly.bodies().zip(&self.bodies).enumerate() {
             let of = |j: usize| motion.get(&(6 * b + j)).copied().unwrap_or(0.0);
             let (move_, turn) = (Vector3::from_fn(|k, _| of(k)), Vector3::from_fn(|k, _| of(3 + k)));
-            if move_.amax().max(turn.amax()) > SMALL * largest {
+            if move_.amax().max(turn.amax()) > RANK_TOLERANCE * largest {
                 moves.push((b != leader, (name.to_owned(), body.motion(move_, turn))));
             }
         }
@@ -245,7 +248,7 @@ impl Rigid {
     }
 }
 
-impl RigidBody {
+impl RigidBodyModel {
     fn positions(&self) -> impl Iterator<Item = Vector3<f64>> {
         self.vectors.iter().filter(|vector| vector.is_position()).map(|vector| vector.value)
     }
@@ -260,12 +263,12 @@ impl RigidBody {
         self.length = [reach, vector, 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0);
     }
 
-    /// What rotations act on: r from the origin, or the direction itself.
+    /// Vector that rotates: a position relative to the origin, or a direction.
     fn arm(&self, vector: &NodalVector) -> Vector3<f64> {
         if vector.is_position() { vector.value - self.origin } else { vector.value }
     }
 
-    /// What the six motions do to a vector.
+    /// Derivatives of a nodal vector with respect to the six unknowns.
     fn motions(&self, vector: &NodalVector) -> [Vector3<f64>; 6] {
         let arm = self.arm(vector) / self.length;
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
@@ -276,8 +279,8 @@ impl RigidBody {
         })
     }
 
-    /// Axes about which a rotation moves nothing.
-    fn idle_spins(&self) -> Vec<Vector3<f64>> {
+    /// Axes of rotations that change no coordinate.
+    fn null_rotations(&self) -> Vec<Vector3<f64>> {
         let arms = self.vectors.iter().map(|vector| {
             let (arm, size) = (self.arm(vector), if vector.is_position() { self.length } else { 1.0 });
             if vector.is_position() { arm / size } else { arm.try_normalize(0.0).unwrap_or(arm) }
@@ -285,40 +288,41 @@ impl RigidBody {
         let inertia: Matrix3<f64> =
             arms.map(|arm| Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()).sum();
         let eigen = SymmetricEigen::new(inertia);
-        // Squares of angles: a thousandth of a thousandth.
+        // Squares of angles of 10⁻⁶.
         let idle = |k: &usize| eigen.eigenvalues[*k] <= 1e-12 * eigen.eigenvalues.amax();
         (0..3).filter(idle).map(|k| eigen.eigenvectors.column(k).into()).collect()
     }
 
-    /// The motion of a velocity of the origin and a rotation times length.
-    fn motion(&self, velocity: Vector3<f64>, turn: Vector3<f64>) -> Motion {
-        let clean = |x: Vector3<f64>, size: f64| x.map(|x| if x.abs() > SMALL * size { x } else { 0.0 });
-        let upwards = |x: Vector3<f64>| if x[x.iamax()] < 0.0 { -x } else { x };
-        if turn.norm() <= SMALL * velocity.norm() {
-            let along = upwards(clean(velocity.normalize(), 1.0)).into();
-            return Motion::Translation { along };
+    /// Motion with a velocity of the origin and an angular velocity times length.
+    fn motion(&self, velocity: Vector3<f64>, turn: Vector3<f64>) -> RigidMotion {
+        let clean =
+            |x: Vector3<f64>, size: f64| x.map(|x| if x.abs() > RANK_TOLERANCE * size { x } else { 0.0 });
+        let positive = |x: Vector3<f64>| if x[x.iamax()] < 0.0 { -x } else { x };
+        if turn.norm() <= RANK_TOLERANCE * velocity.norm() {
+            let along = positive(clean(velocity.normalize(), 1.0)).into();
+            return RigidMotion::Translation { along };
         }
         let rate = turn / self.length;
         let through = self.origin + rate.cross(&velocity) / rate.norm_squared();
         let through: [f64; 3] = clean(through, self.length + self.origin.norm()).into();
         let pitch = rate.dot(&velocity) / rate.norm_squared();
-        let along = upwards(clean(rate.normalize(), 1.0)).into();
-        if pitch.abs() > SMALL * (self.length + velocity.norm() / rate.norm()) {
-            Motion::Screw { through, along, pitch }
+        let along = positive(clean(rate.normalize(), 1.0)).into();
+        if pitch.abs() > RANK_TOLERANCE * (self.length + velocity.norm() / rate.norm()) {
+            RigidMotion::Screw { through, along, pitch }
         } else {
-            Motion::Rotation { through, along }
+            RigidMotion::Rotation { through, along }
         }
     }
 }
 
 impl FreeMotion {
-    /// The same with points in other units: multiplied by a length.
+    /// Converts lengths into other units by a factor.
     pub fn scaled(mut self, length: f64) -> Self {
         for (_, motion) in &mut self.moves {
             match motion {
-                Motion::Translation { .. } => {}
-                Motion::Rotation { through, .. } => *through = through.map(|x| x * length),
-                Motion::Screw { through, pitch, .. } => {
+                RigidMotion::Translation { .. } => {}
+                RigidMotion::Rotation { through, .. } => *through = through.map(|x| x * length),
+                RigidMotion::Screw { through, pitch, .. } => {
                     (*through, *pitch) = (through.map(|x| x * length), *pitch * length);
                 }
             }
@@ -340,14 +344,14 @@ impl fmt::Display for FreeMotion {
     }
 }
 
-/// A motion as the end of a sentence; `s` is the ending of its verb.
-fn words(motion: &Motion, s: &str) -> String {
+/// Predicate of a sentence; `s` is the ending of the verb.
+fn words(motion: &RigidMotion, s: &str) -> String {
     match motion {
-        Motion::Translation { along } => format!("translate{s} along {}", direction(along)),
-        Motion::Rotation { through, along } => {
+        RigidMotion::Translation { along } => format!("translate{s} along {}", direction(along)),
+        RigidMotion::Rotation { through, along } => {
             format!("rotate{s} about the axis through {} along {}", triple(through), direction(along))
         }
-        Motion::Screw { through, along, pitch } => {
+        RigidMotion::Screw { through, along, pitch } => {
             let (point, along, pitch) = (triple(through), direction(along), number(*pitch));
             format!(
                 "rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian"
@@ -356,7 +360,7 @@ fn words(motion: &Motion, s: &str) -> String {
     }
 }
 
-/// x, y or z, or the components.
+/// Name of a global axis, or the components.
 fn direction(along: &[f64; 3]) -> String {
     let axis = (0..3).find(|&k| (0..3).all(|j| along[j] == if j == k { 1.0 } else { 0.0 }));
     axis.map_or_else(|| triple(along), |axis| ["x", "y", "z"][axis].to_owned())
@@ -366,7 +370,7 @@ fn triple(x: &[f64; 3]) -> String {
     format!("({}, {}, {})", number(x[0]), number(x[1]), number(x[2]))
 }
 
-/// Four digits.
+/// Number with at most four digits.
 pub(crate) fn number(x: f64) -> String {
     format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }

@@ -3,5 +3,5 @@
 mod mechanism;
 mod summary;
 
-pub use mechanism::{FreeMotion, Motion};
+pub use mechanism::{FreeMotion, RigidMotion};
 pub use summary::Diagnosis;

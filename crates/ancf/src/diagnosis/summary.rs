@@ -11,7 +11,7 @@ use crate::errors::ModelErrors;
 use crate::joints::{End, Joint};
 use crate::model::{Body, Model};
 
-/// What an assembled model consists of, what its joints tie and what they leave free. Lengths in the user's units.
+/// Contents of a model, constraints of its joints, and free motions. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnosis {
     /// Bodies by kind.
@@ -24,35 +24,36 @@ pub struct Diagnosis {
     pub coordinates: usize,
     /// Number of constraint equations m.
     pub equations: usize,
-    /// Those of joints that follow from others.
+    /// Redundant joint equations.
     pub redundant: Vec<Redundant>,
-    /// n less the rank of the constraints: what bodies can do that deform.
+    /// Degrees of freedom of the deformable bodies: n minus the rank of the constraints.
     pub freedoms: usize,
-    /// The classical count of Grübler and Kutzbach: 6 for each body, taken as rigid, 3 for a point mass, less what each joint ties.
+    /// Mobility by the criterion of Grübler and Kutzbach: 6 per body, as a rigid body, and 3 per point mass, minus the degrees of
+    /// freedom that joints remove.
     pub gruebler: isize,
-    /// Motions of rigid bodies that nothing holds, in words; their number is the mobility by rank.
+    /// Descriptions of the free motions of rigid bodies. Their number is the mobility by rank.
     pub motions: Vec<String>,
-    /// Bodies that no joint connects to anything.
+    /// Bodies without joints.
     pub unconnected: Vec<String>,
-    /// Bodies that are connected, but by no chain of joints to the ground.
+    /// Bodies with joints, but without a chain of joints to the ground.
     pub unreached: Vec<String>,
-    /// Joints whose gaps were closed, and how far their places were apart.
+    /// Joints with closed gaps, and the initial distances of their ends.
     pub gaps: Vec<(String, f64)>,
-    /// Bodies that moved for it, and how far.
+    /// Bodies that were moved to close gaps, and their displacements.
     pub moved: Vec<(String, f64)>,
-    /// Kinetic energy of the change by which stated velocities become those that joints admit, relative to their own; `None`
-    /// if nothing moves at the start.
+    /// Kinetic energy of the change from the stated initial velocities to those that satisfy the constraints, relative to the
+    /// kinetic energy of the stated velocities. `None` without initial velocities.
     pub projection: Option<f64>,
 }
 
-/// Changes of velocities that are rounding.
-const PROJECTED: f64 = 1e-12;
+/// Tolerance of the relative change of initial velocities.
+const PROJECTION_TOLERANCE: f64 = 1e-12;
 
 impl Model {
-    /// Assembles the model and says what it consists of, what its joints tie and what they leave free.
+    /// Assembles the model and reports its contents, the constraints of its joints and its free motions.
     ///
     /// # Errors
-    /// If the model is not valid, or its gaps do not close.
+    /// If the model is not valid, or its gaps cannot be closed.
     pub fn diagnose(&self) -> Result<Diagnosis, ModelErrors> {
         self.check()?;
         let scales = self.scales().scales;
@@ -63,7 +64,7 @@ impl Model {
         let load = if dynamic { 1.0 } else { 0.0 };
         let motions = assembly.free_motions(&State { load, ..assembly.rest() });
         let all_redundant = assembly.rank_deficiency();
-        let (unconnected, unreached) = self.loose();
+        let (unconnected, unreached) = self.bodies_without_ground();
         let lengths = |of: &[(String, f64)]| {
             of.iter().map(|(name, x)| (name.clone(), x * scales.length)).collect::<Vec<_>>()
         };
@@ -92,16 +93,15 @@ impl Model {
         count(loads.chain(gravity).chain(self.contacts.iter().map(|_| "contact")))
     }
 
-    /// 6 for each body, a cable too, and 3 for a point mass, less what each joint ties of two rigid bodies, and one for
-    /// each coupling.
+    /// 6 per body, including cables, and 3 per point mass, minus the degrees of freedom that joints remove and 1 per coupling.
     fn gruebler(&self) -> isize {
-        let tied = self.joints.iter().map(removed).sum::<usize>() + self.couplings.len();
+        let constrained = self.joints.iter().map(removed).sum::<usize>() + self.couplings.len();
         let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
-        free.sum::<isize>() - tied as isize
+        free.sum::<isize>() - constrained as isize
     }
 
-    /// Bodies without joints, and those that joints do not connect to the ground.
-    fn loose(&self) -> (Vec<String>, Vec<String>) {
+    /// Bodies without joints, and bodies with joints that do not connect them to the ground.
+    fn bodies_without_ground(&self) -> (Vec<String>, Vec<String>) {
         let index = |name: &str| self.bodies.iter().position(|body| body.name() == name);
         let ground = self.bodies.len();
         let mut neighbours = vec![Vec::new(); ground + 1];
@@ -128,7 +128,7 @@ impl Model {
 }
 
 impl Assembly {
-    /// T(v' − v) / T(v) of the velocities v that a model states and the v' nearest to them that joints admit.
+    /// T(v' − v) / T(v) of the stated velocities v and of the nearest velocities v' that satisfy the constraints.
     fn projection(&self, model: &Model) -> Option<f64> {
         let start = self.start(model);
         let kinetic = |v: Vec<f64>| self.system.energy(&State { v, ..start.clone() }).kinetic;
@@ -150,7 +150,7 @@ const fn noun(body: &Body) -> &'static str {
     }
 }
 
-/// Degrees of freedom that a joint removes between two rigid bodies, those that it drives among them.
+/// Degrees of freedom that a joint removes between two rigid bodies, including driven ones.
 fn removed(joint: &Joint) -> usize {
     joint.kind().removes() + joint.times().iter().filter(|(key, _)| !key.is_empty()).count()
 }
@@ -188,14 +188,17 @@ fn quoted(names: &[String]) -> String {
 }
 
 impl Diagnosis {
-    /// What its user should know before a run, each in a sentence.
+    /// Warnings, one sentence each.
     pub fn warnings(&self) -> Vec<String> {
-        let mut warnings: Vec<String> =
-            self.redundant.iter().map(|one| format!("redundant: {one}; they share its force")).collect();
-        if let Some(change) = self.projection.filter(|change| *change > PROJECTED) {
+        let mut warnings: Vec<String> = self
+            .redundant
+            .iter()
+            .map(|one| format!("redundant: {one}; they share the constraint force"))
+            .collect();
+        if let Some(change) = self.projection.filter(|change| *change > PROJECTION_TOLERANCE) {
             let percent = number(100.0 * change);
             warnings.push(format!(
-                "joints contradict the velocities at the start: they are changed by {percent} % in kinetic energy"
+                "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
         warnings
@@ -213,20 +216,20 @@ impl fmt::Display for Diagnosis {
             f,
             "equations: {coordinates} coordinates, {equations} constraints, {redundant} of them redundant"
         )?;
-        writeln!(f, "mobility:  {gruebler} by Grübler's count, rigid bodies")?;
+        writeln!(f, "mobility:  {gruebler} by Grübler's formula, rigid bodies")?;
         writeln!(f, "           {} by rank, rigid bodies", self.motions.len())?;
-        writeln!(f, "           {freedoms} by rank, bodies that deform")?;
+        writeln!(f, "           {freedoms} by rank, deformable bodies")?;
         for motion in &self.motions {
             writeln!(f, "free:      {motion}")?;
         }
         if !self.unconnected.is_empty() {
-            writeln!(f, "loose:     no joint connects {}", quoted(&self.unconnected))?;
+            writeln!(f, "no joints: {}", quoted(&self.unconnected))?;
         }
         if !self.unreached.is_empty() {
-            writeln!(f, "loose:     no joints lead from the ground to {}", quoted(&self.unreached))?;
+            writeln!(f, "no ground: {}, not connected to the ground by joints", quoted(&self.unreached))?;
         }
         for (joint, apart) in &self.gaps {
-            writeln!(f, "closed:    joint `{joint}`, whose places are {} apart", number(*apart))?;
+            writeln!(f, "closed:    gap of joint `{joint}`, {}", number(*apart))?;
         }
         for (body, by) in &self.moved {
             writeln!(f, "moved:     body `{body}`, by up to {}", number(*by))?;

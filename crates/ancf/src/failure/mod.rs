@@ -3,9 +3,9 @@
 mod advice;
 mod cause;
 mod stability;
-mod stability_watch;
+mod stability_monitor;
 
-pub(crate) use advice::{OF_MECHANISMS, after, after_search};
-pub(crate) use cause::{Blame, Place, blame};
+pub(crate) use advice::{ADVICE_FOR_MECHANISMS, advice_for_eigen, advice_for_iteration};
+pub(crate) use cause::{FailureCause, FailurePlace, find_cause};
 pub(crate) use stability::unloaded;
-pub(crate) use stability_watch::Watch;
+pub(crate) use stability_monitor::StabilityMonitor;

@@ -1,4 +1,4 @@
-//! Whether the stiffness of a state holds it: what tells buckling from other failures, and from none.
+//! Stability of a state by the inertia of its tangent stiffness.
 
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
 use ancf_solver::factor::Factor;
@@ -6,47 +6,52 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 
-/// Passes of inverse iteration, which find the direction that is next to neutral.
-const PASSES: u32 = 12;
+/// Iterations of the inverse iteration for the eigenvector of the eigenvalue nearest to zero.
+const INVERSE_ITERATIONS: u32 = 12;
 
-/// Directions in which loads push a state on instead of back.
+/// Unstable directions of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Instability {
-    /// Their number: negative eigenvalues of the tangent stiffness along the constraints.
+    /// Number of negative eigenvalues of the tangent stiffness projected onto the constraints.
     pub(crate) count: usize,
-    /// The coordinate of a position that moves most in the one nearest to neutral.
+    /// Coordinate of a position with the largest component in the direction nearest to neutral.
     pub(crate) at: usize,
 }
 
 impl Instability {
-    /// In how many directions, in words.
+    /// Number of directions, as text.
     pub(crate) fn directions(&self) -> String {
         if self.count == 1 { "1 direction".to_owned() } else { format!("{} directions", self.count) }
     }
 }
 
-/// Bodies beyond which it takes too long to find out what is free.
-const MANY: usize = 300;
+/// Upper limit on the number of bodies. The search for free motions of larger models takes too long.
+const MAX_BODIES: usize = 300;
 
-/// Whether joints and stiffness hold all bodies in the reference state: mechanisms are unstable by nature in some positions.
-pub(crate) fn is_held(assembly: &Assembly) -> bool {
-    assembly.bodies().count() <= MANY && assembly.free_motions(&unloaded(assembly)).is_empty()
+/// True if joints and stiffness support all bodies in the reference state. Mechanisms also have unstable positions without
+/// buckling.
+pub(crate) fn is_supported(assembly: &Assembly) -> bool {
+    assembly.bodies().count() <= MAX_BODIES && assembly.free_motions(&unloaded(assembly)).is_empty()
 }
 
-/// The instability of a state under its loads and forces of inertia, if it has one; to be asked of what is held.
+/// Instability of a state under its loads and inertia forces. The model must be [supported](is_supported).
 ///
-/// Source: Sylvester (1852), the law of inertia, by the factors of [K, Φ_qᵀ; Φ_q, 0].
+/// Source: Sylvester's law of inertia (1852), applied to the factors of [K, Φ_qᵀ; Φ_q, 0].
 pub(crate) fn instability(assembly: &Assembly, s: &State) -> Option<Instability> {
     if !s.q.iter().chain(&s.lambda).all(|x| x.is_finite()) {
         return None;
     }
     match assembly.system.with_active_terms(s) {
-        Some((complete, _)) => of(&complete, assembly, s),
-        None => of(&assembly.system, assembly, s),
+        Some((complete, _)) => instability_of(&complete, assembly, s),
+        None => instability_of(&assembly.system, assembly, s),
     }
 }
 
-fn of(system: &ancf_solver::equations::System, assembly: &Assembly, s: &State) -> Option<Instability> {
+fn instability_of(
+    system: &ancf_solver::equations::System,
+    assembly: &Assembly,
+    s: &State,
+) -> Option<Instability> {
     let mut k = system.matrix();
     system.tangent(s, Weights::STIFFNESS, &mut k);
     let mut factor = Factor::new(k.pattern()).ok()?;
@@ -56,10 +61,10 @@ fn of(system: &ancf_solver::equations::System, assembly: &Assembly, s: &State) -
         return None;
     }
     let n = s.q.len();
-    // Any start that is orthogonal to nothing: as far as numbers go, one without pattern.
+    // Pseudo-random start vector: components along all eigenvectors.
     let mut x: Vec<f64> =
         (0..k.pattern().size()).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
-    for _ in 0..PASSES {
+    for _ in 0..INVERSE_ITERATIONS {
         x[n..].fill(0.0);
         let largest = x.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         x.iter_mut().for_each(|x| *x /= largest);
@@ -72,7 +77,7 @@ fn of(system: &ancf_solver::equations::System, assembly: &Assembly, s: &State) -
     Some(Instability { count, at })
 }
 
-/// The unloaded reference state.
+/// Unloaded initial state.
 pub(crate) fn unloaded(assembly: &Assembly) -> State {
     State { load: 0.0, ..assembly.initial() }
 }

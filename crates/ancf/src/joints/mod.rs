@@ -25,8 +25,8 @@ pub use drive::DrivenClamp;
 pub use elastic::{Bushing, PointSpring};
 pub use joint::Joint;
 pub use parts::{
-    AngularDrive, AngularFriction, AngularSpring, ClampedGradients, Closed, Coupled, Coupling, CustomJoint,
-    End, Ground, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
+    AngularDrive, AngularFriction, AngularSpring, ClampedGradients, Coupled, Coupling, CustomJoint, End,
+    GapClosure, Ground, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, JointObject,
     JointSymbol, JointTerm, LinearDrive, LinearFriction, LinearSpring, PrescribedMotion, RecordedCoordinate,
 };
 pub(crate) use parts::{Gap, JointEnds, JointEquations, Numbering};

@@ -4,7 +4,7 @@ use std::{fmt, io};
 
 use crate::record::Sink;
 
-/// Comma-separated values: a line of names, then a line per row. Numbers are written so that they read back exactly.
+/// Writes comma-separated values: a line of names, then a line per row. The decimal numbers determine the binary ones exactly.
 pub struct Csv<W: Write> {
     writer: csv::Writer<W>,
 }
@@ -16,7 +16,7 @@ impl<W: Write> fmt::Debug for Csv<W> {
 }
 
 impl<W: Write> Csv<W> {
-    /// Writes to `to`, buffered.
+    /// Creates a buffered writer to `to`.
     pub fn new(to: W) -> Self {
         Self { writer: csv::Writer::from_writer(to) }
     }

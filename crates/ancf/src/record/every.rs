@@ -3,7 +3,7 @@ use std::ops::ControlFlow;
 
 use crate::record::Sink;
 
-/// Passes on every so many rows, and the last one.
+/// Passes every n-th row and the last row on to another sink.
 #[derive(Debug)]
 pub struct Every<S> {
     every: u32,
@@ -13,7 +13,7 @@ pub struct Every<S> {
 }
 
 impl<S: Sink> Every<S> {
-    /// Passes rows 0, n, 2n, ... and the last on to `sink`.
+    /// Passes rows 0, n, 2n, ... and the last row on to `sink`.
     pub fn new(every: u32, sink: S) -> Self {
         Self { every: every.max(1), count: 0, last: None, sink }
     }
@@ -39,7 +39,7 @@ impl<S: Sink> Sink for Every<S> {
 
     fn finish(&mut self) -> io::Result<()> {
         if let Some(last) = self.last.take() {
-            // The run is over: whether the sink would have ended it no longer matters.
+            // The run has ended, so a stop request has no effect.
             let _ = self.sink.record(&last)?;
         }
         self.sink.finish()

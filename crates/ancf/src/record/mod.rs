@@ -11,7 +11,7 @@ pub use csv::Csv;
 pub use every::Every;
 pub use series::Series;
 
-/// Whoever receives the rows of a run: a file, memory, a progress bar.
+/// Receiver of the rows of a run: a file, memory, a progress bar.
 ///
 /// ```
 /// use std::io;
@@ -19,7 +19,7 @@ pub use series::Series;
 ///
 /// use ancf::record::Sink;
 ///
-/// /// Ends a run after so many rows.
+/// /// Stops a run after a number of rows.
 /// struct Limit(usize);
 ///
 /// impl Sink for Limit {
@@ -38,22 +38,22 @@ pub trait Sink {
         Ok(())
     }
 
-    /// Receives one instant; `Break` ends the run in good order.
+    /// Receives one row, in the user's units. `Break` stops the run and keeps the results.
     ///
     /// # Errors
     /// If the row cannot be written; the run ends.
     fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>>;
 
-    /// Completes the record, however the run ended.
+    /// Completes the record; called after any end of the run.
     ///
     /// # Errors
-    /// If what is left cannot be written.
+    /// If the remaining data cannot be written.
     fn finish(&mut self) -> io::Result<()> {
         Ok(())
     }
 }
 
-/// Several sinks at once; any of them may end the run.
+/// Passes rows on to several sinks. Each of them can stop the run.
 impl Sink for Vec<Box<dyn Sink + '_>> {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         self.iter_mut().try_for_each(|sink| sink.begin(columns))
@@ -70,7 +70,7 @@ impl Sink for Vec<Box<dyn Sink + '_>> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
-        // All of them complete their record even if one fails.
+        // All sinks complete their records even if one fails.
         let ends: Vec<_> = self.iter_mut().map(|sink| sink.finish()).collect();
         ends.into_iter().collect()
     }

@@ -3,14 +3,14 @@ use std::ops::ControlFlow;
 
 use crate::record::Sink;
 
-/// Rows kept in memory, by columns.
+/// Rows in memory, stored by columns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
     columns: Vec<(String, Vec<f64>)>,
 }
 
 impl Series {
-    /// An empty series.
+    /// Creates an empty series.
     pub fn new() -> Self {
         Self::default()
     }
@@ -20,7 +20,7 @@ impl Series {
         self.columns.iter().map(|(name, _)| name.as_str())
     }
 
-    /// A column by its name.
+    /// Values of a column; `None` if there is no such column.
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         self.columns.iter().find(|(n, _)| n == name).map(|(_, values)| values.as_slice())
     }
@@ -45,7 +45,7 @@ impl Sink for Series {
     }
 }
 
-/// A run may fill a series that its caller keeps.
+/// Passes rows on to a sink that the caller owns.
 impl<S: Sink + ?Sized> Sink for &mut S {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         (**self).begin(columns)

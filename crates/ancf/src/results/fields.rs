@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::assembly::Assembly;
 use crate::units::{Dimension, Scales};
 
-/// A quantity along the bodies.
+/// Field along the bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
     /// Position x, y, z.
@@ -18,17 +18,16 @@ pub enum Field {
     Velocity,
     /// Acceleration x, y, z.
     Acceleration,
-    /// The orthonormal frame of a section or a rigid body: its normal or first axis, then y and z of the section or the second
-    /// and third axis, each with three global components. Of a cable, the tangent and any two directions across; of a point
-    /// mass, the global axes.
+    /// Orthonormal frame, three axes with three global components each. Beams: normal, y and z of the section. Cables: tangent
+    /// and two arbitrary transverse directions. Rigid bodies: body axes. Point masses: global axes.
     Directors,
-    /// N, Qy, Qz, T, My, Mz in the frame of the section, as the part beyond exerts them on the part before; of rigid bodies
-    /// not a number.
+    /// N, Qy, Qz, T, My, Mz in the section frame: forces of the part at larger arc lengths on the part at smaller ones. NaN for
+    /// rigid bodies.
     SectionForces,
 }
 
 impl Field {
-    /// All of them, with their names.
+    /// All fields with their names.
     pub const ALL: [(&'static str, Self); 6] = [
         ("position", Self::Position),
         ("displacement", Self::Displacement),
@@ -38,7 +37,7 @@ impl Field {
         ("section_forces", Self::SectionForces),
     ];
 
-    /// Its numbers at each station.
+    /// Number of components.
     pub const fn width(self) -> usize {
         match self {
             Self::Position | Self::Displacement | Self::Velocity | Self::Acceleration => 3,
@@ -48,19 +47,20 @@ impl Field {
     }
 }
 
-/// A place along a body where fields are read.
+/// Point on a body at which fields are evaluated.
 #[derive(Clone, Debug)]
 pub struct Station {
-    /// Number of the body.
+    /// Index of the body.
     pub body: usize,
-    /// Arc length of the undeformed axis, in the user's units; 0 of a rigid body.
+    /// Arc length of the undeformed axis, in the user's units; 0 for rigid bodies.
     pub s: f64,
     arc_length: f64,
     place: Attachment,
 }
 
-/// What reads fields of states: the nodes of flexible bodies, or more places, and the centres of rigid ones, in the order of
-/// the bodies.
+/// Evaluates fields of states at stations, in the order of the bodies.
+///
+/// Stations are the nodes of flexible bodies, points between them on request, and the centres of rigid bodies.
 #[derive(Debug)]
 pub struct Fields<'a> {
     assembly: &'a Assembly,
@@ -69,7 +69,7 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Stations at the ends of elements and at `parts` − 1 places between, evenly spaced by arc length.
+    /// Creates stations at the nodes and at `parts` − 1 points within each element, evenly spaced by arc length.
     pub fn new(assembly: &'a Assembly, scales: Scales, parts: u32) -> Self {
         let along = |(number, (_, body)): (usize, (&str, &'a BodyTerms))| {
             stations_of(body, parts.max(1)).into_iter().map(move |(arc_length, place)| {
@@ -81,12 +81,12 @@ impl<'a> Fields<'a> {
         Self { assembly, scales, stations }
     }
 
-    /// The places, in order.
+    /// Stations, in order.
     pub fn stations(&self) -> &[Station] {
         &self.stations
     }
 
-    /// Appends the numbers of a field in a state, station by station, in the user's units.
+    /// Appends the values of a field in a state, station by station, in the user's units.
     pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
         for station in &self.stations {
             self.read(field, station, s, to);
@@ -126,7 +126,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Arc lengths and places of the stations of a body.
+/// Arc lengths and attachments of the stations of a body.
 fn stations_of(body: &BodyTerms, parts: u32) -> Vec<(f64, Attachment)> {
     match body {
         BodyTerms::Flexible(mesh) => {

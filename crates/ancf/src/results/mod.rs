@@ -5,4 +5,4 @@ mod rows;
 
 pub use fields::{Field, Fields, Station};
 pub use rows::{Column, Rows};
-pub(crate) use rows::{LOAD, Past, TIME, columns};
+pub(crate) use rows::{LOAD, RowHistory, TIME, columns};

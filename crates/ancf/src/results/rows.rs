@@ -10,51 +10,51 @@ use crate::assembly::Assembly;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales, Units};
 
-/// The columns of a run, and their values in one state, in the user's units.
+/// Columns of a run and their values in one state, in the user's units.
 ///
-/// | columns | what |
+/// | columns | content |
 /// |---|---|
 /// | `t`, in statics `load` | time, load factor |
 /// | `p.x p.y p.z`, `p.vx ..`, `p.ax ..` | motion of each probe `p`: position, velocity, acceleration |
-/// | `p.e0 p.e1 p.e2 p.e3`, `p.wx p.wy p.wz` | Euler parameters of its rotation since the reference state, angular velocity |
-/// | `p.N p.Qy p.Qz p.T p.My p.Mz` | its section forces, as the part beyond exerts them on the part before |
-/// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | its strain, Green's, in the section's frame |
-/// | `p.sxx ..` | its stress, second Piola-Kirchhoff |
-/// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment that each joint `j` exerts on its end `a` |
-/// | `j.angle j.rate` | of hinges and sleeves: angle of `a` about the axis, counted on over whole turns, and its rate |
-/// | `j.displacement j.speed` | of sliders: displacement along the axis, and its rate |
-/// | `j.position j.speed` | of slides: arc length from the start of the undeformed beam, and its rate |
-/// | `j.length j.speed` | of rods and springs: distance of the ends, and its rate |
-/// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, if asked for |
-/// | `iterations`, ... | what the analysis says of each state |
-/// | `kinetic`, `strain`, `potential` | energies; the potential is zero in the reference configuration |
-/// | `work` | of motions: supplied since the start by prescribed motions, their blows included, and by loads without potential |
-/// | `dissipated` | of motions: lost since the start by damping, drag and friction |
-/// | `balance` | of motions: total energy at the start, plus `work`, less `dissipated`, less that of the state: the error of the integration |
+/// | `p.e0 p.e1 p.e2 p.e3`, `p.wx p.wy p.wz` | Euler parameters of the rotation from the reference state, angular velocity |
+/// | `p.N p.Qy p.Qz p.T p.My p.Mz` | section forces: those of the part at larger arc lengths on the part at smaller ones |
+/// | `p.exx p.eyy p.ezz p.exy p.exz p.eyz` | Green strain, in the section frame |
+/// | `p.sxx ..` | second Piola-Kirchhoff stress |
+/// | `j.fx j.fy j.fz`, `j.mx ..` | force and moment of each joint `j` on its end `a` |
+/// | `j.angle j.rate` | revolute and cylindrical joints: angle of `a` about the axis, with whole turns, and its rate |
+/// | `j.displacement j.speed` | prismatic and cylindrical joints: displacement along the axis, and its rate |
+/// | `j.position j.speed` | slides: arc length from the start of the undeformed beam, and its rate |
+/// | `j.length j.speed` | distance joints and springs: distance of the ends, and its rate |
+/// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, on request |
+/// | `iterations`, ... | solver values of each state |
+/// | `kinetic`, `strain`, `potential` | energies; the potential energy is zero in the reference configuration |
+/// | `work` | dynamics: work of prescribed motions, including velocity jumps, and of loads without potential, since the start |
+/// | `dissipated` | dynamics: energy dissipated by damping, drag and friction since the start |
+/// | `balance` | dynamics: total energy at the start, plus `work`, minus `dissipated`, minus total energy: the integration error |
 #[derive(Debug)]
 pub struct Rows {
     columns: Vec<Column>,
     row: Vec<f64>,
     scales: Scales,
     parts: bool,
-    past: Past,
+    history: RowHistory,
 }
 
-/// What a row takes from those before it.
+/// Values of earlier rows on which a row depends.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Past {
+pub(crate) struct RowHistory {
     /// Total energy of the first state.
     initial: Option<f64>,
-    /// Angles of the row before, by coordinate.
+    /// Angles of the previous row, by joint coordinate.
     angles: Vec<f64>,
 }
 
-/// A column of a run.
+/// Column of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// The dimension of its numbers; none of what has no unit of the user, such as a residual.
+    /// Dimension of the values; `None` if they are not in the user's units, such as a residual.
     pub dimension: Option<Dimension>,
 }
 
@@ -63,31 +63,31 @@ impl Column {
         Self { name: name.into(), dimension: dimension.into() }
     }
 
-    /// The unit of its numbers, `1` of pure ones; none of what has no unit of the user.
+    /// Unit of the values, `1` for numbers without dimension; `None` if they are not in the user's units.
     pub fn unit(&self, units: &Units) -> Option<String> {
         let unit = units.of(self.dimension?);
         Some(if unit.is_empty() { "1".to_owned() } else { unit })
     }
 
-    /// Columns under the name of what they are about.
+    /// Columns with the prefix `owner`.
     fn of<'a>(owner: &str, names: impl IntoIterator<Item = &'a str>, dimension: Dimension) -> Vec<Self> {
         names.into_iter().map(|name| Self::new(format!("{owner}.{name}"), dimension)).collect()
     }
 }
 
-/// Places of a symmetric matrix in columns.
+/// Indices of a symmetric matrix in the order of columns.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// Name of the first column of a motion.
+/// Name of the first column of dynamics.
 pub(crate) const TIME: &str = "t";
-/// Name of the first column of equilibria.
+/// Name of the first column of statics and paths.
 pub(crate) const LOAD: &str = "load";
 
-/// The columns of [`Rows`].
-pub(crate) fn columns(assembly: &Assembly, first: &str, own: &[&str]) -> Vec<Column> {
+/// Columns of [`Rows`].
+pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<Column> {
     let of_first = if first == TIME { Dimension::TIME } else { Dimension::NUMBER };
     let mut columns = vec![Column::new(first, of_first)];
-    for probe in &assembly.measures {
+    for probe in &assembly.recorded_quantities {
         columns.extend(columns_of_probe(&probe.name, probe.quantity));
     }
     for name in assembly.joints() {
@@ -102,10 +102,10 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, own: &[&str]) -> Vec<Col
         let parts = ["axial", "bending", "shear", "torsion", "section", "volume"];
         columns.extend(assembly.bodies().flat_map(|(body, _)| Column::of(body, parts, Dimension::ENERGY)));
     }
-    columns.extend(own.iter().map(|&name| Column::new(name, None)));
-    // Equilibria have no history that could be booked.
-    let books: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
-    let energies = ["kinetic", "strain", "potential"].iter().chain(books);
+    columns.extend(solver.iter().map(|&name| Column::new(name, None)));
+    // Statics has no time history, so no energy balance.
+    let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
+    let energies = ["kinetic", "strain", "potential"].iter().chain(balance);
     columns.extend(energies.map(|&name| Column::new(name, Dimension::ENERGY)));
     columns
 }
@@ -132,15 +132,16 @@ fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
 }
 
 impl Rows {
-    /// Columns of an assembly whose numbers are in the given units: the first, those of probes and joints, `own`, energies.
-    pub fn new(assembly: &Assembly, scales: Scales, first: &str, own: &[&str]) -> Self {
-        let columns = columns(assembly, first, own);
+    /// Creates the columns of an assembly: the first one, those of probes and joints, `solver`, energies. `scales` are the units
+    /// of the assembly.
+    pub fn new(assembly: &Assembly, scales: Scales, first: &str, solver: &[&str]) -> Self {
+        let columns = columns(assembly, first, solver);
         Self {
             row: Vec::with_capacity(columns.len()),
             columns,
             scales,
             parts: assembly.energy_parts,
-            past: Past { initial: None, angles: vec![0.0; assembly.joint_coordinates().count()] },
+            history: RowHistory { initial: None, angles: vec![0.0; assembly.joint_coordinates().count()] },
         }
     }
 
@@ -149,25 +150,27 @@ impl Rows {
         self.columns.iter().map(|column| column.name.clone()).collect()
     }
 
-    /// The row of one state, with the value of the first column and of the analysis's own, in the user's units; `energy` is that
-    /// of the state and `exchanged`, of motions, what was supplied and dissipated so far, in those of the solver.
+    /// Computes the row of one state, in the user's units.
+    ///
+    /// `first` and `solver` are values of the first column and of the solver's columns, in the user's units. `energy` is the
+    /// energy of the state. `exchanged` is the work and dissipation since the start, for dynamics. Both are in solver units.
     pub fn fill(
         &mut self,
         assembly: &Assembly,
         s: &State,
         first: f64,
-        own: &[f64],
+        solver: &[f64],
         energy: Energy,
         exchanged: Option<Power>,
     ) -> &[f64] {
         self.row.clear();
         self.row.push(first);
-        self.measure(assembly, s);
+        self.push_probes(assembly, s);
         for reaction in assembly.reactions(s) {
             self.extend(reaction.force, Dimension::FORCE);
             self.extend(reaction.moment, Dimension::ENERGY);
         }
-        self.joint_coordinates(assembly, s);
+        self.push_joint_coordinates(assembly, s);
         if self.parts {
             for (_, body) in assembly.bodies() {
                 let StrainEnergy { axial, bending, shear, torsion, section, volume } = body.strain_energy(s);
@@ -176,12 +179,12 @@ impl Rows {
                 }
             }
         }
-        self.row.extend(own);
+        self.row.extend(solver);
         for part in [energy.kinetic, energy.strain, energy.potential] {
             self.push(part, Dimension::ENERGY);
         }
         if let Some(Power { work, dissipation }) = exchanged {
-            let initial = *self.past.initial.get_or_insert(energy.total());
+            let initial = *self.history.initial.get_or_insert(energy.total());
             for part in [work, dissipation, initial + work - dissipation - energy.total()] {
                 self.push(part, Dimension::ENERGY);
             }
@@ -189,22 +192,22 @@ impl Rows {
         &self.row
     }
 
-    /// What the next row takes from those so far.
-    pub(crate) fn past(&self) -> &Past {
-        &self.past
+    /// Values of earlier rows on which the next row depends.
+    pub(crate) fn history(&self) -> &RowHistory {
+        &self.history
     }
 
-    /// Goes on after other rows; returns false if they are not of these columns.
-    pub(crate) fn go_on(&mut self, past: &Past) -> bool {
-        let fits = past.angles.len() == self.past.angles.len();
+    /// Restores the values of earlier rows. Returns false if they belong to other columns.
+    pub(crate) fn restore(&mut self, history: &RowHistory) -> bool {
+        let fits = history.angles.len() == self.history.angles.len();
         if fits {
-            self.past.clone_from(past);
+            self.history.clone_from(history);
         }
         fits
     }
 
-    fn measure(&mut self, assembly: &Assembly, s: &State) {
-        for probe in &assembly.measures {
+    fn push_probes(&mut self, assembly: &Assembly, s: &State) {
+        for probe in &assembly.recorded_quantities {
             match probe.quantity {
                 Quantity::Motion => {
                     self.extend(probe.place.point.value(s), Dimension::LENGTH);
@@ -227,21 +230,21 @@ impl Rows {
                     let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
                     let [strain, stress] = mesh.strain_and_stress(s, probe.s, probe.offset);
                     if probe.quantity == Quantity::Strain {
-                        self.entries(&strain, Dimension::NUMBER);
+                        self.push_entries(&strain, Dimension::NUMBER);
                     } else {
-                        self.entries(&stress, Dimension::STRESS);
+                        self.push_entries(&stress, Dimension::STRESS);
                     }
                 }
             }
         }
     }
 
-    fn joint_coordinates(&mut self, assembly: &Assembly, s: &State) {
+    fn push_joint_coordinates(&mut self, assembly: &Assembly, s: &State) {
         for (k, (_, coordinate)) in assembly.joint_coordinates().enumerate() {
             let [mut value, rate] = coordinate.at(s);
             if coordinate.wraps() {
-                value += TAU * ((self.past.angles[k] - value) / TAU).round();
-                self.past.angles[k] = value;
+                value += TAU * ((self.history.angles[k] - value) / TAU).round();
+                self.history.angles[k] = value;
             }
             let [of_value, of_rate] = coordinate.dimensions();
             self.push(value, of_value);
@@ -258,7 +261,7 @@ impl Rows {
         self.row.extend(value.iter().map(|x| x * unit));
     }
 
-    fn entries(&mut self, value: &Matrix3<f64>, of: Dimension) {
+    fn push_entries(&mut self, value: &Matrix3<f64>, of: Dimension) {
         ENTRIES.iter().for_each(|&at| self.push(value[at], of));
     }
 }

@@ -5,36 +5,34 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::simulation::Simulation;
-use super::step_control::{MOST, Pace, PaceMemory};
+use super::step_control::{MAX_COUNT, StepControl, StepControlCheckpoint};
 use super::summary::Summary;
-use crate::failure::Watch;
+use crate::failure::StabilityMonitor;
 use crate::model::Model;
-use crate::results::{Past, Rows};
+use crate::results::{RowHistory, Rows};
 
-/// All on which the rest of a motion depends: a run goes on from it to the last bit as if it had never stopped
-/// ([`Simulation::resume`]).
+/// State of a dynamic analysis, from which [`Simulation::resume`] continues with bit-identical results.
 ///
-/// To be kept in a format that writes numbers exactly, as binary ones do. Of n coordinates and m multipliers it takes some
-/// 8 (5n + 2m) bytes, another 8 (3n + m) where tangents are used again, 8 (n + m) with error control, and a few for each pair
-/// in contact.
+/// A checkpoint requires a format that stores numbers exactly, such as a binary one. For n coordinates and m multipliers it has
+/// about 8 (5n + 2m) bytes. Reused tangents add 8 (3n + m), error control adds 8 (n + m), and each active contact pair a few.
 ///
-/// It goes with the very model and the version of this library that it was made by. Functions that the program supplies have to
-/// be the same, and functions of time alone, as everywhere.
+/// A checkpoint is valid for the same model and the same version of this library. External functions must be the same and must
+/// return the same values for the same arguments.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
     version: u32,
-    /// A hash of the model.
+    /// Hash of the model.
     model: u64,
     time: f64,
-    counts: Counts,
-    rows: Past,
-    watch: Watch,
-    pace: PaceMemory,
+    counts: StepCounts,
+    rows: RowHistory,
+    monitor: StabilityMonitor,
+    control: StepControlCheckpoint,
 }
 
-/// What has been counted so far.
+/// Step and iteration counts of the [`Summary`].
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Counts {
+struct StepCounts {
     steps: u64,
     divided_steps: u64,
     rejected_steps: u64,
@@ -43,87 +41,96 @@ struct Counts {
     most_iterations: u32,
 }
 
-/// A checkpoint from which a simulation cannot go on.
+/// Error of [`Simulation::resume`]: the checkpoint does not belong to the simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum Mismatch {
-    /// Statics, modes and the like keep none.
-    #[error("only motions go on from checkpoints: carry this analysis out anew")]
+pub enum ResumeError {
+    /// The analysis is not dynamic.
+    #[error("only dynamic analyses continue from checkpoints: run this analysis again")]
     Analysis,
-    /// It was made by a version with another format.
-    #[error("the checkpoint was made by another version of ancf (format {found}, here {wanted}): begin anew")]
+    /// The checkpoint has the format of another version.
+    #[error(
+        "the checkpoint has format {found} of another version of ancf, expected format {expected}: run the model again"
+    )]
     Version {
-        /// Its format.
+        /// Format of the checkpoint.
         found: u32,
-        /// The format of this version.
-        wanted: u32,
+        /// Format of this version.
+        expected: u32,
     },
-    /// It belongs to another model.
-    #[error("the checkpoint belongs to another model, or to this one before it was changed: begin anew")]
+    /// The checkpoint belongs to another model.
+    #[error("the checkpoint belongs to another model, or to this model before a change: run the model again")]
     Model,
-    /// It makes no sense.
-    #[error("the checkpoint is damaged: take an earlier one, or begin anew")]
+    /// The checkpoint has invalid contents.
+    #[error("the checkpoint is damaged: use an earlier one, or run the model again")]
     Damaged,
 }
 
-/// The format, and the way in which runs go on.
+/// Version of the format and of the algorithm.
 const VERSION: u32 = 1;
 
 impl Checkpoint {
-    /// Number of rows recorded before it; the next one has this number, counted from 0.
+    /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.
     pub fn rows(&self) -> u64 {
-        self.pace.rows()
+        self.control.rows()
     }
 
-    /// Its time, in the user's units.
+    /// Time, in the user's units.
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    pub(crate) fn new(model: u64, summary: &Summary, watch: &Watch, rows: &Rows, pace: &Pace<'_>) -> Self {
-        let pace = pace.memory();
-        let time = pace.time() * summary.scales.time;
-        let (rows, watch) = (rows.past().clone(), watch.clone());
-        Self { version: VERSION, model, time, counts: Counts::of(summary), rows, watch, pace }
+    pub(crate) fn new(
+        model: u64,
+        summary: &Summary,
+        monitor: &StabilityMonitor,
+        rows: &Rows,
+        control: &StepControl<'_>,
+    ) -> Self {
+        let control = control.checkpoint();
+        let time = control.time() * summary.scales.time;
+        let (rows, monitor) = (rows.history().clone(), monitor.clone());
+        Self { version: VERSION, model, time, counts: StepCounts::of(summary), rows, monitor, control }
     }
 
-    /// Refuses what is not of a simulation, but for its numbers.
-    pub(crate) fn check(&self, simulation: &Simulation) -> Result<(), Mismatch> {
+    /// Checks version, model and ranges. The state itself is checked by [`restore`](Self::restore).
+    pub(crate) fn check(&self, simulation: &Simulation) -> Result<(), ResumeError> {
         if self.version != VERSION {
-            return Err(Mismatch::Version { found: self.version, wanted: VERSION });
+            return Err(ResumeError::Version { found: self.version, expected: VERSION });
         }
         if self.model != fingerprint(simulation) {
-            return Err(Mismatch::Model);
+            return Err(ResumeError::Model);
         }
-        let Counts { steps, divided_steps, rejected_steps, floor_steps, iterations, .. } = self.counts;
+        let StepCounts { steps, divided_steps, rejected_steps, floor_steps, iterations, .. } = self.counts;
         let counts = [steps, divided_steps, rejected_steps, floor_steps, iterations];
         let coordinates = simulation.assembly.system.coordinates();
-        let is_time = self.time == self.pace.time() * simulation.scales().time;
-        if is_time && self.watch.fits(coordinates) && counts.iter().all(|count| *count <= MOST) {
+        let is_time = self.time == self.control.time() * simulation.scales().time;
+        if is_time && self.monitor.is_valid_for(coordinates) && counts.iter().all(|count| *count <= MAX_COUNT)
+        {
             Ok(())
         } else {
-            Err(Mismatch::Damaged)
+            Err(ResumeError::Damaged)
         }
     }
 
-    /// Puts a run that has begun where this one was.
+    /// Restores the state of a run.
     pub(crate) fn restore(
         &self,
         summary: &mut Summary,
-        watch: &mut Watch,
+        monitor: &mut StabilityMonitor,
         rows: &mut Rows,
-        pace: &mut Pace<'_>,
-    ) -> Result<(), Mismatch> {
-        if !rows.go_on(&self.rows) || pace.recall(&self.pace).is_err() {
-            return Err(Mismatch::Damaged);
+        control: &mut StepControl<'_>,
+    ) -> Result<(), ResumeError> {
+        if !rows.restore(&self.rows) || control.restore(&self.control).is_err() {
+            return Err(ResumeError::Damaged);
         }
-        self.counts.put(summary);
-        watch.clone_from(&self.watch);
-        summary.time = self.pace.time();
+        self.counts.copy_to(summary);
+        monitor.clone_from(&self.monitor);
+        summary.time = self.control.time();
         Ok(())
     }
 }
 
-impl Counts {
+impl StepCounts {
     fn of(summary: &Summary) -> Self {
         Self {
             steps: summary.steps,
@@ -135,7 +142,7 @@ impl Counts {
         }
     }
 
-    fn put(self, summary: &mut Summary) {
+    fn copy_to(self, summary: &mut Summary) {
         summary.steps = self.steps;
         summary.divided_steps = self.divided_steps;
         summary.rejected_steps = self.rejected_steps;
@@ -145,12 +152,12 @@ impl Counts {
     }
 }
 
-/// A hash of all that a model says, in the units of the solver, and of these. It need not withstand malice.
+/// Hash of the model in solver units, and of these units. It is not cryptographic.
 ///
 /// Source: Fowler, Noll & Vo, FNV-1a of 64 bits.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
-    // It never fails: the model is plain data, and the hash takes everything.
+    let mut hash = Fnv1a(0xcbf2_9ce4_8422_2325);
+    // Cannot fail: the model is plain data, and writing to the hash has no errors.
     let _ = serde_json::to_writer(&mut hash, &(&simulation.scaled, &simulation.scales()));
     if simulation.scaled.is_extended() {
         // Parts of a program's own kinds are not data of the model.
@@ -160,9 +167,9 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
     hash.0
 }
 
-struct Hash(u64);
+struct Fnv1a(u64);
 
-impl io::Write for Hash {
+impl io::Write for Fnv1a {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);

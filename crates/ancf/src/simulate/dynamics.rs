@@ -5,130 +5,130 @@ use std::ops::ControlFlow;
 use ancf_solver::dynamics::StepReport;
 use ancf_solver::newton::SolveError;
 
-use super::checkpoint::{Checkpoint, Mismatch, fingerprint};
+use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
 use super::error::Error;
-use super::run::{Ended, Reason, Run};
+use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::simulation::Simulation;
-use super::step_control::Pace;
+use super::step_control::StepControl;
 use super::summary::Summary;
-use crate::failure::{Watch, blame};
+use crate::failure::{StabilityMonitor, find_cause};
 use crate::model::Dynamics;
 use crate::results::{Rows, TIME};
 
-/// The columns of a motion.
-pub(crate) const OWN: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
+/// Columns of the solver in dynamics.
+pub(crate) const COLUMNS: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
 
-/// A motion under way.
-pub(crate) struct Motion<'a> {
+/// State of a running dynamic analysis.
+pub(crate) struct DynamicRun<'a> {
     simulation: &'a Simulation,
     rows: Rows,
-    pace: Pace<'a>,
-    /// Once it is asked for.
+    control: StepControl<'a>,
+    /// Computed with the first checkpoint.
     fingerprint: OnceCell<u64>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> DynamicRun<'a> {
     fn new(simulation: &'a Simulation, settings: &Dynamics, rows: Rows) -> Result<Self, SolveError> {
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
-        let pace = Pace::new(scaled, settings, assembly, interrupt.clone())?;
-        Ok(Self { simulation, rows, pace, fingerprint: OnceCell::new() })
+        let control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
+        Ok(Self { simulation, rows, control, fingerprint: OnceCell::new() })
     }
 
-    fn checkpoint(&self, summary: &Summary, watch: &Watch) -> Checkpoint {
+    fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
         let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
-        Checkpoint::new(model, summary, watch, &self.rows, &self.pace)
+        Checkpoint::new(model, summary, monitor, &self.rows, &self.control)
     }
 }
 
 fn rows(simulation: &Simulation) -> Rows {
-    Rows::new(&simulation.assembly, simulation.scales(), TIME, &OWN)
+    Rows::new(&simulation.assembly, simulation.scales(), TIME, &COLUMNS)
 }
 
-impl<'a> Run<'a> {
-    /// Steps through a motion, recording its instants.
-    pub(crate) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> Ended {
+impl<'a> AnalysisRun<'a> {
+    /// Runs a dynamic analysis.
+    pub(crate) fn dynamics(&mut self, simulation: &'a Simulation, settings: &Dynamics) -> RunResult {
         let rows = rows(simulation);
         self.observer.begin(&rows.columns())?;
-        match Motion::new(simulation, settings, rows) {
-            Ok(motion) => self.follow(motion),
+        match DynamicRun::new(simulation, settings, rows) {
+            Ok(motion) => self.integrate(motion),
             Err(error) => {
-                let blame = blame(self.assembly, &self.assembly.initial(), 1.0, &error);
-                Ok(Err(Reason::Motion(error, blame)))
+                let cause = find_cause(self.assembly, &self.assembly.initial(), 1.0, &error);
+                Ok(Err(RunFailure::Solve(error, cause)))
             }
         }
     }
 
-    /// The motion of a checkpoint, which begins as it did, and is then put where it was.
+    /// Creates the dynamic analysis of a checkpoint and restores its state.
     pub(crate) fn restored(
         &mut self,
         simulation: &'a Simulation,
         settings: &Dynamics,
         from: &Checkpoint,
-    ) -> Result<Motion<'a>, Error> {
+    ) -> Result<DynamicRun<'a>, Error> {
         from.check(simulation)?;
-        let motion = Motion::new(simulation, settings, rows(simulation));
-        let mut motion = motion.map_err(|_| Mismatch::Damaged)?;
-        from.restore(&mut self.summary, &mut self.watch, &mut motion.rows, &mut motion.pace)?;
+        let motion = DynamicRun::new(simulation, settings, rows(simulation));
+        let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
+        from.restore(&mut self.summary, &mut self.monitor, &mut motion.rows, &mut motion.control)?;
         Ok(motion)
     }
 
-    /// Goes on with a motion.
-    pub(crate) fn go_on(&mut self, motion: Motion<'a>) -> Ended {
+    /// Continues a restored dynamic analysis.
+    pub(crate) fn continue_dynamics(&mut self, motion: DynamicRun<'a>) -> RunResult {
         self.observer.begin(&motion.rows.columns())?;
-        self.follow(motion)
+        self.integrate(motion)
     }
 
-    fn follow(&mut self, mut motion: Motion<'a>) -> Ended {
-        let ended = self.steps(&mut motion)?;
-        if !matches!(ended, Ok(ControlFlow::Continue(()))) {
-            let Self { observer, summary, watch, .. } = self;
-            observer.last_checkpoint(&|| motion.checkpoint(summary, watch))?;
+    fn integrate(&mut self, mut motion: DynamicRun<'a>) -> RunResult {
+        let result = self.step_to_end(&mut motion)?;
+        if !matches!(result, Ok(ControlFlow::Continue(()))) {
+            let Self { observer, summary, monitor, .. } = self;
+            observer.last_checkpoint(&|| motion.checkpoint(summary, monitor))?;
         }
-        Ok(ended)
+        Ok(result)
     }
 
-    fn steps(&mut self, motion: &mut Motion<'a>) -> Ended {
+    fn step_to_end(&mut self, motion: &mut DynamicRun<'a>) -> RunResult {
         loop {
-            let flow = match motion.pace.due() {
+            let flow = match motion.control.due_report() {
                 Some(report) => {
                     let flow = self.record(motion, &report)?;
                     let steps = self.summary.steps;
-                    self.watch.look(self.assembly, motion.pace.dynamics().state(), steps);
+                    self.monitor.examine(self.assembly, motion.control.dynamics().state(), steps);
                     flow
                 }
                 None => ControlFlow::Continue(()),
             };
-            let Self { observer, summary, watch, .. } = self;
-            observer.checkpoint(&|| motion.checkpoint(summary, watch))?;
-            let pace = &mut motion.pace;
+            let Self { observer, summary, monitor, .. } = self;
+            observer.checkpoint(&|| motion.checkpoint(summary, monitor))?;
+            let control = &mut motion.control;
             if flow.is_break() {
-                // A sink that breaks on the last instant has stopped nothing.
-                return Ok(Ok(if pace.is_over() { ControlFlow::Continue(()) } else { flow }));
+                // A stop request at the last row has no effect.
+                return Ok(Ok(if control.is_finished() { ControlFlow::Continue(()) } else { flow }));
             }
-            let advanced = pace.advance(|step| summary.count(step));
-            summary.time = pace.dynamics().state().t;
+            let advanced = control.advance(|step| summary.count(step));
+            summary.time = control.dynamics().state().t;
             match advanced {
                 Ok(true) => {}
                 Ok(false) => return Ok(Ok(ControlFlow::Continue(()))),
                 Err(error) => {
-                    let s = pace.dynamics().state();
-                    let blame = blame(self.assembly, s, s.load, &error);
-                    return Ok(Err(Reason::Motion(error, blame)));
+                    let s = control.dynamics().state();
+                    let cause = find_cause(self.assembly, s, s.load, &error);
+                    return Ok(Err(RunFailure::Solve(error, cause)));
                 }
             }
         }
     }
 
-    fn record(&mut self, motion: &mut Motion<'a>, report: &StepReport) -> io::Result<ControlFlow<()>> {
-        let Motion { rows, pace, .. } = motion;
+    fn record(&mut self, motion: &mut DynamicRun<'a>, report: &StepReport) -> io::Result<ControlFlow<()>> {
+        let DynamicRun { rows, control, .. } = motion;
         let StepReport { iterations, residual, increment, drift, violation, .. } = *report;
-        let own = [f64::from(iterations), residual, increment, drift, violation];
-        let dynamics = pace.dynamics();
+        let values = [f64::from(iterations), residual, increment, drift, violation];
+        let dynamics = control.dynamics();
         let s = dynamics.state();
         let (t, energy) = (s.t * self.summary.scales.time, dynamics.energy());
-        let row = rows.fill(self.assembly, s, t, &own, energy, Some(dynamics.energy_exchange()));
+        let row = rows.fill(self.assembly, s, t, &values, energy, Some(dynamics.energy_exchange()));
         let flow = self.observer.record(row, s)?;
-        pace.recorded();
+        control.mark_recorded();
         Ok(flow)
     }
 }

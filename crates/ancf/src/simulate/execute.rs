@@ -1,81 +1,82 @@
 use std::io;
 
-use super::checkpoint::{Checkpoint, Mismatch};
+use super::checkpoint::{Checkpoint, ResumeError};
 use super::error::Error;
 use super::observer::Observer;
 use super::outcome::outcome;
-use super::run::{Ended, Run};
+use super::run::{AnalysisRun, RunResult};
 use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
-use crate::failure::Watch;
+use crate::failure::StabilityMonitor;
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
 use crate::results::{Column, LOAD, TIME, columns};
 
-/// Runs a model: check, scale, assemble, analyse, record; the rows are those of [`Simulation::run`].
+/// Checks, scales and assembles a model, runs its analysis and records the rows of [`Simulation::run`].
 ///
 /// # Errors
-/// If the model is not valid or a sink fails. What cannot be solved is an [`Outcome`](crate::Outcome), with all before it recorded.
+/// If the model is not valid or the sink fails. A failed computation is an [`Outcome`](crate::Outcome); earlier rows are
+/// recorded.
 pub fn simulate(model: &Model, mut sink: &mut dyn Sink) -> Result<Summary, Error> {
     Ok(Simulation::new(model)?.run(&mut sink)?)
 }
 
 impl Simulation {
-    /// Carries the analysis out.
+    /// Runs the analysis.
     ///
-    /// Rows are states of motion or equilibrium with the columns of [`Rows`](crate::results::Rows), or modes and critical loads with
-    /// those of the table below. Motion ends with the duration, by a shorter step if that is no multiple of the step.
+    /// Rows of dynamics, statics and paths are states with the columns of [`Rows`](crate::results::Rows). Rows of modes and
+    /// buckling have the columns of the table. The last time step is shorter if the duration is not a multiple of the step.
     ///
-    /// | modes, buckling | what |
+    /// | modes, buckling | content |
     /// |---|---|
     /// | `mode` | number from 1 |
-    /// | `frequency`, `squared` | ω/2π, not a number where the state is unstable; ω² |
+    /// | `frequency`, `squared` | ω/2π, NaN if ω² < 0; ω² |
     /// | `factor` | critical load factor |
     /// | `p.x p.y p.z` | displacement of each probe in the shape x, xᵀ M x = 1 |
     ///
     /// # Errors
-    /// If the observer fails. What cannot be solved is an [`Outcome`](crate::Outcome), with all before it recorded.
+    /// If the observer fails. A failed computation is an [`Outcome`](crate::Outcome); earlier rows are recorded.
     pub fn run(&self, observer: &mut dyn Observer) -> io::Result<Summary> {
         let (mut run, scaled) = (self.begin(observer), &self.scaled);
-        let ended = match &scaled.analysis {
+        let result = match &scaled.analysis {
             Analysis::Dynamics(settings) => run.dynamics(self, settings),
             Analysis::Statics(settings) => run.statics(settings),
             Analysis::Path(settings) => run.path(settings),
             Analysis::Modes(settings) => run.modes(scaled, settings),
             Analysis::Buckling(settings) => run.buckling(settings),
         };
-        self.end(run, ended)
+        self.end(run, result)
     }
 
-    /// Goes on with a motion from a checkpoint, to the last bit as if it had never stopped: the observer is told the columns,
-    /// and receives the rows from number [`Checkpoint::rows`] on; the summary is that of the whole run.
+    /// Continues a dynamic analysis from a checkpoint. Results are bit-identical to an uninterrupted run.
     ///
-    /// Analyses other than motions keep no checkpoints; they are carried out anew.
+    /// The observer receives the columns, and the rows from number [`Checkpoint::rows`] on. The summary is that of the whole
+    /// run. Analyses of other kinds have no checkpoints.
     ///
     /// # Errors
-    /// If the checkpoint is not one of this model, or damaged: nothing is recorded then. If the observer fails.
+    /// If the checkpoint belongs to another model or is damaged: nothing is recorded. If the observer fails.
     pub fn resume(&self, from: &Checkpoint, observer: &mut dyn Observer) -> Result<Summary, Error> {
-        let settings = self.scaled.analysis.dynamics().ok_or(Mismatch::Analysis)?;
+        let settings = self.scaled.analysis.dynamics().ok_or(ResumeError::Analysis)?;
         let mut run = self.begin(observer);
         let motion = run.restored(self, settings, from)?;
-        let ended = run.go_on(motion);
-        Ok(self.end(run, ended)?)
+        let result = run.continue_dynamics(motion);
+        Ok(self.end(run, result)?)
     }
 
-    fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> Run<'a> {
+    fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> AnalysisRun<'a> {
         let Self { chosen, assembly, interrupt, .. } = self;
         let summary = Summary::new(assembly, chosen.clone());
-        Run { summary, assembly, interrupt, observer, watch: Watch::over(&self.scaled) }
+        AnalysisRun { summary, assembly, interrupt, observer, monitor: StabilityMonitor::new(&self.scaled) }
     }
 
-    fn end(&self, mut run: Run<'_>, ended: Ended) -> io::Result<Summary> {
-        // What was recorded is completed even if recording broke off.
+    fn end(&self, mut run: AnalysisRun<'_>, result: RunResult) -> io::Result<Summary> {
+        // The record is completed even if recording failed.
         let finished = run.observer.finish();
-        let warning = run.watch.warning(run.assembly, run.summary.scales);
+        let warning = run.monitor.warning(run.assembly, run.summary.scales);
         run.summary.warnings.extend(warning);
-        let Run { mut summary, .. } = run;
-        summary.outcome = outcome(ended?, &self.scaled, &self.assembly, summary.scales);
+        let AnalysisRun { mut summary, .. } = run;
+        summary.outcome = outcome(result?, &self.scaled, &self.assembly, summary.scales);
         if self.scaled.analysis.dynamics().is_some() {
             summary.time *= summary.scales.time;
         }
@@ -83,17 +84,17 @@ impl Simulation {
         Ok(summary)
     }
 
-    /// The columns of its rows.
+    /// Columns of the rows.
     pub fn columns(&self) -> Vec<Column> {
         let assembly = &self.assembly;
         match &self.scaled.analysis {
-            Analysis::Dynamics(_) => columns(assembly, TIME, &dynamics::OWN),
-            Analysis::Statics(_) => columns(assembly, LOAD, &equilibria::OWN),
+            Analysis::Dynamics(_) => columns(assembly, TIME, &dynamics::COLUMNS),
+            Analysis::Statics(_) => columns(assembly, LOAD, &equilibria::COLUMNS),
             Analysis::Path(_) => {
-                columns(assembly, LOAD, &[equilibria::OWN.as_slice(), &equilibria::PATH].concat())
+                columns(assembly, LOAD, &[equilibria::COLUMNS.as_slice(), &equilibria::PATH_COLUMNS].concat())
             }
-            Analysis::Modes(_) => eigen::columns(assembly, &eigen::MODES),
-            Analysis::Buckling(_) => eigen::columns(assembly, &eigen::BUCKLING),
+            Analysis::Modes(_) => eigen::columns(assembly, &eigen::MODE_COLUMNS),
+            Analysis::Buckling(_) => eigen::columns(assembly, &eigen::BUCKLING_COLUMNS),
         }
     }
 }

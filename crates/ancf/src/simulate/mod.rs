@@ -1,4 +1,4 @@
-//! Runs of an analysis, from a model to rows.
+//! Analyses of a model, from assembly to result rows.
 
 mod checkpoint;
 mod dynamics;
@@ -13,7 +13,7 @@ mod simulation;
 mod step_control;
 mod summary;
 
-pub use checkpoint::{Checkpoint, Mismatch};
+pub use checkpoint::{Checkpoint, ResumeError};
 pub use error::Error;
 pub use execute::simulate;
 pub use observer::Observer;

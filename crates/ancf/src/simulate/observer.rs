@@ -6,46 +6,48 @@ use ancf_solver::equations::State;
 use super::checkpoint::Checkpoint;
 use crate::record::Sink;
 
-/// Whoever follows a run: receives each of its rows together with the state that it is about.
+/// Receiver of the rows of a run and of their states.
 ///
-/// A [`Sink`] is an observer that looks at the rows only.
+/// A [`Sink`] is an observer of the rows only.
 pub trait Observer {
     /// Receives the names of the columns, once, before any row.
     ///
     /// # Errors
-    /// If they cannot be recorded; the run does not start.
+    /// If the names cannot be recorded; the run does not start.
     fn begin(&mut self, columns: &[String]) -> io::Result<()>;
 
-    /// Receives a row, in the user's units, and its state, in those of the solver; `Break` ends the run in good order.
+    /// Receives a row, in the user's units, and its state, in solver units. `Break` stops the run and keeps the results.
     ///
-    /// A mode or a shape of buckling is the velocity of its state, such that the velocity in the user's units is the shape with
-    /// xᵀ M x = 1 (modes); coordinates are those of the state about which it is one.
+    /// For modes and buckling modes, the velocity of the state is the shape. In the user's units, modes have xᵀ M x = 1. The
+    /// coordinates are those of the state about which the model is linearised.
     ///
     /// # Errors
     /// If the row cannot be recorded; the run ends.
     fn record(&mut self, row: &[f64], state: &State) -> io::Result<ControlFlow<()>>;
 
-    /// May keep where a motion is, after each step and the row that belongs to it: `take` makes a [`Checkpoint`] of it, from which
-    /// [`Simulation::resume`](super::Simulation::resume) goes on. Whether and when they are taken changes no bit of the results.
+    /// Offers a checkpoint of a dynamic analysis, after each step and its row.
+    ///
+    /// `take` returns the [`Checkpoint`], from which [`Simulation::resume`](super::Simulation::resume) continues. Results are
+    /// bit-identical with and without checkpoints.
     ///
     /// # Errors
-    /// If it cannot be kept; the run ends.
+    /// If the checkpoint cannot be stored; the run ends.
     fn checkpoint(&mut self, _take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
         Ok(())
     }
 
-    /// May keep where a motion ended that stopped or failed: as of the last accepted step, from which it may be tried again.
+    /// Offers the checkpoint of the last accepted step of a dynamic analysis that was stopped or failed.
     ///
     /// # Errors
-    /// If it cannot be kept.
+    /// If the checkpoint cannot be stored.
     fn last_checkpoint(&mut self, take: &dyn Fn() -> Checkpoint) -> io::Result<()> {
         self.checkpoint(take)
     }
 
-    /// Completes the record, however the run ended.
+    /// Completes the record; called after any end of the run.
     ///
     /// # Errors
-    /// If what is left cannot be recorded.
+    /// If the remaining data cannot be recorded.
     fn finish(&mut self) -> io::Result<()>;
 }
 

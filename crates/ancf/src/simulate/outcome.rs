@@ -3,83 +3,86 @@ use std::ops::ControlFlow;
 use ancf_solver::equations::State;
 use ancf_solver::newton::SolveError;
 
-use super::run::Reason;
+use super::run::RunFailure;
 use super::summary::Outcome;
 use crate::assembly::Assembly;
-use crate::failure::{self, Blame, Place};
+use crate::failure::{self, FailureCause, FailurePlace};
 use crate::model::Model;
 use crate::units::Scales;
 
-/// The outcome of a run, in words and in the user's units.
+/// Converts the result of a run into an outcome in the user's units.
 pub(crate) fn outcome(
-    ended: Result<ControlFlow<()>, Reason>,
+    result: Result<ControlFlow<()>, RunFailure>,
     model: &Model,
     assembly: &Assembly,
     scales: Scales,
 ) -> Outcome {
     let failed = |time, reason, at, advice| Outcome::Failed { time, reason, at, advice };
-    match ended {
+    match result {
         Ok(ControlFlow::Continue(())) => Outcome::Finished,
         Ok(ControlFlow::Break(())) => Outcome::Stopped,
-        Err(reason) if reason.is_interruption() => Outcome::Stopped,
-        Err(Reason::Motion(error, blame)) => {
-            let told = format!("{error}{}", halved(model, &error));
-            let Told { reason, at, advice } = Told::of(&error, told, blame, model, assembly, scales);
+        Err(failure) if failure.is_interruption() => Outcome::Stopped,
+        Err(RunFailure::Solve(error, cause)) => {
+            let message = format!("{error}{}", halvings(model, &error));
+            let FailureText { reason, at, advice } =
+                FailureText::new(&error, message, cause, model, assembly, scales);
             failed(error.t * scales.time, reason, at, advice)
         }
-        Err(Reason::Equilibrium(error, blame)) => {
-            let Told { reason, at, advice } =
-                Told::of(&error.cause, error.to_string(), blame, model, assembly, scales);
+        Err(RunFailure::Equilibrium(error, cause)) => {
+            let FailureText { reason, at, advice } =
+                FailureText::new(&error.cause, error.to_string(), cause, model, assembly, scales);
             failed(error.load, reason, at, advice)
         }
-        Err(Reason::Eigen(error)) => {
-            failed(0.0, error.to_string(), "the whole system".into(), failure::after_search(error).into())
+        Err(RunFailure::Eigen(error)) => {
+            let advice = failure::advice_for_eigen(error).into();
+            failed(0.0, error.to_string(), "the whole system".into(), advice)
         }
-        Err(Reason::Mechanism(motions)) => {
-            let reason = "there is no equilibrium to find: a motion is held by nothing".to_owned();
-            failed(0.0, reason, motions, failure::OF_MECHANISMS.into())
+        Err(RunFailure::Mechanism(motions)) => {
+            let reason = "the model has no equilibrium: a motion is unsupported".to_owned();
+            failed(0.0, reason, motions, failure::ADVICE_FOR_MECHANISMS.into())
         }
     }
 }
 
-/// A failed iteration in words.
-struct Told {
+/// Texts of a failed iteration.
+struct FailureText {
     reason: String,
     at: String,
     advice: String,
 }
 
-impl Told {
-    /// By what the iteration says and what else is to blame.
-    fn of(
+impl FailureText {
+    /// Combines the message of the iteration with the cause, if a cause was found.
+    fn new(
         error: &SolveError,
-        said: String,
-        blame: Option<Blame>,
+        message: String,
+        cause: Option<FailureCause>,
         model: &Model,
         assembly: &Assembly,
         scales: Scales,
     ) -> Self {
-        let Some(Blame { reason, at, advice }) = blame else {
+        let Some(FailureCause { reason, at, advice }) = cause else {
             let at = assembly.place_of(error, scales.length);
-            return Self { reason: said, at, advice: failure::after(error.failure, &model.analysis) };
+            let advice = failure::advice_for_iteration(error.failure, &model.analysis);
+            return Self { reason: message, at, advice };
         };
         let at = match at {
-            Place::Words(words) => words,
-            Place::Equation(equation) => assembly.name_in(equation, scales.length),
+            FailurePlace::Text(text) => text,
+            FailurePlace::Equation(equation) => assembly.name_in(equation, scales.length),
         };
-        Self { reason: format!("{reason}: {said}"), at, advice: advice.into() }
+        Self { reason: format!("{reason}: {message}"), at, advice: advice.into() }
     }
 }
 
-/// How far a step of fixed size was halved before it was given up.
-fn halved(model: &Model, error: &SolveError) -> String {
+/// Number of halvings of a failed step of fixed size, as the end of a message.
+fn halvings(model: &Model, error: &SolveError) -> String {
     let Some(settings) = model.analysis.dynamics() else { return String::new() };
-    let halves = settings.step.fixed().is_some() && error.iterations > 0 && settings.max_halvings > 0;
-    if halves { format!(", with the step halved {} times", settings.max_halvings) } else { String::new() }
+    let halved = settings.step.fixed().is_some() && error.iterations > 0 && settings.max_halvings > 0;
+    if halved { format!(", with the step halved {} times", settings.max_halvings) } else { String::new() }
 }
 
-/// The motions that nothing holds in a state, if there are any.
-pub(crate) fn mechanism(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
+/// Description of the unsupported motions in a state; `None` if there are none.
+pub(crate) fn unsupported_motions(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
     let motions: Vec<String> =
         assembly.free_motions(s).into_iter().map(|motion| motion.scaled(scales.length).to_string()).collect();
     (!motions.is_empty()).then(|| motions.join("; "))

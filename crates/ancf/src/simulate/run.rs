@@ -7,33 +7,38 @@ use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure}
 use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
-use crate::failure::{Blame, Watch};
+use crate::failure::{FailureCause, StabilityMonitor};
 
-/// An analysis under way.
-pub(crate) struct Run<'a> {
+/// State of a running analysis.
+pub(crate) struct AnalysisRun<'a> {
     pub(crate) assembly: &'a Assembly,
     pub(crate) interrupt: &'a Interrupt,
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) summary: Summary,
-    pub(crate) watch: Watch,
+    pub(crate) monitor: StabilityMonitor,
 }
 
-/// How an analysis ended, in the units of the solver: finished or stopped by a sink, or why not.
-pub(crate) type Ended = io::Result<Result<ControlFlow<()>, Reason>>;
+/// Result of an analysis, in solver units: finished, stopped by the observer, or failed. The outer error is that of the
+/// observer.
+pub(crate) type RunResult = io::Result<Result<ControlFlow<()>, RunFailure>>;
 
-/// Why an analysis could not go on.
-pub(crate) enum Reason {
-    Motion(SolveError, Option<Blame>),
-    Equilibrium(EquilibriumError, Option<Blame>),
+/// Failure that ends an analysis.
+pub(crate) enum RunFailure {
+    /// Failed iteration.
+    Solve(SolveError, Option<FailureCause>),
+    /// Failed search for an equilibrium.
+    Equilibrium(EquilibriumError, Option<FailureCause>),
+    /// Failed eigenvalue search.
     Eigen(EigenError),
-    /// Motions that nothing holds, in words.
+    /// Description of unsupported motions.
     Mechanism(String),
 }
 
-impl Reason {
+impl RunFailure {
+    /// True if the interrupt flag ended the analysis.
     pub(crate) fn is_interruption(&self) -> bool {
         match self {
-            Self::Motion(error, _) => error.failure == SolveFailure::Interrupted,
+            Self::Solve(error, _) => error.failure == SolveFailure::Interrupted,
             Self::Equilibrium(error, _) => error.cause.failure == SolveFailure::Interrupted,
             Self::Eigen(error) => *error == EigenError::Interrupted,
             Self::Mechanism(_) => false,
@@ -41,19 +46,19 @@ impl Reason {
     }
 }
 
-impl From<SolveError> for Reason {
+impl From<SolveError> for RunFailure {
     fn from(error: SolveError) -> Self {
-        Self::Motion(error, None)
+        Self::Solve(error, None)
     }
 }
 
-impl From<EquilibriumError> for Reason {
+impl From<EquilibriumError> for RunFailure {
     fn from(error: EquilibriumError) -> Self {
         Self::Equilibrium(error, None)
     }
 }
 
-impl From<EigenError> for Reason {
+impl From<EigenError> for RunFailure {
     fn from(error: EigenError) -> Self {
         Self::Eigen(error)
     }

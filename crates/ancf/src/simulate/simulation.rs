@@ -7,7 +7,7 @@ use crate::loads::{CustomLoad, Load, LoadKind};
 use crate::model::{Model, Section, SectionObject};
 use crate::units::{ChosenScales, Scales};
 
-/// A model that is ready to run: checked, scaled, assembled.
+/// Assembled model, ready to run.
 #[derive(Debug)]
 pub struct Simulation {
     pub(crate) scaled: Model,
@@ -20,34 +20,34 @@ impl Simulation {
     /// Checks, scales and assembles a model.
     ///
     /// # Errors
-    /// All that is wrong with the model.
+    /// All errors of the model.
     pub fn new(model: &Model) -> Result<Self, ModelErrors> {
         model.check()?;
         let chosen = model.scales();
         let scaled = model.scaled(&chosen.scales);
-        let moves = scaled.analysis.dynamics().is_some();
-        let assembly = if moves { scaled.assemble()? } else { scaled.assemble_static()? };
+        let dynamic = scaled.analysis.dynamics().is_some();
+        let assembly = if dynamic { scaled.assemble()? } else { scaled.assemble_static()? };
         Ok(Self { scaled, chosen, assembly, interrupt: Interrupt::default() })
     }
 
-    /// The same, heeding what may end it; such a run has [stopped](crate::Outcome::Stopped).
+    /// Sets the interrupt flag that stops a run. Its outcome is then [`Outcome::Stopped`](crate::Outcome::Stopped).
     #[must_use]
-    pub fn heeding(self, interrupt: Interrupt) -> Self {
+    pub fn with_interrupt(self, interrupt: Interrupt) -> Self {
         Self { interrupt, ..self }
     }
 
-    /// The equations of motion, and what reads their states.
+    /// Equations of motion of the model.
     pub fn assembly(&self) -> &Assembly {
         &self.assembly
     }
 
-    /// The units in which the equations are solved.
+    /// Units in which the equations are solved.
     pub fn scales(&self) -> Scales {
         self.chosen.scales
     }
 }
 
-/// Part of a kind of its own that a program adds to a model.
+/// Part of a user-defined kind that a program adds to a model.
 #[derive(Clone, Debug)]
 pub enum Extension {
     /// A joint.
@@ -59,12 +59,12 @@ pub enum Extension {
 }
 
 impl Extension {
-    /// A joint of a kind of the program's own.
+    /// Joint of a user-defined kind.
     pub fn joint(joint: impl JointKind + 'static) -> Self {
         Self::Joint(CustomJoint::new(joint))
     }
 
-    /// A load of a kind of the program's own.
+    /// Load of a user-defined kind.
     pub fn load(load: impl LoadKind + 'static) -> Self {
         Self::Load(CustomLoad::new(load))
     }
@@ -75,10 +75,10 @@ impl Extension {
     }
 }
 
-/// Builder of a [`Simulation`] with parts that model files do not have.
+/// Builder of a [`Simulation`] with parts of user-defined kinds.
 ///
-/// Added parts are checked, converted into solver units and assembled like those of the model, after them. The model file in a
-/// run folder does not contain them.
+/// Added parts are checked, converted into solver units and assembled after those of the model. The model file in a results
+/// folder does not contain them.
 #[derive(Clone, Debug)]
 pub struct SimulationBuilder {
     model: Model,
@@ -86,7 +86,7 @@ pub struct SimulationBuilder {
 }
 
 impl SimulationBuilder {
-    /// A builder for a model.
+    /// Creates a builder for a model.
     pub fn new(model: &Model) -> Self {
         Self { model: model.clone(), interrupt: Interrupt::default() }
     }
@@ -104,7 +104,7 @@ impl SimulationBuilder {
         self
     }
 
-    /// Sets the flag that stops a run.
+    /// Sets the interrupt flag that stops a run.
     #[must_use]
     pub fn with_interrupt(mut self, interrupt: Interrupt) -> Self {
         self.interrupt = interrupt;
@@ -116,12 +116,12 @@ impl SimulationBuilder {
     /// # Errors
     /// All errors of the model and of its added parts.
     pub fn build(self) -> Result<Simulation, ModelErrors> {
-        Ok(Simulation::new(&self.model)?.heeding(self.interrupt))
+        Ok(Simulation::new(&self.model)?.with_interrupt(self.interrupt))
     }
 }
 
 impl Simulation {
-    /// A builder for a model with parts that model files do not have.
+    /// Creates a builder that accepts parts of user-defined kinds.
     pub fn builder(model: &Model) -> SimulationBuilder {
         SimulationBuilder::new(model)
     }

@@ -9,36 +9,37 @@ use serde::{Deserialize, Serialize};
 use crate::assembly::Assembly;
 use crate::model::{Model, NewtonMethod, Start, Step};
 
-/// Steps through a dynamic analysis from one recorded instant to the next.
-pub(crate) struct Pace<'a> {
+/// Step control of a dynamic analysis: step sizes, output times and load jumps.
+pub(crate) struct StepControl<'a> {
     dynamics: TimeStepper<'a, System>,
     duration: f64,
-    /// Recorded instants are the multiples of this, if not all steps, and the end.
+    /// Interval of the output times. `None` if each step is recorded.
     interval: Option<f64>,
-    /// Number of instants so far but for the start.
+    /// Number of output times reached, without the start.
     count: u64,
-    /// Whether this is one that has not been recorded yet.
+    /// True if the current state is due for output and not recorded yet.
     is_due: bool,
-    /// How the steps since the last one went.
+    /// Report of the steps since the last output.
     report: StepReport,
-    steps: Steps,
-    /// Times at which loads jump, the next one last.
+    size: StepSize,
+    /// Times at which loads jump, in descending order.
     jumps: Vec<f64>,
-    /// Times closer than this are one.
-    sliver: f64,
+    /// Tolerance within which two times are equal.
+    tolerance: f64,
 }
 
-enum Steps {
-    /// At most of this size.
+enum StepSize {
+    /// Maximum size.
     Fixed(f64),
+    /// Error control.
     Adaptive(Box<AdaptiveStepper>),
 }
 
-/// Of a step, what is left of the duration at its end and still counts as nothing.
-const SLIVER: f64 = 1e-9;
+/// Tolerance of times, relative to the step.
+const TIME_TOLERANCE: f64 = 1e-9;
 
-impl<'a> Pace<'a> {
-    /// The start of an assembly from rest; it may be interrupted.
+impl<'a> StepControl<'a> {
+    /// Computes the initial state of an analysis.
     pub(crate) fn new(
         model: &Model,
         settings: &crate::model::Dynamics,
@@ -57,8 +58,8 @@ impl<'a> Pace<'a> {
             Start::Consistent => dynamics.restart(0.0)?,
             Start::Zero => dynamics.project_velocities()?,
         }
-        let (steps, every) = match settings.step {
-            Step::Fixed(step) => (Steps::Fixed(step), Some(step)),
+        let (size, every) = match settings.step {
+            Step::Fixed(step) => (StepSize::Fixed(step), Some(step)),
             Step::Adaptive { tolerance, initial, largest } => {
                 let control = ErrorControl {
                     tolerance,
@@ -69,14 +70,14 @@ impl<'a> Pace<'a> {
                     largest: largest.unwrap_or(duration),
                     smallest: ErrorControl::SMALLEST * duration,
                 };
-                (Steps::Adaptive(Box::new(AdaptiveStepper::new(&dynamics, control))), None)
+                (StepSize::Adaptive(Box::new(AdaptiveStepper::new(&dynamics, control))), None)
             }
         };
-        let sliver = SLIVER * settings.step.fixed().unwrap_or(duration);
+        let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();
-        jumps.retain(|t| *t > sliver && *t < duration - sliver);
+        jumps.retain(|t| *t > time_tolerance && *t < duration - time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
-        jumps.dedup_by(|a, b| (*a - *b).abs() <= sliver);
+        jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);
         Ok(Self {
             dynamics,
             duration,
@@ -84,9 +85,9 @@ impl<'a> Pace<'a> {
             count: 0,
             is_due: true,
             report: StepReport::default(),
-            steps,
+            size,
             jumps,
-            sliver,
+            tolerance: time_tolerance,
         })
     }
 
@@ -94,55 +95,55 @@ impl<'a> Pace<'a> {
         &self.dynamics
     }
 
-    /// The time of the next recorded instant, if there is one; with all steps recorded, the end.
-    fn next(&self) -> Option<f64> {
-        self.after(self.count, self.dynamics.state().t)
+    /// Next output time; the end if each step is recorded. `None` at the end.
+    fn next_output(&self) -> Option<f64> {
+        self.output_after(self.count, self.dynamics.state().t)
     }
 
-    /// The time of the instant after the `count`th, in the present.
-    fn after(&self, count: u64, now: f64) -> Option<f64> {
+    /// Output time after number `count`, at the time `now`.
+    fn output_after(&self, count: u64, now: f64) -> Option<f64> {
         let Some(interval) = self.interval else { return Some(self.duration).filter(|end| now < *end) };
         let next = (count + 1) as f64;
-        if next <= self.whole(interval) {
+        if next <= self.whole_intervals(interval) {
             return Some(next * interval);
         }
-        Some(self.duration).filter(|end| *end - now > SLIVER * interval)
+        Some(self.duration).filter(|end| *end - now > TIME_TOLERANCE * interval)
     }
 
     /// Number of whole intervals in the duration.
-    fn whole(&self, interval: f64) -> f64 {
+    fn whole_intervals(&self, interval: f64) -> f64 {
         (self.duration / interval * (1.0 + 1e-12)).floor()
     }
 
-    /// Whether the duration is over.
-    pub(crate) fn is_over(&self) -> bool {
-        self.next().is_none()
+    /// True at the end of the duration.
+    pub(crate) fn is_finished(&self) -> bool {
+        self.next_output().is_none()
     }
 
-    /// How the steps went that lead to an instant that is to be recorded, if the present one is.
-    pub(crate) fn due(&self) -> Option<StepReport> {
+    /// Report of the steps up to the current state, if the state is due for output.
+    pub(crate) fn due_report(&self) -> Option<StepReport> {
         self.is_due.then_some(self.report)
     }
 
-    /// To be told once it is recorded.
-    pub(crate) fn recorded(&mut self) {
+    /// Marks the current state as recorded.
+    pub(crate) fn mark_recorded(&mut self) {
         (self.is_due, self.report) = (false, StepReport::default());
     }
 
-    /// Does a step towards the next recorded instant, telling `count` of it; returns false if the duration is over.
+    /// Takes one step towards the next output time and passes its report to `count`. Returns false at the end of the duration.
     pub(crate) fn advance(&mut self, count: impl FnOnce(&StepReport)) -> Result<bool, SolveError> {
-        let Some(to) = self.next() else { return Ok(false) };
-        let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.sliver);
-        // Just before the jump; a jump that but for rounding is at the recorded instant is taken to be there.
+        let Some(to) = self.next_output() else { return Ok(false) };
+        let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.tolerance);
+        // The step ends just before the jump. A jump within rounding of the output time coincides with it.
         let end = jump.map_or(to, |jump| jump.min(to).next_down());
-        // Unless there was no way to go on from the jump, and this is tried again.
+        // Equal if the restart after the jump failed and is repeated.
         if self.dynamics.state().t < end {
             let step = self.step(end)?;
             count(&step);
             self.report = self.report.then(&step);
         }
         if let Some(jump) = jump.filter(|_| self.dynamics.state().t == end) {
-            let near = (to - jump).abs() <= self.sliver;
+            let near = (to - jump).abs() <= self.tolerance;
             self.dynamics.restart(if near { jump.max(to) } else { jump })?;
             self.jumps.pop();
         }
@@ -153,35 +154,35 @@ impl<'a> Pace<'a> {
         Ok(true)
     }
 
-    /// One step towards a time.
+    /// Takes one step towards a time.
     fn step(&mut self, to: f64) -> Result<StepReport, SolveError> {
-        match &mut self.steps {
-            Steps::Adaptive(adaptive) => adaptive.step(&mut self.dynamics, to),
-            Steps::Fixed(h) => {
+        match &mut self.size {
+            StepSize::Adaptive(adaptive) => adaptive.step(&mut self.dynamics, to),
+            StepSize::Fixed(h) => {
                 if let Some(to) = self.dynamics.pending_time() {
                     return self.dynamics.advance(to);
                 }
                 let (now, left) = (self.dynamics.state().t, to - self.dynamics.state().t);
-                let parts = (left / *h * (1.0 - SLIVER)).ceil();
+                let parts = (left / *h * (1.0 - TIME_TOLERANCE)).ceil();
                 self.dynamics.advance(if parts > 1.0 { now + left / parts } else { to })
             }
         }
     }
 }
 
-/// What the further pace depends on; of an instant that is recorded, if it is to be.
+/// State of the step control after an accepted step. A state that is due for output has been recorded.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct PaceMemory {
+pub(crate) struct StepControlCheckpoint {
     count: u64,
     report: StepReport,
-    /// Number of jumps still to come.
+    /// Number of remaining load jumps.
     jumps: usize,
     dynamics: StepperCheckpoint,
     adaptive: Option<AdaptiveCheckpoint>,
 }
 
-impl PaceMemory {
-    /// Number of recorded instants, the start among them.
+impl StepControlCheckpoint {
+    /// Number of recorded rows, including the start.
     pub(crate) fn rows(&self) -> u64 {
         self.count.saturating_add(1)
     }
@@ -191,17 +192,17 @@ impl PaceMemory {
     }
 }
 
-/// Counts above this are damaged.
-pub(crate) const MOST: u64 = 1 << 53;
+/// Upper limit on counts. Larger counts indicate a damaged checkpoint.
+pub(crate) const MAX_COUNT: u64 = 1 << 53;
 
-impl Pace<'_> {
-    /// As of the last accepted step.
-    pub(crate) fn memory(&self) -> PaceMemory {
-        let adaptive = match &self.steps {
-            Steps::Fixed(_) => None,
-            Steps::Adaptive(adaptive) => Some(adaptive.checkpoint()),
+impl StepControl<'_> {
+    /// State after the last accepted step.
+    pub(crate) fn checkpoint(&self) -> StepControlCheckpoint {
+        let adaptive = match &self.size {
+            StepSize::Fixed(_) => None,
+            StepSize::Adaptive(adaptive) => Some(adaptive.checkpoint()),
         };
-        PaceMemory {
+        StepControlCheckpoint {
             count: self.count,
             report: self.report,
             jumps: self.jumps.len(),
@@ -210,38 +211,41 @@ impl Pace<'_> {
         }
     }
 
-    /// Goes on from a memory.
-    pub(crate) fn recall(&mut self, memory: &PaceMemory) -> Result<(), CheckpointMismatch> {
-        if !self.knows(memory) {
+    /// Restores a state.
+    pub(crate) fn restore(&mut self, checkpoint: &StepControlCheckpoint) -> Result<(), CheckpointMismatch> {
+        if !self.admits(checkpoint) {
             return Err(CheckpointMismatch);
         }
-        match (&mut self.steps, &memory.adaptive) {
-            (Steps::Fixed(_), None) => {}
-            (Steps::Adaptive(adaptive), Some(memory)) => adaptive.restore(memory)?,
+        match (&mut self.size, &checkpoint.adaptive) {
+            (StepSize::Fixed(_), None) => {}
+            (StepSize::Adaptive(adaptive), Some(checkpoint)) => adaptive.restore(checkpoint)?,
             _ => return Err(CheckpointMismatch),
         }
-        (self.count, self.is_due, self.report) = (memory.count, false, memory.report);
-        self.jumps.truncate(memory.jumps);
-        self.dynamics.restore(&memory.dynamics)
+        (self.count, self.is_due, self.report) = (checkpoint.count, false, checkpoint.report);
+        self.jumps.truncate(checkpoint.jumps);
+        self.dynamics.restore(&checkpoint.dynamics)
     }
 
-    /// Whether the instant of a memory is among its own.
-    fn knows(&self, memory: &PaceMemory) -> bool {
-        let PaceMemory { count, report, jumps, dynamics, .. } = memory;
+    /// True if time and counts of a checkpoint are possible in this analysis.
+    fn admits(&self, checkpoint: &StepControlCheckpoint) -> bool {
+        let StepControlCheckpoint { count, report, jumps, dynamics, .. } = checkpoint;
         let (t, count) = (dynamics.time(), *count);
-        if !(0.0..=self.duration + self.sliver).contains(&t) || count > MOST || *jumps > self.jumps.len() {
+        if !(0.0..=self.duration + self.tolerance).contains(&t)
+            || count > MAX_COUNT
+            || *jumps > self.jumps.len()
+        {
             return false;
         }
-        let is_before = |end: f64| t <= end + self.sliver;
-        let is_in_turn = self.interval.is_none_or(|interval| {
-            let (now, whole) = (count as f64, self.whole(interval));
+        let is_before = |end: f64| t <= end + self.tolerance;
+        let is_in_order = self.interval.is_none_or(|interval| {
+            let (now, whole) = (count as f64, self.whole_intervals(interval));
             let reached = if now <= whole { now * interval } else { self.duration };
-            now <= whole + 1.0 && t >= reached && self.after(count, t).is_none_or(is_before)
+            now <= whole + 1.0 && t >= reached && self.output_after(count, t).is_none_or(is_before)
         });
         let is_before_jumps = self.jumps[..*jumps].last().is_none_or(|jump| t < *jump);
-        is_in_turn
+        is_in_order
             && is_before_jumps
             && report.is_valid()
-            && dynamics.pending_time().is_none_or(|to| to <= self.duration + self.sliver)
+            && dynamics.pending_time().is_none_or(|to| to <= self.duration + self.tolerance)
     }
 }

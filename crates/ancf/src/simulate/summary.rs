@@ -6,39 +6,39 @@ use crate::assembly::Assembly;
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
-/// How a run ended. Whatever was recorded until then stands.
+/// End of a run. Rows recorded before the end remain valid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Outcome {
-    /// The whole duration was computed.
+    /// The analysis is complete.
     Finished,
-    /// A sink or an interrupt asked to stop.
+    /// The observer or the interrupt flag stopped the analysis.
     Stopped,
-    /// The equations of a step could not be solved.
+    /// The computation failed.
     Failed {
-        /// Time that was to be reached; in statics, the load factor.
+        /// Time at the end of the failed step; in statics, the load factor.
         time: f64,
-        /// Why.
+        /// Cause.
         reason: String,
-        /// Where: the node and the arc length on a body, the joint, or the key of the model to which it belongs.
+        /// Place: node and arc length on a body, joint, or key of the model.
         at: String,
-        /// What to try.
+        /// Remedy.
         advice: String,
     },
 }
 
 impl Outcome {
-    /// Whether the whole duration was computed.
+    /// True if the analysis is complete.
     pub const fn is_finished(&self) -> bool {
         matches!(self, Self::Finished)
     }
 
-    /// When, why and where an analysis failed, and what to try, in a sentence, if it did.
+    /// Message of a failed analysis with load factor or time, cause, place and remedy; `None` otherwise.
     pub fn failure(&self, analysis: &Analysis) -> Option<String> {
         let Self::Failed { time, reason, at, advice } = self else { return None };
         let place = match analysis {
             Analysis::Dynamics(_) => format!(" at t = {}", short(*time)),
-            // Modes and critical loads are about one state, which may not be reached.
+            // Modes and critical loads belong to one state, whose load factor is stated if it was not reached.
             Analysis::Modes(_) | Analysis::Buckling(_) if *time == 0.0 => String::new(),
             _ => format!(" at load factor {}", short(*time)),
         };
@@ -46,29 +46,29 @@ impl Outcome {
     }
 }
 
-/// At most six digits, without trailing zeros.
+/// Number with at most six digits, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
-/// A run in a few numbers, in the user's units.
+/// Summary of a run, in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// How it ended.
+    /// End of the run.
     pub outcome: Outcome,
     /// Time reached; in statics, the load factor.
     pub time: f64,
-    /// Steps done; in statics equilibria, modes or critical loads found.
+    /// Number of steps; in other analyses, of equilibria, modes or critical loads.
     pub steps: u64,
-    /// Steps that had to be divided because Newton's method failed.
+    /// Number of steps that were divided because Newton's method failed.
     pub divided_steps: u64,
-    /// Steps that were tried but found too inaccurate.
+    /// Number of attempts that error control rejected.
     pub rejected_steps: u64,
-    /// Steps in which the rounding error of the residual ended the iteration.
+    /// Number of steps in which the iteration ended at the rounding error of the residual.
     pub floor_steps: u64,
-    /// Newton iterations in all.
+    /// Total number of Newton iterations.
     pub iterations: u64,
-    /// The most iterations of one step.
+    /// Maximum number of iterations per step.
     pub most_iterations: u32,
     /// Number of coordinates.
     pub coordinates: usize,
@@ -76,11 +76,11 @@ pub struct Summary {
     pub multipliers: usize,
     /// Units in which the equations were solved.
     pub scales: Scales,
-    /// How the units were chosen.
+    /// Reason for the choice of the units.
     pub scales_reason: String,
-    /// Joint equations that follow from others, in words.
+    /// Descriptions of redundant joint equations.
     pub redundant: Vec<String>,
-    /// What its user should know besides: shapes that lost their stability on the way.
+    /// Warnings, such as loss of stability during the run.
     pub warnings: Vec<String>,
 }
 
@@ -104,6 +104,7 @@ impl Summary {
         }
     }
 
+    /// Adds a step.
     pub(crate) fn count(&mut self, report: &StepReport) {
         self.steps += 1;
         self.divided_steps += u64::from(report.substeps > 1);

@@ -105,7 +105,7 @@ fn failures_are_rows() {
     assert!(float(&cases[0], "tip") < 0.0);
     assert_eq!([&cases[1]["tip"], &cases[2]["tip"], &cases[2]["steps"]], [&Field::Null; 3]);
     let message = text(&cases[1], "message");
-    assert!(message.starts_with("failed at load factor 0: there is no equilibrium to find"), "{message}");
+    assert!(message.starts_with("failed at load factor 0: the model has no equilibrium"), "{message}");
     assert!(message.contains("body `beam` can rotate"), "{message}");
     let message = text(&cases[2], "message");
     assert!(

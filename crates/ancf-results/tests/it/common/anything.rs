@@ -28,7 +28,7 @@ pub fn stopped(folder: &Path) {
     let model = Model::parse(MODEL).expect("the model is valid");
     let asked = AtomicU32::new(0);
     let interrupt = Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > 12);
-    let simulation = Simulation::new(&model).expect("the model can be assembled").heeding(interrupt);
+    let simulation = Simulation::new(&model).expect("the model can be assembled").with_interrupt(interrupt);
     let recorder = Recorder::new(Folder::new(folder), "model.toml", MODEL, &model, &simulation);
     let mut recorder = recorder.with_checkpoints(CheckpointInterval::Steps(2));
     let summary = simulation.run(&mut recorder).expect("the folder is writable");
@@ -70,7 +70,7 @@ fn read(folder: &Path) {
     let asked = Arc::new(AtomicU32::new(0));
     let interrupt = Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > 1000);
     let Ok(simulation) = Simulation::new(results.model()) else { return };
-    let simulation = simulation.heeding(interrupt);
+    let simulation = simulation.with_interrupt(interrupt);
     let folder = results.folder().clone();
     if let Ok(Some((mut recorder, from))) =
         Recorder::resume(folder, results.text(), results.model(), &simulation)

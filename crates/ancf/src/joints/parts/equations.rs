@@ -10,7 +10,7 @@ use super::term::JointTerm;
 
 /// Result of closing the gaps of a model, in the units of the assembly.
 #[derive(Clone, Debug)]
-pub struct Closed {
+pub struct GapClosure {
     /// The closed state, at rest and without loads.
     pub state: State,
     /// Name and distance of the ends of each joint that was open.

@@ -23,7 +23,7 @@ pub use clamped_gradients::ClampedGradients;
 pub use coupling::{Coupled, Coupling, JointCoordinate};
 pub use custom::CustomJoint;
 pub use end::{End, Ground};
-pub use equations::Closed;
+pub use equations::GapClosure;
 pub(crate) use equations::{Gap, JointEquations};
 pub use kind::{JointContext, JointKind, JointObject, JointSymbol};
 pub use recorded_coordinate::RecordedCoordinate;

@@ -1,7 +1,7 @@
 //! Free motions of models, by name.
 
 use ancf::Model;
-use ancf::diagnosis::Motion;
+use ancf::diagnosis::RigidMotion;
 use ancf::model::{At, Beam, Body, ClampedGradients, End, Joint, NamedPosition, Place, Revolute, Spherical};
 use ancf::solver::eigen::modes;
 use ancf::solver::equations::State;
@@ -157,7 +157,7 @@ fn motions_are_found_in_a_rotated_state() {
         turned.q[vector.first + 1] = x - y;
     }
     let motions = assembly.free_motions(&turned);
-    let rotation = Motion::Rotation { through: [0.0; 3], along: [0.0, 0.0, 1.0] };
+    let rotation = RigidMotion::Rotation { through: [0.0; 3], along: [0.0, 0.0, 1.0] };
     assert_eq!(motions.len(), 1);
     assert_eq!(motions[0].moves, [("rod".to_owned(), rotation)]);
     let motion = motions[0].clone().scaled(1000.0);

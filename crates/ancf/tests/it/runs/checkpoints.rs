@@ -1,6 +1,6 @@
 //! Runs resumed from checkpoints are bitwise equal to uninterrupted runs.
 
-use ancf::{Checkpoint, Error, Mismatch, Model, Simulation, Summary};
+use ancf::{Checkpoint, Error, Model, ResumeError, Simulation, Summary};
 
 use super::recorder::{Recorder, bytes, file, interrupted, read, resumed, run, run_to};
 use crate::common::models::{files, parse};
@@ -206,7 +206,7 @@ fn resumed_failures_are_equal() {
 }
 
 /// Returns the reason for which a checkpoint is rejected.
-fn mismatch(model: &Model, checkpoint: &Checkpoint) -> Mismatch {
+fn resume_error(model: &Model, checkpoint: &Checkpoint) -> ResumeError {
     let mut recorder = Recorder::default();
     let Err(Error::Checkpoint(mismatch)) = Simulation::new(model).unwrap().resume(checkpoint, &mut recorder)
     else {
@@ -222,15 +222,18 @@ fn checkpoints_of_other_models_are_rejected() {
     let model = beam("", "", settings);
     let all = run(&model, true).0.checkpoints;
     let checkpoint = read(&all[3]);
-    assert_eq!(mismatch(&beam("", PULSE, settings), &checkpoint), Mismatch::Model);
-    assert_eq!(mismatch(&beam(", damping = { mass = 1 }", "", settings), &checkpoint), Mismatch::Model);
-    assert_eq!(mismatch(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), Mismatch::Model);
-    assert_eq!(mismatch(&file("double_pendulum", settings), &checkpoint), Mismatch::Model);
-    assert_eq!(mismatch(&files::model("column"), &checkpoint), Mismatch::Analysis);
+    assert_eq!(resume_error(&beam("", PULSE, settings), &checkpoint), ResumeError::Model);
+    assert_eq!(
+        resume_error(&beam(", damping = { mass = 1 }", "", settings), &checkpoint),
+        ResumeError::Model
+    );
+    assert_eq!(resume_error(&beam("", "", "duration = 0.03\nstep = 2e-3"), &checkpoint), ResumeError::Model);
+    assert_eq!(resume_error(&file("double_pendulum", settings), &checkpoint), ResumeError::Model);
+    assert_eq!(resume_error(&files::model("column"), &checkpoint), ResumeError::Analysis);
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(mismatch(&model, &read(&other)), Mismatch::Version { found: 2, wanted: 1 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 2, expected: 1 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.
@@ -239,7 +242,7 @@ fn resume_damaged(model: &Model, damaged: &[u8]) {
     let simulation = Simulation::new(model).unwrap();
     let queries = std::sync::atomic::AtomicU32::new(0);
     let limit = move || queries.fetch_add(1, std::sync::atomic::Ordering::Relaxed) > 300;
-    let simulation = simulation.heeding(ancf::solver::newton::Interrupt::new(limit));
+    let simulation = simulation.with_interrupt(ancf::solver::newton::Interrupt::new(limit));
     let _ = simulation.resume(&checkpoint, &mut Recorder::default());
 }
 

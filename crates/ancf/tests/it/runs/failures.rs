@@ -26,7 +26,7 @@ struct Failed {
     reason: String,
     at: String,
     advice: String,
-    /// Last recorded instant.
+    /// Last recorded time.
     last: f64,
 }
 
@@ -65,9 +65,9 @@ fn divergence_is_located() {
 fn mechanism_without_equilibrium_is_named() {
     let Failed { time, reason, at, advice, .. } = failed_at_once(&model("singular"));
     assert_eq!(time, 0.0);
-    assert_eq!(reason, "there is no equilibrium to find: a motion is held by nothing");
+    assert_eq!(reason, "the model has no equilibrium: a motion is unsupported");
     assert_eq!(at, "body `arm` can rotate about the axis through (0, 0, 0) along z");
-    assert!(advice.contains("joints, springs or stiffness that hold it"), "{advice}");
+    assert!(advice.contains("joints, springs or stiffness that support the motion"), "{advice}");
 }
 
 /// Coupler (√2.5) and rocker (√3.25) are in line when the joint (-sin φ, cos φ) is √2.5 + √3.25 from the pivot (2.5, 0).
@@ -96,7 +96,7 @@ fn formulas_that_become_infinite_fail() {
     let Failed { time, reason, at, advice, last } = failed(&model("not_a_number"));
     assert!((time - 1.0).abs() < 0.01 && last == 0.99, "{time}, {last}");
     assert!(reason.starts_with("the value of `loads[0].time` became -inf: "), "{reason}");
-    assert!(at == "`loads[0].time`" && advice.contains("a number at all times"), "{at}; {advice}");
+    assert!(at == "`loads[0].time`" && advice.contains("finite at all times"), "{at}; {advice}");
 }
 
 /// A drive with an infinite rate at the start, and an external force that becomes NaN.
@@ -170,7 +170,7 @@ fn buckling_is_the_reason_of_a_failure() {
     (dynamics.step, dynamics.max_halvings, dynamics.max_iterations) = (Step::Fixed(0.1), 0, 5);
     let Failed { time, reason, at, advice, .. } = failed(&column);
     assert!(time > 10.0, "{time}");
-    assert!(reason.starts_with("the last shape is unstable in "), "{reason}");
+    assert!(reason.starts_with("the last state is unstable in "), "{reason}");
     assert!(at.starts_with("body `column`, node ") && advice.contains("\"buckling\""), "{at}; {advice}");
 }
 

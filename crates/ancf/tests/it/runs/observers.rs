@@ -182,7 +182,7 @@ fn interrupt_ends_a_run_within_a_step() {
         let queries = Arc::new(AtomicUsize::new(0));
         let count = Arc::clone(&queries);
         let interrupt = Interrupt::new(move || count.fetch_add(1, Ordering::Relaxed) >= 7);
-        let (part, outcome) = rows(&Simulation::new(&model).unwrap().heeding(interrupt));
+        let (part, outcome) = rows(&Simulation::new(&model).unwrap().with_interrupt(interrupt));
         assert_eq!(outcome, Outcome::Stopped);
         assert!(queries.load(Ordering::Relaxed) <= 9, "no halved and no repeated steps: {queries:?}");
         assert!((text == modes || part.len() > 1) && part.len() < whole.len());

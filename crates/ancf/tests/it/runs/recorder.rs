@@ -85,7 +85,7 @@ pub(super) fn interrupted(model: &Model, n: u64) -> (Recorder, Summary, u64) {
     let counter = Arc::clone(&queries);
     let interrupt = Interrupt::new(move || counter.fetch_add(1, Ordering::Relaxed) + 1 >= n);
     let mut recorder = Recorder::default();
-    let summary = Simulation::new(model).unwrap().heeding(interrupt).run(&mut recorder).unwrap();
+    let summary = Simulation::new(model).unwrap().with_interrupt(interrupt).run(&mut recorder).unwrap();
     (recorder, summary, queries.load(Ordering::Relaxed))
 }
 

@@ -14,7 +14,7 @@ use crate::units::{Scaled, Scales};
 pub struct ExternalLoad {
     /// Point of application.
     pub on: Place,
-    /// The name under which the program supplies it.
+    /// Name by which the program supplies the function.
     #[schemars(length(min = 1))]
     pub name: String,
     /// Units of length, time and force of the model, measured in units of the function; equal by default.

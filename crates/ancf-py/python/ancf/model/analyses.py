@@ -33,8 +33,8 @@ __all__ = [
 NewtonMethod: TypeAlias = Literal["modified", "full"]
 """Update of the tangent in Newton's method.
 
-* ``"modified"``: Modified Newton: a new tangent only if it is cheaper than more iterations with the old one.
-  Absolute convergence criteria and redundant joints use the full method instead.
+* ``"modified"``: Modified Newton: a new tangent only if it costs less than more iterations with the old
+  tangent. Absolute convergence criteria and redundant joints require the full method.
 * ``"full"``: Full Newton: a new tangent in each iteration.
 """
 
@@ -65,8 +65,8 @@ class GeneralizedAlpha(Part):
     Attributes
     ----------
     spectral_radius
-        Spectral radius at infinite frequency: 0 removes such vibrations in one step, 1 is without damping.
-        Recommended: 0.8 (>= 0, <= 1).
+        Spectral radius at infinite frequency, from 0 (maximum damping) to 1 (no damping). Recommended: 0.8
+        (>= 0, <= 1).
 
     """
 
@@ -82,7 +82,7 @@ class HHT(Part):
     Attributes
     ----------
     alpha
-        α from −1/3, maximum damping, to 0, no damping (>= -0.3333333333333333, <= 0).
+        α from −1/3 (maximum damping) to 0 (no damping) (>= -0.3333333333333333, <= 0).
 
     """
 
@@ -230,7 +230,7 @@ class Dynamics(Part):
     duration
         Duration, time (> 0).
     step
-        Step size, time; in the units of the model, whatever the scales.
+        Step size, time; in the units of the model with any ``scales``.
     max_halvings
         Maximum number of successive halvings of a failed step of fixed size (>= 0, <= 30). Default: ``10``.
     max_iterations
@@ -301,7 +301,7 @@ class Path(Part):
         Largest step of arc length, as the change of the load factor by a step of this length at the start of
         the path (> 0). Default: ``0.2``.
     load
-        Load factor at which the path ends when first reached. Default: ``1.0``.
+        Load factor at which the path ends when it first reaches it. Default: ``1.0``.
     max_iterations
         Maximum number of Newton iterations of a step (>= 1). Default: ``30``.
     points

@@ -31,9 +31,9 @@ Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 
 * ``"continuum"``: Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element
   locks: the bending stiffness is (λ+2G) I instead of E I, the torsion constant is the polar moment of area.
-  Errors decrease as 1/(3n²).
-* ``"enhanced"``: Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008).
-  Poisson's effect acts on the axis only. Shear factors and St. Venant's torsion constant apply.
+  With n elements the error is 1/(3n²).
+* ``"enhanced"``: Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). The
+  Poisson effect is limited to the axis. Shear factors and St. Venant's torsion constant apply.
 * ``"linked"``: Enhanced element with linked strains, free of shear locking. One element is exact for end
   loads.
 * ``"quadratic"``: Three nodes, 27 coordinates, elasticity of a rod, two integration points (Nachbagauer,
@@ -43,7 +43,7 @@ Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class InitialMotion(Part):
-    """Initial motion of a body, that of a rigid body: v(r) = v₀ + ω × (r − c).
+    """Initial motion of a body, with the velocity field of a rigid body: v(r) = v₀ + ω × (r − c).
 
     Attributes
     ----------
@@ -97,9 +97,9 @@ class Helix(Part):
     Attributes
     ----------
     center
-        Point of the helix's axis, length.
+        Point of the axis of the helix, length.
     axis
-        Direction of the helix's axis. The helix turns about it by the right-hand rule.
+        Direction of the axis of the helix. The rotation from start to end follows the right-hand rule.
     turns
         Number of turns (> 0).
 
@@ -167,8 +167,8 @@ class Beam(Axis):
     motion
         Initial velocities in dynamics; at rest by default.
     section_end
-        Name of the section at the end, of the same kind; dimensions vary linearly. The start section by
-        default. Or the section itself.
+        Name of the section at the end, of the same kind; by default the start section. Dimensions vary
+        linearly. Or the section itself.
     shape
         Shape of the axis between start and end; straight by default. This state is free of stress.
     slopes
@@ -178,8 +178,8 @@ class Beam(Axis):
         Rotation of the section about the axis from start to end, in radians. This state is free of stress.
         Default: ``0.0``.
     up
-        Direction whose part normal to the axis is the section's y-axis at the start. Global y by default,
-        global z for a beam along y.
+        Direction of the y-axis of the section at the start; its component along the axis has no effect.
+        Global y by default, global z for a beam along y.
 
     """
 

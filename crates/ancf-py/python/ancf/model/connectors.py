@@ -14,20 +14,20 @@ __all__ = ["Bushing", "Distance", "Spring"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Distance(Part):
-    """A massless rod with balls at its ends: keeps the distance of two points, or leads it.
+    """Massless rod with ball joints at its ends: constrains or prescribes the distance of two points.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     b
-        The other end: a place or a point of the ground, elsewhere than ``a``.
+        Second end: a place or a point of the ground, at a distance from ``a``.
     change
-        By how much the distance grows, times the function of time, length; 0 by default.
+        Change of the distance, length; 0 by default. The function of time multiplies it.
     time
-        Function of time; 1 by default. Statics ignores it and changes the distance with the load.
+        Function of time; 1 by default. In statics the load factor multiplies ``change`` instead.
 
     """
 
@@ -44,20 +44,19 @@ class Distance(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Bushing(Part):
-    """An elastic mount.
-
-    Springs and dampers between two places that coincide, three along and three about the axes.
+    """Bushing: springs and dampers between two coincident places, along and about three axes.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     stiffness
         Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
     b
-        The other end, which carries the axes, at first the global ones; the ground by default.
+        Second end, to which the axes are fixed; the ground by default. The axes are initially parallel to the
+        global axes.
     damping
         Dampings along x, y, z, force time/length, and about x, y, z, force length time; none by default.
 
@@ -76,24 +75,24 @@ class Bushing(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spring(Part):
-    """A spring and a damper between two points.
+    """Spring and damper between two points.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     b
-        The other end: a place or a point of the ground, elsewhere than ``a``.
+        Second end: a place or a point of the ground, at a distance from ``a``.
     damping
         Damping, force time/length (>= 0). Default: ``0.0``.
     length
-        Length without force, length. By default the distance in the undeformed state (>= 0).
+        Length at zero force, length. By default the distance in the undeformed state (>= 0).
     stiffness
         Stiffness, force/length (>= 0). Default: ``0.0``.
     tension_only
-        Whether it only draws, as a rope does. Default: ``False``.
+        True for tension only, as in a rope. Default: ``False``.
 
     """
 

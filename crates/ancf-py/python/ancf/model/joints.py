@@ -46,19 +46,19 @@ ClampedGradients: TypeAlias = Literal["all", "section"]
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Clamp(Part):
-    """A clamp: ties position and orientation.
+    """Clamp: constrains position and orientation.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     b
-        The other end; the ground by default.
+        Second end; the ground by default.
     fix
-        Which gradients are tied besides the position: ``"all"`` for beams of the continuum formulation,
-        ``"section"`` for all else, by default. One of ``"all"``, ``"section"``.
+        Gradients that are constrained in addition to the position. By default ``"all"`` for beams of the
+        continuum formulation, ``"section"`` for other bodies. One of ``"all"``, ``"section"``.
 
     """
 
@@ -74,24 +74,24 @@ class Clamp(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Revolute(Part):
-    """A hinge: ties the position and leaves rotation about one axis.
+    """Hinge: constrains the position and allows rotation about one axis.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     axis
-        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+        Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     b
-        The other end; the ground by default.
+        Second end; the ground by default.
     drive
-        Prescribes the angle.
+        Prescribed angle.
     friction
         Dry friction.
     spring
-        A torsion spring and a damper.
+        Torsion spring and damper.
 
     """
 
@@ -110,16 +110,16 @@ class Revolute(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Spherical(Part):
-    """A ball joint: ties the position.
+    """Ball joint: constrains the position.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     b
-        The other end; the ground by default.
+        Second end; the ground by default.
 
     """
 
@@ -134,26 +134,26 @@ class Spherical(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Drive(Part):
-    """A clamp to a frame that rotates about the place and moves as prescribed.
+    """Clamp to a frame with prescribed rotation about the place and prescribed displacement.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end whose motion is prescribed; it receives the reaction.
+        End with prescribed motion, on which the reaction acts.
     time
-        Function of time; statics ignores it, turns and moves with the load.
+        Function of time. In statics the load factor multiplies angle and displacement instead.
     angle
-        Angle by which the function of time is multiplied, in radians; 1 by default.
+        Angle, in radians; 1 by default. The function of time multiplies it.
     axis
-        Direction of the axis in the global frame; its length does not matter. Without one the frame does not
-        turn.
+        Direction of the axis of rotation in the global frame. Its magnitude has no effect. No rotation by
+        default.
     displacement
-        Displacement by which the function of time is multiplied, length; none by default.
+        Displacement, length; zero by default. The function of time multiplies it.
     fix
-        Which gradients are tied besides the position, by default as those of a clamp. One of ``"all"``,
-        ``"section"``.
+        Gradients that are constrained in addition to the position; by default as in a clamp. One of
+        ``"all"``, ``"section"``.
 
     """
 
@@ -172,23 +172,22 @@ class Drive(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Universal(Part):
-    """Two shafts that meet.
-
-    Ties the position and keeps the angle between an axis of each, as the cross of a Cardan joint does.
+    """Cardan joint of two shafts: constrains the position and the angle between the arms of the cross.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     axis_a
-        Direction of the arm of the cross that is fixed to ``a``, in the undeformed state.
+        Direction of the arm of the cross that is fixed to ``a``, in the undeformed state, in the global
+        frame.
     axis_b
-        Direction of the arm of the cross that is fixed to ``b``, in the undeformed state, not along the
-        other.
+        Direction of the arm of the cross that is fixed to ``b``, in the undeformed state, in the global
+        frame. Not parallel to ``axis_a``.
     b
-        The other end; the ground by default.
+        Second end; the ground by default.
 
     """
 
@@ -205,24 +204,24 @@ class Universal(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Cylindrical(Part):
-    """A pin in a sleeve: leaves rotation about an axis and displacement along it.
+    """Cylindrical joint: allows rotation about an axis and displacement along it.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     axis
-        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+        Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     b
-        The other end, which carries the axis; the ground by default.
+        Second end, to which the axis is fixed; the ground by default.
     drive
-        Prescribes the angle.
+        Prescribed angle.
     feed
-        Prescribes the displacement.
+        Prescribed displacement.
     spring
-        A torsion spring and a damper.
+        Torsion spring and damper.
 
     """
 
@@ -241,24 +240,24 @@ class Cylindrical(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Prismatic(Part):
-    """A slider in a straight guide: leaves displacement along an axis.
+    """Prismatic joint: allows displacement along an axis.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     axis
-        Direction of the axis in the undeformed state, in the global frame; its length does not matter.
+        Direction of the axis in the undeformed state, in the global frame. Its magnitude has no effect.
     b
-        The other end, which carries the axis; the ground by default.
+        Second end, to which the axis is fixed; the ground by default.
     drive
-        Prescribes the displacement.
+        Prescribed displacement.
     friction
         Dry friction.
     spring
-        A spring and a damper.
+        Spring and damper.
 
     """
 
@@ -277,18 +276,18 @@ class Prismatic(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Planar(Part):
-    """A plate on a plane: leaves displacements in a plane and rotation about its normal.
+    """Planar joint: allows displacements in a plane and rotation about its normal.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     normal
-        Normal of the plane in the undeformed state, in the global frame; its length does not matter.
+        Normal of the plane in the undeformed state, in the global frame. Its magnitude has no effect.
     b
-        The other end, which carries the plane; the ground by default.
+        Second end, to which the plane is fixed; the ground by default.
 
     """
 
@@ -304,18 +303,18 @@ class Planar(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class PointOnLine(Part):
-    """A point on a straight line: leaves displacement along it and all rotations.
+    """Point on a straight line: allows displacement along the line and all rotations.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The end that receives the reaction.
+        First end, on which the reaction acts.
     axis
-        Direction of the line in the undeformed state, in the global frame; its length does not matter.
+        Direction of the line in the undeformed state, in the global frame. Its magnitude has no effect.
     b
-        The other end, which carries the line; the ground by default.
+        Second end, to which the line is fixed; the ground by default.
 
     """
 
@@ -331,22 +330,22 @@ class PointOnLine(Part):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Slide(Part):
-    """A bead on a beam: a point slides along the axis of a beam, bent as it is.
+    """Sliding joint: constrains a point to the deformed axis of a beam or cable.
 
     Attributes
     ----------
     name
         Name in outputs and messages.
     a
-        The point that slides, and receives the reaction.
+        Sliding point, on which the reaction acts.
     b
-        The place of a beam of two-node elements or of a cable where it is at the start.
+        Initial place on the axis of a cable or of a beam of two-node elements.
     drive
-        Prescribes the displacement along the beam.
+        Prescribed displacement along the axis.
     friction
-        Dry friction along the beam, of a given force.
+        Dry friction along the axis, of a given force.
     spring
-        A spring and a damper along the beam.
+        Spring and damper along the axis.
 
     """
 
@@ -377,7 +376,7 @@ Joint: TypeAlias = (
     | Bushing
     | Spring
 )
-"""A joint between a body and the ground or another body.
+"""Joint between a body and the ground or another body.
 
-Reactions are reported as the force and the moment that the joint exerts on its end ``a``.
+Reactions are the force and the moment that the joint exerts on its end ``a``.
 """

@@ -34,7 +34,7 @@ class Probe(Part):
     name
         Name in the outputs. The columns are ``name.x``, ``name.vx``, ``name.ax`` and so on.
     on
-        The place on the axis.
+        Place on the axis.
     offset
         Coordinates (y, z) of the point in the section, length; on the axis by default.
     record
@@ -57,19 +57,21 @@ class Output(Part):
     Attributes
     ----------
     csv
-        Write ``probes.csv``. Default: ``True``.
+        True to write ``probes.csv``. Default: ``True``.
     energy_parts
-        Record the parts of the strain energy of each body. Default: ``False``.
+        True to record the parts of the strain energy of each body. Default: ``False``.
     every
-        Record each n-th instant. The first and the last instant are always recorded (>= 1). Default: ``1``.
+        Recording of every n-th instant only. The first and the last instant are always recorded (>= 1).
+        Default: ``1``.
     interval
         Interval of recorded instants, time. A step ends at each of them. Every step is recorded by default (>
         0).
     parquet
-        Write ``results.parquet``. Default: ``True``.
+        True to write ``results.parquet``. Default: ``True``.
     states
-        Approximate number of states kept for figures and reports, evenly spaced in time. The first and the
-        last are kept. Equilibria, modes and critical loads are all kept, unless 0 (>= 0). Default: ``200``.
+        Approximate number of states stored for figures and reports, evenly spaced in time. The first and the
+        last state are always stored. All equilibria, modes and critical loads are stored, unless 0 (>= 0).
+        Default: ``200``.
 
     """
 

@@ -22,15 +22,15 @@ __all__ = [
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Damping(Part):
-    """What dissipates in a material.
+    """Damping of a material.
 
     Attributes
     ----------
     mass
-        Rate α of the mass-proportional damping, the force −α v per mass. 1/time (>= 0). Default: ``0.0``.
+        Rate α of the mass-proportional damping, 1/time. The force per mass is −α v (>= 0). Default: ``0.0``.
     strain
-        Retardation time τ of Kelvin and Voigt: stresses are those of the strain E + τ dE/dt, time (>= 0).
-        Default: ``0.0``.
+        Retardation time τ of the Kelvin-Voigt model, time. Stresses follow from the strain E + τ dE/dt (>=
+        0). Default: ``0.0``.
 
     """
 
@@ -41,17 +41,17 @@ class Damping(Part):
 
 
 MaterialLaw: TypeAlias = Literal["st_venant_kirchhoff", "neo_hookean"]
-"""How stress follows strain.
+"""Constitutive law of a material, by its strain energy density.
 
-* ``"st_venant_kirchhoff"``: St. Venant and Kirchhoff: ½(λ tr² E + 2G E:E) of Green's strain.
-* ``"neo_hookean"``: Compressible neo-Hookean: ½G (tr C − 3) − G ln J + ½λ ln² J; for the continuum
+* ``"st_venant_kirchhoff"``: St. Venant-Kirchhoff: ½(λ tr² E + 2G E:E) with the Green-Lagrange strain E.
+* ``"neo_hookean"``: Compressible neo-Hookean: ½G (tr C − 3) − G ln J + ½λ ln² J. Only for the continuum
   formulation.
 """
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Material(Shared):
-    """An isotropic elastic material with damping.
+    """Isotropic elastic material with damping.
 
     Attributes
     ----------
@@ -63,9 +63,9 @@ class Material(Shared):
     young
         Young's modulus E, force/area (> 0).
     damping
-        What dissipates. Default: ``Damping(mass=0.0, strain=0.0)``.
+        Material damping. Default: ``Damping(mass=0.0, strain=0.0)``.
     law
-        How stress follows strain. One of ``"st_venant_kirchhoff"``, ``"neo_hookean"``. Default:
+        Constitutive law. One of ``"st_venant_kirchhoff"``, ``"neo_hookean"``. Default:
         ``"st_venant_kirchhoff"``.
     poisson
         Poisson's ratio ν, −1 < ν < 0.5; 0 by default (> -1, < 0.5).
@@ -83,7 +83,7 @@ class Material(Shared):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Circle(Shared):
-    """A full circle.
+    """Full circle.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Circle(Shared):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Tube(Shared):
-    """A circular tube.
+    """Circular tube.
 
     Attributes
     ----------
@@ -114,7 +114,7 @@ class Tube(Shared):
     outer
         Outer diameter, length (> 0).
     inner
-        Inner diameter, length; less than the outer (> 0).
+        Inner diameter, length; less than the outer diameter (> 0).
 
     """
 
@@ -128,7 +128,7 @@ class Tube(Shared):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Rectangle(Shared):
-    """A full rectangle.
+    """Full rectangle.
 
     Attributes
     ----------
@@ -136,9 +136,9 @@ class Rectangle(Shared):
         Key in the table of the model, for a part that is given instead of its name. Chosen automatically if
         omitted.
     height
-        Extent along the section's y-axis, length (> 0).
+        Extent along the y-axis of the section, length (> 0).
     width
-        Extent along the section's z-axis, length (> 0).
+        Extent along the z-axis of the section, length (> 0).
 
     """
 
@@ -152,7 +152,7 @@ class Rectangle(Shared):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Ellipse(Shared):
-    """A full ellipse.
+    """Full ellipse.
 
     Attributes
     ----------
@@ -160,9 +160,9 @@ class Ellipse(Shared):
         Key in the table of the model, for a part that is given instead of its name. Chosen automatically if
         omitted.
     height
-        Extent along the section's y-axis, twice that semi-axis, length (> 0).
+        Extent along the y-axis of the section, twice the semi-axis, length (> 0).
     width
-        Extent along the section's z-axis, twice that semi-axis, length (> 0).
+        Extent along the z-axis of the section, twice the semi-axis, length (> 0).
 
     """
 
@@ -176,7 +176,7 @@ class Ellipse(Shared):
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class GeneralSection(Shared):
-    """A section known by its numbers only, with moduli E and G of its material.
+    """General section, defined by its constants. The moduli E and G are those of the material.
 
     Attributes
     ----------
@@ -186,19 +186,19 @@ class GeneralSection(Shared):
     area
         Area A, length² (> 0).
     iy
-        Second moment ∫z² dA for bending about y, deflections along z, length⁴ (> 0).
+        Second moment of area ∫z² dA for bending about y, length⁴ (> 0).
     iz
-        Second moment ∫y² dA for bending about z, deflections along y, length⁴ (> 0).
+        Second moment of area ∫y² dA for bending about z, length⁴ (> 0).
     j
         Torsion constant, length⁴; iy + iz by default (> 0).
     ky
-        Shear factor of forces along y: their stiffness is ky G A; 1 by default (> 0).
+        Shear factor along y; 1 by default. The shear stiffness is ky G A (> 0).
     kz
-        Shear factor of forces along z: their stiffness is kz G A; 1 by default (> 0).
+        Shear factor along z; 1 by default. The shear stiffness is kz G A (> 0).
     mass_iy
-        ∫z² dA of the rotary inertia about y, density times this, length⁴; iy by default (> 0).
+        Second moment of area for the rotary inertia about y, length⁴; iy by default (> 0).
     mass_iz
-        ∫y² dA of the rotary inertia about z, density times this, length⁴; iz by default (> 0).
+        Second moment of area for the rotary inertia about z, length⁴; iz by default (> 0).
 
     """
 
@@ -217,8 +217,8 @@ class GeneralSection(Shared):
 
 
 Section: TypeAlias = Circle | Tube | Rectangle | Ellipse | GeneralSection
-"""A cross-section, centred on the beam's axis, with its principal axes along y and z.
+"""Cross-section, centred on the axis of the beam, with principal axes along y and z.
 
-Second moments have the names of the axes about which they bend: ``iy`` = ∫z² dA, ``iz`` = ∫y² dA. Shear
-factors have those of their forces: ``ky`` belongs to a shear force along y.
+Second moments are named by the axis of bending: ``iy`` = ∫z² dA, ``iz`` = ∫y² dA. Shear factors are named by
+the direction of the shear force: ``ky`` belongs to a force along y.
 """

@@ -33,7 +33,7 @@ class NoScales(Part):
 class PaperScales(Part):
     """Units of Kim et al. (2017), for one beam under gravity.
 
-    They are the length of the beam, the weight of one element and the time by eq. (7).
+    The length of the beam, the weight of one element and the time by eq. (7).
     """
 
     _form = "ScaleChoice"
@@ -45,8 +45,8 @@ class PaperScales(Part):
 class AutoScales(Part):
     """Length and weight of the longest body.
 
-    Units are the length L, the weight, or E I/L² without gravity, and the time by eq. (7) of Kim et al.
-    (2017). Each is rounded to a power of two, so that conversion is exact.
+    The unit of force is the weight, or E I/L² without gravity. The unit of time follows from eq. (7) of Kim
+    et al. (2017). Units are rounded to powers of two, so that conversion is exact.
     """
 
     _form = "ScaleChoice"
@@ -114,7 +114,7 @@ class Model(Document):
     Attributes
     ----------
     bodies
-        The bodies, flexible and rigid.
+        Flexible and rigid bodies.
     analysis
         Analysis to run.
     assemble
@@ -128,7 +128,7 @@ class Model(Document):
     joints
         Joints between bodies, or between a body and the ground.
     loads
-        Loads besides gravity.
+        Loads in addition to gravity.
     materials
         Materials by name.
     output
@@ -137,7 +137,7 @@ class Model(Document):
     probes
         Places where results are recorded.
     scales
-        Units in which the equations are solved; those of the model by default.
+        Units in which the equations are solved; the units of the model by default.
     sections
         Cross-sections by name.
     title

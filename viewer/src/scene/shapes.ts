@@ -3,7 +3,7 @@
 import { formatNumber } from "../base/numbers";
 import { isModal, type Scene } from "./scene";
 
-/** Parts of a label such as "mode 3: 12.34 Hz" or "form 1: load factor 2.5": text, number, unit. */
+/** Parts of a label: text, number, unit. Examples: "mode 3: 12.34 Hz", "shape 1: load factor 2.5". */
 const LABEL = /^(.*: (?:load factor )?)([-+]?[\d.]+(?:e[-+]?\d+)?)(.*)$/i;
 
 /** Labels of the frames. Labels of shapes get six digits if the charts have them, or the word "rigid". */

@@ -21,8 +21,8 @@ pub(crate) fn frame_label(recording: &Recording<'_>, frame: &Snapshot) -> String
             _ => format!("mode {number}: unstable"),
         },
         Analysis::Buckling(_) => of("factor").map_or_else(
-            || format!("form {number}"),
-            |factor| format!("form {number}: load factor {}", rounded(factor)),
+            || format!("shape {number}"),
+            |factor| format!("shape {number}: load factor {}", rounded(factor)),
         ),
         _ => format!("load factor {}", rounded(number)),
     }

@@ -178,8 +178,8 @@ class Beam(Axis):
         Rotation of the section about the axis from start to end, in radians. This state is free of stress.
         Default: ``0.0``.
     up
-        Direction of the y-axis of the section at the start; its component along the axis has no effect.
-        Global y by default, global z for a beam along y.
+        Direction of the y-axis of the section at the start; its component along the axis has no effect. By
+        default global y, or global z for a beam along y.
 
     """
 

@@ -1,8 +1,8 @@
 //! The Python classes of models, generated from the JSON Schema.
 
 mod class;
-mod form;
-mod hint;
+pub(crate) mod form;
+pub(crate) mod hint;
 mod names;
 mod text;
 

@@ -3,10 +3,12 @@
 use std::fs;
 use std::process::Command;
 
+use crate::documents::key_tables;
 use crate::python;
 use crate::system::shell::{Done, root};
 
-/// Writes the JSON Schema of model files as the program prints it, and the Python classes generated from it.
+/// Writes the JSON Schema of model files as the program prints it, and the Python classes and key tables generated
+/// from it.
 pub(crate) fn refresh() -> Done {
     let output = Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--package", "ancf-cli", "--", "schema"])
@@ -17,5 +19,7 @@ pub(crate) fn refresh() -> Done {
     }
     let path = root().join("docs/model.schema.json");
     fs::write(&path, &output.stdout).map_err(|error| format!("{}: {error}", path.display()))?;
-    python::write(&String::from_utf8_lossy(&output.stdout))
+    let schema = String::from_utf8_lossy(&output.stdout);
+    python::write(&schema)?;
+    key_tables::write(&schema)
 }

@@ -24,24 +24,24 @@ pub(super) struct Key<'a> {
 }
 
 /// Returns a definition by name. `Model` is the schema itself.
-pub(super) fn definition<'a>(schema: &'a Json, name: &str) -> &'a Json {
+pub(crate) fn definition<'a>(schema: &'a Json, name: &str) -> &'a Json {
     if name == "Model" { schema } else { &schema["$defs"][name] }
 }
 
 /// Returns the name of the definition to which a schema refers.
-pub(super) fn referred(schema: &Json) -> Option<&str> {
+pub(crate) fn referred(schema: &Json) -> Option<&str> {
     schema["$ref"].as_str()?.strip_prefix("#/$defs/")
 }
 
 /// Returns the alternatives of a schema without `null`, or the schema itself if it has none.
-pub(super) fn alternatives(schema: &Json) -> Vec<&Json> {
+pub(crate) fn alternatives(schema: &Json) -> Vec<&Json> {
     let list = ["oneOf", "anyOf"].iter().find_map(|key| schema[*key].as_array());
     let all = list.map_or_else(|| vec![schema], |list| list.iter().collect());
     all.into_iter().filter(|form| form["type"] != "null").collect()
 }
 
 /// Returns the description of a schema.
-pub(super) fn description(schema: &Json) -> &str {
+pub(crate) fn description(schema: &Json) -> &str {
     schema["description"].as_str().unwrap_or_default()
 }
 

@@ -70,7 +70,7 @@ fn array(schema: &Json, of: &Json, uses: &mut BTreeSet<String>) -> String {
 }
 
 /// Returns the JSON type of a schema without reference and alternatives.
-pub(super) fn kind(of: &Json) -> &str {
+pub(crate) fn kind(of: &Json) -> &str {
     match &of["type"] {
         Json::Array(kinds) => {
             kinds.iter().filter_map(Json::as_str).find(|kind| *kind != "null").unwrap_or_default()

@@ -35,7 +35,7 @@ impl Model {
     pub(crate) fn close(&self, assembly: &Assembly) -> Result<GapClosure, ModelErrors> {
         let model = Self { gravity: [0.0; 3], loads: Vec::new(), ..self.clone() };
         let meshes = model.meshes();
-        let draw = |gap| if gap == Gap::Closed { Gap::Drawn } else { Gap::Kept };
+        let draw = |gap| if gap == Gap::Closed { Gap::ClosedByLoad } else { Gap::Kept };
         let joints: Vec<JointEquations> = model
             .joint_equations(&meshes, TimeMode::Zero)
             .into_iter()

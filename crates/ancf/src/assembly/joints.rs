@@ -67,7 +67,7 @@ impl Model {
         let moves = self.analysis.dynamics().is_some();
         let is_drawn = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
         match () {
-            () if is_drawn => Gap::Drawn,
+            () if is_drawn => Gap::ClosedByLoad,
             () if self.assemble => Gap::Closed,
             () => Gap::Kept,
         }

@@ -3,7 +3,7 @@ use super::error::ModelError;
 /// Error of a model, with the conditions under which it is reported.
 #[derive(Debug)]
 pub struct Finding {
-    /// The error.
+    /// Error of the model.
     pub error: ModelError,
     /// Paths on which the finding depends. If one of them has an error, the finding is not reported.
     pub rests_on: Vec<String>,

@@ -1,6 +1,6 @@
 //! Joints: one file per kind, and one line per kind in `joint.rs`.
 //!
-//! A kind of joint implements [`JointKind`]: data and units, required capabilities, checks, constraint equations, symbol in drawings.
+//! A kind of joint implements [`JointKind`]: data and units, required capabilities, checks, constraint equations, symbol in figures.
 
 mod clamp;
 mod cylindrical;

@@ -85,7 +85,7 @@ pub struct Model {
     /// Loads in addition to gravity.
     #[serde(default, skip_serializing_if = "Vec::is_empty", serialize_with = "stated_loads")]
     pub loads: Vec<Load>,
-    /// True to close gaps of joints before the analysis. Gaps are errors by default.
+    /// True to close gaps of joints before the analysis; false by default. Otherwise gaps are errors.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub assemble: bool,
     /// Contacts of bodies with obstacles and with each other.

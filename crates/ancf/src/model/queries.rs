@@ -168,7 +168,7 @@ impl Contact {
             .collect()
     }
 
-    /// Contact radius of a body: as stated, or that of a round, constant section.
+    /// Contact radius of a body: as given, or the outer radius of a round, constant section.
     pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
         let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
         let own = || {

@@ -29,7 +29,7 @@ mod tests {
         models.map(|path| (path.clone(), Model::read(&path).unwrap())).collect()
     }
 
-    /// The model without the keys that conversion removes.
+    /// Model without the keys that conversion removes.
     fn bare(model: Model) -> Model {
         Model { units: None, scales: ScaleChoice::None, ..model }
     }

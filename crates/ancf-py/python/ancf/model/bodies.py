@@ -167,8 +167,8 @@ class Beam(Axis):
     motion
         Initial velocities in dynamics; at rest by default.
     section_end
-        Name of the section at the end, of the same kind; by default the start section. Dimensions vary
-        linearly. Or the section itself.
+        Name of the section at the end, of the same kind; by default the start section. Dimensions, or the
+        constants of general sections, vary linearly. Or the section itself.
     shape
         Shape of the axis between start and end; straight by default. This state is free of stress.
     slopes
@@ -178,8 +178,8 @@ class Beam(Axis):
         Rotation of the section about the axis from start to end, in radians. This state is free of stress.
         Default: ``0.0``.
     up
-        Direction of the y-axis of the section at the start; its component along the axis has no effect.
-        Global y by default, global z for a beam along y.
+        Direction of the y-axis of the section at the start; its component along the axis has no effect. By
+        default global y, or global z for a beam along y.
 
     """
 

@@ -257,7 +257,7 @@ class ExternalForce(Part):
     Attributes
     ----------
     name
-        The name under which the program supplies it. Or the function itself, F(t, x, v).
+        Name by which the program supplies the function. Or the function itself, F(t, x, v).
     on
         Point of application.
     units

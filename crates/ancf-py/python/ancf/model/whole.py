@@ -118,7 +118,7 @@ class Model(Document):
     analysis
         Analysis to run.
     assemble
-        True to close gaps of joints before the analysis. Gaps are errors by default.
+        True to close gaps of joints before the analysis; false by default. Otherwise gaps are errors.
     contacts
         Contacts of bodies with obstacles and with each other.
     couplings

@@ -20,11 +20,11 @@ use super::recorded_coordinate::{RecordedCoordinate, Source};
 use super::term::JointTerm;
 use crate::model::{TimeFunction, TimeMode};
 
-/// The ends of a joint as attachments to bodies.
+/// Ends of a joint as attachments to bodies.
 pub(crate) struct JointEnds<'a> {
     pub(crate) a: &'a Attachment,
     pub(crate) b: &'a Attachment,
-    /// The second end as stated.
+    /// Second end as given.
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
@@ -58,7 +58,7 @@ impl fmt::Debug for JointBuilder<'_> {
 }
 
 impl<'a> JointBuilder<'a> {
-    /// A builder without equations. `coupled` states which joint coordinates a coupling uses.
+    /// Builder without equations. `coupled` states which joint coordinates a coupling uses.
     pub(crate) fn new(
         name: &str,
         ends: JointEnds<'a>,
@@ -77,7 +77,7 @@ impl<'a> JointBuilder<'a> {
         Self { ends, coupled, time_mode, equations }
     }
 
-    /// The finished equations.
+    /// Finished equations.
     pub(crate) fn finish(self) -> JointEquations {
         self.equations
     }
@@ -152,7 +152,7 @@ impl<'a> JointBuilder<'a> {
         self.add(if let Some(name) = name { angle.named(name) } else { angle });
     }
 
-    /// Constrains an axis of unit length of the first end to stay parallel to that of the second one.
+    /// Constrains an axis of unit length of the first end to stay parallel to the same axis of the second end.
     pub fn parallel(&mut self, axis: impl Into<Vector3<f64>>, name: &'static str) {
         let axis = axis.into();
         for normal in normals_to(axis) {

@@ -63,7 +63,8 @@ fn keep_normal(builder: &mut JointBuilder<'_>, [line, other]: [&Attachment; 2], 
 /// Constrains the angles between the section directions of two beams that meet at an angle: the rotations are equal, and each
 /// section may change its size.
 ///
-/// Of the four products of r_y, r_z of one with r_y, r_z of the other, the three whose rates separate rotations best are kept.
+/// Three of the four products of r_y, r_z of one beam with r_y, r_z of the other are constrained: those whose rates separate
+/// rotations best.
 fn clamp_corner(builder: &mut JointBuilder<'_>, [_, d, e]: &[Marker; 3], [_, y, z]: &[Marker; 3]) {
     let pairs = [(d, y), (d, z), (e, y), (e, z)];
     let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));

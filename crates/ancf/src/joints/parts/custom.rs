@@ -3,21 +3,21 @@ use std::fmt;
 use super::kind::JointKind;
 use crate::units::{Scaled, Scales};
 
-/// Joint of a kind that a program adds; model files have none.
+/// Joint of a kind that a program adds. Model files do not have such joints.
 pub struct CustomJoint(Box<dyn JointKind>);
 
 impl CustomJoint {
-    /// A joint of a kind of the program's own.
+    /// Joint of a kind that a program adds.
     pub fn new(joint: impl JointKind + 'static) -> Self {
         Self(Box::new(joint))
     }
 
-    /// The joint as an implementation of its kind.
+    /// Joint as an implementation of its kind.
     pub(crate) fn kind(&self) -> &dyn JointKind {
         self.0.as_ref()
     }
 
-    /// The joint as a mutable implementation of its kind.
+    /// Joint as a mutable implementation of its kind.
     pub(crate) fn kind_mut(&mut self) -> &mut dyn JointKind {
         self.0.as_mut()
     }

@@ -11,7 +11,7 @@ use super::term::JointTerm;
 /// Result of closing the gaps of a model, in the units of the assembly.
 #[derive(Clone, Debug)]
 pub struct GapClosure {
-    /// The closed state, at rest and without loads.
+    /// Closed state, at rest and without loads.
     pub state: State,
     /// Name and distance of the ends of each joint that was open.
     pub gaps: Vec<(String, f64)>,
@@ -22,32 +22,32 @@ pub struct GapClosure {
 /// Treatment of the gap between the ends of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Gap {
-    /// The gap is kept.
+    /// Constant gap.
     Kept,
-    /// The gap closes with the load factor.
-    Drawn,
-    /// The gap is closed.
+    /// Gap that closes with the load factor.
+    ClosedByLoad,
+    /// Closed gap.
     Closed,
 }
 
-/// A term of a joint.
+/// Term of a joint.
 pub(crate) struct Part {
     pub(crate) term: Box<dyn JointTerm>,
-    /// True if the reaction of the term is part of that of the joint.
+    /// True if the reaction of the joint contains the reaction of the term.
     pub(crate) reacts: bool,
 }
 
 /// Equations of one joint.
 pub(crate) struct JointEquations {
     pub(crate) name: String,
-    /// Range of the coordinates of the joint's own.
+    /// Range of the coordinates of the joint.
     pub(crate) coordinates: Range<usize>,
     /// Range of the multipliers.
     pub(crate) multipliers: Range<usize>,
-    /// Constraint of the position, whose gap is treated as a whole.
+    /// Constraint of the position, with its gap.
     pub(crate) position: Option<CoincidenceConstraint>,
     pub(crate) parts: Vec<Part>,
-    /// Angles and displacements by which the joint moves.
+    /// Recorded coordinates of the joint.
     pub(crate) recorded: Vec<RecordedCoordinate>,
 }
 
@@ -65,7 +65,7 @@ impl JointEquations {
     pub(crate) fn with_gap(mut self, gap: Gap) -> Self {
         self.position = self.position.map(|position| match gap {
             Gap::Kept => position.kept(),
-            Gap::Drawn => position.closed_by_load(),
+            Gap::ClosedByLoad => position.closed_by_load(),
             Gap::Closed => position.closed(),
         });
         self

@@ -10,9 +10,9 @@ use crate::errors::Finding;
 use crate::model::{Body, Capability, Place, TimeFunction};
 use crate::units::{Scaled, Scales};
 
-/// A kind of joint between a body and the ground or another body.
+/// Kind of joint between a body and the ground or another body.
 ///
-/// An implementation states the data of the joint, its demands on the two ends, its checks, its equations and its symbol in
+/// An implementation states the data of the joint, the required capabilities of the two ends, its checks, its equations and its symbol in
 /// drawings. Kinds of model files are registered in `joints/joint.rs`; a program adds its own by
 /// [`SimulationBuilder::with`](crate::SimulationBuilder::with).
 pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
@@ -27,7 +27,7 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
     /// Name in outputs and messages.
     fn name(&self) -> &str;
 
-    /// The two ends; the first one receives the reaction.
+    /// First and second end. The reaction acts on the first end.
     fn ends(&self) -> (&Place, &End);
 
     /// Number of degrees of freedom that the joint removes between two rigid bodies, drives excluded (Grübler's count).
@@ -86,12 +86,12 @@ pub trait JointKind: JointObject + fmt::Debug + Send + Sync {
         false
     }
 
-    /// Symbol in drawings.
+    /// Symbol in figures.
     fn symbol(&self) -> JointSymbol {
         JointSymbol::Marker
     }
 
-    /// Findings of checks that the kind alone requires. `path` is that of the joint in the model.
+    /// Findings of checks that the kind alone requires. `path` is the path of the joint in the model.
     fn check(&self, _path: &str, _context: &dyn JointContext) -> Vec<Finding> {
         Vec::new()
     }
@@ -131,7 +131,7 @@ pub trait JointContext {
     fn is_dynamic(&self) -> bool;
 }
 
-/// Symbol of a joint in drawings.
+/// Symbol of a joint in figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointSymbol {
     /// Marker at the first end.

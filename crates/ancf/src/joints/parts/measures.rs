@@ -1,4 +1,4 @@
-//! Equations of joints between two attachments, as measures: directions are those of the second unless said.
+//! Equations of joints between two attachments, as measures: directions belong to the second attachment unless stated otherwise.
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{BilinearMeasure, MeasureFactor};
@@ -22,7 +22,7 @@ pub(crate) fn along(a: &Attachment, b: &Attachment, n: Vector3<f64>) -> Bilinear
     BilinearMeasure::new([(1.0, MeasureFactor::Other(&b.direction(n)), MeasureFactor::Point(&apart(a, b)))])
 }
 
-/// The points stay together.
+/// Coincidence of the points.
 pub(crate) fn meeting(a: &Attachment, b: &Attachment) -> Vec<BilinearMeasure> {
     let apart = apart(a, b);
     let row = |axis| {
@@ -49,7 +49,7 @@ fn angle(a: &Attachment, b: &Attachment, x: Vector3<f64>, y: Vector3<f64>) -> Bi
     )])
 }
 
-/// An axis of a stays along that of b.
+/// Constant direction of an axis of a relative to b.
 pub(crate) fn parallel(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> Vec<BilinearMeasure> {
     normals_to(axis).map(|normal| angle(a, b, axis, normal)).into()
 }

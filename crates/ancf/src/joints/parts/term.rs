@@ -5,7 +5,7 @@ use ancf_mechanics::constraints::{
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_solver::equations::{State, Term};
 
-/// A term of a joint: a constraint or a force that reports its reaction.
+/// Term of a joint: a constraint or a force with a reaction.
 pub trait JointTerm: Term {
     /// Force and moment that the term exerts on the end `a` in a state.
     fn reaction(&self, s: &State) -> Wrench;

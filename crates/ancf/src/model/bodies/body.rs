@@ -160,8 +160,8 @@ pub struct Beam {
     /// Shape of the axis between start and end; straight by default. This state is free of stress.
     #[serde(default, skip_serializing_if = "Shape::is_straight")]
     pub shape: Shape,
-    /// Direction of the y-axis of the section at the start; its component along the axis has no effect. Global y by default,
-    /// global z for a beam along y.
+    /// Direction of the y-axis of the section at the start; its component along the axis has no effect. By default
+    /// global y, or global z for a beam along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[unit(none)]
     pub up: Option<[f64; 3]>,
@@ -177,7 +177,7 @@ pub struct Beam {
     pub formulation: Formulation,
     /// Name of the section, a key of `sections`.
     pub section: String,
-    /// Name of the section at the end, of the same kind; by default the start section. Dimensions vary linearly.
+    /// Name of the section at the end, of the same kind; by default the start section. Dimensions, or the constants of general sections, vary linearly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section_end: Option<String>,
     /// Name of the material, a key of `materials`.

@@ -1,0 +1,4 @@
+//! Documents with generated parts.
+
+mod description;
+pub(crate) mod key_tables;

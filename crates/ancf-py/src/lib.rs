@@ -5,6 +5,7 @@
 mod input;
 mod results;
 mod run;
+mod study;
 
 use pyo3::prelude::*;
 
@@ -23,6 +24,11 @@ mod _ancf {
     use super::run::pickle::states;
     #[pymodule_export]
     use super::run::{Simulation, States};
+    #[pymodule_export]
+    use super::study::{
+        case_layout, check_places, parameter_type, reduce_column, sample_probabilities, sobol_points,
+        zip_errors,
+    };
 
     /// Version of the engine.
     #[pymodule_export]
@@ -35,4 +41,16 @@ mod _ancf {
     /// Radius of the sphere of a point mass, relative to the size of the model.
     #[pymodule_export]
     const POINT_MASS_RADIUS: f64 = ancf_report::geometry::POINT_MASS_RADIUS;
+
+    /// Fixed columns of the table of a study.
+    #[pymodule_export]
+    const STUDY_COLUMNS: [&str; 7] = ancf_study::TABLE_COLUMNS;
+
+    /// Maximum number of cases of a study.
+    #[pymodule_export]
+    const MAX_CASES: usize = ancf_study::MAX_CASES;
+
+    /// Maximum number of dimensions of a Sobol sequence.
+    #[pymodule_export]
+    const MAX_SOBOL_DIMENSION: usize = ancf_study::MAX_SOBOL_DIMENSION;
 }

@@ -17,7 +17,8 @@
 //! # Ok::<(), ancf_study::StudyError>(())
 //! ```
 //!
-//! Samples depend on the seed, on the path of the parameter and on their index only. They are the same on every machine.
+//! Samples depend on the seed, on the path of the parameter and on their index only, those of a Sobol sequence also on the
+//! position of the parameter. They are the same on every machine and in the Python package.
 
 mod cases;
 mod engine;
@@ -26,12 +27,14 @@ mod source;
 mod statement;
 mod table;
 
-pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, run_cases};
+pub use cases::{CaseDesign, CaseOutcome, CaseRow, ObjectiveGauges, ParameterAxis, reduce_column, run_cases};
 pub use engine::{StudyRun, StudySettings};
-
 pub use part::StudyPart;
 pub use source::StudySource;
 pub use statement::{
-    Combine, Objective, Objectives, Parameter, Sampling, Study, TABLE_COLUMNS, Take, ValueRule,
+    CaseLayout, Combine, MAX_CASES, MAX_SOBOL_DIMENSION, Objective, Objectives, Parameter, Sampling, Study,
+    TABLE_COLUMNS, Take, ValueRule, check_places, sobol_points, zip_errors,
 };
-pub use table::{ObjectiveRange, StudyError, StudyOutcome, StudyResults, StudyTable, TableError, read_rows};
+pub use table::{
+    ObjectiveRange, ParameterType, StudyError, StudyOutcome, StudyResults, StudyTable, TableError, read_rows,
+};

@@ -19,7 +19,7 @@ const END: &str = "<!-- end -->";
 
 /// Sections of the document about definitions: definition, text of the link, section.
 const LINKS: [(&str, &str, &str); 24] = [
-    ("Against", "obstacle", "contacts"),
+    ("ContactSurface", "obstacle", "contacts"),
     ("Analysis", "analysis", "analysis"),
     ("AngularDrive", "drive", "drives-springs-and-friction-of-joints"),
     ("AngularFriction", "friction", "drives-springs-and-friction-of-joints"),

@@ -1,34 +1,49 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, TypedDict, final, type_check_only
+from typing import Any, TypeAlias, TypedDict, final, type_check_only
 
 import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
     "BOX_EDGE",
+    "MAX_CASES",
+    "MAX_SOBOL_DIMENSION",
     "POINT_MASS_RADIUS",
+    "STUDY_COLUMNS",
     "VERSION",
     "ModelGeometry",
     "Simulation",
     "States",
+    "case_layout",
     "check_part",
+    "check_places",
     "diagnose",
     "inertia_box",
     "load",
     "outline",
+    "parameter_type",
     "read",
+    "reduce_column",
     "report",
+    "sample_probabilities",
     "scaled",
     "schema",
+    "sobol_points",
     "states",
     "substitute",
     "to_toml",
+    "zip_errors",
 ]
 
 VERSION: str
 BOX_EDGE: float
 POINT_MASS_RADIUS: float
+STUDY_COLUMNS: list[str]
+MAX_CASES: int
+MAX_SOBOL_DIMENSION: int
+
+_FaultArguments: TypeAlias = tuple[str, str, str, str | None, tuple[int, int] | None, str]
 
 @type_check_only
 class RunResults(TypedDict):
@@ -112,3 +127,14 @@ def states(
     numbers: NDArray[np.float64],
 ) -> States: ...
 def check_part(definition: str, data: Any) -> None: ...
+def sample_probabilities(
+    sampling: str, count: int, seed: int, parameters: list[str]
+) -> NDArray[np.float64]: ...
+def sobol_points(dimension: int, count: int, seed: int) -> NDArray[np.float64]: ...
+def case_layout(lengths: list[int | None], samples: int, combine: str) -> tuple[list[int], int] | None: ...
+def zip_errors(lists: list[tuple[str, int]]) -> list[_FaultArguments]: ...
+def check_places(
+    base: Mapping[str, Any], first_values: list[tuple[str, Any]]
+) -> tuple[dict[str, Any], list[_FaultArguments]]: ...
+def reduce_column(column: NDArray[np.float64], take: str) -> float: ...
+def parameter_type(values: list[Any]) -> str: ...

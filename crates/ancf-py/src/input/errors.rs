@@ -1,22 +1,29 @@
 //! Python exceptions.
 
+use ancf::ModelError;
 use ancf::model::ModelErrors;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+/// Arguments of `ancf.Fault`: path, found, wanted, hint, line and column, text.
+pub(crate) type FaultArguments = (String, String, String, Option<String>, Option<(usize, usize)>, String);
+
+/// Returns the arguments of `ancf.Fault` for each error.
+pub(crate) fn faults(errors: &[ModelError]) -> Vec<FaultArguments> {
+    let arguments = |error: &ModelError| {
+        let place = error.at.as_ref().map(|at| (at.line, at.column));
+        let (path, found, wanted) = (error.path.clone(), error.found.clone(), error.wanted.clone());
+        (path, found, wanted, error.hint.clone(), place, error.to_string())
+    };
+    errors.iter().map(arguments).collect()
+}
+
 /// Creates `ancf.ModelError` with all errors of a model and the file from which it was read.
 pub(crate) fn model_error(py: Python<'_>, errors: &ModelErrors, file: Option<&str>) -> PyErr {
-    let faults: Vec<_> = errors
-        .iter()
-        .map(|error| {
-            let place = error.at.as_ref().map(|at| (at.line, at.column));
-            (&error.path, &error.found, &error.wanted, error.hint.as_deref(), place, error.to_string())
-        })
-        .collect();
     let error = py
         .import("ancf.errors")
-        .and_then(|errors| errors.getattr("ModelError"))
-        .and_then(|class| class.call_method1("of", (faults, file)));
+        .and_then(|module| module.getattr("ModelError"))
+        .and_then(|class| class.call_method1("of", (faults(errors), file)));
     error.map_or_else(|why| why, PyErr::from_value)
 }
 

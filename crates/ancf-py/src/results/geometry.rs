@@ -13,8 +13,8 @@ use pyo3::prelude::*;
 use crate::input::{DataReader, deserialize_part, valid_model};
 use crate::run::States;
 
-/// A centre and three axes as arrays.
-type CentreAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+/// Edges and principal axes of a box.
+type EdgesAndAxes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Points of outlines, points of bores, edges.
 type OutlineArrays<'py, A> = (Bound<'py, A>, Option<Bound<'py, A>>, Bound<'py, PyArray2<i64>>);
@@ -34,7 +34,7 @@ pub(crate) fn outline<'py>(
 
 /// Returns edges and principal axes of the box with the inertia of a rigid body.
 #[pyfunction]
-pub(crate) fn inertia_box<'py>(body: &Bound<'py, PyAny>, max_edge: f64) -> PyResult<CentreAndAxes<'py>> {
+pub(crate) fn inertia_box<'py>(body: &Bound<'py, PyAny>, max_edge: f64) -> PyResult<EdgesAndAxes<'py>> {
     let py = body.py();
     let Body::Rigid(rigid) = deserialize_part::<Body>("Body", body)? else {
         return Err(PyValueError::new_err("body: found another kind, wanted a rigid body"));

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import time
 from pathlib import Path
 from typing import Any
@@ -15,9 +14,6 @@ import pytest
 import scipy.stats
 
 import ancf
-
-ANCF = "ANCF_PROGRAM"
-"""Environment variable with the path of the program."""
 
 
 class Log:
@@ -200,6 +196,22 @@ def test_all_errors_are_reported_before_a_case_runs(bar: dict[str, Any], tmp_pat
     assert not (tmp_path / "new").exists()
 
 
+def test_a_value_that_is_no_data_is_an_invalid_row(bar: dict[str, Any]) -> None:
+    table = ancf.study(bar, {"gravity": [[0.0, -9.81, 0.0], {1.0}]}).table
+    assert list(table["outcome"]) == ["finished", "invalid"]
+    assert list(table["gravity"]) == ["[0.0, -9.81, 0.0]", '"{1.0}"']
+
+
+def test_numbers_of_cases_and_samples_are_limited(bar: dict[str, Any]) -> None:
+    law = {f"gravity[{k}]": scipy.stats.norm() for k in range(482)}
+    (line,) = [line for line in errors_of(bar, law, samples=2, sampling="sobol") if "Sobol" in line]
+    assert line == "parameters: found 482 distributions, wanted at most 481 in a Sobol sequence"
+    assert errors_of(bar, {"gravity[1]": law["gravity[1]"]}, samples=10**20, seed=2**32) == [
+        "seed: found 4294967296, wanted an integer from 0 to 4294967295",
+        "samples: found 100000000000000000000, wanted an integer from 1 to 10000000",
+    ]
+
+
 def test_places_are_set_once_and_pairs_are_pairs(bar: dict[str, Any]) -> None:
     parameters: dict[str, Any] = {"bodies.beam.elements": [1, 2], "elements": [1, 2, 3]}
     with pytest.raises(ancf.ModelError) as caught:
@@ -267,30 +279,6 @@ def test_an_interrupt_keeps_what_is_done(rod: dict[str, Any], tmp_path: Path) ->
     assert log.calls == 5
 
 
-def test_the_table_is_that_of_the_command_line(models: Path, tmp_path: Path) -> None:
-    found = [Path(os.environ[ANCF]) if ANCF in os.environ else None]
-    found += [models.parent / "target" / profile / "ancf" for profile in ("release", "debug")]
-    program = next((path for path in found if path is not None and path.exists()), None)
-    if program is None:
-        pytest.skip(f"the program is not built, and {ANCF} does not say where it is")
-    file = models / "studies" / "convergence.toml"
-    subprocess.run([program, "study", file, "-o", tmp_path, "--quiet"], check=True, capture_output=True)
-    theirs = pd.read_parquet(tmp_path / "cases.parquet")
-    study = ancf.study(
-        models / "cantilever.toml",
-        {"elements": [1, 2, 4, 8, 16]},
-        {"tip": ("tip.y", "mean")},
-        folder=tmp_path,
-    )
-    ours = pd.read_parquet(tmp_path / "cases.parquet")
-    assert list(ours.columns) == list(theirs.columns)
-    assert list(ours.dtypes) == list(theirs.dtypes)
-    same = ["case", "elements", "outcome", "message", "steps", "iterations"]
-    pd.testing.assert_frame_equal(ours[same], theirs[same])
-    np.testing.assert_allclose(ours["tip"], theirs["tip"], rtol=1e-12)
-    assert len(study.finished) == 5
-
-
 def errors_of(bar: dict[str, Any], parameters: Any, objective: Any = None, **settings: Any) -> list[str]:
     """Return the errors of a study before a case runs."""
     with pytest.raises(ancf.ModelError) as caught:
@@ -310,12 +298,12 @@ def test_settings_are_checked(bar: dict[str, Any], tmp_path: Path) -> None:
         "folder: found 5, wanted a path",
         'states: found "al", wanted "all", "positions" or "none" (did you mean "all"?)',
         "client: found 3, wanted a client of dask.distributed",
-        'seed: found "x", wanted an integer >= 0',
+        'seed: found "x", wanted an integer from 0 to 4294967295',
     ]
     law = {"gravity[1]": scipy.stats.norm(-9, 1)}
     for samples in [0, 2.0, "many", True]:
         (line,) = errors_of(bar, law, never, samples=samples)
-        assert line.startswith("samples: found") and line.endswith("wanted an integer >= 1")
+        assert line.startswith("samples: found") and line.endswith("wanted an integer from 1 to 10000000")
     assert errors_of(bar, ["elements"], never) == ["parameters: found ['elements'], wanted a dictionary"]
     assert errors_of(bar, {3: [1]}, {4: never}) == [
         "parameters: found the name 3, wanted texts as names",

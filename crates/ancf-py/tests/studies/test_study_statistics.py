@@ -44,8 +44,10 @@ def test_the_seed_determines_the_cases(bar: dict[str, Any]) -> None:
         assert set(young(1, sampling)).isdisjoint(young(2, sampling))
     # Samples are independent of other distributions. A larger number of samples extends a smaller one.
     other = {"gravity[1]": scipy.stats.norm(-9, 1)}
-    assert young(1, "latin_hypercube", **other) == young(1, "latin_hypercube")
-    assert young(1, "random", 12)[:8] == young(1, "random")
+    for sampling in ["latin_hypercube", "random"]:
+        assert young(1, sampling, **other) == young(1, sampling)
+    for sampling in ["random", "sobol"]:
+        assert young(1, sampling, 12)[:8] == young(1, sampling)
     integers = ancf.study(bar, {"elements": scipy.stats.randint(1, 9)}, samples=8, seed=3)
     assert list(integers.finished["elements"].sort_values()) == list(range(1, 9))
 
@@ -171,8 +173,15 @@ def test_indices_need_numbers(pushed: dict[str, Any]) -> None:
         "parameters: found none, wanted at least one distribution",
         "objective: found none, wanted at least one number",
         'samples: found "x", wanted a power of 2, as in a Sobol sequence (such as 256)',
-        "seed: found -1, wanted an integer >= 0",
+        "seed: found -1, wanted an integer from 0 to 4294967295",
         'combine: found "grid", wanted nothing, since the Sobol sequence determines the cases',
+    ]
+    with pytest.raises(ancf.ModelError) as caught:
+        ancf.sobol(pushed, {f"p{k}": law for k in range(241)}, "tip.y", samples=2**40, seed=2**32)
+    assert [line for line in str(caught.value).splitlines() if "distribution, such" not in line] == [
+        "samples: found 1099511627776, wanted at most 10000000",
+        "seed: found 4294967296, wanted an integer from 0 to 4294967295",
+        "parameters: found 241 distributions, wanted at most 240 in a Sobol sequence",
     ]
     with pytest.raises(ancf.ModelError, match="parameters: found 3, wanted a dictionary"):
         ancf.sobol(pushed, 3, "tip.y", samples=4)  # type: ignore[arg-type]

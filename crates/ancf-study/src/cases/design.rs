@@ -1,5 +1,6 @@
 //! Design of a study: values of the parameters in each case.
 
+use std::collections::BTreeMap;
 use std::hash::Hasher;
 
 use ancf::ModelError;
@@ -7,7 +8,7 @@ use ancf::reading::substitute;
 use siphasher::sip128::{Hasher128, SipHasher24};
 use toml::Value;
 
-use crate::statement::{Combine, Objectives, Parameter, Study};
+use crate::statement::{Objectives, Parameter, Study, ValueRule};
 
 /// Cases of a study.
 ///
@@ -44,27 +45,20 @@ impl ParameterAxis {
 impl CaseDesign {
     /// Creates the design of a study. `None` if the number of cases cannot be represented.
     pub fn new(study: &Study) -> Option<Self> {
-        let samples = study.samples();
-        let mut cases = samples as usize;
-        let mut axes = Vec::new();
-        for (path, parameter) in study.parameters.iter().rev() {
-            let path = path.clone();
-            match (parameter, parameter.values()) {
-                (_, Some(values)) => {
-                    let stride = if study.combine == Combine::Grid { cases } else { samples as usize };
-                    cases = stride.checked_mul(values.len())?;
-                    axes.push(ParameterAxis { path, values, stride });
-                }
-                (Parameter::Rule(rule), None) => {
-                    let probabilities = study.sampling.probabilities(samples, study.seed, &path);
-                    let values = probabilities.into_iter().map(|p| Value::Float(rule.quantile(p))).collect();
-                    axes.push(ParameterAxis { path, values, stride: 1 });
-                }
-                (Parameter::List(_), None) => {}
-            }
-        }
-        axes.reverse();
-        Some(Self { axes, cases })
+        let layout = study.layout()?;
+        let (paths, rules): (Vec<&str>, Vec<&ValueRule>) = study.distributions().unzip();
+        let probabilities = study.sampling.probabilities(study.samples(), study.seed, &paths);
+        let quantiles = |(rule, probabilities): (&ValueRule, Vec<f64>)| -> Vec<Value> {
+            probabilities.into_iter().map(|p| Value::Float(rule.quantile(p))).collect()
+        };
+        let samples = rules.into_iter().zip(probabilities).map(quantiles);
+        let mut samples: BTreeMap<&str, Vec<Value>> = paths.into_iter().zip(samples).collect();
+        let axis = |((path, parameter), stride): ((&String, &Parameter), usize)| {
+            let values = parameter.values().or_else(|| samples.remove(path.as_str())).unwrap_or_default();
+            ParameterAxis { path: path.clone(), values, stride }
+        };
+        let axes = study.parameters.iter().zip(layout.strides).map(axis).collect();
+        Some(Self { axes, cases: layout.cases })
     }
 
     /// Returns the number of cases.

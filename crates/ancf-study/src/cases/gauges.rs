@@ -60,6 +60,13 @@ impl Sink for ObjectiveGauges<'_> {
     }
 }
 
+/// Reduces a column to one number. Returns `None` for an empty column.
+pub fn reduce_column(column: impl IntoIterator<Item = f64>, take: Take) -> Option<f64> {
+    let mut gauge = Gauge::default();
+    column.into_iter().for_each(|x| gauge.add(x, None));
+    gauge.reduced(take)
+}
+
 /// Running statistics of a column.
 #[derive(Clone, Copy, Debug, Default)]
 struct Gauge {
@@ -96,8 +103,12 @@ impl Gauge {
         if objective.row.is_some() {
             return self.requested;
         }
+        self.reduced(objective.take.unwrap_or_default())
+    }
+
+    fn reduced(&self, take: Take) -> Option<f64> {
         let count = f64::from(self.count);
-        (self.count > 0).then(|| match objective.take.unwrap_or_default() {
+        (self.count > 0).then(|| match take {
             Take::First => self.first,
             Take::Last => self.last,
             Take::Mean => self.sum / count,

@@ -13,10 +13,13 @@ use serde_json::Value as Json;
 use toml::{Table, Value};
 
 use super::columns::TABLE_COLUMNS;
+use super::layout::Combine;
 use super::parameter::{Parameter, parameter_path};
-use super::places::ParameterPlaces;
+use super::places::check_places;
 use super::read_failure::read_failure;
-use super::study::{Combine, Study};
+use super::sampling::Sampling;
+use super::sobol::MAX_SOBOL_DIMENSION;
+use super::study::Study;
 
 /// JSON Schema of study files.
 static SCHEMA: LazyLock<Json> = LazyLock::new(|| {
@@ -26,7 +29,7 @@ static SCHEMA: LazyLock<Json> = LazyLock::new(|| {
 });
 
 /// Maximum number of cases of a study.
-const MAX_CASES: usize = 10_000_000;
+pub const MAX_CASES: usize = 10_000_000;
 
 impl Study {
     /// Parses the text of a study. The path of the model is relative to `folder`.
@@ -62,26 +65,37 @@ fn parameter_errors(study: &Study) -> Vec<ModelError> {
             errors.extend(rule.errors(&parameter_path(path)));
         }
     }
-    let mut drawn = study.parameters.iter().filter(|(_, parameter)| parameter.count().is_none());
-    if let Some((path, _)) = drawn.next().filter(|_| study.samples.is_none()) {
+    if let Some((path, _)) = study.distributions().next().filter(|_| study.samples.is_none()) {
         let wanted = "the number of samples at the top of the file, such as `samples = 100`";
         errors.push(ModelError::new(parameter_path(path), "a distribution without `samples`", wanted));
     }
-    errors.extend(zip_errors(study));
+    errors.extend(dimension_error(study));
+    if study.combine == Combine::Zip {
+        let count = |(path, parameter): (&String, &Parameter)| Some((path.clone(), parameter.count()?));
+        errors.extend(zip_errors(&study.parameters.iter().filter_map(count).collect::<Vec<_>>()));
+    }
     errors.extend(name_errors(study));
-    if study.case_count().is_none_or(|cases| cases > MAX_CASES) {
+    if study.layout().is_none_or(|layout| layout.cases > MAX_CASES) {
         errors.push(ModelError::new("parameters", "too many combinations", "at most 10 000 000 cases"));
     }
     errors
 }
 
-/// Returns an error for each list whose length differs from the first, if lists are zipped.
-fn zip_errors(study: &Study) -> Vec<ModelError> {
-    let lists = study.parameters.iter().filter_map(|(path, parameter)| Some((path, parameter.count()?)));
-    let mut lists = lists.filter(|_| study.combine == Combine::Zip);
-    let Some((first, count)) = lists.next() else { return Vec::new() };
-    let differs = lists.filter(|(_, other)| *other != count);
-    let error = |(path, other): (&String, usize)| {
+/// Returns an error for more distributions than a Sobol sequence has dimensions.
+fn dimension_error(study: &Study) -> Option<ModelError> {
+    let count = study.distributions().count();
+    let is_excessive = study.sampling == Sampling::Sobol && count > MAX_SOBOL_DIMENSION;
+    let wanted = format!("at most {MAX_SOBOL_DIMENSION} in a Sobol sequence");
+    is_excessive.then(|| ModelError::new("parameters", format!("{count} distributions"), wanted))
+}
+
+/// Returns an error for each zipped list whose length differs from the length of the first.
+///
+/// `lists` has the path and the length of each list.
+pub fn zip_errors(lists: &[(String, usize)]) -> Vec<ModelError> {
+    let Some(((first, count), others)) = lists.split_first() else { return Vec::new() };
+    let differs = others.iter().filter(|(_, other)| other != count);
+    let error = |(path, other): &(String, usize)| {
         let wanted = format!("{count}, as many as `{first}` has, since `combine` is \"zip\"");
         ModelError::new(parameter_path(path), format!("{other} values"), wanted)
     };
@@ -109,9 +123,10 @@ fn name_errors(study: &Study) -> Vec<ModelError> {
 
 /// Returns the errors of paths and columns that the model with the first value of every parameter does not have.
 fn errors_with_model(study: &Study, data: &Value) -> Vec<ModelError> {
-    let (places, mut errors) = ParameterPlaces::new(&study.parameters, data);
-    errors.extend(places.conflicts());
-    if let Ok(model) = Model::from_value(&places.data) {
+    let first = |(path, parameter): (&String, &Parameter)| Some((path.clone(), parameter.first()?));
+    let first: Vec<_> = study.parameters.iter().filter_map(first).collect();
+    let (data, mut errors) = check_places(&first, data);
+    if let Ok(model) = Model::from_value(&data) {
         let columns = Simulation::new(&model).map(|simulation| simulation.columns()).unwrap_or_default();
         let columns: Vec<String> = columns.into_iter().map(|column| column.name).collect();
         for (name, objective) in &study.objectives {

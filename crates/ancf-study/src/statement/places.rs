@@ -1,17 +1,25 @@
 //! Places in a model that the parameters of a study set, and conflicts between parameters.
 
-use std::collections::BTreeMap;
-
 use ancf::ModelError;
 use ancf::reading::substitute;
 use toml::Value;
 
-use super::parameter::{Parameter, parameter_path};
+use super::parameter::parameter_path;
+
+/// Returns the data of a model with the first value of each parameter, and the errors of the paths.
+///
+/// A path without a target is an error, and so is a parameter that overwrites or redirects another. Parameters are set in the
+/// given order.
+pub fn check_places(first_values: &[(String, Value)], base: &Value) -> (Value, Vec<ModelError>) {
+    let (places, mut errors) = ParameterPlaces::new(first_values, base);
+    errors.extend(places.conflicts());
+    (places.data, errors)
+}
 
 /// Places that the parameters set.
-pub(crate) struct ParameterPlaces<'a> {
+struct ParameterPlaces<'a> {
     /// Data of the model with the first value of every parameter.
-    pub data: Value,
+    data: Value,
     parameters: Vec<ParameterTarget<'a>>,
 }
 
@@ -22,13 +30,12 @@ struct ParameterTarget<'a> {
 }
 
 impl<'a> ParameterPlaces<'a> {
-    /// Sets the first values in the order of the cases. Returns an error for each path without a target.
-    pub fn new(parameters: &'a BTreeMap<String, Parameter>, base: &Value) -> (Self, Vec<ModelError>) {
+    /// Sets the first values in the given order. Returns an error for each path without a target.
+    fn new(first_values: &'a [(String, Value)], base: &Value) -> (Self, Vec<ModelError>) {
         let mut places = Self { data: base.clone(), parameters: Vec::new() };
         let mut errors = Vec::new();
-        for (path, parameter) in parameters {
-            let Some(value) = parameter.first() else { continue };
-            match substitute(&mut places.data, path, value) {
+        for (path, value) in first_values {
+            match substitute(&mut places.data, path, value.clone()) {
                 Ok(set) => places.parameters.push(ParameterTarget { path, places: set }),
                 Err(error) => errors.push(ModelError { path: parameter_path(path), ..error }),
             }
@@ -37,7 +44,7 @@ impl<'a> ParameterPlaces<'a> {
     }
 
     /// Returns an error for each parameter that overwrites or redirects another.
-    pub fn conflicts(&self) -> Vec<ModelError> {
+    fn conflicts(&self) -> Vec<ModelError> {
         let mut errors = Vec::new();
         for (k, one) in self.parameters.iter().enumerate() {
             for (l, other) in self.parameters.iter().enumerate().filter(|(l, _)| *l != k) {

@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::distribution::ValueRule;
+use super::layout::{CaseLayout, Combine};
 use super::objective::Objectives;
 use super::parameter::Parameter;
 use super::sampling::Sampling;
@@ -37,31 +39,23 @@ pub struct Study {
     pub objectives: Objectives,
 }
 
-/// Combination of the values of lists and ranges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Combine {
-    /// Every value with every value of the others.
-    #[default]
-    Grid,
-    /// The first value with the first of the others, the second with the second.
-    Zip,
-}
-
 impl Study {
-    /// Returns the number of samples per combination of lists and ranges.
-    pub fn samples(&self) -> u32 {
-        let is_drawn = self.parameters.values().any(|parameter| parameter.count().is_none());
-        if is_drawn { self.samples.unwrap_or(1) } else { 1 }
+    /// Returns the distributions by the paths of their parameters.
+    pub fn distributions(&self) -> impl Iterator<Item = (&str, &ValueRule)> {
+        self.parameters.iter().filter_map(|(path, parameter)| match parameter {
+            Parameter::Rule(rule) if rule.count().is_none() => Some((path.as_str(), rule)),
+            _ => None,
+        })
     }
 
-    /// Returns the number of cases, `None` if it cannot be represented.
-    pub(crate) fn case_count(&self) -> Option<usize> {
-        let mut counts = self.parameters.values().filter_map(Parameter::count);
-        let combinations = match self.combine {
-            Combine::Grid => counts.try_fold(1, usize::checked_mul)?,
-            Combine::Zip => counts.max().unwrap_or(1),
-        };
-        combinations.checked_mul(self.samples() as usize)
+    /// Returns the number of samples per combination of lists and ranges.
+    pub fn samples(&self) -> u32 {
+        if self.distributions().next().is_some() { self.samples.unwrap_or(1) } else { 1 }
+    }
+
+    /// Returns the numbering of the cases, `None` if their number cannot be represented.
+    pub fn layout(&self) -> Option<CaseLayout> {
+        let lengths: Vec<Option<usize>> = self.parameters.values().map(Parameter::count).collect();
+        CaseLayout::new(&lengths, self.samples() as usize, self.combine)
     }
 }

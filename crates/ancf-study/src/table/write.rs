@@ -15,6 +15,7 @@ use parquet::schema::types::Type;
 use toml::Value;
 
 use super::error::{StudyError, TableError};
+use super::parameter_type::ParameterType;
 use crate::cases::{CaseRow, ParameterAxis};
 use crate::statement::{Objectives, TABLE_COLUMNS};
 
@@ -99,17 +100,13 @@ impl StudyTable<'_> {
 impl TableColumn {
     /// Creates the column of a parameter. If its values have different types, the column contains text.
     fn of_parameter<'v>(axis: &ParameterAxis, values: impl Iterator<Item = &'v Value>) -> Self {
-        let all = |test: fn(&Value) -> bool| axis.values().iter().all(test);
-        if all(Value::is_integer) {
-            Self::Integers(values.map(Value::as_integer).collect())
-        } else if all(|value| value.is_integer() || value.is_float()) {
-            let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|n| n as f64));
-            Self::Numbers(values.map(number).collect())
-        } else if all(Value::is_bool) {
-            Self::Truths(values.map(Value::as_bool).collect())
-        } else {
-            let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), ToOwned::to_owned);
-            Self::Texts(values.map(|value| Some(text(value))).collect())
+        let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|n| n as f64));
+        let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), ToOwned::to_owned);
+        match ParameterType::of(axis.values()) {
+            ParameterType::Integer => Self::Integers(values.map(Value::as_integer).collect()),
+            ParameterType::Number => Self::Numbers(values.map(number).collect()),
+            ParameterType::Boolean => Self::Truths(values.map(Value::as_bool).collect()),
+            ParameterType::Text => Self::Texts(values.map(|value| Some(text(value))).collect()),
         }
     }
 

@@ -34,10 +34,12 @@ fn samples_fill_their_range() {
     );
     folder.state(&study(2, "latin_hypercube"));
     assert!(folder.run(&[], 0).starts_with("done: 40 cases, "));
-    folder.state(&study(1, "random"));
-    assert!(folder.run(&[], 0).starts_with("done: 40 cases, "));
-    folder.state(&study(1, "random").replace("samples = 20", "samples = 30"));
-    assert!(folder.run(&[], 0).starts_with("done: 60 cases (40 taken over), "));
+    for sampling in ["random", "sobol"] {
+        folder.state(&study(1, sampling));
+        assert!(folder.run(&[], 0).starts_with("done: 40 cases, "));
+        folder.state(&study(1, sampling).replace("samples = 20", "samples = 30"));
+        assert!(folder.run(&[], 0).starts_with("done: 60 cases (40 taken over), "));
+    }
 }
 
 /// Zipped lists; values of several types in their columns.

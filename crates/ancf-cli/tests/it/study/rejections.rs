@@ -102,6 +102,24 @@ fn conflicting_parameters_are_rejected() {
     folder.run(&[], 0);
 }
 
+/// Numbers of samples, distributions and cases that are too large, and a seed beyond 32 bits.
+#[test]
+fn limits_of_samples_and_cases() {
+    let distributions: String =
+        (0..482).map(|k| format!("\"p{k}\" = {{ kind = \"normal\", mean = 0, deviation = 1 }}\n")).collect();
+    let folder =
+        StudyFolder::new(&format!("samples = 2\nsampling = \"sobol\"\n[parameters]\n{distributions}"));
+    let message = "parameters: found 482 distributions, wanted at most 481 in a Sobol sequence";
+    assert!(folder.run(&[], 2).contains(message));
+    folder.state(
+        "samples = 2\n[parameters]\nelements = { kind = \"range\", from = 1, to = 9, count = 10000000 }\n\
+                  \"gravity[1]\" = { kind = \"normal\", mean = 0, deviation = 1 }",
+    );
+    assert!(folder.run(&[], 2).contains("found too many combinations, wanted at most 10 000 000 cases"));
+    folder.state("seed = 4294967296\nparameters.elements = [1]");
+    assert!(folder.run(&[], 2).contains("seed: found 4294967296, wanted"));
+}
+
 /// Paths and columns refer to the model of the first case, not to the model in its file.
 #[test]
 fn paths_and_columns_are_those_of_the_first_case() {

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ancf import _ancf
 from ancf.errors import ModelError
 from ancf.studies.definition import sampling
 from ancf.studies.definition.messages import (
     fault,
+    integer_fault,
     is_integer,
     key_faults,
     parameter_path,
@@ -54,10 +56,10 @@ def sobol(
     """
     check(parameters, objective, samples, seed, settings)
     paths, samples = sorted(parameters), int(samples)
-    points = np.clip(sampling.sobol_points(2 * len(paths), samples, seed), 1e-16, 1 - 1e-16)
+    points = _ancf.sobol_points(2 * len(paths), samples, int(seed))
     first, second = (
-        [sampling.quantiles(parameters[path], p) for path, p in zip(paths, half.T, strict=True)]
-        for half in halves(points)
+        [sampling.quantiles(parameters[path], p) for path, p in zip(paths, half, strict=True)]
+        for half in np.split(points, 2)
     )
     mixed = [[*first[:i], second[i], *first[i + 1 :]] for i in range(len(paths))]
     blocks = [first, second, *mixed]
@@ -68,7 +70,7 @@ def sobol(
 def check(
     parameters: Mapping[str, Any],
     objective: object,
-    samples: object,
+    samples: Any,
     seed: object,
     settings: Mapping[str, Any],
 ) -> None:
@@ -85,8 +87,13 @@ def check(
         faults.append(fault("objective", "none", "at least one number"))
     if not is_power_of_two(samples):
         faults.append(fault("samples", shown(samples), "a power of 2, as in a Sobol sequence", "such as 256"))
-    if not is_integer(seed, 0):
-        faults.append(fault("seed", shown(seed), "an integer >= 0"))
+    elif int(samples) > _ancf.MAX_CASES:
+        faults.append(fault("samples", shown(samples), f"at most {_ancf.MAX_CASES}"))
+    wrong_seed = integer_fault("seed", seed, 0, sampling.MAX_SEED)
+    faults += [] if wrong_seed is None else [wrong_seed]
+    if 2 * len(with_text_keys(parameters)) > _ancf.MAX_SOBOL_DIMENSION:
+        wanted = f"at most {_ancf.MAX_SOBOL_DIMENSION // 2} in a Sobol sequence"
+        faults.append(fault("parameters", f"{len(parameters)} distributions", wanted))
     faults += [
         fault(name, shown(settings[name]), "nothing, since the Sobol sequence determines the cases")
         for name in ("combine", "sampling")
@@ -99,12 +106,6 @@ def check(
 def is_power_of_two(samples: Any) -> bool:
     """Return True for an integer 2, 4, 8 ..."""
     return is_integer(samples, 2) and int(samples).bit_count() == 1
-
-
-def halves(points: Array) -> tuple[Array, Array]:
-    """Split points into two independent sets."""
-    dimension = points.shape[1] // 2
-    return points[:, :dimension], points[:, dimension:]
 
 
 def indices(study: Study, dimension: int, samples: int) -> pd.DataFrame:

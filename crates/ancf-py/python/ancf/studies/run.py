@@ -9,7 +9,6 @@ from ancf import _ancf
 from ancf.analysis import data
 from ancf.progress import is_seen
 from ancf.studies import settings
-from ancf.studies.definition.columns import COLUMNS
 from ancf.studies.definition.design import plain
 from ancf.studies.definition.objective import Objectives
 from ancf.studies.definition.statement import Statement
@@ -90,7 +89,7 @@ def study(
     kept = states or ("all" if objectives.need_states else "none")
     results = Results(design, base, objectives, kept, place)
     results.reuse(retry=retry)
-    reserved = frozenset([*COLUMNS, *(axis.path for axis in design.axes)])
+    reserved = frozenset([*_ancf.STUDY_COLUMNS, *(axis.path for axis in design.axes)])
     run_cases(results, Work(base, objectives, kept, reserved), client, settings.threads(jobs), progress)
     file = None if place is None else place / "cases.parquet"
     return Study(results.table().to_pandas(), [axis.path for axis in design.axes], results.names, file)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import prod
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ancf import _ancf
@@ -24,6 +24,11 @@ class ParameterAxis:
         """Return the value in a case."""
         return self.values[case // self.stride % len(self.values)]
 
+    @cached_property
+    def column_type(self) -> str:
+        """Arrow type of the column of the parameter: the common type of all values, or text."""
+        return _ancf.parameter_type(list(self.values))
+
 
 @dataclass(frozen=True)
 class Design:
@@ -42,21 +47,29 @@ class Design:
     ) -> Design:
         """Combine lists by `"grid"` or `"zip"`, and all combinations with samples."""
         samples = max(map(len, drawn.values()), default=1)
-        cases, axes = samples, [ParameterAxis(path, values, 1) for path, values in drawn.items()]
-        for path in sorted(lists, reverse=True):
-            stride = cases if combine == "grid" else samples
-            cases = stride * len(lists[path])
-            axes.append(ParameterAxis(path, lists[path], stride))
-        return cls(sorted(axes, key=lambda axis: axis.path), cases)
+        lengths = {path: len(values) for path, values in lists.items()} | dict.fromkeys(drawn)
+        found = layout(lengths, samples, combine)
+        if found is None:
+            raise OverflowError("there are more cases than can be counted")
+        strides, cases = found
+        values = {**lists, **drawn}
+        return cls([ParameterAxis(path, values[path], stride) for path, stride in strides.items()], cases)
 
     def values(self, case: int) -> dict[str, Any]:
         """Return the values in a case, by their paths."""
         return {axis.path: axis.value(case) for axis in self.axes}
 
 
-def count(lengths: Sequence[int], samples: int, combine: str) -> int:
-    """Return the number of cases for lists of given lengths and a number of samples."""
-    return samples * (prod(lengths) if combine == "grid" else max(lengths, default=1))
+def layout(
+    lengths: Mapping[str, int | None], samples: int, combine: str
+) -> tuple[dict[str, int], int] | None:
+    """Return strides by path and the number of cases, or None if there are too many to count.
+
+    The length of a list is a number, that of a distribution is None.
+    """
+    paths = sorted(lengths)
+    found = _ancf.case_layout([lengths[path] for path in paths], samples, combine)
+    return None if found is None else (dict(zip(paths, found[0], strict=True)), found[1])
 
 
 def plain(data: Mapping[str, Any]) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -44,9 +44,16 @@ def with_text_keys(data: object) -> Mapping[str, Any]:
     return {key: value for key, value in data.items() if isinstance(key, str)}
 
 
-def is_integer(value: object, least: int) -> bool:
+def is_integer(value: object, least: int) -> TypeGuard[int]:
     """Return True for an integer of Python or NumPy that is not too small."""
     return isinstance(value, int | np.integer) and not isinstance(value, bool) and int(value) >= least
+
+
+def integer_fault(name: str, value: object, least: int, most: int) -> Fault | None:
+    """Return the error of a value that is not an integer in a range."""
+    if is_integer(value, least) and int(value) <= most:
+        return None
+    return fault(name, shown(value), f"an integer from {least} to {most}")
 
 
 def parameter_path(path: str) -> str:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias, get_args
 
-import numpy as np
-
+from ancf import _ancf
 from ancf.studies.definition.fingerprint import describe
 
 if TYPE_CHECKING:
-    from ancf.record.columns import Array
     from ancf.result import Result
 
 Take: TypeAlias = Literal["first", "last", "mean", "min", "max", "amplitude", "rms"]
@@ -25,15 +23,7 @@ Objective: TypeAlias = (
 )
 """Readings by name, one reading, or a function that returns a number or several by name."""
 
-TAKES: dict[str, Callable[[Array], Any]] = {
-    "first": lambda x: x[0],
-    "last": lambda x: x[-1],
-    "mean": np.mean,
-    "min": np.min,
-    "max": np.max,
-    "amplitude": lambda x: 0.5 * (x.max() - x.min()),
-    "rms": lambda x: np.sqrt(np.mean(x * x)),
-}
+TAKES = get_args(Take)
 
 
 class Objectives:
@@ -126,7 +116,8 @@ def numbers(name: str, reading: Any, result: Result, *, several: bool) -> dict[s
     """Return the number of a reading by its name, or the numbers of a function that may return `several`."""
     if not callable(reading):
         column, take = pair(reading)
-        return {name: float(TAKES[take](result[column]) if isinstance(take, str) else result[column][take])}
+        values = result[column]
+        return {name: _ancf.reduce_column(values, take) if isinstance(take, str) else float(values[take])}
     answer = reading(result)
     if not isinstance(answer, Mapping):
         return {name: number(answer, "a number or several by name" if several else "a number")}

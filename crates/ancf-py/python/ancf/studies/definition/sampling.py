@@ -1,11 +1,12 @@
-"""Samples of distributions."""
+"""Samples of distributions, with the probabilities of the study engine."""
 
 from __future__ import annotations
 
-import zlib
 from typing import TYPE_CHECKING, Any, Protocol, TypeGuard
 
 import numpy as np
+
+from ancf import _ancf
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
 
 SAMPLINGS = ("latin_hypercube", "random", "sobol")
 """Sampling methods."""
+
+MAX_SEED = 2**32 - 1
+"""Maximum seed."""
 
 
 class Distribution(Protocol):
@@ -29,46 +33,17 @@ def is_distribution(value: object) -> TypeGuard[Distribution]:
     return callable(getattr(value, "ppf", None))
 
 
-def probabilities(paths: list[str], count: int, sampling: str, seed: int) -> dict[str, Array]:
-    """Return `count` probabilities, 0 < p < 1, for each path. Their quantiles are the samples.
-
-    Those of a parameter depend on the seed and on its path only. In Sobol's sequence (1967), scrambled (Owen 1998),
-    they also depend on the other paths.
-    """
-    if sampling == "sobol":
-        columns = dict(zip(paths, sobol_points(len(paths), count, seed).T, strict=True))
-    else:
-        columns = {path: column(path, count, sampling, seed) for path in paths}
-    return {path: np.clip(p, 1e-16, 1 - 1e-16) for path, p in columns.items()}
-
-
-def column(path: str, count: int, sampling: str, seed: int) -> Array:
-    """Return independent samples of (0, 1), or a Latin hypercube (McKay, Beckman & Conover 1979)."""
-    name = zlib.crc32(path.encode())
-    unit = np.random.default_rng([seed, name, 0]).random(count)
-    if sampling == "random":
-        return unit
-    order = np.random.default_rng([seed, name, 1]).permutation(count)
-    return np.asarray((order + unit) / count, dtype=float)
-
-
-def sobol_points(dimension: int, count: int, seed: int) -> Array:
-    """Return the first points of a scrambled Sobol sequence, `[point, dimension]`."""
-    from scipy.stats import qmc
-
-    if not dimension:
-        return np.empty((count, 0))
-    sequence = qmc.Sobol(dimension, scramble=True, seed=np.random.default_rng(seed))
-    points: Array = sequence.random_base2(max(count - 1, 0).bit_length())
-    return points[:count]
-
-
 def samples(
     distributions: Mapping[str, Distribution], count: int, sampling: str, seed: int
 ) -> dict[str, list[Any]]:
-    """Return samples of each distribution, integers for discrete distributions."""
-    found = probabilities(sorted(distributions), count, sampling, seed)
-    return {path: quantiles(distributions[path], p) for path, p in found.items()}
+    """Return samples of each distribution, integers for discrete distributions.
+
+    The samples of a parameter depend on the seed and on its path. Those of a scrambled Sobol sequence depend on the
+    seed and on the position of the path. The program `ancf study` draws the same samples.
+    """
+    paths = sorted(distributions)
+    probabilities = _ancf.sample_probabilities(sampling, count, seed, paths)
+    return {path: quantiles(distributions[path], p) for path, p in zip(paths, probabilities, strict=True)}
 
 
 def quantiles(distribution: Distribution, p: Array) -> list[Any]:

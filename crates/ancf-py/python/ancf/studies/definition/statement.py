@@ -11,11 +11,11 @@ from ancf import _ancf
 from ancf.errors import Fault, ModelError
 from ancf.model.base.part import plain as plain_value
 from ancf.model.base.tables import Tables
-from ancf.studies.definition.columns import COLUMNS
-from ancf.studies.definition.design import Design, count
+from ancf.studies.definition.design import Design, layout
 from ancf.studies.definition.messages import (
     choice_fault,
     fault,
+    integer_fault,
     is_integer,
     join,
     key_faults,
@@ -27,11 +27,7 @@ from ancf.studies.definition.messages import (
     with_text_keys,
 )
 from ancf.studies.definition.objective import TAKES, Objectives, pair
-from ancf.studies.definition.places import conflicts
-from ancf.studies.definition.sampling import SAMPLINGS, Distribution, is_distribution, samples
-
-MAX_CASES = 10_000_000
-"""Maximum number of cases of a study."""
+from ancf.studies.definition.sampling import MAX_SEED, SAMPLINGS, Distribution, is_distribution, samples
 
 
 @dataclass
@@ -52,8 +48,7 @@ class Statement:
 
     def design(self, parameters: Mapping[str, Any]) -> Design:
         """Return the cases. Raises `ModelError` with all errors, before any case is run."""
-        self._choose("combine", self.combine, ("grid", "zip"))
-        self._choose("sampling", self.sampling, SAMPLINGS)
+        self._settings()
         self.faults += key_faults("parameters", parameters)
         for path in sorted(with_text_keys(parameters)):
             self._parameter(path, parameters[path])
@@ -70,10 +65,14 @@ class Statement:
     def _fault(self, path: str, found: str, wanted: str, hint: str | None = None) -> None:
         self.faults.append(fault(path, found, wanted, hint))
 
-    def _choose(self, name: str, word: object, words: Iterable[str]) -> None:
-        found = choice_fault(name, word, words)
-        if found is not None:
-            self.faults.append(found)
+    def _settings(self) -> None:
+        """Check the settings of the samples."""
+        found = [
+            choice_fault("combine", self.combine, ("grid", "zip")),
+            choice_fault("sampling", self.sampling, SAMPLINGS),
+            integer_fault("seed", self.seed, 0, MAX_SEED),
+        ]
+        self.faults += [one for one in found if one is not None]
 
     def _parameter(self, path: str, values: Any) -> None:
         """Sort a parameter into lists and distributions."""
@@ -92,52 +91,50 @@ class Statement:
 
     def _count(self) -> None:
         """Check the numbers of samples and cases."""
-        if self.samples is not None and not is_integer(self.samples, 1):
-            self._fault("samples", shown(self.samples), "an integer >= 1")
-            return
+        if self.samples is not None:
+            wrong = integer_fault("samples", self.samples, 1, _ancf.MAX_CASES)
+            if wrong is not None:
+                self.faults.append(wrong)
+                return
         if self.distributions and self.samples is None:
             first = next(iter(self.distributions))
             wanted = "the number of samples, such as `samples=100`"
             self._fault(parameter_path(first), "a distribution without `samples`", wanted)
-        if not is_integer(self.seed, 0):
-            self._fault("seed", shown(self.seed), "an integer >= 0")
-        per_combination = (self.samples or 1) if self.distributions else 1
-        if count([len(values) for values in self.lists.values()], per_combination, self.combine) > MAX_CASES:
+        if self.sampling == "sobol" and len(self.distributions) > _ancf.MAX_SOBOL_DIMENSION:
+            wanted = f"at most {_ancf.MAX_SOBOL_DIMENSION} in a Sobol sequence"
+            self._fault("parameters", f"{len(self.distributions)} distributions", wanted)
+        if self._cases() > _ancf.MAX_CASES:
             self._fault("parameters", "too many combinations", "at most 10 000 000 cases")
+
+    def _cases(self) -> float:
+        """Return the number of cases."""
+        per_combination = int(self.samples or 1) if self.distributions else 1
+        lengths = {path: len(values) for path, values in self.lists.items()}
+        found = layout(lengths, per_combination, "zip" if self.combine == "zip" else "grid")
+        return math.inf if found is None else found[1]
 
     def _zip(self) -> None:
         """Check that zipped lists have the same length."""
-        if self.combine != "zip" or not self.lists:
-            return
-        first, *others = self.lists
-        length = len(self.lists[first])
-        for path in others:
-            if len(self.lists[path]) != length:
-                wanted = f'{length}, as many as `{first}` has, since `combine` is "zip"'
-                self._fault(parameter_path(path), f"{len(self.lists[path])} values", wanted)
+        if self.combine == "zip":
+            lengths = [(path, len(values)) for path, values in self.lists.items()]
+            self.faults += [Fault(*arguments) for arguments in _ancf.zip_errors(lengths)]
 
     def _paths(self) -> None:
         """Find paths without a target and conflicts between parameters."""
-        self.first, places = dict(self.base), {}
-        for path in sorted([*self.lists, *self.distributions]):
-            value = self.lists[path][0] if path in self.lists else float(self.distributions[path].ppf(0.5))
-            try:
-                self.first, places[path] = _ancf.substitute(self.first, path, value)
-            except ModelError as error:
-                for one in error.errors:
-                    self._fault(parameter_path(path), one.found, one.wanted, one.hint)
-        for path, found, wanted, hint in conflicts(self.first, places):
-            self._fault(parameter_path(path), found, wanted, hint)
+        first = {path: values[0] for path, values in self.lists.items()}
+        first |= {path: float(law.ppf(0.5)) for path, law in self.distributions.items()}
+        self.first, errors = _ancf.check_places(self.base, sorted(first.items()))
+        self.faults += [Fault(*arguments) for arguments in errors]
 
     def _names(self) -> None:
         """Find columns of the table with the same name."""
         self.faults += key_faults("objectives", self.objectives.readings)
-        for path in sorted({*self.lists, *self.distributions} & set(COLUMNS)):
+        for path in sorted({*self.lists, *self.distributions} & set(_ancf.STUDY_COLUMNS)):
             self._fault(
                 parameter_path(path), f"`{path}`, which is another column of the table", "another path"
             )
         for name in with_text_keys(self.objectives.readings):
-            if name in COLUMNS or name in self.lists or name in self.distributions:
+            if name in _ancf.STUDY_COLUMNS or name in self.lists or name in self.distributions:
                 self._fault(
                     join("objectives", name),
                     f"`{name}`, which is another column of the table",
@@ -146,7 +143,7 @@ class Statement:
 
     def _samples(self) -> dict[str, list[Any]]:
         """Draw samples of all distributions. Their quantiles must be finite."""
-        drawn = samples(self.distributions, self.samples or 1, self.sampling, self.seed)
+        drawn = samples(self.distributions, int(self.samples or 1), self.sampling, int(self.seed))
         for path, values in drawn.items():
             wrong = next((x for x in values if not math.isfinite(x)), None)
             if wrong is not None:

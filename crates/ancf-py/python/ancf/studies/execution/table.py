@@ -43,15 +43,14 @@ def parameter_column(axis: ParameterAxis, cases: Sequence[int]) -> pa.Array:
     """Return the values of a parameter in a column of their common type, or as text."""
     import pyarrow as pa
 
-    kinds = set(map(type, axis.values))
     values = [axis.value(case) for case in cases]
-    if kinds <= {bool}:
+    if axis.column_type == "bool":
         return pa.array(values, pa.bool_())
-    if kinds <= {int} and all(abs(value) < 2**63 for value in axis.values):
+    if axis.column_type == "int64":
         return pa.array(values, pa.int64())
-    if kinds <= {int, float}:
-        return pa.array([float(value) for value in values], pa.float64())
-    return pa.array([text(value) for value in values], pa.string())
+    if axis.column_type == "double":
+        return pa.array(map(float, values), pa.float64())
+    return pa.array(map(text, values), pa.string())
 
 
 def text(value: Any) -> str:

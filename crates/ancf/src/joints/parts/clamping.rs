@@ -31,7 +31,7 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
             }
         }
         (Section(a), Section(b)) if fix == ClampedGradients::Section && corner(a, b) => {
-            clamp_corner(builder, a, b)
+            clamp_corner(builder, a, b);
         }
         (Section(_), Section(_) | Rigid(_)) => builder.coincide_directions(fix.of(&reference(here))),
         (Rigid(_), Section(_)) => builder.coincide_directions(fix.of(&reference(there))),

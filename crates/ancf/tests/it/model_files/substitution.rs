@@ -276,7 +276,7 @@ fn malformed_paths_are_rejected() {
         ("gravity[1]x", "`x` after a bracket or quotes"),
     ] {
         let error = rejection(path);
-        assert!(error.contains(&format!("found {found}, wanted keys with dots")), "{path}: {error}");
+        assert!(error.contains(&format!("found {found}, wanted keys separated by dots")), "{path}: {error}");
     }
 }
 

@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use ancf::Model;
-use ancf::model::{Body, Formulation};
+use ancf::model::Body;
 
 use super::inertia_box::{BOX_EDGE, POINT_MASS_RADIUS, inertia_box};
 use super::outline::{Outline, SIDES, outline_at};
@@ -110,7 +110,7 @@ fn taper(model: &Model, body: &Body, start: &Outline, count: usize) -> Option<Ve
 
 /// Stations at nodes: the ends of elements, and the middle node of quadratic elements if it has a station.
 fn nodes(body: &Body, parts: usize, count: usize) -> Vec<usize> {
-    let is_quadratic = matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Quadratic);
+    let is_quadratic = matches!(body, Body::Beam(beam) if beam.formulation.has_middle_node());
     let stride = if is_quadratic && parts.is_multiple_of(2) { parts / 2 } else { parts };
     (0..count).step_by(stride.max(1)).collect()
 }

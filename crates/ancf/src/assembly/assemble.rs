@@ -1,3 +1,4 @@
+use ancf_mechanics::bodies::BodyTerms;
 use std::collections::BTreeSet;
 
 use ancf_mechanics::kinematics::{Attachment, Marker};
@@ -67,16 +68,12 @@ impl Model {
     }
 
     /// Number of the body, arc length and place of a probe.
-    fn probed(
-        &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        probe: &Probe,
-    ) -> (usize, f64, Attachment) {
+    fn probed(&self, bodies: &[(String, BodyTerms)], probe: &Probe) -> (usize, f64, Attachment) {
         let index = self.body_of(&probe.on);
         let (s, [y, z]) = (self.bodies[index].arc_length(probe.on.at), probe.offset);
         let place = self.attachment(bodies, &probe.on);
         let point = match (place.axes(), &bodies[index].1) {
-            (Some([_, d, e]), ancf_mechanics::bodies::BodyTerms::Flexible(_)) => {
+            (Some([_, d, e]), BodyTerms::Flexible(_)) => {
                 Marker::combined([(1.0, &place.point), (y, d), (z, e)])
             }
             _ => place.point.clone(),

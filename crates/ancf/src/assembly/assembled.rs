@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use ancf_mechanics::bodies::BeamMesh;
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::{Attachment, Marker, VectorKind};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
@@ -11,18 +11,18 @@ use super::redundant::Redundant;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::Quantity;
 
-/// A model as equations of motion, with what is needed to read their solution.
+/// Equations of motion of a model, with the data to evaluate their solution.
 #[derive(Debug)]
 pub struct Assembly {
-    /// The equations of motion.
+    /// Equations of motion.
     pub system: System,
     /// Names and points of the probes.
     pub probes: Vec<(String, Marker)>,
     /// Quantities that the probes record.
     pub recorded_quantities: Vec<RecordedQuantity>,
-    /// Whether strain energies of bodies are recorded by part.
+    /// True if strain energies of bodies are recorded by part.
     pub energy_parts: bool,
-    pub(crate) bodies: Vec<(String, ancf_mechanics::bodies::BodyTerms)>,
+    pub(crate) bodies: Vec<(String, BodyTerms)>,
     pub(crate) joints: Vec<JointEquations>,
     pub(crate) couplings: Vec<String>,
     pub(crate) redundant: Vec<Redundant>,
@@ -37,20 +37,20 @@ pub struct Assembly {
 pub struct RecordedQuantity {
     /// Name of the probe.
     pub name: String,
-    /// What it records.
+    /// Recorded quantity.
     pub quantity: Quantity,
-    /// The point, and the directions there.
+    /// Attachment at the point of the probe.
     pub place: Attachment,
-    /// Number of the body.
+    /// Index of the body.
     pub body: usize,
     /// Arc length.
     pub s: f64,
-    /// (y, z) in the section.
+    /// Coordinates (y, z) in the section.
     pub offset: [f64; 2],
 }
 
 impl Assembly {
-    /// The reference configuration at rest.
+    /// Reference configuration at rest.
     pub fn rest(&self) -> State {
         State::rest(self.system.coordinates(), self.system.multipliers())
     }
@@ -60,49 +60,49 @@ impl Assembly {
         self.joints.iter().map(|joint| joint.name.as_str())
     }
 
-    /// What each joint exerts on its end `a` in a state.
+    /// Reaction of each joint in a state: force and moment on its end `a`.
     pub fn reactions<'a>(&'a self, s: &'a State) -> impl Iterator<Item = Wrench> + 'a {
         self.joints.iter().map(|joint| joint.reaction(s))
     }
 
-    /// The angles and displacements by which joints move, with the names of the joints.
+    /// Recorded coordinates of the joints, with the names of the joints.
     pub fn joint_coordinates(&self) -> impl Iterator<Item = (&str, &RecordedCoordinate)> {
         self.joints
             .iter()
             .flat_map(|joint| joint.recorded.iter().map(|coordinate| (joint.name.as_str(), coordinate)))
     }
 
-    /// The bodies and their names.
-    pub fn bodies(&self) -> impl Iterator<Item = (&str, &ancf_mechanics::bodies::BodyTerms)> {
+    /// Bodies with their names.
+    pub fn bodies(&self) -> impl Iterator<Item = (&str, &BodyTerms)> {
         self.bodies.iter().map(|(name, body)| (name.as_str(), body))
     }
 
-    /// The body of a number, as [`RecordedQuantity`] has it.
-    pub fn body_of(&self, number: usize) -> &ancf_mechanics::bodies::BodyTerms {
+    /// Body of an index, which [`RecordedQuantity`] contains.
+    pub fn body_of(&self, number: usize) -> &BodyTerms {
         &self.bodies[number].1
     }
 
-    /// Times at which loads and drives or their rates jump, in order: steps are best ended there.
+    /// Times at which loads and drives or their rates jump, in ascending order. Time steps should end there.
     pub fn breaks(&self) -> &[f64] {
         &self.breaks
     }
 
-    /// The mesh of a flexible body.
+    /// Mesh of a flexible body.
     pub fn mesh(&self, body: &str) -> Option<&BeamMesh> {
         self.bodies.iter().find(|(name, _)| name == body).and_then(|(_, body)| body.mesh())
     }
 
-    /// What an equation belongs to, in words: a node of a body, or a joint.
+    /// Description of the owner of an equation: a node of a body, or a joint.
     pub fn name_of(&self, equation: usize) -> String {
         self.name_in(equation, 1.0)
     }
 
-    /// Where an iteration failed, in words, with arc lengths as in [`name_in`](Self::name_in).
+    /// Description of the place of a failed iteration, with arc lengths as in [`name_in`](Self::name_in).
     pub(crate) fn place_of(&self, error: &SolveError, length: f64) -> String {
         error.worst.map_or_else(|| "the whole system".into(), |worst| self.name_in(worst, length))
     }
 
-    /// The same, with arc lengths of nodes in units of which a length of the assembly has so many.
+    /// Description of the owner of an equation. Arc lengths of nodes are multiplied by `length`, the unit of length of the assembly.
     pub(crate) fn name_in(&self, equation: usize, length: f64) -> String {
         let mut first = 0;
         for (name, body) in &self.bodies {
@@ -120,13 +120,13 @@ impl Assembly {
         }
         for joint in &self.joints {
             if equation < first + joint.coordinates.len() {
-                return format!("joint `{}`, its freedom", joint.name);
+                return format!("joint `{}`, its coordinate", joint.name);
             }
             first += joint.coordinates.len();
         }
         for (name, body) in &self.bodies {
             if equation < first + body.multipliers() {
-                return format!("body `{name}`, what keeps it rigid");
+                return format!("body `{name}`, rigidity constraint");
             }
             first += body.multipliers();
         }
@@ -142,29 +142,28 @@ impl Assembly {
         }
     }
 
-    /// The state in which analyses begin, at rest: the reference configuration or, if the model is to be assembled, that in
-    /// which its gaps are closed.
+    /// Initial state at rest: the reference configuration, or the configuration with closed gaps.
     pub fn initial(&self) -> State {
         self.closed.as_ref().map_or_else(|| self.rest(), |closed| State { load: 1.0, ..closed.state.clone() })
     }
 
-    /// How gaps were closed, if the model asks for it.
+    /// Closure of gaps, if the model requests it.
     pub fn closed(&self) -> Option<&GapClosure> {
         self.closed.as_ref()
     }
 
-    /// The first of the user's functions that is no number at the time of a state, if there is one.
+    /// First function of the user with a value that is not finite at the time of a state.
     pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
         self.inputs.no_number(s)
     }
 }
 
-/// At most four digits, without trailing zeros.
+/// Formats a number with at most four digits, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
-/// A vector of a node.
+/// Word of a nodal vector.
 const fn word(kind: VectorKind) -> &'static str {
     match kind {
         VectorKind::Position => "r",
@@ -174,7 +173,7 @@ const fn word(kind: VectorKind) -> &'static str {
     }
 }
 
-/// A vector of a rigid body.
+/// Word of a vector of a rigid body.
 const fn director(kind: VectorKind) -> &'static str {
     match kind {
         VectorKind::Position => "its centre",

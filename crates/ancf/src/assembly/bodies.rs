@@ -1,15 +1,15 @@
 //! Bodies of a model as coordinates and terms.
 
-use ancf_mechanics::bodies::{BeamMesh, MeshParameters};
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms, MeshParameters};
 use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Place};
+use crate::model::{Beam, Body, MaterialLaw, Model, Place};
 
 impl Model {
-    /// The bodies, coordinates and multipliers counted on from body to body.
-    pub(crate) fn meshes(&self) -> Vec<(String, ancf_mechanics::bodies::BodyTerms)> {
+    /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
+    pub(crate) fn meshes(&self) -> Vec<(String, BodyTerms)> {
         let mut first = [0, 0];
         let meshes = self.bodies.iter().map(|body| {
             let mesh = self.body(body, first);
@@ -19,19 +19,15 @@ impl Model {
         meshes.collect()
     }
 
-    fn body(&self, body: &Body, first: [usize; 2]) -> ancf_mechanics::bodies::BodyTerms {
+    fn body(&self, body: &Body, first: [usize; 2]) -> BodyTerms {
         let (centre, gravity) = (Vector3::from(body.span()[0]), Vector3::from(self.gravity));
         match body {
             Body::Rigid(rigid) => {
                 let rigid = RigidBody::new(first, centre, rigid.mass, rigid.tensor(), gravity);
-                ancf_mechanics::bodies::BodyTerms::Rigid(rigid)
+                BodyTerms::Rigid(rigid)
             }
-            Body::Mass(point) => ancf_mechanics::bodies::BodyTerms::Rigid(RigidBody::point(
-                first[0], centre, point.mass, gravity,
-            )),
-            Body::Beam(_) | Body::Cable(_) => {
-                ancf_mechanics::bodies::BodyTerms::Flexible(self.mesh(body, first[0]))
-            }
+            Body::Mass(point) => BodyTerms::Rigid(RigidBody::point(first[0], centre, point.mass, gravity)),
+            Body::Beam(_) | Body::Cable(_) => BodyTerms::Flexible(self.mesh(body, first[0])),
         }
     }
 
@@ -64,7 +60,7 @@ impl Model {
         let blueprint =
             MeshParameters { first, origin, length, slope, medium: &medium, section: &section, prismatic };
         match body {
-            Body::Beam(beam) => match beam.formulation.two_node() {
+            Body::Beam(beam) => match beam.formulation.two_node_law() {
                 Some(formulation) => {
                     BeamMesh::two_node(&blueprint, &nodes(elements, beam.twist), formulation)
                 }
@@ -74,34 +70,18 @@ impl Model {
         }
     }
 
-    /// Number of the body of a place.
+    /// Index of the body of a place.
     pub(crate) fn body_of(&self, place: &Place) -> usize {
         let index = self.bodies.iter().position(|body| body.name() == place.body);
-        index.expect("a checked model names bodies that are there")
+        index.expect("a checked model names existing bodies")
     }
 
-    /// What a place holds on to.
-    pub(crate) fn attachment(
-        &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        place: &Place,
-    ) -> Attachment {
+    /// Attachment of a place to its body.
+    pub(crate) fn attachment(&self, bodies: &[(String, BodyTerms)], place: &Place) -> Attachment {
         let index = self.body_of(place);
         let body = &self.bodies[index];
         let point = body.point(place.at).expect("a checked place is on its body");
         let attachment = bodies[index].1.attachment(body.arc_length(place.at), point);
         if place.offset == [0.0; 3] { attachment } else { attachment.offset(Vector3::from(place.offset)) }
-    }
-}
-
-impl Formulation {
-    /// The formulation of the two-node element, if it is one.
-    const fn two_node(self) -> Option<ancf_mechanics::elements::TwoNodeLaw> {
-        match self {
-            Self::Continuum => Some(ancf_mechanics::elements::TwoNodeLaw::Continuum),
-            Self::Enhanced => Some(ancf_mechanics::elements::TwoNodeLaw::Enhanced),
-            Self::Linked => Some(ancf_mechanics::elements::TwoNodeLaw::Linked),
-            Self::Quadratic => None,
-        }
     }
 }

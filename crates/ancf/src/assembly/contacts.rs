@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ancf_mechanics::bodies::BeamMesh;
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::contact::{
     BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts, ObstacleShape,
 };
@@ -12,15 +12,15 @@ use nalgebra::Vector3;
 
 use crate::model::{Contact, Model, ObstacleKind};
 
-/// Depth of the transition as a part of the smallest radius.
+/// Depth of the transition, relative to the smallest radius.
 const TRANSITION: f64 = 0.02;
-/// Slip speed as a part of length over duration.
+/// Default slip speed, relative to length divided by duration.
 const SLIP: f64 = 1e-3;
-/// Fewest points of an element, and most by default.
+/// Smallest and largest default number of contact points per element.
 const POINTS: [f64; 2] = [4.0, 1e4];
 
 impl Contact {
-    /// Points of each element of a length of a body of a radius.
+    /// Number of contact points per element of a body with a radius.
     fn points(&self, length: f64, radius: f64) -> usize {
         let spacing = match self.with.obstacle().map(ObstacleKind::shape) {
             Some(ObstacleShape::Plane) => f64::INFINITY,
@@ -35,7 +35,7 @@ impl Contact {
         )
     }
 
-    /// The law of bodies of which the thinnest has a radius.
+    /// Contact law. `radius` is the smallest radius of the bodies.
     fn law(&self, model: &Model, radius: f64) -> ContactLaw {
         let creep = model.analysis.dynamics().map_or(1.0, |d| SLIP * model.length() / d.duration);
         ContactLaw {
@@ -49,10 +49,10 @@ impl Contact {
 }
 
 impl Model {
-    /// The contacts of a valid model; what overlaps in the state in which analyses begin is joined.
+    /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
     pub(crate) fn encounters(
         &self,
-        built: &[(String, ancf_mechanics::bodies::BodyTerms)],
+        built: &[(String, BodyTerms)],
         begin: &State,
     ) -> Vec<Arc<dyn ContactSearch>> {
         let of = |contact: &Contact| -> Option<Arc<dyn ContactSearch>> {

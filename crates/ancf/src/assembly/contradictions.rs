@@ -7,12 +7,12 @@ use crate::errors::{Finding, ModelError};
 use crate::joints::JointEquations;
 use crate::model::{Analysis, Model, TimeMode};
 
-/// Instants of a motion at which they are compared.
+/// Number of instants of a motion at which constraints are compared.
 const INSTANTS: u32 = 128;
 
-/// Finds joints that contradict others: they tie what those tie, to something else.
+/// Finds joints that contradict others: redundant constraints with inconsistent values.
 ///
-/// The model must obey all other rules.
+/// The model must satisfy all other checks.
 pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
     let time_mode = model.time_mode();
     let meshes = model.meshes();

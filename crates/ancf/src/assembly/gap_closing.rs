@@ -1,4 +1,4 @@
-//! Gaps between the places that joints connect, and how they are closed before an analysis begins.
+//! Closure of gaps between the ends of joints before an analysis.
 
 use ancf_mechanics::bodies::BodyTerms;
 use ancf_solver::equations::{EquationsOfMotion, State, System, Weights};
@@ -9,26 +9,28 @@ use crate::errors::{ModelError, ModelErrors};
 use crate::joints::{Gap, GapClosure, JointEquations};
 use crate::model::{Model, TimeMode};
 
-/// Gaps that are none, relative to the length of the model.
+/// Gap tolerance, relative to the length of the model.
 const GAP: f64 = 1e-12;
-/// Displacements that are none to speak of, relative to the length of the model.
+/// Smallest reported displacement, relative to the length of the model.
 const MOVED: f64 = 1e-6;
-/// An increment of the coordinates that ends an iteration, relative to the length of the model.
+/// Convergence tolerance of the increments, relative to the length of the model.
 const INCREMENT: f64 = 1e-11;
-/// Newton iterations of an increment.
+/// Largest number of Newton iterations per increment.
 const ITERATIONS: u32 = 60;
-/// The smallest part of the gaps that is closed at once.
+/// Smallest increment, relative to the gaps.
 const SMALLEST: f64 = 1e-4;
-/// 1/τ² of the first solution, relative to the lowest ratio of stiffness to mass, and by how much it falls from one to the next.
+/// 1/τ² of the first solution, relative to the lowest ratio of stiffness to mass, and its factor between solutions.
 const RATE: (f64, f64) = (1e-2, 1e-2);
-/// Solutions after all gaps are closed.
+/// Number of solutions with closed gaps.
 const SETTLE: u32 = 4;
 
 impl Model {
     /// Closes all gaps of an assembly of this model: min U(q) + |q − q₀|²_M / 2τ² subject to Φ(q) = 0.
     ///
-    /// Without loads and with all drives at zero. The gaps close in increments, each by Newton's method; then τ grows and q₀
-    /// follows, so that bodies that can be moved into place without strain are (the proximal point method; Rockafellar 1976).
+    /// Loads and drives are zero. The gaps close in increments, each by Newton's method. Then τ increases and q₀ is updated, so
+    /// that bodies move without strain where possible.
+    ///
+    /// Source: Rockafellar (1976), the proximal point method.
     ///
     /// # Errors
     /// If the gaps cannot be closed.
@@ -69,7 +71,7 @@ impl Model {
     }
 }
 
-/// The largest displacement of the nodes of a body.
+/// Largest displacement of the nodes of a body.
 fn displacement(body: &BodyTerms, s: &State) -> f64 {
     let positions = body.vectors(s).into_iter().filter(|vector| vector.is_position());
     let moved = positions.map(|vector| {
@@ -79,7 +81,7 @@ fn displacement(body: &BodyTerms, s: &State) -> f64 {
     moved.fold(0.0, f64::max)
 }
 
-/// The state in which gaps are closed, by increments of the load factor; at rest.
+/// Solves for the state at rest with closed gaps, by increments of the load factor.
 fn closed(system: &System, length: f64) -> Result<State, SolveError> {
     let mut s = State { load: 0.0, ..State::rest(system.coordinates(), system.multipliers()) };
     let mut rate = RATE.0 * slowest(system, &s);
@@ -108,7 +110,7 @@ fn closed(system: &System, length: f64) -> Result<State, SolveError> {
     Ok(s)
 }
 
-/// Newton's method for ∂U/∂q + M (q − q₀)/τ² + Φ_qᵀ λ = 0, Φ = 0; a state has (q − q₀)/τ² in the place of its accelerations.
+/// Solves ∂U/∂q + M (q − q₀)/τ² + Φ_qᵀ λ = 0, Φ = 0 by Newton's method. The accelerations of the state contain (q − q₀)/τ².
 fn settle(system: &System, newton: &mut Newton, s: &mut State, rate: f64) -> Result<(), SolveError> {
     newton.solve(system, s, Weights { q: 1.0, v: 0.0, a: rate })?;
     match system.inadmissible(s) {
@@ -127,7 +129,7 @@ fn settle(system: &System, newton: &mut Newton, s: &mut State, rate: f64) -> Res
     }
 }
 
-/// The lowest ratio K_ii/M_ii of a coordinate that has both; one if there is none.
+/// Lowest ratio K_ii/M_ii of the coordinates with stiffness and mass; 1 if there are none.
 fn slowest(system: &System, s: &State) -> f64 {
     let (mut stiffness, mut mass) = (system.matrix(), system.matrix());
     system.tangent(s, Weights::STIFFNESS, &mut stiffness);

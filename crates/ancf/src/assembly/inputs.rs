@@ -1,33 +1,34 @@
-//! Functions of the user at one instant: which of them is no number.
+//! Functions of the user, and the search for values that are not finite.
 
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::Marker;
 use ancf_solver::equations::State;
 
 use crate::model::{Load, Model, TimeMode, loads_of};
 
-/// The functions of a model, with the paths of their keys.
+/// Functions of a model, with the paths of their keys.
 #[derive(Debug, Default)]
 pub(crate) struct Inputs {
-    /// Functions of time; of those that drive joints, rates count too.
+    /// Functions of time. The flag is true for drives, whose rates are used.
     times: Vec<(String, Function, bool)>,
-    /// Forces that the program computes, and where they act.
+    /// External forces with their points of application.
     forces: Vec<(String, Marker, ForceFunction)>,
 }
 
-/// A function that is no number.
+/// Function with a value that is not finite.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct NoNumber {
-    /// The path of its key, such as `loads[0].time`.
+    /// Path of its key, such as `loads[0].time`.
     pub(crate) path: String,
-    /// What of it is none: "value", "rate" or "acceleration".
+    /// "value", "rate" or "acceleration".
     pub(crate) what: &'static str,
-    /// What it is instead.
+    /// Value that is not finite.
     pub(crate) value: f64,
 }
 
 impl Inputs {
-    /// The first of the user's functions that is no number at the time of a state, if there is one.
+    /// First function with a value that is not finite at the time of a state.
     pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
         let of_time = |(path, function, drives): &(String, Function, bool)| {
             let now = function.at(s.t);
@@ -47,11 +48,7 @@ impl Inputs {
 
 impl Model {
     /// Functions of an assembly of this model.
-    pub(crate) fn inputs(
-        &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        time_mode: TimeMode,
-    ) -> Inputs {
+    pub(crate) fn inputs(&self, bodies: &[(String, BodyTerms)], time_mode: TimeMode) -> Inputs {
         let times = self.time_functions().into_iter();
         let times = times.map(|(path, time)| {
             let drives = path.starts_with("joints");
@@ -64,7 +61,7 @@ impl Model {
         Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
     }
 
-    /// Breaks of all functions of time, in order.
+    /// Breaks of all functions of time, in ascending order.
     pub(crate) fn breaks(&self, time_mode: TimeMode) -> Vec<f64> {
         let functions = self.time_functions().into_iter();
         let mut breaks: Vec<f64> =

@@ -1,5 +1,6 @@
 //! Joints and couplings of a model as equations.
 
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::constraints::{BilinearMeasure as Measured, MeasureConstraint};
 use ancf_mechanics::kinematics::{Attachment, ElementAxis};
 use ancf_solver::equations::Term;
@@ -9,23 +10,20 @@ use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
     JointKind, Numbering,
 };
-use crate::model::{Beam, Body, Formulation, Model, Place, TimeMode};
+use crate::model::{Body, Model, Place, TimeMode};
 
 impl Model {
     /// Numbers of coordinates and multipliers of bodies and joints.
-    pub(crate) fn numbers(
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        joints: &[JointEquations],
-    ) -> [usize; 2] {
+    pub(crate) fn numbers(bodies: &[(String, BodyTerms)], joints: &[JointEquations]) -> [usize; 2] {
         let of_bodies = bodies.iter().map(|(_, body)| [body.coordinates(), body.multipliers()]);
         let of_joints = joints.iter().map(|joint| [joint.coordinates.len(), joint.multipliers.len()]);
         of_bodies.chain(of_joints).fold([0, 0], |[n, m], [c, l]| [n + c, m + l])
     }
 
-    /// The equations of the joints; coordinates and multipliers are numbered after those of the bodies.
+    /// Equations of the joints. Coordinates and multipliers are numbered after those of the bodies.
     pub(crate) fn joint_equations(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
+        bodies: &[(String, BodyTerms)],
         time_mode: TimeMode,
     ) -> Vec<JointEquations> {
         let [mut coordinate, mut multiplier] = Self::numbers(bodies, &[]);
@@ -39,11 +37,11 @@ impl Model {
         equations.collect()
     }
 
-    /// The equations of one joint.
+    /// Equations of one joint.
     fn equations_of(
         &self,
         joint: &dyn JointKind,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
+        bodies: &[(String, BodyTerms)],
         numbering: Numbering,
         coupled: &dyn Fn(JointCoordinate) -> bool,
     ) -> JointEquations {
@@ -62,7 +60,7 @@ impl Model {
         builder.finish()
     }
 
-    /// The treatment of the gap of a joint in the analysis.
+    /// Treatment of the gap of a joint in the analysis.
     pub(crate) fn gap(&self, joint: &Joint) -> Gap {
         let moves = self.analysis.dynamics().is_some();
         let is_drawn = matches!(joint.ends().1, End::Point(_)) && !(moves && self.assemble);
@@ -74,20 +72,16 @@ impl Model {
     }
 
     /// Element axes of a flexible body, and the arc length of a place on it.
-    fn beam(
-        &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
-        place: &Place,
-    ) -> Option<(Vec<ElementAxis>, f64)> {
+    fn beam(&self, bodies: &[(String, BodyTerms)], place: &Place) -> Option<(Vec<ElementAxis>, f64)> {
         let index = self.body_of(place);
         let axes = bodies[index].1.mesh()?.element_axes().collect();
         Some((axes, self.bodies[index].arc_length(place.at)))
     }
 
-    /// The equations of the couplings, by multipliers after those of the joints.
+    /// Equations of the couplings. Multipliers are numbered after those of the joints.
     pub(crate) fn coupling_terms(
         &self,
-        bodies: &[(String, ancf_mechanics::bodies::BodyTerms)],
+        bodies: &[(String, BodyTerms)],
         joints: &[JointEquations],
     ) -> Vec<Box<dyn Term>> {
         let [_, first] = Self::numbers(bodies, joints);
@@ -96,17 +90,17 @@ impl Model {
             let coordinate = joints[joint].recorded.iter().find_map(|recorded| recorded.coupled(free))?;
             Some(measure.plus(coordinate, part.factor))
         };
-        let tie = |(k, coupling): (usize, &Coupling)| {
+        let equation = |(k, coupling): (usize, &Coupling)| {
             let measure = coupling.joints.iter().try_fold(Measured::default(), part);
             let measure = measure.expect("a checked coupling names coordinates of its joints");
             Box::new(MeasureConstraint::new(measure, first + k).named("coupling")) as Box<dyn Term>
         };
-        self.couplings.iter().enumerate().map(tie).collect()
+        self.couplings.iter().enumerate().map(equation).collect()
     }
 
     /// True if a place is on a beam of the continuum formulation.
     fn is_continuum(&self, place: &Place) -> bool {
         let body = &self.bodies[self.body_of(place)];
-        matches!(body, Body::Beam(Beam { formulation: Formulation::Continuum, .. }))
+        matches!(body, Body::Beam(beam) if beam.formulation.is_continuum())
     }
 }

@@ -1,4 +1,4 @@
-//! Joint equations that follow from others: by name, and whether they contradict them.
+//! Redundant joint equations, and contradictions between them.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt;
@@ -8,22 +8,23 @@ use ancf_solver::factor::SparseVector;
 
 use crate::joints::JointEquations;
 
-/// Redundant equations agree if no more than this part of what they say is left over.
+/// Redundant equations agree if their relative residual is at most this.
 const AGREE: f64 = 1e-9;
-/// They part if more than this is left over, which is also beyond as many rounding bounds as this is of 1.
+/// Redundant equations separate if their relative residual exceeds this, and the residual exceeds the rounding bound by the
+/// inverse of this.
 pub(crate) const APART: f64 = 1e-3;
-/// Rounding bounds within which they agree as well.
+/// Multiple of the rounding bound within which redundant equations agree.
 const ROUNDING: f64 = 8.0;
-/// A joint equation that follows from others, in words: its forces are shared with theirs.
+/// Redundant joint equation. Its multiplier is shared with the equations on which it depends.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Redundant {
-    /// Name of the joint or coupling, the last in the model of those that depend on each other, couplings after joints.
+    /// Name of the joint or coupling: the last one of the dependent equations. Couplings follow joints.
     pub joint: String,
-    /// Whether it is a coupling.
+    /// True for a coupling.
     pub coupling: bool,
-    /// The equation, such as "hinge axis, second equation".
+    /// Equation, such as "hinge axis, second equation".
     pub equation: String,
-    /// Names of the joints, then of the couplings, from which it follows.
+    /// Names of the joints, then of the couplings, on which the equation depends.
     pub with: Vec<String>,
 }
 
@@ -48,16 +49,16 @@ impl fmt::Display for Redundant {
     }
 }
 
-/// The constraints of a model: terms by their multipliers.
+/// Constraints of a model as terms, by multiplier.
 pub(crate) struct Constraints<'a> {
     terms: Vec<&'a dyn Term>,
     joints: &'a [JointEquations],
-    /// Names of couplings; their multipliers are the last ones.
+    /// Names of the couplings, whose multipliers are the last ones.
     couplings: Vec<&'a str>,
     pub(crate) multipliers: usize,
 }
 
-/// What a multiplier belongs to, by number.
+/// Owner of a multiplier, with its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Owner {
     Joint(usize),
@@ -75,18 +76,18 @@ impl<'a> Constraints<'a> {
         Self { terms, joints, couplings: couplings.into_iter().map(String::as_str).collect(), multipliers }
     }
 
-    /// The rows of Φ_q in a state, by multiplier.
+    /// Rows of Φ_q in a state, by multiplier.
     fn rows(&self, s: &State) -> Vec<SparseVector> {
         all_constraint_rows(self.terms.iter().copied(), self.multipliers, s)
     }
 
-    /// The rows that follow from earlier ones in a state.
+    /// Rows that depend on earlier rows in a state.
     pub(crate) fn dependences(&self, s: &State, tolerance: f64) -> Vec<Dependence> {
         dependences(self.rows(s), tolerance)
     }
 
-    /// The multipliers that dependences leave undetermined, here or as bodies move: all that share coordinates with them,
-    /// be it by way of others.
+    /// Multipliers that are undetermined because of dependences, in this state or others: all that share coordinates with
+    /// them, directly or through other constraints.
     pub(crate) fn undetermined(&self, found: &[Dependence], s: &State) -> BTreeSet<usize> {
         let rows = if found.is_empty() { Vec::new() } else { self.rows(s) };
         let mut of: HashMap<usize, Vec<usize>> = HashMap::new();
@@ -104,7 +105,7 @@ impl<'a> Constraints<'a> {
         reached
     }
 
-    /// The joint or the coupling that a multiplier belongs to, if it is one of either.
+    /// Joint or coupling of a multiplier; `None` for other constraints.
     pub(crate) fn owner(&self, multiplier: usize) -> Option<Owner> {
         let coupling = multiplier.checked_sub(self.multipliers - self.couplings.len());
         let after = self.joints.partition_point(|joint| joint.multipliers.start <= multiplier);
@@ -119,7 +120,7 @@ impl<'a> Constraints<'a> {
         }
     }
 
-    /// Dependences in words.
+    /// Descriptions of dependences.
     pub(crate) fn words(&self, found: &[Dependence]) -> Vec<Redundant> {
         found.iter().filter_map(|dependence| self.describe(dependence)).collect()
     }
@@ -138,9 +139,9 @@ impl<'a> Constraints<'a> {
         Some(Redundant { joint: self.name(own), coupling, equation, with })
     }
 
-    /// Those dependences that contradict what they depend on, in the reference state or in one of some states of rest.
+    /// Dependences with inconsistent values, in the reference state or in one of the `states` at rest.
     ///
-    /// Of constraints that are not linear a dependence is one of the reference state, which alone has a say about them.
+    /// Dependences of nonlinear constraints are evaluated in the reference state only.
     pub(crate) fn contradictions<'d>(
         &self,
         found: &'d [Dependence],
@@ -172,7 +173,7 @@ impl<'a> Constraints<'a> {
         (0..found.len()).filter(|k| wrong.contains(k)).map(|k| &found[k]).collect()
     }
 
-    /// Φ in a state of rest, and a bound of its rounding error.
+    /// Residuals Φ in a state at rest, and bounds of their rounding errors.
     pub(crate) fn values(&self, s: &State) -> [Vec<f64>; 2] {
         let [mut phi, mut floor] = [vec![0.0; self.multipliers], vec![0.0; self.multipliers]];
         for term in &self.terms {
@@ -189,7 +190,7 @@ impl<'a> Constraints<'a> {
         [phi, floor]
     }
 
-    /// The rows of Φ_q that are the same wherever bodies are.
+    /// Linear constraints: rows of Φ_q that do not depend on the state.
     fn linear(&self, s: &State) -> HashSet<usize> {
         let mut elsewhere = s.clone();
         // Any place will do that has no symmetry.

@@ -4,20 +4,19 @@ use super::assembled::Assembly;
 use super::redundant::{APART, Constraints, Redundant};
 
 impl Assembly {
-    /// The joint equations that follow from others in the reference state, by name: forces are shared between them in least
-    /// squares, and none of the motion depends on how.
+    /// Redundant joint equations in the reference state. Multipliers are shared in the least-squares sense, which does not affect
+    /// the motion.
     pub fn redundant(&self) -> &[Redundant] {
         &self.redundant
     }
 
-    /// The joint equations that follow from others in a state, or nearly do, and by how much they miss it: less than
-    /// `tolerance`, relative to what they tie.
+    /// Joint equations that are redundant in a state within a relative `tolerance`.
     pub fn redundant_in(&self, s: &State, tolerance: f64) -> Vec<Redundant> {
         let constraints = self.constraints();
         constraints.words(&constraints.dependences(s, tolerance))
     }
 
-    /// The joint equations that contradict others in a state, by name.
+    /// Joint equations that contradict others in a state.
     pub fn contradicting(&self, s: &State) -> Vec<Redundant> {
         let constraints = self.constraints();
         let found = constraints.dependences(s, REDUNDANCY_TOLERANCE);
@@ -25,8 +24,8 @@ impl Assembly {
         wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
     }
 
-    /// The joint equations that part from those they depend on when time goes on from a state, by name: of equations that are
-    /// not linear, where [`contradicting`](Self::contradicting) does not judge. The state is that of a solution but for its time.
+    /// Nonlinear joint equations that separate from the equations on which they depend after a state. Linear ones are found by
+    /// [`contradicting`](Self::contradicting). The state is a solution except for its time.
     pub(crate) fn parting(&self, s: &State) -> Vec<Redundant> {
         let constraints = self.constraints();
         let found = constraints.dependences(s, REDUNDANCY_TOLERANCE);
@@ -43,12 +42,12 @@ impl Assembly {
         found.iter().filter(parts).filter_map(|dependence| constraints.describe(dependence)).collect()
     }
 
-    /// By how much the constraint equations exceed their rank in the reference state.
+    /// Number of constraint equations minus their rank in the reference state.
     pub(crate) fn rank_deficiency(&self) -> usize {
         self.constraints().dependences(&self.rest(), REDUNDANCY_TOLERANCE).len()
     }
 
-    /// Multipliers that redundant equations leave undetermined.
+    /// Multipliers that are undetermined because of redundant equations.
     pub(crate) fn undetermined(&self) -> impl Iterator<Item = usize> {
         self.undetermined.iter().copied()
     }
@@ -57,7 +56,7 @@ impl Assembly {
         Constraints::new(self.system.terms().iter().map(AsRef::as_ref), &self.joints, &self.couplings)
     }
 
-    /// Finds out what is redundant, and has its multipliers shared.
+    /// Finds redundant equations and shares their multipliers.
     pub(crate) fn sharing(mut self) -> Self {
         let (rest, constraints) = (self.rest(), self.constraints());
         let found = constraints.dependences(&rest, REDUNDANCY_TOLERANCE);

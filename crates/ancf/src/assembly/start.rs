@@ -1,4 +1,4 @@
-//! Velocities with which a motion starts.
+//! Initial velocities.
 
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
@@ -7,8 +7,8 @@ use super::assembled::Assembly;
 use crate::model::Model;
 
 impl Assembly {
-    /// The state in which a motion starts, with the velocities that the model states; joints may contradict them
-    /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the one that was assembled.
+    /// Initial state with the velocities of the model. They may violate the joints
+    /// ([`consistent_velocities`](ancf_solver::dynamics::consistent_velocities)). `model` is the assembled model.
     pub fn start(&self, model: &Model) -> State {
         let mut s = self.initial();
         for (body, (_, built)) in model.bodies.iter().zip(self.bodies()) {

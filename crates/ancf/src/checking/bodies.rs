@@ -1,13 +1,13 @@
-//! The rules of bodies that the schema cannot say.
+//! Checks of bodies beyond the schema.
 
 use ancf_mechanics::elements::is_physical_inertia;
 use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, is_direction, no_direction, unknown};
 use crate::errors::{Finding, finding, number};
-use crate::model::{Beam, Body, Formulation, MaterialLaw, Model, Shape, beams_of, bodies_of};
+use crate::model::{Beam, Body, MaterialLaw, Model, Shape, beams_of, bodies_of};
 
-/// Sections and materials are there; the axis is a curve and the direction `up` is not along it.
+/// Checks that sections and materials exist, that the axis is a curve, and that `up` is not parallel to it.
 pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, body) in bodies_of(model) {
@@ -36,7 +36,7 @@ pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
     findings
 }
 
-/// Moments of inertia are those of matter: none exceeds the sum of the others.
+/// Checks that the moments of inertia are physical: none exceeds the sum of the others.
 fn rule_of_inertia(path: &str, body: &Body) -> Option<Finding> {
     let Body::Rigid(rigid) = body else { return None };
     (!is_physical_inertia(&rigid.tensor())).then(|| {
@@ -101,7 +101,7 @@ fn no_curve(path: &str, shape: &Shape) -> Finding {
     }
 }
 
-/// A helix ends where the body is said to end.
+/// Checks that a helix ends at the end of the body.
 fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -> Option<Finding> {
     ((end - to).norm() > COINCIDENT * length).then(|| {
         let at = |r: &Vector3<f64>| format!("[{}, {}, {}]", number(r.x), number(r.y), number(r.z));
@@ -109,7 +109,7 @@ fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -
     })
 }
 
-/// A cable bends equally about every axis across.
+/// Checks that the bending stiffness of a cable is equal about all transverse axes.
 pub(crate) fn cables(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, body) in bodies_of(model) {
@@ -140,14 +140,12 @@ pub(crate) fn cables(model: &Model) -> Vec<Finding> {
     findings
 }
 
-/// What a formulation cannot do, it is not asked to.
+/// Rejects materials and sections that a formulation does not support.
 pub(crate) fn formulations(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, beam) in beams_of(model) {
         let material = model.materials.get(&beam.material);
-        if beam.formulation != Formulation::Continuum
-            && material.is_some_and(|m| m.law == MaterialLaw::NeoHookean)
-        {
+        if !beam.formulation.is_continuum() && material.is_some_and(|m| m.law == MaterialLaw::NeoHookean) {
             let wanted = "\"continuum\", which alone integrates a neo-Hookean law over the section";
             let error = finding(
                 format!("{path}.formulation"),

@@ -1,4 +1,5 @@
-//! What a body cannot do it is not asked to: a cable has a tangent only, a point mass no directions, a rigid body no strain.
+//! Rejects joints, loads and probes that a body does not support: a cable has only a tangent, a point mass no directions, a rigid
+//! body no strain.
 
 use super::findings::{body, named, places_of};
 use crate::errors::{Finding, finding, quoted};
@@ -69,7 +70,7 @@ fn rule(model: &Model, path: String, name: &str, capability: &Capability, what: 
     Some(finding(path, found, wanted).rests_on(["bodies".into()]))
 }
 
-/// Arms are fixed to sections and to rigid bodies.
+/// Checks that arms are attached to sections or rigid bodies.
 fn arms(model: &Model) -> Vec<Finding> {
     let armed = places_of(model).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {

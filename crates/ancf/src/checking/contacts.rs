@@ -1,10 +1,10 @@
-//! The rules of contacts that the schema cannot say.
+//! Checks of contacts beyond the schema.
 
 use super::findings::{body, is_direction, named, no_direction, rule_of_place, unknown_body};
 use crate::errors::{Finding, finding, quoted};
 use crate::model::{Body, Contact, Model, ObstacleKind};
 
-/// Bodies are there and have a radius; obstacles have a direction and something with directions that carries them.
+/// Checks that bodies exist and have a radius, and that obstacles have a direction and a carrier with directions.
 pub(crate) fn contacts(model: &Model) -> Vec<Finding> {
     let each = model.contacts.iter().enumerate();
     each.flat_map(|(i, contact)| rules_of_contact(model, &format!("contacts[{i}]"), contact)).collect()

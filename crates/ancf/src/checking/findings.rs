@@ -1,4 +1,4 @@
-//! Findings: what is wrong with a key, and what it is compared with.
+//! Findings about keys, and the keys on which each finding depends.
 
 use nalgebra::Vector3;
 
@@ -7,10 +7,10 @@ use crate::joints::End;
 use crate::model::{At, Body, Model, NamedPosition, ON_AXIS, Place, bodies_of, joints_of, loads_of};
 use crate::schema::did_you_mean;
 
-/// How far apart, relative to the longer body, two places may be that a joint connects.
+/// Largest distance of the ends of a joint, relative to the longer body.
 pub(crate) const COINCIDENT: f64 = 1e-6;
 
-/// Whether a vector has a direction, as numbers go.
+/// True if a vector has a direction: its norm is a normal number.
 pub(crate) fn is_direction(vector: [f64; 3]) -> bool {
     Vector3::from(vector).norm().is_normal()
 }
@@ -19,7 +19,7 @@ pub(crate) fn no_direction(path: String, vector: [f64; 3]) -> Finding {
     finding(path, format!("a vector of length {}", number(Vector3::from(vector).norm())), "a direction")
 }
 
-/// A reference to something that the model does not have.
+/// Finding for an unknown name.
 pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) -> Finding {
     let wanted = match names.len() {
         0 => format!("the name of a {noun}, but there is none"),
@@ -30,7 +30,7 @@ pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) ->
     Finding { absence: true, ..did_you_mean(error, nearest(name, names).map(quoted)).into() }
 }
 
-/// All places of joints, loads and probes.
+/// Places of joints, loads and probes with their paths.
 pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
     let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
@@ -82,17 +82,17 @@ pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Optio
     }
 }
 
-/// The body of a place.
+/// Body of a place, with its path.
 pub(crate) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
     named(model, &place.body)
 }
 
-/// The first body of a name; that there is only one is another rule.
+/// First body of a name, with its path. Another check requires unique names.
 pub(crate) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
     bodies_of(model).find(|(_, body)| body.name() == name)
 }
 
-/// A name that no body has.
+/// Finding for an unknown body.
 pub(crate) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
     let names = model.bodies.iter().map(Body::name).collect();
     unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))

@@ -1,4 +1,4 @@
-//! The rules of joints, of what acts on them and of couplings.
+//! Checks of joints, of drives, springs and friction, and of couplings.
 
 use ancf_solver::equations::LOCAL;
 use nalgebra::Vector3;
@@ -9,7 +9,7 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
 use crate::model::{Model, TimeFunction, Varying, joints_of};
 
-/// Axes are directions.
+/// Checks that axes are directions.
 pub(crate) fn axes(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
@@ -19,12 +19,12 @@ pub(crate) fn axes(model: &Model) -> Vec<Finding> {
     findings
 }
 
-/// Rules that the kinds of joints state themselves.
+/// Checks of the kinds of joints.
 pub(crate) fn kinds(model: &Model) -> Vec<Finding> {
     joints_of(model).flat_map(|(path, joint)| joint.kind().check(&path, model)).collect()
 }
 
-/// What spans two points has two; the ground has a point for nothing else that is new.
+/// Checks that joints between two points have distinct points, and that other joints have no ground point unless they accept one.
 pub(crate) fn spans(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, b) = joint.ends();
@@ -57,8 +57,8 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
     joints_of(model).filter_map(rule).collect()
 }
 
-/// Drives state one amount, start at the undeformed state and do not jump; rates have integrals.
-pub(crate) fn acting(model: &Model) -> Vec<Finding> {
+/// Checks that drives state one amplitude, start at the undeformed state and are continuous, and that rates can be integrated.
+pub(crate) fn drives(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
         let (angle, displacement) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
@@ -105,12 +105,12 @@ fn rule_of_drive(
     }
 }
 
-/// What is large of an angle or a displacement.
+/// Reference magnitude for the tolerance of an angle or a displacement.
 fn scale(model: &Model, own: &str) -> f64 {
     if own == "angle" { 1.0 } else { model.length() }
 }
 
-/// Couplings name free coordinates of joints, each once, with factors.
+/// Checks that couplings name free coordinates of joints, each once, with nonzero factors.
 pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, coupling) in model.couplings.iter().enumerate() {
@@ -146,12 +146,14 @@ fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -
         return Some(finding(key, found, wanted).rests_on(["joints".into()]));
     };
     if model.coupled_coordinate(part).is_none() {
-        let found = "a freedom that the joint does not have";
+        let found = "a coordinate that the joint does not have";
         return Some(finding(format!("{path}.of"), found, listed).rests_on(["joints".into(), key]));
     }
     if part.factor == 0.0 {
         return Some(finding(format!("{path}.factor"), "0", "a factor that is not 0"));
     }
     let again = before.iter().any(|other| model.coupled_coordinate(other) == model.coupled_coordinate(part));
-    again.then(|| finding(key.clone(), format!("{} a second time", quoted(&part.joint)), "each freedom once"))
+    again.then(|| {
+        finding(key.clone(), format!("{} a second time", quoted(&part.joint)), "each coordinate once")
+    })
 }

@@ -1,4 +1,4 @@
-//! Rules that a valid model satisfies beyond its schema.
+//! Checks of a model beyond its schema.
 
 mod bodies;
 mod capabilities;

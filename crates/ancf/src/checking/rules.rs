@@ -1,4 +1,4 @@
-//! The rules of a model that its schema cannot say.
+//! Checks of a model beyond its schema: names, sizes, places, scales; and the list of all checks.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -16,11 +16,12 @@ use crate::model::{Model, ON_AXIS, Place, bodies_of, joints_of};
 use crate::schema::join;
 use crate::units::ScaleChoice;
 
-/// Elements beyond which a model is taken for a slip of the pen.
+/// Upper limit on the number of elements. Larger values are assumed to be typing errors.
 const MAX_ELEMENTS: u64 = 10_000_000;
-/// Memory that a run needs for an element.
+/// Memory of a run per element.
 const BYTES_PER_ELEMENT: f64 = 12e3;
-/// The rules that a model breaks.
+
+/// Findings of all checks.
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
@@ -29,7 +30,7 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let of_joints = [
         super::joints::axes,
         super::joints::spans,
-        super::joints::acting,
+        super::joints::drives,
         super::joints::kinds,
         super::joints::couplings,
     ];
@@ -37,12 +38,12 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     rules.iter().chain(special).flat_map(|rule| rule(model)).collect()
 }
 
-/// Every body has a name of its own.
+/// Checks that bodies have unique names.
 fn names(model: &Model) -> Vec<Finding> {
     rule_of_names(bodies_of(model).map(|(path, body)| (path, body.name())).collect())
 }
 
-/// Joints and probes make columns of the outputs by their names.
+/// Checks that joints, probes and couplings, which name columns of results, have unique names.
 fn columns(model: &Model) -> Vec<Finding> {
     let joints = joints_of(model).map(|(path, joint)| (path, joint.name()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
@@ -83,7 +84,7 @@ fn sections(model: &Model) -> Vec<Finding> {
     sections.flat_map(|(name, section)| section.shape().check(&join("sections", name))).collect()
 }
 
-/// The mesh fits into the memory of a computer.
+/// Checks the number of elements.
 fn size(model: &Model) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
     let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
@@ -96,12 +97,12 @@ fn size(model: &Model) -> Vec<Finding> {
     error.into_iter().collect()
 }
 
-/// What so many elements need.
+/// Hint with the memory of a number of elements.
 pub(crate) fn memory(elements: f64) -> String {
     format!("they would need about {} GB of memory", number((elements * BYTES_PER_ELEMENT / 1e9).round()))
 }
 
-/// Says of numbers of elements that are no integers of the model what memory they would need.
+/// Adds a hint on memory to a finding about a number of elements that the schema rejects.
 pub(crate) fn with_memory(finding: Finding) -> Finding {
     let elements = finding.error.path.ends_with(".elements").then(|| finding.error.found.parse::<f64>());
     match elements {
@@ -112,12 +113,12 @@ pub(crate) fn with_memory(finding: Finding) -> Finding {
     }
 }
 
-/// Places are on bodies that are there.
+/// Checks that places are on existing bodies.
 fn places(model: &Model) -> Vec<Finding> {
     places_of(model).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
 }
 
-/// Joints connect two places that coincide in the undeformed state.
+/// Checks that joints connect places that coincide in the undeformed state.
 fn joints(model: &Model) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
@@ -152,7 +153,7 @@ fn rule_of_joint(model: &Model, path: &str, joint: &Joint, [a, b]: [&Place; 2]) 
     })
 }
 
-/// What the places of a joint rest on.
+/// Keys that determine the ends of a joint.
 fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     let places = ["a.body", "a.at", "b.body", "b.at"].map(|key| format!("{path}.{key}"));
     let axes = [body_a, body_b];
@@ -160,7 +161,7 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
     places.into_iter().chain(axes).collect()
 }
 
-/// The scales of the paper are for its model.
+/// Checks that the scales of the paper are used for a model like that of the paper.
 fn scales(model: &Model) -> Vec<Finding> {
     let path = || "scales.kind".to_owned();
     let hint = "\"auto\" and \"given\" suit any model";

@@ -1,12 +1,12 @@
-//! The rules of an analysis in time: its steps and its scheme fit each other and the model.
+//! Checks of the time step and of the integration scheme.
 
 use crate::errors::{Finding, finding, number};
 use crate::model::{Dynamics, Model, Scheme, Step};
 
-/// Steps beyond which an analysis is taken for a slip of the pen.
+/// Upper limit on the number of steps. Larger values are assumed to be typing errors.
 const MAX_STEPS: f64 = 1e9;
 
-/// The analysis has at least one step, and an end.
+/// Checks that an analysis has at least one step and at most the limit.
 pub(crate) fn time(model: &Model) -> Vec<Finding> {
     let Some(Dynamics { duration, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let sizes = match *step {
@@ -32,7 +32,7 @@ fn rule_of_time(path: &str, size: f64, duration: f64) -> Option<Finding> {
     Some(error.rests_on(["analysis.duration".into()]))
 }
 
-/// The scheme is implicit, stable with the joints that there are, and of second order if steps go by its error.
+/// Checks that the scheme is implicit and stable with the joints of the model, and of second order for error-controlled steps.
 pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
     let Some(Dynamics { scheme, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let numbers = scheme.numbers();
@@ -68,7 +68,7 @@ pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
     vec![rule.rests_on(rests_on)]
 }
 
-/// Where a scheme is at fault and what is found there.
+/// Key of a scheme and its description, for findings.
 fn path_and_found(scheme: Scheme) -> (&'static str, String) {
     let name = |name: &str| ("analysis.scheme", format!("\"{name}\""));
     match scheme {

@@ -1,4 +1,4 @@
-//! The rules of functions of time, of the loads and joints that have them, and of points on the ground.
+//! Checks of functions of time and of ground points.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{Analysis, Model, TimeFunction, Varying, joints_of};
 
-/// Every function of time has values: tables are in order, spans are not empty, formulas can be read.
+/// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
 pub(crate) fn functions(model: &Model) -> Vec<Finding> {
     model.time_functions().into_iter().filter_map(|(path, time)| rule_of_function(&path, time)).collect()
 }
@@ -66,7 +66,7 @@ pub(crate) fn is_dynamic(model: &Model) -> bool {
     matches!(model.analysis, Analysis::Dynamics(_))
 }
 
-/// In dynamics a joint to a point on the ground starts there.
+/// Checks that joints to ground points start there in dynamics.
 pub(crate) fn ground_points(model: &Model) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };

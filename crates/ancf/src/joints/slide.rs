@@ -6,7 +6,7 @@ use crate::joints::parts::{
     End, JointActions, JointBuilder, JointContext, JointCoordinate, JointKind, LinearDrive, LinearFriction,
     LinearSpring,
 };
-use crate::model::{Beam, Body, Formulation, Place, TimeFunction};
+use crate::model::{Body, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Sliding joint: constrains a point to the deformed axis of a beam or cable.
@@ -82,7 +82,7 @@ impl Slide {
         };
         let quadratic = "a beam of formulation \"quadratic\", whose tangent has kinks";
         let found = match context.body(place)? {
-            Body::Beam(Beam { formulation: Formulation::Quadratic, .. }) => quadratic,
+            Body::Beam(beam) if beam.formulation.has_middle_node() => quadratic,
             Body::Beam(_) | Body::Cable(_) if place.offset == [0.0; 3] => return None,
             Body::Beam(_) | Body::Cable(_) => {
                 let wanted = "no arm, since the point slides along the axis";

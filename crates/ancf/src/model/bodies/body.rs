@@ -3,6 +3,7 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::formulation::Formulation;
 use super::motion::InitialMotion;
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
@@ -215,23 +216,6 @@ impl Beam {
             motion: InitialMotion::default(),
         }
     }
-}
-
-/// Element type and elasticity law of a beam.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
-#[serde(rename_all = "snake_case")]
-pub enum Formulation {
-    /// Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element locks: the bending stiffness is
-    /// (λ+2G) I instead of E I, the torsion constant is the polar moment of area. With n elements the error is 1/(3n²).
-    #[default]
-    Continuum,
-    /// Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). The Poisson effect is limited to
-    /// the axis. Shear factors and St. Venant's torsion constant apply.
-    Enhanced,
-    /// Enhanced element with linked strains, free of shear locking. One element is exact for end loads.
-    Linked,
-    /// Three nodes, 27 coordinates, elasticity of a rod, two integration points (Nachbagauer, Gruber & Gerstmayr 2013).
-    Quadratic,
 }
 
 /// Cable of gradient-deficient ANCF elements with two nodes and 12 coordinates.

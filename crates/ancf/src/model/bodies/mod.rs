@@ -2,13 +2,15 @@
 
 mod body;
 mod capability;
+mod formulation;
 mod motion;
 mod rigid;
 mod shape;
 
 pub(crate) use body::ON_AXIS;
-pub use body::{At, Beam, Body, Cable, Formulation, NamedPosition, Place, Slopes};
+pub use body::{At, Beam, Body, Cable, NamedPosition, Place, Slopes};
 pub use capability::Capability;
+pub use formulation::Formulation;
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;

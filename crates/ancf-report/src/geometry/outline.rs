@@ -91,8 +91,14 @@ impl Outline {
 
     /// Returns the maximum of |c_y y + c_z z| over the outline, with both extents multiplied by factors.
     pub fn reach(&self, [cy, cz]: [f64; 2], [sy, sz]: [f64; 2]) -> f64 {
-        let (y, z) = (cy * self.half_extents[0] * sy, cz * self.half_extents[1] * sz);
-        if self.is_round { y.hypot(z) } else { y.abs() + z.abs() }
+        let size = |y: f64, z: f64| (cy * y * sy, cz * z * sz);
+        if self.is_round {
+            let (y, z) = size(self.half_extents[0], self.half_extents[1]);
+            return y.hypot(z);
+        }
+        let corners = self.outer.iter().map(|&[y, z, ..]| size(y, z)).map(|(y, z)| (y + z).abs());
+        // In contrast to `f64::max`, NaN is returned.
+        corners.fold(0.0, |largest, x| if x <= largest { largest } else { x })
     }
 }
 

@@ -24,7 +24,7 @@ const TIGHT: &str = "first = 0.1\nstop = { rule = \"energy\", tolerance = 1e-11 
 
 /// Section with a tenth of the diameter of the rod of Kim et al.
 const THIN: &str = "{ kind = \"circle\", diameter = 0.002 }";
-/// That section by its numbers.
+/// General section with the constants of the rectangle.
 const THIN_BY_NUMBERS: &str = "{ kind = \"general\", area = 3.141592653589793e-6, iy = 7.853981633974483e-13, iz = \
     7.853981633974483e-13 }";
 

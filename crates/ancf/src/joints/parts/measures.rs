@@ -92,7 +92,7 @@ pub(crate) fn half_square(a: &Attachment, b: &Attachment) -> (BilinearMeasure, f
     )
 }
 
-/// What a bushing resists: b_i·(r_a − r_b), and ψ_k = ½ (a_i·b_j − a_j·b_i), the sine of a rotation about axis k.
+/// Deformation of a bushing: b_i·(r_a − r_b), and ψ_k = ½ (a_i·b_j − a_j·b_i), the sine of a rotation about axis k.
 pub(crate) fn bushing(a: &Attachment, b: &Attachment) -> [BilinearMeasure; 6] {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     let apart = apart(a, b);

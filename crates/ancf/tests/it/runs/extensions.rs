@@ -194,7 +194,7 @@ fn rows(simulation: &Simulation) -> Series {
     series
 }
 
-/// The same equations give the same numbers, whether a part is of the library or of the program.
+/// Parts of a program give the same numbers as built-in parts with equal equations.
 #[test]
 fn added_parts_give_the_results_of_built_in_ones() {
     let stated = format!(

@@ -309,8 +309,11 @@ impl Factor {
     fn equilibrate(&mut self, k: &SparseMatrix) {
         let Self { d, r: largest, x: bound, .. } = self;
         d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
+        // A diagonal below the rounding error of the largest one is no scale, such as that of a rigid body in statics.
+        let negligible =
+            f64::EPSILON * d.iter().fold(0.0, |largest: f64, diagonal| largest.max(diagonal.abs()));
         for d in &mut *d {
-            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
+            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().max(negligible).sqrt() };
         }
         let massless = k.pattern().massless();
         if !massless.is_empty() {

@@ -106,8 +106,9 @@ fn stationary(alpha: f64, ratio: f64) -> f64 {
     if c < 0.25 { 2.0 / (1.0 + (1.0 - 4.0 * c).sqrt()) } else { 0.5 / c }
 }
 
-/// Returns x·y, accumulated in eight sums to avoid a dependence between additions.
+/// Returns x·y of vectors of equal length, accumulated in eight sums to avoid a dependence between additions.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
+    debug_assert_eq!(x.len(), y.len(), "vectors of equal length");
     let ((x, of_x), (y, of_y)) = (x.as_chunks::<8>(), y.as_chunks::<8>());
     let mut sums = [0.0; 8];
     for (x, y) in x.iter().zip(y) {

@@ -18,15 +18,20 @@ impl PathTangent {
         Self { z: vec![0.0; size], load: 0.0, dual: Vec::new() }
     }
 
+    /// Returns the inner product of the coordinates with those of a vector, which may also contain multipliers.
+    fn along(&self, z: &[f64]) -> f64 {
+        dot(&self.dual, &z[..self.dual.len()])
+    }
+
     /// Returns the inner product with another direction in the metric.
     pub(crate) fn product(&self, other: &Self) -> f64 {
-        dot(&self.dual, &other.z) + 0.5 * self.load * other.load
+        self.along(&other.z) + 0.5 * self.load * other.load
     }
 
     /// Returns the distance between two states along this direction.
     pub(crate) fn length(&self, from: &State, to: &State) -> f64 {
         let moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
-        dot(&self.dual, &moved) + 0.5 * self.load * (to.load - from.load)
+        self.along(&moved) + 0.5 * self.load * (to.load - from.load)
     }
 
     /// Moves a state by a length along this direction.
@@ -59,7 +64,8 @@ impl Metric {
     ) -> Self {
         eom.tangent(s, Weights::MASS, &mut mass);
         let mut metric = Self { mass, weight: 1.0 };
-        let square = dot(&metric.mass_times(response, s.q.len()), response);
+        let moved = metric.mass_times(response, s.q.len());
+        let square = dot(&moved, &response[..moved.len()]);
         metric.weight = if square > 0.0 { 1.0 / square } else { 0.0 };
         metric
     }
@@ -68,7 +74,8 @@ impl Metric {
     pub(crate) fn distance(&self, from: &State, to: &State) -> f64 {
         let mut moved: Vec<f64> = to.q.iter().zip(&from.q).map(|(to, from)| to - from).collect();
         moved.resize(to.q.len() + to.lambda.len(), 0.0);
-        let square = self.weight * dot(&self.mass_times(&moved, to.q.len()), &moved);
+        let dual = self.mass_times(&moved, to.q.len());
+        let square = self.weight * dot(&dual, &moved[..dual.len()]);
         (0.5 * (square + (to.load - from.load).powi(2))).sqrt()
     }
 
@@ -142,7 +149,7 @@ impl StateUpdate for PlaneUpdate<'_> {
         response.iter_mut().for_each(|x| *x = -*x);
         at.factor.solve(at.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
-        let load = -dot(&tangent.dual, at.z) / (dot(&tangent.dual, &response) + 0.5 * tangent.load);
+        let load = -tangent.along(at.z) / (tangent.along(&response) + 0.5 * tangent.load);
         at.z.iter_mut().zip(&response).for_each(|(z, response)| *z += load * response);
         s.add(at.z, w);
         s.load += load;

@@ -2,4 +2,5 @@
 
 mod load_increments;
 mod paths;
+mod rigid_ends;
 mod truss;

@@ -53,8 +53,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let a = Place::new("rotor", ancf::model::At::Named(ancf::model::NamedPosition::Center));
     let bearing = Bearing { name: "bearing".into(), a, b: End::Ground, torque: 0.5, rate: 1e-3 };
     let mut series = Series::new();
-    let mut sink: &mut dyn ancf::record::Sink = &mut series;
-    Simulation::builder(&model).with(Extension::joint(bearing)).build()?.run(&mut sink)?;
+    let simulation = Simulation::builder(&model).with(Extension::joint(bearing)).build()?;
+    assert!(simulation.run(&mut series)?.outcome.is_finished());
     let rate = series.column("bearing.rate").and_then(<[f64]>::last).ok_or("no such column")?;
     assert!((rate - (10.0 - 0.5 / 0.2)).abs() < 1e-3); // ω₀ − M t/I
     Ok(())

@@ -44,9 +44,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     )?;
     let on = Place::new("moon", At::Named(NamedPosition::Center));
     let mut series = Series::new();
-    let mut sink: &mut dyn ancf::record::Sink = &mut series;
-    let attraction = Extension::load(Attraction { on, strength: 1.0 });
-    Simulation::builder(&model).with(attraction).build()?.run(&mut sink)?;
+    let simulation =
+        Simulation::builder(&model).with(Extension::load(Attraction { on, strength: 1.0 })).build()?;
+    assert!(simulation.run(&mut series)?.outcome.is_finished());
     let y = series.column("moon.y").and_then(<[f64]>::last).ok_or("no such column")?;
     assert!(y.abs() < 1e-5); // A circular orbit closes after 2π √(m r³/k).
     Ok(())

@@ -52,9 +52,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "#,
     )?;
     let mut series = Series::new();
-    let mut sink: &mut dyn ancf::record::Sink = &mut series;
-    let hexagon = Extension::section("bar", Hexagon { side: 0.01 });
-    Simulation::builder(&model).with(hexagon).build()?.run(&mut sink)?;
+    let simulation =
+        Simulation::builder(&model).with(Extension::section("bar", Hexagon { side: 0.01 })).build()?;
+    assert!(simulation.run(&mut series)?.outcome.is_finished());
     let tip = series.column("tip.y").and_then(<[f64]>::last).ok_or("no such column")?;
     let bending = 2e11 * 0.3125 * 3.0_f64.sqrt() * 0.01_f64.powi(4);
     assert!((tip * 3.0 * bending - 1.0).abs() < 1e-3); // F L³/(3 E I), and 3e-4 of shear

@@ -91,6 +91,7 @@ pub use ancf_mechanics as mechanics;
 pub use ancf_solver as solver;
 pub use errors::{ModelError, ModelErrors};
 pub use model::Model;
+pub use nalgebra;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{
     Checkpoint, Error, Extension, Observer, Outcome, ResumeError, Simulation, SimulationBuilder, Summary,

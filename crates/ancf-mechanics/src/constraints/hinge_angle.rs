@@ -49,7 +49,7 @@ impl HingeAngle {
         Self { global, markers, coordinates, multiplier }
     }
 
-    /// Returns the contribution to the joint reaction on the first body: the moment p × (−λ w).
+    /// Returns the contribution to the joint reaction on the body that carries p: the moment p × (−λ w).
     pub fn reaction(&self, s: &State) -> Wrench {
         let [p, u, v] = self.global.each_ref().map(|marker| marker.value(s));
         let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();

@@ -43,7 +43,7 @@ pub(crate) fn turned<D: Real>(d: Vector3<D>, e: Vector3<D>, components: &Vector3
 }
 
 /// Adds the symmetric part of w H to a tangent, H = ∂(f₁, .., f_n)/∂(x₁, .., x_n) over markers, in 3 × 3 blocks.
-pub(crate) fn add_symmetric<const N: usize>(
+pub fn add_symmetric<const N: usize>(
     markers: &[&Marker],
     h: &SMatrix<f64, N, N>,
     w: f64,

@@ -54,7 +54,7 @@ impl Marker {
     }
 
     /// Returns the sorted coordinates of several markers without repetition.
-    pub(crate) fn union_coordinates<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
+    pub fn union_coordinates<'a>(markers: impl IntoIterator<Item = &'a Self>) -> Vec<usize> {
         let mut coordinates: Vec<usize> = markers.into_iter().flat_map(Self::coordinates).collect();
         coordinates.sort_unstable();
         coordinates.dedup();
@@ -72,7 +72,7 @@ impl Marker {
     }
 
     /// Returns the sum of magnitudes |x₀| + Σᵢ |wᵢ| |q[vᵢ..vᵢ+3]|. ε times this bounds the rounding error of the value.
-    pub(crate) fn size(&self, q: &[f64]) -> f64 {
+    pub fn size(&self, q: &[f64]) -> f64 {
         self.reference.norm() + self.sum_of_sizes(q)
     }
 
@@ -82,7 +82,7 @@ impl Marker {
     }
 
     /// Renumbers the coordinates for a term with the given sorted coordinate list.
-    pub(crate) fn within(&self, coordinates: &[usize]) -> Self {
+    pub fn within(&self, coordinates: &[usize]) -> Self {
         let local = |first| {
             coordinates.iter().position(|c| c == first).expect("the coordinate list contains all coordinates")
         };
@@ -91,7 +91,7 @@ impl Marker {
     }
 
     /// Adds x to the rows of a vector with weights: rows[vᵢ + k] += wᵢ xₖ.
-    pub(crate) fn add(&self, x: Vector3<f64>, rows: &mut [f64]) {
+    pub fn add(&self, x: Vector3<f64>, rows: &mut [f64]) {
         for &(i, w) in &self.parts {
             for (row, x) in rows[i..i + 3].iter_mut().zip(&x) {
                 *row += w * x;
@@ -100,7 +100,7 @@ impl Marker {
     }
 
     /// Calls `visit(i, j, wᵢ w'ⱼ H_kl)` for the second derivative of x·H·y of this marker and another one.
-    pub(crate) fn product(&self, other: &Self, h: &Matrix3<f64>, mut visit: impl FnMut(usize, usize, f64)) {
+    pub fn product(&self, other: &Self, h: &Matrix3<f64>, mut visit: impl FnMut(usize, usize, f64)) {
         for &(i, w) in &self.parts {
             for &(j, u) in &other.parts {
                 for (k, l) in (0..3).flat_map(|k| (0..3).map(move |l| (k, l))) {

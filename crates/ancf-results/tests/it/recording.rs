@@ -49,7 +49,8 @@ fn columns_read_back_to_the_last_bit() {
     let folder = TempDir::new().unwrap();
     let results = run(folder.path(), &text, &model);
     let mut series = Series::new();
-    simulate(&model, &mut series).unwrap();
+    let summary = simulate(&model, &mut series).unwrap();
+    assert!(summary.outcome.is_finished());
     assert_eq!(results.columns().unwrap(), series);
     assert_eq!(results.status(), RunStatus::Ended);
     assert!(results.summary_file().unwrap().unwrap().summary.outcome.is_finished());

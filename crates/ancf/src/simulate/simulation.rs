@@ -1,7 +1,7 @@
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
-use crate::errors::ModelErrors;
+use crate::errors::{ModelError, ModelErrors, quoted};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
 use crate::model::{Model, Section, SectionObject};
@@ -27,6 +27,10 @@ impl Simulation {
         let scaled = model.scaled(&chosen.scales);
         let dynamic = scaled.analysis.dynamics().is_some();
         let assembly = if dynamic { scaled.assemble()? } else { scaled.assemble_static()? };
+        let repeated = repeated_columns(&assembly);
+        if !repeated.is_empty() {
+            return Err(ModelErrors(repeated));
+        }
         Ok(Self { scaled, chosen, assembly, interrupt: Interrupt::default() })
     }
 
@@ -45,6 +49,19 @@ impl Simulation {
     pub fn scales(&self) -> Scales {
         self.chosen.scales
     }
+}
+
+/// Finds joints that record two coordinates under the same name.
+fn repeated_columns(assembly: &Assembly) -> Vec<ModelError> {
+    let columns: Vec<_> =
+        assembly.joint_coordinates().map(|(joint, own)| (joint, own.columns()[0])).collect();
+    let repeated = columns.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]);
+    repeated
+        .map(|(joint, column)| {
+            let found = format!("two coordinates `{column}` of joint {}", quoted(joint));
+            ModelError::new("joints", found, "at most one of a name")
+        })
+        .collect()
 }
 
 /// Part of a user-defined kind that a program adds to a model.

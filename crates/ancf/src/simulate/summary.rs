@@ -52,6 +52,7 @@ fn short(x: f64) -> String {
 }
 
 /// Summary of a run, in the user's units.
+#[must_use = "a run that failed or was stopped returns a summary with that outcome"]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// End of the run.

@@ -182,6 +182,8 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Records the angle about an axis of unit length, and adds the actions along it.
+    ///
+    /// The other equations of the joint must keep the axes of both ends parallel. A joint records one angle.
     pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
         let markers = measures::hinge(self.a(), self.b(), axis.into());
         let mut coordinate = None;
@@ -248,7 +250,7 @@ impl<'a> JointBuilder<'a> {
     }
 
     /// Adds drive, spring and friction of a joint coordinate.
-    fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
+    pub fn act(&mut self, coordinate: usize, actions: &JointActions<'_>) {
         let measure = || BilinearMeasure::coordinate(coordinate);
         if let Some(drive) = &actions.drive {
             self.prescribe("drive", measure(), drive.target(self.time_mode));

@@ -19,7 +19,7 @@ pub fn model(bytes: &[u8]) {
             let mut model = model;
             limit(&mut model.analysis);
             let simulation = Simulation::new(&model).expect("the model was validated by the parser");
-            simulation.run(&mut RowLimit(5)).expect("the sink returns no error");
+            let _ = simulation.run(&mut RowLimit(5)).expect("the sink returns no error");
         }
         Ok(_) => {}
         Err(errors) => {

@@ -234,6 +234,41 @@ fn added_parts_give_the_results_of_built_in_ones() {
     assert!(one.column("tip.y").unwrap().last().unwrap().abs() > 1e-3, "the rod moves");
 }
 
+/// A joint that records two angles.
+#[derive(Clone, Debug, Scaled)]
+struct Cross(Bearing);
+
+impl JointKind for Cross {
+    fn word(&self) -> &'static str {
+        "cross"
+    }
+
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn ends(&self) -> (&Place, &End) {
+        self.0.ends()
+    }
+
+    fn removes(&self) -> usize {
+        4
+    }
+
+    fn build(&self, builder: &mut JointBuilder<'_>) {
+        builder.coincide();
+        builder.angle([1.0, 0.0, 0.0], &JointActions::default());
+        builder.angle([0.0, 1.0, 0.0], &JointActions::default());
+    }
+}
+
+#[test]
+fn columns_of_one_name_are_rejected() {
+    let model = Model::parse(MODEL).unwrap();
+    let wrong = Simulation::builder(&model).with(Extension::joint(Cross(bearing()))).build().unwrap_err();
+    assert!(wrong.to_string().contains("two coordinates `angle` of joint \"shaft\""), "{wrong}");
+}
+
 #[test]
 fn added_parts_are_checked() {
     let model = Model::parse(MODEL).unwrap();

@@ -135,7 +135,7 @@ fn fields_equal_probes_for_all_scales() {
 fn directors_are_orthonormal() {
     let simulation = Simulation::new(&pendulum(ScaleChoice::default())).unwrap();
     let mut recorder = StateRecorder::default();
-    simulation.run(&mut recorder).unwrap();
+    assert!(simulation.run(&mut recorder).unwrap().outcome.is_finished());
     let fields = Fields::new(simulation.assembly(), simulation.scales(), 1);
     let mut numbers = Vec::new();
     fields.fill(Field::Directors, &recorder.states[40], &mut numbers);
@@ -176,7 +176,7 @@ fn interrupt_ends_a_run_within_a_step() {
         let simulation = Simulation::new(&model).unwrap();
         let whole = rows(&simulation).0;
         let mut recorder = StateRecorder::default();
-        simulation.run(&mut recorder).unwrap();
+        assert!(simulation.run(&mut recorder).unwrap().outcome.is_finished());
         let columns: Vec<_> = simulation.columns().into_iter().map(|column| column.name).collect();
         assert_eq!(columns, recorder.columns);
         let queries = Arc::new(AtomicUsize::new(0));

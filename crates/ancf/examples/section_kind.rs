@@ -30,8 +30,7 @@ impl SectionShape for Hexagon {
 
     fn outline(&self) -> SectionOutline {
         let corner = |k: u32| (std::f64::consts::FRAC_PI_3 * f64::from(k)).sin_cos();
-        let corners = (0..6).map(corner).map(|(sin, cos)| [self.side * cos, self.side * sin]);
-        SectionOutline::polygon(corners.collect())
+        SectionOutline::polygon((0..6).map(corner).map(|(y, x)| [self.side * x, self.side * y]).collect())
     }
 
     fn towards(&self, end: &Self, fraction: f64) -> Self {

@@ -5,3 +5,4 @@ mod directors;
 mod elasticity;
 mod neo_hookean;
 mod resultants;
+mod tapered;

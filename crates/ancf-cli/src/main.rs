@@ -47,7 +47,7 @@ A first tour:
   ancf report out                 write a 3D animation and charts for the browser
   ancf COMMAND --help             options and examples of a command
 
-Exit codes: 0 done, 1 the analysis or a verification failed or results could not be written,
+Exit codes: 0 done, 1 the analysis or a verification failed or output could not be written,
 2 bad input, 130 stopped by Ctrl-C, 143 stopped by SIGTERM.";
 
 fn main() -> ExitCode {
@@ -61,15 +61,25 @@ fn main() -> ExitCode {
         }
         Err(error) => Ok(reject_arguments(&error)),
     };
-    match ended {
-        Ok(Ended::Done) => ExitCode::SUCCESS,
-        Ok(Ended::Failed) => ExitCode::from(1),
-        Ok(Ended::BadInput) => ExitCode::from(2),
+    let code = match ended {
+        Ok(Ended::Done) => 0,
+        Ok(Ended::Failed) => 1,
+        Ok(Ended::BadInput) => 2,
         // 128 plus the number of the signal, as in shells.
-        Ok(Ended::Stopped) => ExitCode::from(if terminal::is_terminated() { 143 } else { 130 }),
+        Ok(Ended::Stopped) => match terminal::is_terminated() {
+            true => 143,
+            false => 130,
+        },
         Err(error) => {
             terminal::print_error(&format!("error: {error:#}"));
             terminal::print_json(&JsonErrors::from_message(format!("{error:#}")));
+            1
+        }
+    };
+    match terminal::check_output() {
+        Ok(()) => ExitCode::from(code),
+        Err(error) => {
+            terminal::print_error(&format!("error: {error}"));
             ExitCode::from(1)
         }
     }
@@ -77,13 +87,17 @@ fn main() -> ExitCode {
 
 /// Prints help, the version, or the error of invalid arguments.
 fn reject_arguments(error: &clap::Error) -> Ended {
-    let _ = error.print();
+    let text = error.render();
     match error.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ended::Done,
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            terminal::print_output(&text.ansi().to_string());
+            Ended::Done
+        }
         _ => {
+            let _ = error.print();
             let json = env::args_os().any(|argument| argument == "--json");
             terminal::set_output_mode(OutputMode { quiet: false, json });
-            let text = error.render().to_string();
+            let text = text.to_string();
             let first = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect::<Vec<_>>();
             let message = first.join(" ");
             terminal::print_json(&JsonErrors::from_message(message.trim_start_matches("error: ")));

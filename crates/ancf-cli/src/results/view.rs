@@ -13,7 +13,7 @@ use clap::Args;
 
 use super::run_folder::open_run;
 use super::scene::scene_of;
-use crate::terminal::{Ended, interrupt, print, print_status};
+use crate::terminal::{Ended, check_output, interrupt, print, print_status};
 
 /// Arguments of `ancf view`.
 #[derive(Debug, Args)]
@@ -43,6 +43,10 @@ impl ViewArguments {
         let server = Server::bind(self.port, &self.folder)
             .with_context(|| format!("cannot listen on port {} of this machine", self.port))?;
         print(&format!("{}\n", server.url()));
+        // Without its address the server is useless. `main` reports the error.
+        if check_output().is_err() {
+            return Ok(Ended::Failed);
+        }
         print_status("open this address in a browser; Ctrl-C stops the server");
         let stop = server.stop_flag();
         thread::scope(|scope| {

@@ -9,6 +9,7 @@ mod outcome;
 mod output_mode;
 mod progress;
 mod signal;
+mod standard_output;
 
 pub use colour::{Colour, is_stdout_coloured};
 pub use json_errors::JsonErrors;
@@ -24,3 +25,4 @@ pub use output_mode::{
 pub use progress::spinner;
 pub use progress::{RunProgress, case_bar};
 pub use signal::{interrupt, is_terminated};
+pub use standard_output::check_output;

@@ -6,6 +6,8 @@ use std::sync::OnceLock;
 use anstyle::{AnsiColor, Style};
 use serde::Serialize;
 
+use super::standard_output;
+
 /// Output mode: quiet and JSON.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OutputMode {
@@ -51,16 +53,16 @@ pub fn print_error(line: &str) {
     let _ = writeln!(anstream::stderr(), "{style}{head}{style:#}{}", &line[head.len()..]);
 }
 
-/// Prints a result as text on standard output, unless the output is JSON. A closed pipe is not an error.
+/// Prints a result as text on standard output, unless the output is JSON.
 pub fn print(text: &str) {
     if !is_json() {
         print_output(text);
     }
 }
 
-/// Prints the output of a command on standard output. A closed pipe is not an error.
+/// Prints the output of a command on standard output. `main` reports an error ([`super::check_output`]).
 pub fn print_output(text: &str) {
-    let _ = anstream::stdout().write_all(text.as_bytes());
+    standard_output::write(text);
 }
 
 /// Prints an object as JSON, if the output is JSON.

@@ -58,6 +58,23 @@ impl TestFolder {
         output.printed
     }
 
+    /// Returns the names of all commands, from the help of the program.
+    pub fn commands(&self) -> Vec<String> {
+        let commands: Vec<String> = self
+            .printed(&["--help"])
+            .lines()
+            .skip_while(|line| *line != "Commands:")
+            .skip(1)
+            .take_while(|line| !line.is_empty())
+            .filter_map(|line| line.strip_prefix("  ").filter(|line| !line.starts_with(' ')))
+            .filter_map(|line| line.split_whitespace().next())
+            .filter(|command| *command != "help")
+            .map(str::to_owned)
+            .collect();
+        assert!(commands.len() >= 12, "{commands:?}");
+        commands
+    }
+
     /// Creates a folder with a template model and its run in `out`.
     pub fn with_run(kind: &str) -> Self {
         let folder = Self::new();

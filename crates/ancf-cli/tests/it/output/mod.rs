@@ -4,3 +4,4 @@ mod json;
 mod messages;
 mod plot;
 mod start;
+mod unwritable;

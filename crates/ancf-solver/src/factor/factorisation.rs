@@ -270,7 +270,35 @@ impl Factor {
             }
             error = self.backward_error(k);
         }
-        if error <= ACCEPT { Ok(()) } else { Err(SingularMatrix) }
+        let is_accurate = error <= ACCEPT || (self.lu.is_some() && self.limited_error(k) <= ACCEPT);
+        if is_accurate { Ok(()) } else { Err(SingularMatrix) }
+    }
+
+    /// Computes the backward error with limited scales of the coordinates.
+    ///
+    /// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
+    /// multipliers and a rounding error with them.
+    fn limited_error(&mut self, k: &SparseMatrix) -> f64 {
+        let scales = self.d.clone();
+        let limit = 1.0 / (f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max)).sqrt();
+        for border in k.pattern().border() {
+            self.d[border.coordinate] = self.d[border.coordinate].min(limit);
+        }
+        self.scale_multipliers(k);
+        let error = self.backward_error(k);
+        self.d = scales;
+        error
+    }
+
+    /// Sets the scales of the multipliers to the inverse of their largest scaled entry.
+    fn scale_multipliers(&mut self, k: &SparseMatrix) {
+        let Self { d, r: largest, .. } = self;
+        largest_entries(k, d, largest);
+        for (d, &largest) in d.iter_mut().zip(&*largest) {
+            if largest > 0.0 {
+                *d = 1.0 / largest;
+            }
+        }
     }
 
     /// Performs forward and backward substitution of `x`, or of the residual `r`, in place.
@@ -309,17 +337,14 @@ impl Factor {
     fn equilibrate(&mut self, k: &SparseMatrix) {
         let Self { d, r: largest, x: bound, .. } = self;
         d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
-        // A diagonal below the rounding error of the largest one is no scale, such as that of a rigid body in statics.
-        let negligible =
-            f64::EPSILON * d.iter().fold(0.0, |largest: f64, diagonal| largest.max(diagonal.abs()));
         for d in &mut *d {
-            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().max(negligible).sqrt() };
+            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
         }
         let massless = k.pattern().massless();
         if !massless.is_empty() {
             bound.fill(f64::INFINITY);
             massless.iter().for_each(|&at| d[at] = 0.0);
-            scale_multipliers(k, d, largest);
+            largest_entries(k, d, largest);
             for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
                 let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
                 if entry > 0.0 && others > 0.0 {
@@ -331,12 +356,7 @@ impl Factor {
                 d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
             }
         }
-        scale_multipliers(k, d, largest);
-        for (d, &largest) in d.iter_mut().zip(&*largest) {
-            if largest > 0.0 {
-                *d = 1.0 / largest;
-            }
-        }
+        self.scale_multipliers(k);
     }
 
     /// Factorises the full matrix by LU with pivoting.
@@ -361,7 +381,7 @@ impl Factor {
 }
 
 /// Computes the largest entry of each multiplier, scaled by D of its coordinate.
-fn scale_multipliers(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
+fn largest_entries(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
     largest.fill(0.0);
     for border in k.pattern().border() {
         let entry = k.values()[border.slot].abs() * d[border.coordinate];

@@ -8,6 +8,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use serde::{Deserialize, Serialize};
 
 use super::ldlt::Ldlt;
+use super::scales::{equilibrate, limit_scales};
 use crate::sparse::{Pattern, SparseMatrix};
 
 /// Supernodal LDLᵀ factorisation of a symmetric indefinite matrix without pivoting, with LU as a fallback.
@@ -117,7 +118,7 @@ impl Factor {
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        self.equilibrate(k);
+        equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
@@ -275,30 +276,12 @@ impl Factor {
     }
 
     /// Computes the backward error with limited scales of the coordinates.
-    ///
-    /// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
-    /// multipliers and a rounding error with them.
     fn limited_error(&mut self, k: &SparseMatrix) -> f64 {
         let scales = self.d.clone();
-        let limit = 1.0 / (f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max)).sqrt();
-        for border in k.pattern().border() {
-            self.d[border.coordinate] = self.d[border.coordinate].min(limit);
-        }
-        self.scale_multipliers(k);
+        limit_scales(k, &mut self.d, &mut self.r);
         let error = self.backward_error(k);
         self.d = scales;
         error
-    }
-
-    /// Sets the scales of the multipliers to the inverse of their largest scaled entry.
-    fn scale_multipliers(&mut self, k: &SparseMatrix) {
-        let Self { d, r: largest, .. } = self;
-        largest_entries(k, d, largest);
-        for (d, &largest) in d.iter_mut().zip(&*largest) {
-            if largest > 0.0 {
-                *d = 1.0 / largest;
-            }
-        }
     }
 
     /// Performs forward and backward substitution of `x`, or of the residual `r`, in place.
@@ -329,36 +312,6 @@ impl Factor {
         if residual == 0.0 { 0.0 } else { residual / size }
     }
 
-    /// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
-    /// scaled entry, since their diagonal is zero.
-    ///
-    /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
-    /// At the limit it matches the other coordinates in an equation that determines it.
-    fn equilibrate(&mut self, k: &SparseMatrix) {
-        let Self { d, r: largest, x: bound, .. } = self;
-        d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
-        for d in &mut *d {
-            *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
-        }
-        let massless = k.pattern().massless();
-        if !massless.is_empty() {
-            bound.fill(f64::INFINITY);
-            massless.iter().for_each(|&at| d[at] = 0.0);
-            largest_entries(k, d, largest);
-            for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
-                let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
-                if entry > 0.0 && others > 0.0 {
-                    bound[border.coordinate] = bound[border.coordinate].min(others / entry);
-                }
-            }
-            for &at in massless {
-                let own = 1.0 / k.values()[k.pattern().diagonal(at)].abs().sqrt();
-                d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
-            }
-        }
-        self.scale_multipliers(k);
-    }
-
     /// Factorises the full matrix by LU with pivoting.
     fn factorise_by_lu(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         let n = self.b.len();
@@ -377,15 +330,6 @@ impl Factor {
         let symbolic = SymbolicLu::try_new(full.symbolic()).map_err(|_| SingularMatrix)?;
         self.lu = Some(Lu::try_new_with_symbolic(symbolic, full.as_ref()).map_err(|_| SingularMatrix)?);
         Ok(())
-    }
-}
-
-/// Computes the largest entry of each multiplier, scaled by D of its coordinate.
-fn largest_entries(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
-    largest.fill(0.0);
-    for border in k.pattern().border() {
-        let entry = k.values()[border.slot].abs() * d[border.coordinate];
-        largest[border.multiplier] = largest[border.multiplier].max(entry);
     }
 }
 

@@ -5,6 +5,7 @@ mod factorisation;
 mod front;
 mod ldlt;
 mod null_space;
+mod scales;
 mod substitution;
 
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};

@@ -1,0 +1,63 @@
+//! Equilibration D of a matrix K: D K D has entries of size one.
+
+use crate::sparse::SparseMatrix;
+
+/// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
+/// scaled entry, since their diagonal is zero.
+///
+/// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
+/// At the limit it matches the other coordinates in an equation that determines it.
+pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) {
+    d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
+    for d in &mut *d {
+        *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
+    }
+    let massless = k.pattern().massless();
+    if !massless.is_empty() {
+        bound.fill(f64::INFINITY);
+        massless.iter().for_each(|&at| d[at] = 0.0);
+        largest_entries(k, d, largest);
+        for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
+            let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
+            if entry > 0.0 && others > 0.0 {
+                bound[border.coordinate] = bound[border.coordinate].min(others / entry);
+            }
+        }
+        for &at in massless {
+            let own = 1.0 / k.values()[k.pattern().diagonal(at)].abs().sqrt();
+            d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
+        }
+    }
+    scale_multipliers(k, d, largest);
+}
+
+/// Limits the scales of coordinates, and sets those of the multipliers accordingly. `largest` is storage.
+///
+/// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
+/// multipliers and a rounding error with them.
+pub(super) fn limit_scales(k: &SparseMatrix, d: &mut [f64], largest: &mut [f64]) {
+    let limit = 1.0 / (f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max)).sqrt();
+    for border in k.pattern().border() {
+        d[border.coordinate] = d[border.coordinate].min(limit);
+    }
+    scale_multipliers(k, d, largest);
+}
+
+/// Sets the scales of the multipliers to the inverse of their largest scaled entry.
+fn scale_multipliers(k: &SparseMatrix, d: &mut [f64], largest: &mut [f64]) {
+    largest_entries(k, d, largest);
+    for (d, &largest) in d.iter_mut().zip(&*largest) {
+        if largest > 0.0 {
+            *d = 1.0 / largest;
+        }
+    }
+}
+
+/// Computes the largest entry of each multiplier, scaled by D of its coordinate.
+fn largest_entries(k: &SparseMatrix, d: &[f64], largest: &mut [f64]) {
+    largest.fill(0.0);
+    for border in k.pattern().border() {
+        let entry = k.values()[border.slot].abs() * d[border.coordinate];
+        largest[border.multiplier] = largest[border.multiplier].max(entry);
+    }
+}

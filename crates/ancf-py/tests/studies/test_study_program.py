@@ -22,12 +22,12 @@ Sampling = Literal["latin_hypercube", "random", "sobol"]
 
 
 def run_program(models: Path, file: Path, folder: Path) -> pd.DataFrame:
-    """Run a study by the program that the environment variable names, else by that of the workspace."""
-    found = [Path(os.environ[ANCF]) if ANCF in os.environ else None]
-    found += [models.parent / "target" / profile / "ancf" for profile in ("release", "debug")]
-    program = next((path for path in found if path is not None and path.exists()), None)
-    if program is None:
+    """Run a study by the program that the environment variable names, else by the newest of the workspace."""
+    own = [models.parent / "target" / profile / "ancf" for profile in ("release", "debug")]
+    found = [Path(os.environ[ANCF])] if ANCF in os.environ else [path for path in own if path.exists()]
+    if not found:
         pytest.skip(f"the program is not built, and {ANCF} does not contain its path")
+    program = max(found, key=lambda path: path.stat().st_mtime)
     subprocess.run([program, "study", file, "-o", folder, "--quiet"], check=True, capture_output=True)
     return pd.read_parquet(folder / "cases.parquet")
 

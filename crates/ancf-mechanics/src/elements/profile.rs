@@ -79,14 +79,25 @@ impl Profile<8> {
             true => SectionLaw::continuum(lame, section.moments),
             false => SectionLaw::curved(lame, section, g0),
         };
-        let enhanced =
-            |_: f64, g0: &Directors, section: &CrossSection| SectionLaw::enhanced(lame, section, g0);
+        let middle = gauss().into_iter().find(|&(xi, _)| xi == 0.5).map_or(1.0, |(_, weight)| weight);
+        let enhanced = |xi: f64, g0: &Directors, section: &CrossSection| {
+            let law = SectionLaw::enhanced(lame, section, g0);
+            if xi != 0.5 {
+                return law;
+            }
+            law.plus(&SectionLaw::gradient(lame, section, g0).times(1.0 / middle))
+        };
         let linked = |xi: f64, g0: &Directors, section: &CrossSection| {
             let rod = SectionLaw::rod(lame, section, g0).linked(xi, length);
             let shear = SectionLaw::shear(lame, section, g0);
             let nodal = shear.plus(&SectionLaw::transverse(lame, section, g0));
-            // Simpson's weights at the nodes are 1/6, and those of the trapezoidal rule 1/2.
-            if xi == 0.5 { rod } else { rod.plus(&nodal.times(3.0)) }
+            // Simpson's weights at the nodes are 1/6, and those of the trapezoidal rule 1/2. The weight in the middle is 2/3.
+            if xi == 0.5 {
+                let variation = SectionLaw::axial_variation(lame, section);
+                rod.plus(&SectionLaw::gradient(lame, section, g0).plus(&variation).times(1.5))
+            } else {
+                rod.plus(&nodal.times(3.0))
+            }
         };
         let rule = match formulation {
             TwoNodeLaw::Continuum => at(&gauss(), &continuum),
@@ -116,7 +127,8 @@ impl Profile<9> {
     ) -> Self {
         let lame = medium.lame;
         let rod = |_: f64, g0: &Directors, section: &CrossSection| {
-            SectionLaw::rod(lame, section, g0).plus(&SectionLaw::shear(lame, section, g0))
+            let shear = SectionLaw::shear(lame, section, g0);
+            SectionLaw::rod(lame, section, g0).plus(&shear).plus(&SectionLaw::gradient(lame, section, g0))
         };
         let transverse = |xi: f64, g0: &Directors, section: &CrossSection| {
             SectionLaw::transverse(lame, section, g0).reduced(xi)

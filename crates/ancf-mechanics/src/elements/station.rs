@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::{Interpolation, VectorKind};
 use crate::sections::{
-    AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, DIRECTORS, Directors, EE, EH, HH,
-    NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
+    AA, AB, AC, AD, AE, AH, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, DIRECTORS, Directors, EE, EH, HH,
+    KK, NO_STIFFNESS, NeoHookean, SectionLaw, Stiffness, add, sum,
 };
 
 /// Elastic law of a cross-section.
@@ -240,11 +240,11 @@ impl<const N: usize> BeamStation<N> {
         let shares = law.shares(g0, u);
         let sum = |of: &[usize]| of.iter().map(|&k| shares[k]).sum::<f64>();
         StrainEnergy {
-            axial: sum(&[AA]),
+            axial: sum(&[AA, AH, HH, KK]),
             bending: sum(&[AB, AC, BB, BC, CC, DH, EH, BK, CK]),
             shear: sum(&[AD, AE]),
             torsion: sum(&[BE, CD]),
-            section: sum(&[BD, CE, DD, DE, EE, HH]),
+            section: sum(&[BD, CE, DD, DE, EE]),
             volume: 0.0,
         }
     }

@@ -11,5 +11,5 @@ pub(crate) use rod_law::{linked_strain_terms, local_strains, straight};
 pub(crate) use section_law::{DIRECTORS, NO_STIFFNESS, PAIRS, STRAINS, SectionMatrix, add, all_strains, sum};
 pub use section_law::{Directors, Lame, SectionLaw, Stiffness};
 pub(crate) use section_strains::{
-    AA, AB, AC, AD, AE, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, EE, EH, HH,
+    AA, AB, AC, AD, AE, AH, BB, BC, BD, BE, BK, CC, CD, CE, CK, DD, DE, DH, EE, EH, HH, KK,
 };

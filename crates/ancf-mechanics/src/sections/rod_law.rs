@@ -70,7 +70,7 @@ impl SectionLaw {
     /// Creates the rod law in continuum strains, which avoids Poisson and torsion locking.
     ///
     /// It is the sum of [`rod`](Self::rod), [`shear`](Self::shear) and [`transverse`](Self::transverse), for reference
-    /// directors g0 in any frame.
+    /// directors g0 in any frame. Elements add [`gradient`](Self::gradient) in their middle, where it does not lock.
     ///
     /// Source: Gerstmayr, Matikainen & Mikkola (2008), Nachbagauer, Gruber & Gerstmayr (2013) for Poisson's effect on
     /// the axis only and the shear factors. The split into parts that are never negative is specific to this
@@ -117,6 +117,30 @@ impl SectionLaw {
         Self::new(&d)
     }
 
+    /// Creates the law of a deformation of the section that changes along the axis, ½G (I_y p_y² + I_z p_z² + (I_y + I_z) p_s²).
+    ///
+    /// p_y = ε_bd, p_z = ε_ce and p_s = ½(ε_be + ε_cd) are the parts of the shear strains linear in y and z, without twist and
+    /// mean shear. They vanish if the size and the shape of the section are constant along the axis. Without this energy the
+    /// second derivative of the energy by (a, b) is indefinite in bending: cos kx waves of the thickness grow for
+    /// k > √((λ+2G) kGA²)/(E I κ), that is on fine meshes.
+    pub fn gradient(material: Lame, section: &CrossSection, g0: &Directors) -> Self {
+        let (m, mut d, mut area, mut parts) = (section.moments, NONE, 0.0, [[0.0; STRAINS]; 3]);
+        for point in &section.points {
+            let (rows, volume) = local_strains(g0, point.y, point.z);
+            let (weight, y, z) = (point.weight * volume, point.y / m.yy, point.z / m.zz);
+            area += weight;
+            for k in 0..STRAINS {
+                parts[0][k] += weight * y * rows[3][k];
+                parts[1][k] += weight * z * rows[4][k];
+                parts[2][k] += 0.5 * weight * (y * rows[4][k] + z * rows[3][k]);
+            }
+        }
+        for (part, inertia) in parts.iter().zip([m.yy, m.zz, m.yy + m.zz]) {
+            add_product(part, part, material.shear * inertia * m.area / area, &mut d);
+        }
+        Self::new(&d)
+    }
+
     /// Creates the law of section deformation, ½A ((λ+2G)(y² + z²) + 2λ y z + G (2E₂₃)²).
     ///
     /// y = E₂₂ + ν E₁₁ and z = E₃₃ + ν E₁₁ on the axis, so the energy vanishes for lateral contraction under tension.
@@ -141,7 +165,7 @@ impl SectionLaw {
 
     /// Replaces the curvatures by those of the linked formulation at ξ of a two-node element of length l.
     ///
-    /// The curvature ε_ab is replaced by ε_ab + w' ε_hd, with w = ξ − ξ², and so on for c, e. This corresponds to a
+    /// The curvature ε_ab is replaced by ε_ab + w' (h·d + l k·b), with w = ξ − ξ², and so on for c, e. This corresponds to a
     /// quadratic part w h·d of the section directors. The shear strains are then linear along the element, with their
     /// values at the nodes.
     ///
@@ -149,6 +173,18 @@ impl SectionLaw {
     #[must_use]
     pub fn linked(&self, xi: f64, length: f64) -> Self {
         self.mapped(&linked_strain_terms(xi, length))
+    }
+
+    /// Creates the law EA V² of an axial strain that is not linear along a two-node element, to be used in the middle.
+    ///
+    /// V = ½(ε_aa(0) + ε_aa(1)) − ε_aa(½) = ¼ε_ah + ¼ε_kk + ε_hh/16. A stretch of the nodes alone reduces their linked
+    /// curvatures by 2Vκ, to first order. With Simpson's stiffness EA V²/9 only, such a stretch relieves the bending moment by
+    /// the share 2κ²I/A on any mesh. With this law the share is 0.2κ²I/A.
+    pub fn axial_variation(material: Lame, section: &CrossSection) -> Self {
+        let (mut row, mut d) = ([0.0; STRAINS], NONE);
+        [row[AH], row[KK], row[HH]] = [0.25, 0.25, 0.0625];
+        add_product(&row, &row, 2.0 * material.young() * section.moments.area, &mut d);
+        Self::new(&d)
     }
 
     /// Replaces the axial strain by a linear one along a three-node element, with its values at the two Gauss points.

@@ -28,7 +28,7 @@ pub type Directors = [Vector3<f64>; DIRECTORS];
 pub(crate) const DIRECTORS: usize = 7;
 
 /// Number of section strains.
-pub(crate) const STRAINS: usize = 20;
+pub(crate) const STRAINS: usize = 22;
 
 /// Pairs of directors whose products are the section strains; ½ of the product for equal directors.
 pub(crate) const PAIRS: [(usize, usize); STRAINS] = [
@@ -37,7 +37,8 @@ pub(crate) const PAIRS: [(usize, usize); STRAINS] = [
     (2, 2),
     (3, 3),
     (4, 4),
-    (5, 5), // aa bb cc dd ee hh
+    (5, 5),
+    (6, 6), // aa bb cc dd ee hh kk
     (0, 1),
     (0, 2),
     (1, 2),
@@ -51,8 +52,10 @@ pub(crate) const PAIRS: [(usize, usize); STRAINS] = [
     (3, 5),
     (4, 5),
     (1, 6),
-    (2, 6), // dh eh bk ck
+    (2, 6),
+    (0, 5), // dh eh bk ck ah
 ];
+
 /// Section strains, indexed by pair of directors.
 pub(crate) type Strains = [f64; STRAINS];
 

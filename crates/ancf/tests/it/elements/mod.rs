@@ -6,3 +6,4 @@ mod continuum_energy;
 mod formulations;
 mod large_rotations;
 mod properties;
+mod thick_bending;

@@ -15,7 +15,7 @@ fn incline(keys: &str) -> Model {
     parse(&format!(
         r#"
 gravity = [0, 0, -10]
-materials.stiff = {{ density = 10, young = 1e13 }}
+materials.stiff = {{ density = 10, young = 1e12 }}
 sections.round = {{ kind = "circle", diameter = 0.1 }}
 bodies = [
   {{ kind = "beam", name = "ramp", from = [0, 0, {z}], to = [{x}, 0, 0], elements = 4, formulation = "linked", section = "round", material = "stiff" }},

@@ -1,0 +1,58 @@
+use ancf::Model;
+use ancf::model::Analysis;
+use ancf::units::Dimension;
+
+use crate::run::Run;
+
+/// Magnitudes of the quantities of a run, by dimension. Deviations are relative to them.
+#[derive(Clone, Debug)]
+pub struct Magnitudes {
+    length: f64,
+    duration: f64,
+    /// Axial stiffness of the stiffest body.
+    stiffness: f64,
+    largest: Vec<(Dimension, f64)>,
+}
+
+impl Magnitudes {
+    /// Magnitudes of a run of a model: the largest value of each dimension, with lower limits for quantities that are zero.
+    pub fn new(model: &Model, run: &Run) -> Self {
+        let axial = model.bodies.iter().filter_map(|body| {
+            let (section, material) = body.section_and_material()?;
+            let area = model.sections.get(section)?.moments().area;
+            Some(model.materials.get(material)?.young * area)
+        });
+        let duration = match &model.analysis {
+            Analysis::Dynamics(dynamics) => dynamics.duration,
+            _ => 1.0,
+        };
+        let mut largest: Vec<(Dimension, f64)> = Vec::new();
+        for column in &run.columns {
+            let Some(dimension) = column.dimension else { continue };
+            let value = column.values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs()));
+            match largest.iter_mut().find(|(of, _)| *of == dimension) {
+                Some((_, known)) => *known = known.max(value),
+                None => largest.push((dimension, value)),
+            }
+        }
+        Self { length: model.length(), duration, stiffness: axial.fold(0.0, f64::max), largest }
+    }
+
+    /// Magnitude of quantities of a dimension.
+    pub fn of(&self, dimension: Dimension) -> f64 {
+        let largest = |of: Dimension| self.largest.iter().find(|(known, _)| *known == of).map_or(0.0, |(_, x)| *x);
+        let rate = 0.01 / self.duration;
+        let force = largest(Dimension::FORCE).max(1e-7 * self.stiffness);
+        match dimension {
+            Dimension::NUMBER => 1.0,
+            Dimension::LENGTH => self.length,
+            Dimension::RATE => largest(dimension).max(rate),
+            Dimension::VELOCITY => largest(dimension).max(rate * self.length),
+            Dimension::ACCELERATION => largest(dimension).max(rate * self.length / self.duration),
+            Dimension::FORCE => force,
+            Dimension::ENERGY => largest(dimension).max(0.02 * force * self.length),
+            Dimension::STRESS => largest(dimension).max(f64::MIN_POSITIVE),
+            _ => largest(dimension).max(f64::MIN_POSITIVE),
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Models in another frame.
+
+use ancf::Model;
+use ancf::model::{
+    At, Body, ContactSurface, Coupling, End, InitialMotion, Joint, JointCoordinate, Load, Place, Shape,
+};
+
+use super::frame::Frame;
+
+impl Frame {
+    /// Model in this frame; `None` if it has no such form, as bushings on oblique axes.
+    pub fn model(&self, model: &Model) -> Option<Model> {
+        let mut other = model.clone();
+        other.gravity = self.polar(model.gravity);
+        other.bodies.iter_mut().for_each(|body| self.body(body));
+        for joint in &mut other.joints {
+            self.joint(joint)?;
+        }
+        other.couplings.iter_mut().for_each(|coupling| self.coupling(coupling, model));
+        for load in &mut other.loads {
+            self.load(load)?;
+        }
+        for contact in &mut other.contacts {
+            match &mut contact.with {
+                ContactSurface::Plane(plane) => {
+                    plane.point = self.point(plane.point);
+                    plane.normal = self.polar(plane.normal);
+                    plane.on.iter_mut().for_each(|place| self.place(place));
+                }
+                ContactSurface::Sphere(sphere) => {
+                    sphere.center = self.point(sphere.center);
+                    sphere.on.iter_mut().for_each(|place| self.place(place));
+                }
+                ContactSurface::Cylinder(cylinder) => {
+                    cylinder.point = self.point(cylinder.point);
+                    cylinder.axis = self.polar(cylinder.axis);
+                    cylinder.on.iter_mut().for_each(|place| self.place(place));
+                }
+                ContactSurface::Bodies => {}
+            }
+        }
+        for probe in &mut other.probes {
+            self.place(&mut probe.on);
+            // The third direction of a section is the product of the other two.
+            probe.offset[1] *= self.sign();
+        }
+        Some(other)
+    }
+
+    fn place(&self, place: &mut Place) {
+        if let At::Point(point) = &mut place.at {
+            *point = self.point(*point);
+        }
+        place.offset = self.polar(place.offset);
+    }
+
+    fn motion(&self, motion: &mut InitialMotion) {
+        motion.velocity = self.polar(motion.velocity);
+        motion.spin = self.axial(motion.spin);
+        motion.about = motion.about.map(|about| self.point(about));
+    }
+
+    fn body(&self, body: &mut Body) {
+        let up = body.up();
+        match body {
+            Body::Beam(beam) => {
+                beam.up = up.map(|up| self.polar(up.into()));
+                (beam.from, beam.to) = (self.point(beam.from), self.point(beam.to));
+                beam.twist *= self.sign();
+                match &mut beam.shape {
+                    Shape::Straight => {}
+                    Shape::Arc { through } => *through = self.point(*through),
+                    Shape::Helix { center, axis, .. } => {
+                        (*center, *axis) = (self.point(*center), self.axial(*axis));
+                    }
+                    Shape::Spline { through } => {
+                        through.iter_mut().for_each(|point| *point = self.point(*point));
+                    }
+                }
+                self.motion(&mut beam.motion);
+            }
+            Body::Cable(cable) => {
+                (cable.from, cable.to) = (self.point(cable.from), self.point(cable.to));
+                self.motion(&mut cable.motion);
+            }
+            Body::Rigid(rigid) => {
+                let tensor = self.matrix * rigid.tensor() * self.matrix.transpose();
+                rigid.inertia = [tensor[(0, 0)], tensor[(1, 1)], tensor[(2, 2)]];
+                rigid.products = [tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]];
+                rigid.center = self.point(rigid.center);
+                self.motion(&mut rigid.motion);
+            }
+            Body::Mass(mass) => {
+                mass.center = self.point(mass.center);
+                self.motion(&mut mass.motion);
+            }
+        }
+    }
+
+    /// Angles about axial axes and displacements along polar axes keep their values.
+    fn joint(&self, joint: &mut Joint) -> Option<()> {
+        let mut second = |end: &mut End| match end {
+            End::Place(place) => self.place(place),
+            End::Point(ground) => ground.point = self.point(ground.point),
+            End::Ground => {}
+        };
+        let first = match joint {
+            Joint::Clamp(joint) => (&mut joint.a, Some(&mut joint.b)),
+            Joint::Spherical(joint) => (&mut joint.a, Some(&mut joint.b)),
+            Joint::Distance(joint) => (&mut joint.a, Some(&mut joint.b)),
+            Joint::Slide(joint) => (&mut joint.a, Some(&mut joint.b)),
+            Joint::Spring(joint) => (&mut joint.a, Some(&mut joint.b)),
+            Joint::Revolute(joint) => {
+                joint.axis = self.axial(joint.axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Drive(joint) => {
+                joint.axis = joint.axis.map(|axis| self.axial(axis));
+                joint.displacement = self.polar(joint.displacement);
+                (&mut joint.a, None)
+            }
+            Joint::Universal(joint) => {
+                (joint.axis_a, joint.axis_b) = (self.polar(joint.axis_a), self.polar(joint.axis_b));
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Cylindrical(joint) => {
+                joint.axis = self.axial(joint.axis);
+                if let Some(feed) = &mut joint.feed {
+                    feed.displacement = feed.displacement.map(|x| x * self.sign());
+                    feed.speed = feed.speed.map(|x| x * self.sign());
+                }
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Prismatic(joint) => {
+                joint.axis = self.polar(joint.axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Planar(joint) => {
+                joint.normal = self.polar(joint.normal);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::PointOnLine(joint) => {
+                joint.axis = self.polar(joint.axis);
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Bushing(joint) => {
+                joint.stiffness = self.six(joint.stiffness)?;
+                joint.damping = self.six(joint.damping)?;
+                (&mut joint.a, Some(&mut joint.b))
+            }
+            Joint::Custom(_) => return None,
+        };
+        self.place(first.0);
+        first.1.into_iter().for_each(&mut second);
+        Some(())
+    }
+
+    fn six(&self, x: [f64; 6]) -> Option<[f64; 6]> {
+        let ([a, b, c], [d, e, f]) =
+            (self.diagonal([x[0], x[1], x[2]])?, self.diagonal([x[3], x[4], x[5]])?);
+        Some([a, b, c, d, e, f])
+    }
+
+    /// Displacements of cylindrical joints change their sign with a reflection, since their axes are axial.
+    fn coupling(&self, coupling: &mut Coupling, model: &Model) {
+        for part in &mut coupling.joints {
+            let joint = model.joints.iter().find(|joint| joint.name() == part.joint);
+            let is_cylindrical = matches!(joint, Some(Joint::Cylindrical(_)));
+            if is_cylindrical && part.of == Some(JointCoordinate::Displacement) {
+                part.factor *= self.sign();
+            }
+        }
+    }
+
+    fn load(&self, load: &mut Load) -> Option<()> {
+        match load {
+            Load::Force(load) => {
+                self.place(&mut load.on);
+                load.force = self.polar(load.force);
+            }
+            Load::Moment(load) => {
+                self.place(&mut load.on);
+                load.moment = self.axial(load.moment);
+            }
+            Load::DistributedForce(load) => {
+                let follower = load.follower;
+                let map = |x: [f64; 3]| if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) };
+                load.force = map(load.force);
+                load.force_end = load.force_end.map(map);
+            }
+            Load::DistributedMoment(load) => {
+                let (follower, s) = (load.follower, self.sign());
+                let map = |x: [f64; 3]| if follower { [x[0] * s, x[1] * s, x[2]] } else { self.axial(x) };
+                load.moment = map(load.moment);
+                load.moment_end = load.moment_end.map(map);
+            }
+            Load::BaseAcceleration(load) => load.acceleration = self.polar(load.acceleration),
+            Load::Fluid(load) => load.current = self.polar(load.current),
+            Load::External(_) | Load::Custom(_) => return None,
+        }
+        Some(())
+    }
+}

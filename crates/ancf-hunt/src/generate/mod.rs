@@ -1,0 +1,12 @@
+//! Random models from a seed: connected, supported where the analysis requires it, with steps that resolve the motion.
+
+mod analysis;
+mod bodies;
+mod contacts;
+mod draft;
+mod joints;
+mod loads;
+mod model;
+mod probes;
+
+pub use model::model;

@@ -1,0 +1,160 @@
+//! Hunts: many models, all laws, a table of results.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use ancf::Model;
+use ancf::model::Analysis;
+use rayon::prelude::*;
+
+use crate::compare::{Case, Finding};
+use crate::generate::model;
+use crate::known;
+use crate::laws::{Check, LAWS};
+use crate::random::Random;
+
+/// Finding with its model.
+#[derive(Clone, Debug)]
+pub struct Trophy {
+    /// Number of the case.
+    pub number: u64,
+    /// Model that violates a law.
+    pub model: Model,
+    /// Violation.
+    pub finding: Finding,
+    /// Name of the known defect, if there is one.
+    pub known: Option<&'static str>,
+}
+
+/// Counts of checks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Number of checks of an applicable law.
+    pub checked: u64,
+    /// Number of findings of known defects.
+    pub known: u64,
+    /// Number of other findings.
+    pub new: u64,
+}
+
+/// Result of a hunt.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Number of models.
+    pub models: u64,
+    /// Number of models by verdict of the run.
+    pub verdicts: BTreeMap<(&'static str, &'static str), u64>,
+    /// Counts by law and analysis.
+    pub counts: BTreeMap<(&'static str, &'static str), Counts>,
+    /// All findings.
+    pub trophies: Vec<Trophy>,
+    /// Reasons of ends before the analysis was complete, with the numbers of the cases.
+    pub refusals: Vec<(u64, String)>,
+}
+
+/// Name of an analysis.
+pub const fn analysis(model: &Model) -> &'static str {
+    match model.analysis {
+        Analysis::Dynamics(_) => "dynamics",
+        Analysis::Statics(_) => "statics",
+        Analysis::Path(_) => "path",
+        Analysis::Modes(_) => "modes",
+        Analysis::Buckling(_) => "buckling",
+    }
+}
+
+/// Model of a case of a hunt.
+///
+/// # Errors
+/// If the generator states a model of a wrong form.
+pub fn case(seed: u64, number: u64) -> Result<Model, String> {
+    model(Random::of_case(seed, number))
+}
+
+/// Checks the laws for a model. A law is left out with the probability 1 − `share`.
+pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
+    let mut report = Report { models: 1, ..Report::default() };
+    let kind = analysis(&model);
+    let case = Case::new(model);
+    *report.verdicts.entry((kind, case.base.verdict.word())).or_default() += 1;
+    if !case.base.verdict.is_finished() {
+        report.refusals.push((number, format!("{kind}: {}", case.base.verdict.reason())));
+    }
+    for (k, law) in LAWS.iter().enumerate() {
+        let mut random = Random::of_case(seed ^ (k as u64 + 1), number);
+        if !random.chance(share) {
+            continue;
+        }
+        let result = law.check(&case, &mut random);
+        if result == Check::Inapplicable {
+            continue;
+        }
+        let counts = report.counts.entry((law.name(), kind)).or_default();
+        counts.checked += 1;
+        if let Check::Violated(finding) = result {
+            let known = known::cause(&case.model, &finding);
+            *if known.is_some() { &mut counts.known } else { &mut counts.new } += 1;
+            report.trophies.push(Trophy { number, model: case.model.clone(), finding, known });
+        }
+    }
+    report
+}
+
+/// Hunts with models of a seed, on all threads of the pool.
+///
+/// # Errors
+/// If the generator states a model of a wrong form.
+pub fn hunt(seed: u64, numbers: std::ops::Range<u64>, share: f64) -> Result<Report, String> {
+    let reports: Result<Vec<Report>, String> = numbers
+        .into_par_iter()
+        .map(|number| Ok(check(seed, number, case(seed, number)?, share)))
+        .collect();
+    Ok(reports?.into_iter().fold(Report::default(), Report::with))
+}
+
+impl Report {
+    /// Sum of two reports.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        self.models += other.models;
+        for (key, count) in other.verdicts {
+            *self.verdicts.entry(key).or_default() += count;
+        }
+        for (key, counts) in other.counts {
+            let sum = self.counts.entry(key).or_default();
+            sum.checked += counts.checked;
+            sum.known += counts.known;
+            sum.new += counts.new;
+        }
+        self.trophies.extend(other.trophies);
+        self.refusals.extend(other.refusals);
+        self
+    }
+
+    /// Share of models whose analysis was complete.
+    pub fn share_finished(&self) -> f64 {
+        let finished: u64 =
+            self.verdicts.iter().filter(|((_, word), _)| *word == "finished").map(|(_, count)| count).sum();
+        finished as f64 / self.models.max(1) as f64
+    }
+
+    /// Findings without a known defect.
+    pub fn new_findings(&self) -> impl Iterator<Item = &Trophy> {
+        self.trophies.iter().filter(|trophy| trophy.known.is_none())
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{} models, {:.1} % finished", self.models, 100.0 * self.share_finished())?;
+        for ((kind, word), count) in &self.verdicts {
+            writeln!(f, "  {kind:<10} {word:<10} {count:>6}")?;
+        }
+        writeln!(f, "{:<14} {:<10} {:>8} {:>8} {:>8}", "law", "analysis", "checked", "known", "new")?;
+        for ((law, kind), counts) in &self.counts {
+            let Counts { checked, known, new } = counts;
+            writeln!(f, "{law:<14} {kind:<10} {checked:>8} {known:>8} {new:>8}")?;
+        }
+        Ok(())
+    }
+}

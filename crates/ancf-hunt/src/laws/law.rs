@@ -1,0 +1,52 @@
+use ancf::Model;
+
+use crate::compare::{Case, Finding, compare};
+use crate::random::Random;
+use crate::run::{Run, Verdict, run};
+
+/// Result of a check.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Check {
+    /// The law does not apply to the model.
+    Inapplicable,
+    /// The law holds.
+    Holds,
+    /// The law is violated.
+    Violated(Finding),
+}
+
+impl Check {
+    /// Result of a comparison.
+    pub fn of(finding: Option<Finding>) -> Self {
+        finding.map_or(Self::Holds, Self::Violated)
+    }
+}
+
+/// Law that all models obey.
+pub trait Law: Sync {
+    /// Name in tables and files.
+    fn name(&self) -> &'static str;
+
+    /// Checks the law for a model. Random numbers choose the details of a transformation.
+    fn check(&self, case: &Case, random: &mut Random) -> Check;
+}
+
+/// Checks a twin: its results, mapped back, are those of the base.
+pub(super) fn check_twin(
+    law: &'static str,
+    case: &Case,
+    twin: Option<Model>,
+    back: impl FnOnce(&mut Run),
+    relative: f64,
+) -> Check {
+    let Some(twin) = twin else { return Check::Inapplicable };
+    if matches!(case.base.verdict, Verdict::Stopped | Verdict::Panicked(_)) {
+        return Check::Inapplicable;
+    }
+    let mut other = run(&twin);
+    back(&mut other);
+    Check::of(compare(law, case, &other, relative))
+}
+
+/// Relative tolerance of twins with other rounding errors.
+pub(super) const EQUAL: f64 = 1e-6;

@@ -1,0 +1,106 @@
+//! Program of `cargo xtask hunt`: random models, held to the same physics as their transformed twins.
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+use std::{env, fs};
+
+use ancf_hunt::hunt::{Report, Trophy, case, check, hunt};
+use ancf_hunt::laws::LAWS;
+use ancf_hunt::random::Random;
+use ancf_hunt::shrink::shrink;
+
+/// Number of models between two lines of progress.
+const PORTION: u64 = 100;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    match of_arguments(&arguments) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(why) => {
+            say(&why);
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs the program. Returns true without new findings.
+fn of_arguments(arguments: &[String]) -> Result<bool, String> {
+    let number = |k: usize, default: u64| match arguments.get(k) {
+        Some(text) => text.parse().map_err(|_| format!("`{text}` is not an integer")),
+        None => Ok(default),
+    };
+    match arguments.first().map(String::as_str) {
+        Some("show") => {
+            let model = case(number(1, 1)?, number(2, 0)?)?;
+            say(&text_of(&model)?);
+            Ok(true)
+        }
+        Some("one") => {
+            let (seed, number) = (number(1, 1)?, number(2, 0)?);
+            let report = check(seed, number, case(seed, number)?, 1.0);
+            say(&report.to_string());
+            report.refusals.iter().for_each(|(_, reason)| say(reason));
+            report.trophies.iter().for_each(|trophy| say(&line(trophy)));
+            Ok(report.new_findings().next().is_none())
+        }
+        _ => of_seed(number(0, 1)?, number(1, 1000)?, arguments.get(2)),
+    }
+}
+
+fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, String> {
+    let mut report = Report::default();
+    let mut first = 0;
+    while first < models {
+        let last = (first + PORTION).min(models);
+        let part = hunt(seed, first..last, 1.0)?;
+        for (number, reason) in &part.refusals {
+            say(&format!("  {number}: {reason}"));
+        }
+        for trophy in &part.trophies {
+            say(&line(trophy));
+            if let (Some(folder), None) = (folder, trophy.known) {
+                store(Path::new(folder), seed, trophy)?;
+            }
+        }
+        say(&format!("{last} of {models} models"));
+        report = report.with(part);
+        first = last;
+    }
+    say(&report.to_string());
+    Ok(report.new_findings().next().is_none())
+}
+
+fn line(trophy: &Trophy) -> String {
+    let Trophy { number, finding, known, .. } = trophy;
+    let known = known.map_or_else(String::new, |known| format!(" [{known}]"));
+    format!("  {number}: {} {}: {}{known}", finding.law, finding.quantity, finding.values)
+}
+
+/// Writes the reduced model of a finding.
+fn store(folder: &Path, seed: u64, trophy: &Trophy) -> Result<(), String> {
+    let finding = &trophy.finding;
+    let index = LAWS.iter().position(|law| law.name() == finding.law).unwrap_or(0);
+    let mut random = Random::of_case(seed ^ (index as u64 + 1), trophy.number);
+    let _ = random.chance(1.0);
+    let model = shrink(&trophy.model, finding, &random);
+    let again = ancf_hunt::shrink::finding(&model, finding.law, &random).unwrap_or_else(|| finding.clone());
+    let text = format!("# law: {}\n# quantity: {}\n# values: {}\n# case: seed {seed}, number {}\n\n{}",
+        again.law, again.quantity, again.values.replace('\n', " "), trophy.number, text_of(&model)?);
+    fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+    let path = folder.join(format!("{}-{seed}-{}.toml", finding.law, trophy.number));
+    fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+    say(&format!("    {}", path.display()));
+    Ok(())
+}
+
+fn text_of(model: &ancf::Model) -> Result<String, String> {
+    toml::to_string(model).map_err(|error| error.to_string())
+}
+
+/// Prints a line on standard error.
+fn say(text: &str) {
+    // A closed standard error cannot be reported anywhere.
+    let _ = writeln!(io::stderr(), "{text}");
+}

@@ -1,0 +1,99 @@
+use std::any::Any;
+use std::io;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+use ancf::record::{Series, Sink};
+use ancf::{Model, Outcome, Simulation, Summary};
+
+use super::record::{Record, Run, Verdict};
+
+/// Rows after which a run is stopped.
+const MOST_ROWS: usize = 4000;
+/// Time after which a run is stopped.
+const LONGEST: Duration = Duration::from_secs(20);
+
+/// Runs a model. Panics are verdicts.
+pub fn run(model: &Model) -> Run {
+    guarded(|| of_model(model))
+}
+
+/// Runs a model on a number of threads.
+pub fn run_in(model: &Model, threads: usize) -> Run {
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) => pool.install(|| run(model)),
+        Err(error) => Run::empty(Verdict::Failed(error.to_string())),
+    }
+}
+
+/// Runs a function and converts a panic into a verdict.
+pub(super) fn guarded(of: impl FnOnce() -> Run) -> Run {
+    let message = |panic: Box<dyn Any + Send>| {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
+    };
+    catch_unwind(AssertUnwindSafe(of)).unwrap_or_else(|panic| Run::empty(Verdict::Panicked(message(panic))))
+}
+
+fn of_model(model: &Model) -> Run {
+    let simulation = match Simulation::new(model) {
+        Ok(simulation) => simulation,
+        Err(errors) => return Run::empty(Verdict::Rejected(errors.to_string())),
+    };
+    let mut rows = Limited::new();
+    let summary = simulation.run(&mut (&mut rows as &mut dyn Sink));
+    completed(&simulation, rows.series, summary)
+}
+
+/// Combines the columns, the rows and the summary of a run.
+pub(super) fn completed(simulation: &Simulation, series: Series, summary: io::Result<Summary>) -> Run {
+    let summary = match summary {
+        Ok(summary) => summary,
+        Err(error) => return Run::empty(Verdict::Failed(error.to_string())),
+    };
+    let dimensions = simulation.columns();
+    let dimension = |name: &str| dimensions.iter().find(|column| column.name == name)?.dimension;
+    let column = |(name, values): (&str, &[f64])| Record {
+        name: name.to_owned(),
+        dimension: dimension(name),
+        values: values.to_vec(),
+    };
+    let verdict = match summary.outcome {
+        Outcome::Finished => Verdict::Finished,
+        Outcome::Stopped => Verdict::Stopped,
+        Outcome::Failed { reason, .. } => Verdict::Failed(reason),
+    };
+    Run {
+        verdict,
+        columns: series.columns().map(column).collect(),
+        warnings: summary.warnings,
+        is_divided: summary.divided_steps + summary.rejected_steps > 0,
+    }
+}
+
+/// Rows in memory, limited in number and time.
+pub(super) struct Limited {
+    pub(super) series: Series,
+    rows: usize,
+    end: Instant,
+}
+
+impl Limited {
+    pub(super) fn new() -> Self {
+        Self { series: Series::new(), rows: 0, end: Instant::now() + LONGEST }
+    }
+}
+
+impl Sink for Limited {
+    fn begin(&mut self, columns: &[String]) -> io::Result<()> {
+        self.series.begin(columns)
+    }
+
+    fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
+        self.rows += 1;
+        let _ = self.series.record(row)?;
+        let is_over = self.rows >= MOST_ROWS || Instant::now() > self.end;
+        Ok(if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+    }
+}

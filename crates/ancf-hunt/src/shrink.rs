@@ -1,0 +1,170 @@
+//! Reduction of a model with a finding to a small one.
+
+use ancf::Model;
+use ancf::model::{Analysis, Body, Joint, Load, Shape, Step, TimeFunction};
+
+use crate::compare::{Case, Finding};
+use crate::laws::{Check, LAWS};
+use crate::random::Random;
+
+/// Maximum number of attempts.
+const ATTEMPTS: usize = 400;
+
+/// Finding of a law for a model.
+pub fn finding(model: &Model, law: &str, random: &Random) -> Option<Finding> {
+    let law = LAWS.iter().find(|known| known.name() == law)?;
+    match law.check(&Case::new(model.clone()), &mut random.clone()) {
+        Check::Violated(finding) => Some(finding),
+        Check::Holds | Check::Inapplicable => None,
+    }
+}
+
+/// Removes parts of a model and simplifies others while it violates the law in the same way: by its verdict, or by its values.
+pub fn shrink(model: &Model, found: &Finding, random: &Random) -> Model {
+    let mut small = model.clone();
+    let is_verdict = found.quantity == "verdict";
+    let fails = |model: &Model| {
+        finding(model, found.law, random).is_some_and(|other| (other.quantity == "verdict") == is_verdict)
+    };
+    let mut left = ATTEMPTS;
+    loop {
+        let smaller = reductions(&small).into_iter().find(|candidate| {
+            left = left.saturating_sub(1);
+            left > 0 && *candidate != small && fails(candidate)
+        });
+        match smaller {
+            Some(model) => small = model,
+            None => return small,
+        }
+    }
+}
+
+/// Smaller models, in the order of attempts.
+fn reductions(model: &Model) -> Vec<Model> {
+    let mut all = Vec::new();
+    let mut add = |change: &dyn Fn(&mut Model)| {
+        let mut other = model.clone();
+        change(&mut other);
+        all.push(other);
+    };
+    for body in &model.bodies {
+        add(&|model| without_body(model, body.name()));
+    }
+    for i in 0..model.loads.len() {
+        add(&|model| _ = model.loads.remove(i));
+    }
+    for i in 0..model.joints.len() {
+        add(&|model| without_joint(model, i));
+    }
+    for i in 0..model.contacts.len() {
+        add(&|model| _ = model.contacts.remove(i));
+    }
+    for i in 0..model.couplings.len() {
+        add(&|model| _ = model.couplings.remove(i));
+    }
+    for i in 0..model.probes.len() {
+        add(&|model| _ = model.probes.remove(i));
+    }
+    add(&|model| model.gravity = [0.0; 3]);
+    add(&shorten);
+    for i in 0..model.bodies.len() {
+        for change in BODY_CHANGES {
+            add(&|model| change(&mut model.bodies[i]));
+        }
+    }
+    add(&|model| model.materials.values_mut().for_each(|material| material.damping = Default::default()));
+    add(&|model| model.materials.values_mut().for_each(|material| material.poisson = 0.0));
+    for i in 0..model.joints.len() {
+        add(&|model| plain(&mut model.joints[i]));
+    }
+    for i in 0..model.loads.len() {
+        add(&|model| constant(&mut model.loads[i]));
+    }
+    all
+}
+
+const BODY_CHANGES: [fn(&mut Body); 6] = [
+    |body| {
+        if let Body::Beam(beam) = body {
+            beam.elements = beam.elements.div_ceil(2);
+        }
+    },
+    |body| {
+        if let Body::Beam(beam) = body {
+            beam.twist = 0.0;
+        }
+    },
+    |body| {
+        if let Body::Beam(beam) = body {
+            beam.shape = Shape::Straight;
+        }
+    },
+    |body| {
+        if let Body::Beam(beam) = body {
+            beam.section_end = None;
+        }
+    },
+    |body| {
+        if let Body::Beam(beam) = body {
+            beam.up = None;
+        }
+    },
+    |body| match body {
+        Body::Beam(beam) => beam.motion = Default::default(),
+        Body::Cable(cable) => cable.motion = Default::default(),
+        Body::Rigid(rigid) => (rigid.motion, rigid.products) = Default::default(),
+        Body::Mass(mass) => mass.motion = Default::default(),
+    },
+];
+
+fn without_body(model: &mut Model, name: &str) {
+    let is_of = |joint: &Joint| {
+        let (a, b) = joint.ends();
+        a.body == name || matches!(b, ancf::model::End::Place(place) if place.body == name)
+    };
+    let gone: Vec<String> = model.joints.iter().filter(|joint| is_of(joint)).map(|joint| joint.name().to_owned()).collect();
+    model.joints.retain(|joint| !is_of(joint));
+    model.couplings.retain(|coupling| !coupling.joints.iter().any(|part| gone.contains(&part.joint)));
+    model.bodies.retain(|body| body.name() != name);
+    model.probes.retain(|probe| probe.on.body != name);
+    model.loads.retain(|load| match load {
+        Load::DistributedForce(line) => line.body != name,
+        Load::DistributedMoment(line) => line.body != name,
+        Load::Fluid(fluid) => !fluid.bodies.iter().any(|body| body == name),
+        other => other.on().is_none_or(|place| place.body != name),
+    });
+}
+
+fn without_joint(model: &mut Model, i: usize) {
+    let gone = model.joints.remove(i);
+    model.couplings.retain(|coupling| !coupling.joints.iter().any(|part| part.joint == gone.name()));
+}
+
+fn shorten(model: &mut Model) {
+    if let Analysis::Dynamics(dynamics) = &mut model.analysis
+        && let Step::Fixed(step) = dynamics.step
+    {
+        dynamics.duration = (0.5 * dynamics.duration).max(4.0 * step);
+    }
+}
+
+/// Removes springs, friction and drives of a joint.
+fn plain(joint: &mut Joint) {
+    match joint {
+        Joint::Revolute(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
+        Joint::Prismatic(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
+        Joint::Slide(joint) => (joint.spring, joint.friction, joint.drive) = (None, None, None),
+        Joint::Cylindrical(joint) => (joint.spring, joint.drive, joint.feed) = (None, None, None),
+        _ => {}
+    }
+}
+
+fn constant(load: &mut Load) {
+    match load {
+        Load::Force(load) => (load.time, load.on.offset) = (TimeFunction::default(), [0.0; 3]),
+        Load::Moment(load) => load.time = TimeFunction::default(),
+        Load::DistributedForce(load) => (load.time, load.force_end) = (TimeFunction::default(), None),
+        Load::DistributedMoment(load) => (load.time, load.moment_end) = (TimeFunction::default(), None),
+        _ => {}
+    }
+}

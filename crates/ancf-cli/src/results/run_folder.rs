@@ -8,15 +8,24 @@ use ancf_report::{Ending, Recording};
 use ancf_results::{OpenError, Results};
 use anyhow::Result;
 
-use crate::terminal::{Ended, refuse, reject};
+use crate::terminal::{Ended, print_status, refuse, reject};
 
-/// Opens the folder of a run. Reports a folder without a run.
+/// Opens the folder of a run and verifies its files. Reports a folder without a run.
 ///
 /// # Errors
-/// If a file cannot be read.
+/// If a file cannot be read or is damaged.
 pub fn open_run(folder: &Path) -> Result<Result<Results, Ended>> {
     match Results::open(folder) {
-        Ok(results) if results.folder().has_run() => Ok(Ok(results)),
+        Ok(results) if results.folder().has_run() => {
+            results.verify()?;
+            if !results.has_checksums()? {
+                let folder = folder.display();
+                print_status(&format!(
+                    "{folder} was written by an earlier version: without checksums, damaged files are not detected"
+                ));
+            }
+            Ok(Ok(results))
+        }
         Ok(_) => Ok(Err(reject(&format!(
             "{} holds no run: there is a model.toml and no results",
             folder.display()

@@ -1,6 +1,7 @@
 //! Integration tests of the program `ancf`: commands, files, messages, exit codes.
 #![cfg(test)]
 
+mod damage;
 mod folder;
 #[cfg(target_os = "linux")]
 mod full_disk;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use ancf::record::Series;
 use ancf_results::{KILLED, OpenError, Results, RunStatus};
 use numpy::PyArray1;
-use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError};
+use pyo3::exceptions::{PyFileNotFoundError, PyMemoryError, PyUserWarning};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toml::{Table, Value};
@@ -22,6 +22,12 @@ use crate::input::{model_error, to_python, value_error};
 pub(crate) fn load(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let fail = |error| unreadable(py, error);
     let results = py.detach(|| Results::open(path)).map_err(fail)?;
+    if !py.detach(|| results.has_checksums()).map_err(fail)? {
+        let text =
+            c"the run was written by an earlier version: without checksums, damaged files are not detected";
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), text, 1)?;
+    }
+    py.detach(|| results.verify()).map_err(fail)?;
     let status = results.status();
     let recorded = py.detach(|| RecordedRun::read(&results));
     let RecordedRun { frames, values, rows, columns, numbers } = recorded.map_err(fail)?;

@@ -129,6 +129,20 @@ def test_loaded_results_are_pickled(program: Path, rod: dict[str, Any], tmp_path
     np.testing.assert_array_equal(again.field("section_forces"), loaded.field("section_forces"))
 
 
+@pytest.mark.parametrize("file", ["results.parquet", "states.parquet", "summary.json", "model.toml"])
+def test_damaged_files_are_rejected(file: str, program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
+    folder = folder_of(program, rod, tmp_path)
+    whole = (folder / file).read_bytes()
+    for place in (len(whole) // 3, len(whole) // 2):
+        damaged = bytearray(whole)
+        damaged[place] ^= 0x40
+        (folder / file).write_bytes(damaged)
+        with pytest.raises(OSError, match=file.replace(".", r"\.")):
+            ancf.load(folder)
+    (folder / file).write_bytes(whole)
+    ancf.load(folder)
+
+
 @pytest.mark.skipif(os.name == "nt", reason="SIGKILL")
 def test_a_run_in_progress_and_a_killed_run(program: Path, rod: dict[str, Any], tmp_path: Path) -> None:
     endless = rod | {"analysis": rod["analysis"] | {"duration": 100.0}, "output": {"states": 20001}}

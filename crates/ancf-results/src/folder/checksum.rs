@@ -1,4 +1,5 @@
 use std::fmt::Write;
+use std::io;
 
 use sha2::{Digest, Sha256};
 
@@ -8,4 +9,9 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
         write!(digits, "{byte:02x}").expect("a String accepts any text");
         digits
     })
+}
+
+/// Error of a file whose contents are not those that were written.
+pub(crate) fn damaged(why: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, format!("the file is damaged: {why}"))
 }

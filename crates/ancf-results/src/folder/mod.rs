@@ -5,9 +5,10 @@ mod run_folder;
 mod summary_file;
 mod whole_file;
 
-pub(crate) use checksum::sha256;
+pub(crate) use checksum::{damaged, sha256};
 pub use run_folder::Folder;
-pub(crate) use run_folder::sign;
+pub(crate) use run_folder::{erase_signature, sign};
 pub use summary_file::SummaryFile;
+pub(crate) use summary_file::{has_summary_checksum, read_summary, write_summary};
 pub use whole_file::write_atomically;
-pub(crate) use whole_file::{part_path, remove, remove_all, replace, with_path};
+pub(crate) use whole_file::{create, part_path, remove, remove_all, replace, with_path};

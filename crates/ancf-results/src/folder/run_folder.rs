@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
-use super::checksum::sha256;
+use super::checksum::{damaged, sha256};
 use super::whole_file::{remove, remove_all, with_path};
 
 /// Folder of a run and the paths of its files.
@@ -92,8 +92,7 @@ impl Folder {
 
     /// Returns an error if a run would overwrite files of the user. `lock` contains the checksum of the last run.
     pub(crate) fn check_overwrite(&self, lock: &File, text: &str) -> io::Result<()> {
-        let mut last = String::new();
-        lock.take(DIGITS).read_to_string(&mut last).map_err(|error| with_path(&error, &self.0.join(LOCK)))?;
+        let last = self.signature_of(lock)?;
         let path = self.model();
         let own = match fs::read(&path) {
             Ok(bytes) => Some(bytes),
@@ -108,6 +107,44 @@ impl Folder {
         let others = FILES.iter().chain(&FOLDERS).filter(|name| !["model.toml", LOCK].contains(name));
         let found = others.map(|name| self.0.join(name)).find(|path| path.exists());
         found.filter(|_| !ours).map_or(Ok(()), |path| Err(lost(&path)))
+    }
+
+    /// Returns the checksum in a lock file, which may be empty.
+    fn signature_of(&self, lock: &File) -> io::Result<String> {
+        let mut signature = Vec::new();
+        let read = lock.take(DIGITS).read_to_end(&mut signature);
+        read.map_err(|error| with_path(&error, &self.0.join(LOCK)))?;
+        Ok(String::from_utf8_lossy(&signature).into_owned())
+    }
+
+    /// Returns the SHA-256 of the model of the run; `None` if the folder has no lock file or the run is starting.
+    fn signature(&self) -> io::Result<Option<String>> {
+        match File::open(self.0.join(LOCK)) {
+            Ok(lock) => Ok(Some(self.signature_of(&lock)?).filter(|signature| !signature.is_empty())),
+            // Copies of a folder may lack it.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(with_path(&error, &self.0.join(LOCK))),
+        }
+    }
+
+    /// Verifies the text of the model. Without a lock file the checksum is `stored`, that of the results.
+    pub(crate) fn verify_model(
+        &self,
+        text: &[u8],
+        stored: impl FnOnce() -> io::Result<Option<String>>,
+    ) -> io::Result<()> {
+        let signature = match self.signature()? {
+            Some(signature) => Some(signature),
+            None => stored()?,
+        };
+        if signature.is_none_or(|signature| signature == sha256(text)) {
+            return Ok(());
+        }
+        let why = format!(
+            "it is not the model of this run, its SHA-256 differs from {LOCK} or the results; to change a model, run a copy \
+             of it into another folder"
+        );
+        Err(with_path(&damaged(&why), &self.model()))
     }
 
     /// Removes the files of an earlier run, so that they are not confused with those of this run.
@@ -183,8 +220,12 @@ fn lost(path: &Path) -> io::Error {
     io::Error::new(io::ErrorKind::AlreadyExists, text)
 }
 
-/// Writes the checksum of the model of a run into its lock file.
+/// Removes the checksum of the model of an earlier run from the lock file.
+pub(crate) fn erase_signature(lock: &File) -> io::Result<()> {
+    lock.set_len(0)
+}
+
+/// Writes the checksum of the model of a run into its lock file, which is empty.
 pub(crate) fn sign(lock: &mut File, text: &str) -> io::Result<()> {
-    lock.set_len(0)?;
     lock.write_all(sha256(text.as_bytes()).as_bytes())
 }

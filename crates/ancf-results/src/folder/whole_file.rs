@@ -31,13 +31,18 @@ pub(crate) fn part_path(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
+/// Creates a file that can also be read, or truncates an existing one.
+pub(crate) fn create(path: &Path) -> io::Result<File> {
+    File::options().read(true).write(true).create(true).truncate(true).open(path)
+}
+
 /// Writes a file completely or not at all. The contents are on the disk when this returns.
 ///
 /// # Errors
 /// If the file cannot be written. An existing file is then unchanged.
 pub fn write_atomically(path: &Path, write: impl FnOnce(&File) -> io::Result<()>) -> io::Result<()> {
     let part = part_path(path);
-    let written = File::create(&part).and_then(|file| {
+    let written = create(&part).and_then(|file| {
         write(&file)?;
         file.sync_all()?;
         fs::rename(&part, path)

@@ -10,8 +10,8 @@ use ancf::{Model, Simulation};
 
 use super::open_error::OpenError;
 use super::run_status::RunStatus;
-use crate::folder::{Folder, SummaryFile, with_path};
-use crate::table::{Layout, metadata_of_table, rows_of_part, state_layout};
+use crate::folder::{Folder, SummaryFile, damaged, has_summary_checksum, read_summary, with_path};
+use crate::table::{Layout, has_checksums, metadata_of_table, rows_of_part, state_layout, verify};
 
 /// Stored state of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,16 +37,18 @@ impl Results {
     /// Opens the folder of a run.
     ///
     /// # Errors
-    /// If the folder contains no run, or the model is invalid in this version of the program.
+    /// If the folder contains no run, the model is not that of the run, or it is invalid in this version of the program.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
         let folder = Folder::new(path.as_ref());
         let file = folder.model();
-        let text = match fs::read_to_string(&file) {
+        let bytes = match fs::read(&file) {
             Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
                 return Err(OpenError::NoRun(folder.path().to_owned()));
             }
-            text => text.map_err(|error| with_path(&error, &file))?,
+            bytes => bytes.map_err(|error| with_path(&error, &file))?,
         };
+        folder.verify_model(&bytes, || stored_checksum(&folder))?;
+        let text = String::from_utf8(bytes).map_err(|_| with_path(&damaged("it is not UTF-8"), &file))?;
         let wrong = |errors| OpenError::Model { path: file.clone(), errors };
         let model = Model::parse(&text).map_err(wrong)?;
         let simulation = Simulation::new(&model).map_err(wrong)?;
@@ -84,18 +86,45 @@ impl Results {
         }
     }
 
-    /// Reads `summary.json`; `None` if the file does not exist or is damaged.
+    /// Reads `summary.json`; `None` if the file does not exist.
     ///
     /// # Errors
-    /// If the file cannot be read.
+    /// If the file cannot be read or is damaged.
     pub fn summary_file(&self) -> Result<Option<SummaryFile>, OpenError> {
         let path = self.folder.summary();
         match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             bytes => {
                 let bytes = bytes.map_err(|error| with_path(&error, &path))?;
-                Ok(serde_json::from_slice(&bytes).ok())
+                Ok(Some(read_summary(&bytes).map_err(|error| with_path(&error, &path))?))
             }
+        }
+    }
+
+    /// Verifies the checksums of columns, states and summary without decoding the tables.
+    ///
+    /// # Errors
+    /// If a file is damaged or cannot be read.
+    pub fn verify(&self) -> Result<(), OpenError> {
+        verify(&self.folder.results())?;
+        verify(&self.folder.states())?;
+        self.summary_file().map(|_| ())
+    }
+
+    /// True if damage of every file of the results would be detected. Files of earlier versions have no checksums.
+    ///
+    /// # Errors
+    /// If a file cannot be read.
+    pub fn has_checksums(&self) -> Result<bool, OpenError> {
+        for table in [self.folder.results(), self.folder.states()] {
+            if has_checksums(&table)? == Some(false) {
+                return Ok(false);
+            }
+        }
+        let path = self.folder.summary();
+        match fs::read(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
+            bytes => Ok(has_summary_checksum(&bytes.map_err(|error| with_path(&error, &path))?)),
         }
     }
 
@@ -149,6 +178,14 @@ impl Results {
     /// If the file cannot be read.
     pub fn metadata(&self, key: &str) -> Result<Option<String>, OpenError> {
         Ok(metadata_of_table(&self.folder.results(), key)?)
+    }
+}
+
+/// SHA-256 of the model in the metadata of the results.
+fn stored_checksum(folder: &Folder) -> io::Result<Option<String>> {
+    match metadata_of_table(&folder.results(), "sha256")? {
+        Some(checksum) => Ok(Some(checksum)),
+        None => metadata_of_table(&folder.states(), "sha256"),
     }
 }
 

@@ -11,7 +11,7 @@ use super::checkpoint::{self, CheckpointError, CheckpointInterval};
 use super::row_selection::RowSelection;
 use super::run_files::{FileLengths, FileSpec, RunFiles};
 use super::state_selection::StateSelection;
-use crate::folder::{Folder, SummaryFile, remove, replace, sign, with_path};
+use crate::folder::{Folder, SummaryFile, erase_signature, remove, replace, sign, with_path, write_summary};
 use crate::table::{Layout, PROGRAM, Provenance, state_layout};
 
 /// Writes a run into its folder.
@@ -131,8 +131,7 @@ impl Recorder {
     pub fn write_summary(&mut self, summary: &Summary, wall_seconds: f64) -> io::Result<()> {
         let (program, model, summary) = (PROGRAM.to_owned(), self.name.clone(), summary.clone());
         let contents = SummaryFile { program, model, wall_seconds, summary };
-        let text = serde_json::to_string_pretty(&contents).map_err(io::Error::other)? + "\n";
-        replace(&self.folder().summary(), text.as_bytes())?;
+        write_summary(&self.folder().summary(), &contents)?;
         if contents.summary.outcome.is_finished() {
             remove(&self.folder().checkpoint())?;
         }
@@ -147,6 +146,8 @@ impl Recorder {
         let mut lock = folder.lock()?;
         folder.check_overwrite(&lock, &self.text)?;
         folder.clear()?;
+        // A reader may see the new model before its checksum.
+        erase_signature(&lock).map_err(|error| with_path(&error, folder.path()))?;
         replace(&folder.model(), self.text.as_bytes())?;
         sign(&mut lock, &self.text).map_err(|error| with_path(&error, folder.path()))?;
         let files = self.spec.create()?;

@@ -8,6 +8,7 @@ use parquet::data_type::DoubleType;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::SerializedFileWriter;
 
+use super::checksums;
 use super::layout::Layout;
 use super::merge::{merge, split};
 use super::parts::{part, part_numbers, parts_folder};
@@ -61,8 +62,12 @@ impl GrowingTable {
         remove(path)?;
         let rows = usize::try_from(rows).map_err(|_| missing(path))?;
         table.complete = rows / table.rows_per_part;
-        if (0..table.complete).any(|number| count(&part(path, number)).ok() != Some(table.rows_per_part)) {
-            return Err(missing(path));
+        for number in 0..table.complete {
+            match count(&part(path, number)) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                rows if rows.as_ref().ok() == Some(&table.rows_per_part) => {}
+                _ => return Err(missing(path)),
+            }
         }
         let left = rows % table.rows_per_part;
         if left > 0 {
@@ -154,8 +159,9 @@ impl GrowingTable {
             column.close()?;
         }
         group.close()?;
+        writer.append_key_value_metadata(checksums::placeholder(1));
         writer.close()?;
-        Ok(())
+        checksums::write(file)
     }
 
     /// Merges the parts into one file.
@@ -177,9 +183,10 @@ fn missing(path: &Path) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, format!("{}: rows are missing", path.display()))
 }
 
-/// Number of rows of a part.
+/// Number of rows of a part with correct checksums.
 fn count(path: &Path) -> io::Result<usize> {
     let reader = Reader::open(path)?;
+    (0..reader.groups()).try_for_each(|group| reader.verify(group))?;
     Ok((0..reader.groups()).map(|group| reader.rows(group)).sum())
 }
 

@@ -8,10 +8,11 @@ use parquet::file::metadata::{PageIndexPolicy, ParquetMetaData, ParquetMetaDataR
 use parquet::file::properties::WriterPropertiesPtr;
 use parquet::file::writer::SerializedFileWriter;
 
+use super::checksums;
 use super::layout::Layout;
 use super::parts::part;
 use super::reader::is_sound;
-use crate::folder::{part_path, with_path, write_atomically};
+use crate::folder::{create, part_path, with_path, write_atomically};
 
 /// Merges files into one by copying their row groups in order.
 pub(crate) fn merge(
@@ -22,14 +23,17 @@ pub(crate) fn merge(
 ) -> io::Result<()> {
     let write = |file: &File| {
         let mut writer = SerializedFileWriter::new(file, layout.schema()?, Arc::clone(properties))?;
+        let mut groups = 0;
         for path in from {
-            let (file, metadata) = open(path)?;
+            let (file, metadata) = open(path).map_err(|error| with_path(&error, path))?;
             for group in 0..metadata.num_row_groups() {
                 copy(&file, &metadata, group, &mut writer)?;
             }
+            groups += metadata.num_row_groups();
         }
+        writer.append_key_value_metadata(checksums::placeholder(groups));
         writer.close()?;
-        Ok(())
+        checksums::write(file)
     };
     write_atomically(to, write).map_err(|error| with_path(&error, to))
 }
@@ -49,20 +53,28 @@ pub(crate) fn split(
         let (file, metadata) = open(from)?;
         for group in 0..metadata.num_row_groups() {
             let name = part(from, group).file_name().map(PathBuf::from).unwrap_or_default();
-            let own = File::create(unfinished.join(name))?;
+            let own = create(&unfinished.join(name))?;
             let mut writer = SerializedFileWriter::new(&own, layout.schema()?, Arc::clone(properties))?;
             copy(&file, &metadata, group, &mut writer)?;
+            writer.append_key_value_metadata(checksums::placeholder(1));
             writer.close()?;
+            checksums::write(&own)?;
         }
         fs::rename(&unfinished, to)
     };
     write().map_err(|error| with_path(&error, from))
 }
 
+/// Opens a file and verifies its checksums.
 fn open(path: &Path) -> io::Result<(File, ParquetMetaData)> {
     let file = File::open(path)?;
     let reader = ParquetMetaDataReader::new().with_page_index_policy(PageIndexPolicy::Optional);
+    let checksums = checksums::read(&file)?;
     let metadata = reader.parse_and_finish(&file)?;
+    if let Some(checksums) = checksums {
+        let mut groups = 0..metadata.num_row_groups();
+        groups.try_for_each(|group| checksums.verify(&file, &metadata, group))?;
+    }
     Ok((file, metadata))
 }
 

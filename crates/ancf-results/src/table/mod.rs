@@ -1,5 +1,6 @@
 //! Tables of a run as Parquet files: written in parts, merged at the end, and read at any time.
 
+mod checksums;
 mod growing_table;
 mod layout;
 mod merge;
@@ -11,5 +12,5 @@ mod state_layout;
 pub(crate) use growing_table::GrowingTable;
 pub(crate) use layout::Layout;
 pub(crate) use provenance::{PROGRAM, Provenance};
-pub(crate) use reader::{metadata_of_table, rows_of_part};
+pub(crate) use reader::{has_checksums, metadata_of_table, rows_of_part, verify};
 pub(crate) use state_layout::{numbers_of_state, state_layout};

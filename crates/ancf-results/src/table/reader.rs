@@ -10,6 +10,7 @@ use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::schema::types::SchemaDescriptor;
 
+use super::checksums::{self, Checksums};
 use super::layout::Layout;
 use super::parts::part;
 use crate::folder::with_path;
@@ -35,13 +36,40 @@ pub(crate) fn rows_of_part(path: &Path, layout: &Layout, number: usize) -> io::R
 
 /// Reads a value of the key-value metadata of a table; `None` if there is no table or no such key.
 pub(crate) fn metadata_of_table(path: &Path, key: &str) -> io::Result<Option<String>> {
-    let reader = match Reader::open(&part(path, 0)) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Reader::open(path),
-        reader => reader,
+    Ok(first_file(path)?.and_then(|reader| reader.metadata(key)))
+}
+
+/// True if the files of a table have checksums; `None` if there is no table.
+pub(crate) fn has_checksums(path: &Path) -> io::Result<Option<bool>> {
+    Ok(first_file(path)?.map(|reader| reader.checksums.is_some()))
+}
+
+/// Verifies the checksums of a table, in parts or merged.
+pub(crate) fn verify(path: &Path) -> io::Result<()> {
+    let verify = |path: &Path| {
+        let reader = Reader::open(path)?;
+        (0..reader.groups()).try_for_each(|group| reader.verify(group))
     };
-    match reader {
+    let mut number = 0;
+    while if_exists(verify(&part(path, number)))?.is_some() {
+        number += 1;
+    }
+    if number > 0 { Ok(()) } else { if_exists(verify(path)).map(|_| ()) }
+}
+
+/// Converts the absence of a file to `None`.
+fn if_exists<T>(read: io::Result<T>) -> io::Result<Option<T>> {
+    match read {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        reader => Ok(reader?.metadata(key)),
+        read => read.map(Some),
+    }
+}
+
+/// Opens the first part of a table, or the merged file.
+fn first_file(path: &Path) -> io::Result<Option<Reader>> {
+    match if_exists(Reader::open(&part(path, 0)))? {
+        Some(reader) => Ok(Some(reader)),
+        None => if_exists(Reader::open(path)),
     }
 }
 
@@ -49,13 +77,29 @@ pub(crate) fn metadata_of_table(path: &Path, key: &str) -> io::Result<Option<Str
 pub(super) struct Reader {
     file: SerializedFileReader<File>,
     path: PathBuf,
+    /// The same file, for the checksums.
+    bytes: File,
+    checksums: Option<Checksums>,
 }
 
 impl Reader {
     /// Opens a file.
     pub(super) fn open(path: &Path) -> io::Result<Self> {
-        let file = File::open(path).and_then(|file| Ok(SerializedFileReader::new(file)?));
-        Ok(Self { file: file.map_err(|error| with_path(&error, path))?, path: path.to_owned() })
+        let open = || {
+            let bytes = File::open(path)?;
+            // Before the metadata are interpreted.
+            let checksums = checksums::read(&bytes)?;
+            let file = SerializedFileReader::new(bytes.try_clone()?)?;
+            Ok(Self { file, path: path.to_owned(), bytes, checksums })
+        };
+        open().map_err(|error| with_path(&error, path))
+    }
+
+    /// Verifies the checksum of a row group, if the file has checksums.
+    pub(super) fn verify(&self, group: usize) -> io::Result<()> {
+        let Some(checksums) = &self.checksums else { return Ok(()) };
+        let verified = checksums.verify(&self.bytes, self.file.metadata(), group);
+        verified.map_err(|error| with_path(&error, &self.path))
     }
 
     /// Names of the columns. A list has the name of the list, not that of its elements.
@@ -94,6 +138,7 @@ impl Reader {
         if group >= self.groups() {
             return Ok(None);
         }
+        self.verify(group)?;
         let (columns, count): (Vec<_>, _) = (layout.columns().collect(), self.rows(group));
         let read = (0..columns.len()).map(|column| self.column(group, column));
         let values = read.collect::<io::Result<Vec<_>>>()?;

@@ -203,7 +203,19 @@ fn what_is_no_run_or_damaged_is_told() {
     let other = text.replace("elements = 3", "elements = 4");
     fs::write(&path, &bytes).unwrap();
     fs::write(Folder::new(folder.path()).model(), other).unwrap();
+    let error = Results::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("model.toml") && error.contains("not the model of this run"), "{error}");
+    // Without the checksums of the run.
+    fs::write(folder.path().join(".lock"), "").unwrap();
+    fs::remove_file(&path).unwrap();
+    let states = Folder::new(folder.path()).states();
+    let mut bytes = fs::read(&states).unwrap();
+    let key = bytes.windows(9).rposition(|bytes| bytes == b"checksums").unwrap();
+    let sha = bytes.windows(6).rposition(|bytes| bytes == b"sha256").unwrap();
+    (bytes[key], bytes[sha]) = (b'C', b'S');
+    fs::write(&states, bytes).unwrap();
     let results = Results::open(folder.path()).unwrap();
+    assert!(!results.has_checksums().unwrap());
     assert!(results.frames().any(|frame| frame.is_err()), "states of another model");
 }
 

@@ -37,7 +37,7 @@ pub fn stopped(folder: &Path) {
 
 /// Reads and resumes a run with one replaced file. The first byte selects the file, the others are its contents.
 ///
-/// The checksum of a checkpoint is added. `run` is the folder of a stopped run, `folder` a folder that may be overwritten.
+/// Checksums of a checkpoint and of a model are added. Those of Parquet files are removed. `run` is the folder of a stopped run, `folder` a folder that may be overwritten.
 pub fn results(run: &Path, folder: &Path, bytes: &[u8]) {
     let Some((which, contents)) = bytes.split_first() else { return };
     let name = FILES[usize::from(*which) % FILES.len()];
@@ -54,8 +54,22 @@ pub fn results(run: &Path, folder: &Path, bytes: &[u8]) {
     // Parts of an earlier resumed run.
     let _ = ["results.parquet.parts", "states.parquet.parts"]
         .map(|parts| fs::remove_dir_all(folder.join(parts)).ok());
+    if name.ends_with(".parquet") {
+        remove_checksums(&mut contents);
+    }
     fs::write(folder.join(name), contents).expect("the folder is writable");
+    let model = fs::read(folder.join("model.toml")).expect("the folder is readable");
+    let digits: String = Sha256::digest(&model).iter().map(|byte| format!("{byte:02x}")).collect();
+    fs::write(folder.join(".lock"), digits).expect("the folder is writable");
     read(folder);
+}
+
+/// Renames the key of the checksums, which would reject the contents before they are interpreted.
+fn remove_checksums(contents: &mut [u8]) {
+    const KEY: &[u8] = b"checksums";
+    if let Some(place) = contents.windows(KEY.len()).rposition(|bytes| bytes == KEY) {
+        contents[place] = b'C';
+    }
 }
 
 fn read(folder: &Path) {

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Power, Weights};
+use ancf_solver::equations::{Batch, Energy, LANES, Lanes, LocalLanes, Weights};
 use pulp::Simd;
 
 use super::lane::{Lane, Pass, PassJob, run, total};
@@ -50,22 +50,24 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
         admissible[..count].iter().position(|admissible| !admissible)
     }
 
-    fn power(&self, at: &LocalLanes<'_>) -> Power {
-        let dissipation = if self.0.is_damped() { dissipated(self, at) } else { 0.0 };
-        Power { work: 0.0, dissipation }
+    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) -> bool {
+        if self.0.is_damped() {
+            add_velocity_forces(self, at, r);
+        }
+        self.0.is_damped()
     }
 }
 
-/// Computes the power of velocity-dependent forces, v·[f(q, v) − f(q, 0)].
-fn dissipated(batch: &dyn Batch, at: &LocalLanes<'_>) -> f64 {
+/// Adds the velocity-dependent forces f(q, v) − f(q, 0).
+fn add_velocity_forces(batch: &dyn Batch, at: &LocalLanes<'_>, r: &mut [Lanes]) {
     let zeros = [Lanes::default(); 32];
-    let (mut moving, mut still) = (zeros, zeros);
+    let mut still = zeros;
     let (n, a) = (at.q.len(), &zeros[..at.q.len()]);
-    batch.residual(&LocalLanes { a, load: 0.0, ..*at }, &mut moving[..n]);
+    batch.residual(&LocalLanes { a, load: 0.0, ..*at }, r);
     batch.residual(&LocalLanes { a, v: a, load: 0.0, ..*at }, &mut still[..n]);
-    let of =
-        |lane: usize| (0..n).map(|i| at.v[i].0[lane] * (moving[i].0[lane] - still[i].0[lane])).sum::<f64>();
-    (0..batch.count()).map(of).sum()
+    for (r, still) in r.iter_mut().zip(&still) {
+        r.0.iter_mut().zip(still.0).for_each(|(r, still)| *r -= still);
+    }
 }
 
 struct ResidualJob<'a, K> {

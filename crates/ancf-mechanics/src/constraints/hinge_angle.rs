@@ -11,7 +11,8 @@ use crate::kinematics::Marker;
 /// A direction p of the first body remains in the plane through the axis that is rotated by θ:
 /// Φ = p·w, w = cos θ v − sin θ u, with u, v directions of the other body or the ground normal to the axis and v = axis
 /// × u. u is parallel to p in the reference state. θ counts full turns, since it is continuous in time. Φ also vanishes
-/// at θ + π, where p is opposite to u. That state is inadmissible. A step must turn by less than half a turn.
+/// at θ + π, where p is opposite to u. That state is inadmissible. Φ vanishes at θ + 2π, too. Time integration rejects
+/// steps that end more than a quarter of a turn from the prediction.
 ///
 /// Units: none; λ is the moment about the axis.
 #[derive(Clone, Debug)]
@@ -133,6 +134,10 @@ impl Term for HingeAngle {
 
     fn massless(&self) -> &[usize] {
         &self.coordinates[..=THETA]
+    }
+
+    fn counted_angle(&self) -> Option<usize> {
+        Some(self.coordinates[THETA])
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {

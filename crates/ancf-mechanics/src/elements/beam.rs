@@ -1,7 +1,7 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity_forces};
 use nalgebra::{Matrix3, Vector3};
 
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
@@ -213,9 +213,10 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
         }
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
-        let damped = self.profile.mass_damping != 0.0 || self.moving(at).is_some();
-        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        if self.profile.mass_damping != 0.0 || self.moving(at).is_some() {
+            velocity_forces(self, at, r);
+        }
     }
 }
 

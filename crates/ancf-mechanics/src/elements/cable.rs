@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, dissipated};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity_forces};
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
@@ -210,9 +210,10 @@ impl Term for Cable12 {
         stations.all(|station| (self.direction + station.first(&q)).norm() > CRUSHED)
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
-        let damped = self.profile.damping() != CableDamping::default();
-        Power { work: 0.0, dissipation: if damped { dissipated(self, at) } else { 0.0 } }
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        if self.profile.damping() != CableDamping::default() {
+            velocity_forces(self, at, r);
+        }
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, State, Term, Weights};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
 use crate::constraints::ConstantAngle;
@@ -196,7 +196,6 @@ impl Term for InertiaTerm {
         Energy { kinetic, strain: 0.0, potential: -at.load * self.weight.dot(&moved) }
     }
 
-    fn power(&self, _: &Local<'_>) -> Power {
-        Power::default()
-    }
+    // The only velocity-dependent forces are those of inertia.
+    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
 }

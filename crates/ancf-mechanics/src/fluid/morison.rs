@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
 use super::flow_field::{FlowField, HydroCoefficients, RelativeFlow};
@@ -177,23 +177,33 @@ impl Term for MorisonLoad {
         energy
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
         let fluid = self.fluid(at);
         let of = |station: &MorisonStation| {
             let (flow, coefficients) = (station.flow(at, &fluid), &station.coefficients);
             let (v, rate) = (sum(&station.values, at.v), sum(&station.slopes, at.v));
-            let drag = coefficients.drag(&flow);
             let force = fluid.acceleration * coefficients.displaced()
                 + coefficients.added(&flow, &fluid.acceleration);
-            Power {
-                work: drag.dot(&fluid.velocity)
-                    + force.dot(&v) * at.load
-                    + coefficients.rotation_power(&flow, &v, &rate),
-                dissipation: drag.dot(&flow.relative),
-            }
+            force.dot(&v) * at.load + coefficients.rotation_power(&flow, &v, &rate)
         };
-        let mut power = Power::default();
-        self.stations.iter().map(of).for_each(|share| power += share);
-        power
+        self.stations.iter().map(of).sum()
+    }
+
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        let fluid = self.fluid(at);
+        for station in &self.stations {
+            let drag = station.coefficients.drag(&station.flow(at, &fluid));
+            for (row, value) in r.chunks_exact_mut(3).zip(station.values) {
+                (0..3).for_each(|k| row[k] -= value * drag[k]);
+            }
+        }
+    }
+
+    fn flow_power(&self, at: &Local<'_>) -> f64 {
+        let fluid = self.fluid(at);
+        let of = |station: &MorisonStation| {
+            station.coefficients.drag(&station.flow(at, &fluid)).dot(&fluid.velocity)
+        };
+        self.stations.iter().map(of).sum()
     }
 }

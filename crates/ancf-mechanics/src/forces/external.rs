@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied};
+use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::functions::ForceFunction;
@@ -107,7 +107,9 @@ impl Term for ExternalForce {
         add_symmetric(&[&self.point], &slope, -1.0, k);
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
-        supplied(self, at)
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        load_power(self, at)
     }
+
+    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
 }

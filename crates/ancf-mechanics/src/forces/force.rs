@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Power, Term, Weights, supplied};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, load_power};
 use nalgebra::Vector3;
 
 use crate::functions::Function;
@@ -60,7 +60,9 @@ impl Term for Force {
         Energy { potential: -self.now(at).dot(&self.point.sum(at.q)), ..Energy::default() }
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
-        if self.function.is_constant() { Power::default() } else { supplied(self, at) }
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        if self.function.is_constant() { 0.0 } else { load_power(self, at) }
     }
+
+    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
 }

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied};
+use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
 use nalgebra::{SVector, Vector3, Vector6};
 
 use crate::functions::Function;
@@ -120,7 +120,9 @@ impl Term for Moment {
         add_symmetric(&self.directors.each_ref(), &h, -w.q * self.factor(at), k);
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
-        supplied(self, at)
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        load_power(self, at)
     }
+
+    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
 }

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Term, Weights};
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
 
 use crate::constraints::{BilinearMeasure, MeasureTarget, Wrench, add_outer};
 
@@ -106,9 +106,8 @@ impl Term for Spring {
         Energy { strain, ..Energy::default() }
     }
 
-    fn power(&self, at: &Local<'_>) -> Power {
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
         let [moved, _] = self.rest.rates(at.t);
-        let dissipation = self.damping * self.measure.slope(at.q, at.v).powi(2);
-        Power { work: -self.stiffness * self.measure.change(at.q) * moved, dissipation }
+        -self.stiffness * self.measure.change(at.q) * moved
     }
 }

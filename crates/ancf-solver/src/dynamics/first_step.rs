@@ -23,11 +23,14 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
     scheme: SchemeCoefficients,
     newton: &mut Newton,
     s: &mut State,
-    auxiliary: &mut [f64],
+    start: StartValues<'_>,
     h: f64,
 ) -> Result<(), SolveError> {
-    let n = s.q.len();
-    let mut rate = rate(eom, newton, s, h * DIFFERENCE_INTERVAL)?;
+    let (n, StartValues { auxiliary, damping }) = (s.q.len(), start);
+    eom.exchange(s, damping);
+    let Rates { acceleration: mut rate, damping: damping_rate } =
+        rates(eom, newton, s, damping, h * DIFFERENCE_INTERVAL)?;
+    start_damping(eom, scheme, newton, s, (damping, &damping_rate), h)?;
     rate.resize(newton.z.len(), 0.0);
     let Newton { tangent, r, z, .. } = newton;
     let (matrix, factor) = tangent.lend();
@@ -47,28 +50,83 @@ pub(crate) fn start_values<E: EquationsOfMotion>(
     Ok(())
 }
 
-/// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ).
+/// Start values of the first step.
+pub(crate) struct StartValues<'a> {
+    /// Auxiliary acceleration a₀.
+    pub(crate) auxiliary: &'a mut [f64],
+    /// Auxiliary damping forces φ₀.
+    pub(crate) damping: &'a mut [f64],
+}
+
+/// Computes the auxiliary damping forces at the start from F₀ and its rate Ḟ₀. They are the share of the damping forces
+/// and of their constraint forces in −M a₀:
+///
+/// [S, Φ_qᵀ; Φ_q, 0] (x, μ) = (−Ḟ₀, 0),   φ₀ = F₀ − (αm − αf) h (M x + Φ_qᵀ μ).
+fn start_damping<E: EquationsOfMotion>(
+    eom: &E,
+    scheme: SchemeCoefficients,
+    newton: &mut Newton,
+    s: &State,
+    (damping, rate): (&mut [f64], &[f64]),
+    h: f64,
+) -> Result<(), SolveError> {
+    if rate.iter().all(|rate| *rate == 0.0) {
+        return Ok(());
+    }
+    let Newton { tangent, r, z, .. } = newton;
+    let (matrix, factor) = tangent.lend();
+    z.iter_mut().zip(rate).for_each(|(z, rate)| *z = -rate);
+    solve(eom, matrix, factor, s, scheme.weights(h), z)?;
+    eom.tangent(s, Weights::MASS, matrix);
+    matrix.multiply(z, r);
+    for (damping, r) in damping.iter_mut().zip(&r[..s.q.len()]) {
+        *damping -= scheme.lead() * h * r;
+    }
+    Ok(())
+}
+
+/// Returns the state at a time d later on a parabola through a state.
+fn ahead(s: &State, d: f64) -> State {
+    let mut ahead = s.clone();
+    for i in 0..s.q.len() {
+        ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
+        ahead.v[i] += d * s.a[i];
+    }
+    ahead.t += d;
+    ahead
+}
+
+/// Rates of accelerations and damping forces at the start.
+struct Rates {
+    acceleration: Vec<f64>,
+    damping: Vec<f64>,
+}
+
+/// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ), and the
+/// rate of the damping forces in the same way.
 ///
 /// The differences are one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the
 /// parabola in v.
-fn rate<E: EquationsOfMotion>(
+fn rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
     s: &State,
+    damping: &[f64],
     delta: f64,
-) -> Result<Vec<f64>, SolveError> {
-    let mut rate: Vec<f64> = s.a.iter().map(|a| -1.5 / delta * a).collect();
+) -> Result<Rates, SolveError> {
+    let start = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| -1.5 / delta * x).collect() };
+    let mut rates = Rates { acceleration: start(&s.a), damping: start(damping) };
     for (d, weight) in [(delta, 2.0 / delta), (2.0 * delta, -0.5 / delta)] {
-        let mut ahead = s.clone();
-        for i in 0..s.q.len() {
-            ahead.q[i] += d * (s.v[i] + 0.5 * d * s.a[i]);
-            ahead.v[i] += d * s.a[i];
-        }
-        ahead.t += d;
-        let Newton { tangent, z, .. } = &mut *newton;
+        let mut ahead = ahead(s, d);
+        let Newton { tangent, z, r, .. } = &mut *newton;
         let (matrix, factor) = tangent.lend();
         accelerations(eom, matrix, factor, &mut ahead, z)?;
-        rate.iter_mut().zip(&ahead.a).for_each(|(rate, a)| *rate += weight * a);
+        eom.exchange(&ahead, r);
+        let add = |rate: &mut [f64], x: &[f64]| {
+            rate.iter_mut().zip(x).for_each(|(rate, x)| *rate += weight * x);
+        };
+        add(&mut rates.acceleration, &ahead.a);
+        add(&mut rates.damping, r);
     }
-    Ok(rate)
+    Ok(rates)
 }

@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::damping_work::{DampingForces, PowerIntegral};
 use super::predictor::Predictor;
 use super::step_report::StepReport;
 use crate::equations::{ActivePair, Energy, EquationsOfMotion, Power, State};
@@ -20,10 +21,11 @@ pub(crate) struct IntegrationState {
     /// Divided step that is not complete.
     pub(crate) divided: Option<DividedStep>,
     pub(crate) predictor: Predictor,
-    /// Energy and power of the state.
+    /// Energy of the state, powers without the damping forces, and exchanged energy since the start.
     pub(crate) energy: Energy,
-    pub(crate) power: Power,
+    pub(crate) power: PowerIntegral,
     pub(crate) exchanged: Power,
+    pub(crate) damping: DampingForces,
 }
 
 /// Remainder of a divided step: a number of substeps h up to a time.
@@ -56,6 +58,9 @@ const MAX_COUNT: u32 = u32::MAX / 4;
 
 impl IntegrationState {
     pub(crate) fn new(start: State, eom: &impl EquationsOfMotion) -> Self {
+        let mut damping = vec![0.0; start.q.len() + start.lambda.len()];
+        let power = PowerIntegral::new(eom.exchange(&start, &mut damping));
+        let damping = DampingForces::new(start.q.len(), &damping);
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
@@ -64,7 +69,8 @@ impl IntegrationState {
             divided: None,
             predictor: Predictor::new(start.q.len() + start.lambda.len()),
             energy: eom.energy(&start),
-            power: eom.power(&start),
+            power,
+            damping,
             exchanged: Power::default(),
             state: start,
         }
@@ -74,7 +80,7 @@ impl IntegrationState {
     pub(crate) fn is_valid(&self, coordinates: usize, multipliers: usize, max_halvings: u32) -> bool {
         let Self { energy, power, exchanged, h, .. } = self;
         let energies = [energy.kinetic, energy.strain, energy.potential];
-        let powers = [power.work, power.dissipation, exchanged.work, exchanged.dissipation];
+        let powers = [exchanged.work, exchanged.dissipation];
         self.state.is_valid(coordinates, multipliers)
             && self.auxiliary.len() == coordinates
             && self.auxiliary.iter().chain(&energies).chain(&powers).all(|x| x.is_finite())
@@ -82,6 +88,8 @@ impl IntegrationState {
             && *h >= 0.0
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_valid(self.state.t, max_halvings))
+            && power.is_valid()
+            && self.damping.is_valid(coordinates)
             && self.predictor.is_valid(coordinates + multipliers)
     }
 }

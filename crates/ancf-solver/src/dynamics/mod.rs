@@ -1,6 +1,7 @@
 //! Time integration: schemes, fixed and controlled step sizes, initial conditions.
 
 mod adaptive;
+mod damping_work;
 mod error_estimate;
 mod first_step;
 mod initial_conditions;

@@ -1,4 +1,7 @@
-use super::first_step::start_values;
+use std::f64::consts::FRAC_PI_2;
+
+use super::damping_work::PowerIntegral;
+use super::first_step::{StartValues, start_values};
 use super::initial_conditions::{accelerations, velocities};
 use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
 use super::scheme::SchemeCoefficients;
@@ -22,6 +25,9 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
+    /// Auxiliary damping forces at the start of the attempt after a restart, and damping forces at its end.
+    start_damping: Vec<f64>,
+    next_damping: Vec<f64>,
 }
 
 impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
@@ -46,6 +52,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             before: start.clone(),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
+            start_damping: vec![0.0; start.q.len() + start.lambda.len()],
+            next_damping: vec![0.0; start.q.len() + start.lambda.len()],
             motion: IntegrationState::new(start, eom),
         }
     }
@@ -60,7 +68,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.energy
     }
 
-    /// Returns the work supplied and the energy dissipated since the start, by the trapezoidal rule.
+    /// Returns the work supplied and the energy dissipated since the start.
+    ///
+    /// The dissipated energy is the work of the damping forces with the impulses and mean velocities of the scheme.
     pub fn energy_exchange(&self) -> Power {
         self.motion.exchanged
     }
@@ -101,7 +111,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         }
         accelerations(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.auxiliary.copy_from_slice(&self.motion.state.a);
-        self.motion.power = self.eom.power(&self.motion.state);
+        self.set_exchange();
         self.motion.h = 0.0;
         self.motion.at_start = true;
         self.motion.predictor.restart();
@@ -117,7 +127,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         let (matrix, factor) = tangent.lend();
         velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
-        self.motion.power = self.eom.power(&self.motion.state);
+        self.set_exchange();
+        // The accelerations are not those of the damping forces.
+        self.motion.damping.clear();
         self.save_restart_point();
         Ok(())
     }
@@ -130,6 +142,18 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     /// If the smallest permitted step fails. The state is then that of the last converged substep. A repeated call
     /// resumes the step there.
     pub fn advance(&mut self, to: f64) -> Result<StepReport, SolveError> {
+        self.advance_with(to, |_| ())
+    }
+
+    /// Advances as [`advance`](Self::advance); `accepted` receives the state after each accepted substep.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn advance_with(
+        &mut self,
+        to: f64,
+        mut accepted: impl FnMut(&State),
+    ) -> Result<StepReport, SolveError> {
         let divided = self.motion.divided.filter(|divided| divided.to == to);
         let DividedStep { mut h, mut left, mut halvings, mut report, .. } = divided.unwrap_or_else(|| {
             let halvings = self.motion.halvings.min(self.max_halvings);
@@ -142,6 +166,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
                     self.accept(&done, &mut report);
                     left -= 1;
                     self.motion.divided = (left > 0).then_some(DividedStep { to, h, left, halvings, report });
+                    accepted(&self.motion.state);
                 }
                 Err(error) => {
                     report.iterations += error.iterations;
@@ -218,7 +243,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     fn solve(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
         let [auxiliary, next] = &mut self.attempted;
         if self.motion.at_start && !self.scheme.is_newmark() {
-            start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, auxiliary, h)?;
+            let start = StartValues { auxiliary, damping: &mut self.start_damping };
+            start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, start, h)?;
         } else {
             // a − v̇ is proportional to h (Brüls & Arnold 2008).
             let ratio = if self.motion.h == 0.0 { 1.0 } else { h / self.motion.h };
@@ -237,6 +263,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
             return Err(SolveError::after(done, to, SolveFailure::Inverted, worst));
         }
+        let (s, before) = (&self.motion.state, &self.before);
+        let is_far = |&&c: &&usize| (s.q[c] - before.q[c] - h * before.v[c]).abs() > FRAC_PI_2;
+        if let Some(&angle) = self.eom.counted_angles().iter().find(is_far) {
+            return Err(SolveError::after(done, to, SolveFailure::AmbiguousTurns, angle));
+        }
         for i in 0..next.len() {
             next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
         }
@@ -250,6 +281,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &NewtonReport, report: &mut StepReport) {
+        self.add_exchange(self.motion.state.t - self.before.t);
         self.motion.h = self.motion.state.t - self.before.t;
         self.motion.predictor.record(
             &self.before,
@@ -261,11 +293,6 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.newton.record_energy(self.motion.energy.largest());
-        let power = self.eom.power(&self.motion.state);
-        self.motion.exchanged.work += 0.5 * self.motion.h * (self.motion.power.work + power.work);
-        self.motion.exchanged.dissipation +=
-            0.5 * self.motion.h * (self.motion.power.dissipation + power.dissipation);
-        self.motion.power = power;
         report.iterations += done.iterations;
         report.substeps += 1;
         report.residual = done.residual;
@@ -274,6 +301,30 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         report.violation = self.largest(Level::Position);
         report.floor |= done.floor;
         self.save_restart_point();
+    }
+
+    /// Sets powers and damping forces of a start.
+    fn set_exchange(&mut self) {
+        let power = self.eom.exchange(&self.motion.state, &mut self.next_damping);
+        self.motion.power = PowerIntegral::new(power);
+        self.motion.damping.restart(&self.next_damping);
+    }
+
+    /// Adds work and dissipation of an accepted step h.
+    fn add_exchange(&mut self, h: f64) {
+        let Self { motion, scheme, .. } = self;
+        let power = self.eom.exchange(&motion.state, &mut self.next_damping);
+        let is_first = motion.at_start && !scheme.is_newmark();
+        let ratio = if motion.h > 0.0 { h / motion.h } else { 1.0 };
+        if is_first {
+            motion.damping.start(&self.start_damping);
+        } else {
+            motion.damping.rescale(ratio);
+        }
+        let states = (&self.before, &motion.state);
+        let exchanged = motion.power.advance(*scheme, (!is_first).then_some(ratio), h, power);
+        motion.exchanged += exchanged;
+        motion.exchanged.dissipation += motion.damping.advance(*scheme, states, h, &self.next_damping);
     }
 
     /// Saves the state to which a failed next step returns.

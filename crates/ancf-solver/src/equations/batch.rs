@@ -52,8 +52,18 @@ pub trait Batch: Send + Sync {
     /// ([`Term::is_admissible`](super::term::Term::is_admissible)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
-    /// Returns the sum of the powers of the terms ([`Term::power`](super::term::Term::power)).
-    fn power(&self, at: &LocalLanes<'_>) -> Power;
+    /// Adds the damping forces of the terms ([`Term::damping_forces`](super::term::Term::damping_forces)). Returns false
+    /// if there are none.
+    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) -> bool;
+
+    /// Returns the sum of the powers of the terms ([`Term::power`](super::term::Term::power)). Terms of batches supply
+    /// none.
+    fn power(&self, at: &LocalLanes<'_>) -> Power {
+        let mut forces = [Lanes::default(); MAX_COORDINATES];
+        self.damping_forces(at, &mut forces[..at.q.len()]);
+        let of = |lane: usize| at.v.iter().zip(&forces).map(|(v, f)| v.0[lane] * f.0[lane]).sum::<f64>();
+        Power { work: 0.0, dissipation: (0..self.count()).map(of).sum() }
+    }
 }
 
 /// Maximum number of coordinates of a term in a batch.
@@ -145,6 +155,16 @@ impl GatheredLanes {
         let rows = &mut rows[..at.q.len()];
         of.batch.residual(&at, rows);
         of.add(rows, sum, first);
+    }
+
+    /// Adds the damping forces of a batch to a section of a global vector that starts at coordinate `first`.
+    pub(crate) fn add_damping(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
+        let mut rows = Self::NONE;
+        let at = self.gather(s, of);
+        let rows = &mut rows[..at.q.len()];
+        if of.batch.damping_forces(&at, rows) {
+            of.add(rows, sum, first);
+        }
     }
 }
 

@@ -46,6 +46,13 @@ pub trait EquationsOfMotion {
         None
     }
 
+    /// Returns the coordinates that are angles with counted turns.
+    ///
+    /// The equations determine such an angle up to whole turns.
+    fn counted_angles(&self) -> &[usize] {
+        &[]
+    }
+
     /// Extends the equations by the terms that may become active soon, before a step.
     ///
     /// Returns the extended equations and a matrix of their pattern, or `None` if all near terms are included. Terms
@@ -90,8 +97,12 @@ pub trait EquationsOfMotion {
     /// Returns the kinetic, strain and potential energy.
     fn energy(&self, s: &State) -> Energy;
 
-    /// Returns the power supplied by loads and prescribed motions, and the dissipated power.
-    fn power(&self, _s: &State) -> Power {
+    /// Sets the damping forces F, and returns the power supplied by loads and prescribed motions.
+    ///
+    /// `dissipation` is the dissipated power without v·F: the power of a flow on the damping forces. The forces have
+    /// n + m entries, of which the last m are zero.
+    fn exchange(&self, _s: &State, damping: &mut [f64]) -> Power {
+        damping.fill(0.0);
         Power::default()
     }
 }

@@ -24,6 +24,8 @@ pub struct System {
     /// Indices of the terms with multipliers.
     constraints: Vec<usize>,
     pattern: Arc<Pattern>,
+    /// Coordinates that are angles with counted turns.
+    angles: Vec<usize>,
     /// Scatter map of each term.
     scatters: Vec<Scatter>,
     /// Batches, and the indices of the terms that are evaluated one by one.
@@ -112,6 +114,7 @@ impl System {
         let pattern = Pattern::new(coordinates, multipliers, &blocks, &defined);
         let scatters = blocks.iter().map(|unknowns| Scatter::new(&pattern, unknowns)).collect();
         let constraints = (0..terms.len()).filter(|&i| !terms[i].multipliers().is_empty()).collect();
+        let angles = terms.iter().filter_map(|term| term.counted_angle()).collect();
         let (pattern, unbatched, batches) = (Arc::new(pattern), (0..terms.len()).collect(), Arc::default());
         Self {
             coordinates,
@@ -121,6 +124,7 @@ impl System {
             active,
             constraints,
             pattern,
+            angles,
             scatters,
             batches,
             unbatched,
@@ -375,6 +379,10 @@ impl EquationsOfMotion for System {
         (self.coordinates + excess).saturating_sub(self.multipliers)
     }
 
+    fn counted_angles(&self) -> &[usize] {
+        &self.angles
+    }
+
     fn energy(&self, s: &State) -> Energy {
         let mut energy = self.sum(s, |batch, at| batch.energy(at));
         let mut gathered = LocalState::EMPTY;
@@ -382,10 +390,19 @@ impl EquationsOfMotion for System {
         energy
     }
 
-    fn power(&self, s: &State) -> Power {
-        let mut power = self.sum(s, |batch, at| batch.power(at));
-        let mut gathered = LocalState::EMPTY;
-        self.unbatched().for_each(|term| power += term.power(&gathered.gather(s, term.as_ref())));
+    fn exchange(&self, s: &State, damping: &mut [f64]) -> Power {
+        damping.fill(0.0);
+        self.by_rows.add_to(damping, |batches, sum, first| {
+            let mut lanes = GatheredLanes::EMPTY;
+            self.of(batches).for_each(|batched| lanes.add_damping(s, batched, sum, first));
+        });
+        let (mut power, mut gathered) = (Power::default(), LocalState::EMPTY);
+        for term in self.unbatched() {
+            let at = gathered.gather(s, term.as_ref());
+            let flow = term.flow_power(&at);
+            power += Power { work: term.supplied_power(&at) + flow, dissipation: flow };
+        }
+        self.add(self.unbatched(), s, damping, |term, at, rows| term.damping_forces(at, rows));
         power
     }
 }

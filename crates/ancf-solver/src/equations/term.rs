@@ -187,11 +187,35 @@ pub trait Term: Send + Sync {
         Energy::default()
     }
 
-    /// Returns the power supplied without a potential, and the dissipated power.
+    /// Returns the coordinate that is an angle with counted turns, if there is one.
+    fn counted_angle(&self) -> Option<usize> {
+        None
+    }
+
+    /// Returns the power supplied without a potential. By default prescribed motions supply λ·ċ(t).
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
+        driving_power(self, at)
+    }
+
+    /// Adds the damping forces. By default these are the velocity-dependent forces f(q, v) − f(q, 0).
     ///
-    /// By default prescribed motions supply λ·ċ(t), and velocity-dependent forces dissipate v·[f(q, v) − f(q, 0)].
+    /// Their power is dissipated. Loads without a potential have no damping forces.
+    fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
+        velocity_forces(self, at, r);
+    }
+
+    /// Returns the power that a moving medium supplies and the damping forces dissipate, in addition to v·F.
+    fn flow_power(&self, _at: &Local<'_>) -> f64 {
+        0.0
+    }
+
+    /// Returns the power supplied without a potential, and the dissipated power.
     fn power(&self, at: &Local<'_>) -> Power {
-        Power { work: driving_power(self, at), dissipation: dissipated(self, at) }
+        let mut forces = [0.0; LOCAL];
+        self.damping_forces(at, &mut forces[..at.q.len() + at.lambda.len()]);
+        let (damping, flow): (f64, _) =
+            (at.v.iter().zip(forces).map(|(v, f)| v * f).sum(), self.flow_power(at));
+        Power { work: self.supplied_power(at) + flow, dissipation: damping + flow }
     }
 }
 
@@ -203,20 +227,20 @@ fn driving_power<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
     at.lambda.iter().zip(rates).map(|(lambda, rate)| lambda * rate).sum()
 }
 
-/// Returns the power of velocity-dependent forces, v·[f(q, v) − f(q, 0)].
-pub fn dissipated<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {
+/// Adds the velocity-dependent forces f(q, v) − f(q, 0).
+pub fn velocity_forces<T: Term + ?Sized>(term: &T, at: &Local<'_>, r: &mut [f64]) {
     let (zeros, n, m) = ([0.0; LOCAL], at.q.len(), at.lambda.len());
     let (mut moving, mut still) = ([0.0; LOCAL], [0.0; LOCAL]);
     term.residual(&Local { a: &zeros[..n], ..*at }, &mut moving[..n + m]);
     term.residual(&Local { v: &zeros[..n], a: &zeros[..n], ..*at }, &mut still[..n + m]);
-    (0..n).map(|i| at.v[i] * (moving[i] - still[i])).sum()
+    (0..n).for_each(|i| r[i] += moving[i] - still[i]);
 }
 
 /// Returns the power −v·f of a load without a potential.
-pub fn supplied<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> Power {
+pub fn load_power<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> f64 {
     let (zeros, mut r, n) = ([0.0; LOCAL], [0.0; LOCAL], at.q.len());
     load.residual(&Local { a: &zeros[..n], ..*at }, &mut r[..n]);
-    Power { work: -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>(), dissipation: 0.0 }
+    -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>()
 }
 
 /// Evaluates the constraint rows of a term at q + sign × v.

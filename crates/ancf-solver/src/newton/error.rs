@@ -22,6 +22,9 @@ pub enum SolveFailure {
         "the solution is inadmissible: an element is inverted, a slider leaves its beam, or the ends of a spring coincide"
     )]
     Inverted,
+    /// The number of turns of a joint angle is ambiguous.
+    #[error("the number of turns of a joint angle is ambiguous: its rate changes too much in the step")]
+    AmbiguousTurns,
     /// The equilibrium is less stable than the previous one, and no limit point was found between them.
     #[error("the stability changed within the step")]
     Unstable,

@@ -1,8 +1,10 @@
 //! Result columns and fields of states.
 
+mod angle_counter;
 mod fields;
 mod rows;
 
+pub(crate) use angle_counter::AngleRates;
 pub use fields::{Field, Fields, Station};
 pub use rows::{Column, Rows};
 pub(crate) use rows::{LOAD, RowHistory, TIME, columns};

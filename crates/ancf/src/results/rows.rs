@@ -1,11 +1,10 @@
-use std::f64::consts::TAU;
-
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::elements::StrainEnergy;
 use ancf_solver::equations::{Energy, Power, State};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::angle_counter::{AngleCounter, AngleHistory, AngleRates};
 use crate::assembly::Assembly;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales, Units};
@@ -37,16 +36,17 @@ pub struct Rows {
     row: Vec<f64>,
     scales: Scales,
     parts: bool,
-    history: RowHistory,
+    /// Total energy of the first state.
+    initial: Option<f64>,
+    angles: AngleCounter,
 }
 
-/// Values of earlier rows on which a row depends.
+/// Values of earlier states on which a row depends.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct RowHistory {
     /// Total energy of the first state.
     initial: Option<f64>,
-    /// Angles of the previous row, by joint coordinate.
-    angles: Vec<f64>,
+    angles: AngleHistory,
 }
 
 /// Column of a run.
@@ -141,7 +141,8 @@ impl Rows {
             columns,
             scales,
             parts: assembly.energy_parts,
-            history: RowHistory { initial: None, angles: vec![0.0; assembly.joint_coordinates().count()] },
+            initial: None,
+            angles: AngleCounter::new(assembly),
         }
     }
 
@@ -184,7 +185,7 @@ impl Rows {
             self.push(part, Dimension::ENERGY);
         }
         if let Some(Power { work, dissipation }) = exchanged {
-            let initial = *self.history.initial.get_or_insert(energy.total());
+            let initial = *self.initial.get_or_insert(energy.total());
             for part in [work, dissipation, initial + work - dissipation - energy.total()] {
                 self.push(part, Dimension::ENERGY);
             }
@@ -192,18 +193,31 @@ impl Rows {
         &self.row
     }
 
-    /// Values of earlier rows on which the next row depends.
-    pub(crate) fn history(&self) -> &RowHistory {
-        &self.history
+    /// Counts the turns of joint angles up to a state at the time, load factor or arc length `at`, in solver units. It must be
+    /// called for the first state and after each accepted step, before the row of the state.
+    pub(crate) fn count_turns(&mut self, at: f64, s: &State, rates: AngleRates) {
+        self.angles.count(at, s, rates);
     }
 
-    /// Restores the values of earlier rows. Returns false if they belong to other columns.
+    /// True if turns of joint angles are counted.
+    pub(crate) fn counts_turns(&self) -> bool {
+        !self.angles.is_empty()
+    }
+
+    /// First step with an ambiguous number of turns: its end, in solver units, and the name of the joint.
+    pub(crate) fn ambiguous_turns(&self) -> Option<(f64, &str)> {
+        self.angles.ambiguous()
+    }
+
+    /// Values of earlier states on which the next row depends.
+    pub(crate) fn history(&self) -> RowHistory {
+        RowHistory { initial: self.initial, angles: self.angles.history().clone() }
+    }
+
+    /// Restores the values of earlier states. Returns false if they belong to other columns.
     pub(crate) fn restore(&mut self, history: &RowHistory) -> bool {
-        let fits = history.angles.len() == self.history.angles.len();
-        if fits {
-            self.history.clone_from(history);
-        }
-        fits
+        self.initial = history.initial;
+        self.angles.restore(&history.angles)
     }
 
     fn push_probes(&mut self, assembly: &Assembly, s: &State) {
@@ -240,15 +254,13 @@ impl Rows {
     }
 
     fn push_joint_coordinates(&mut self, assembly: &Assembly, s: &State) {
-        for (k, (_, coordinate)) in assembly.joint_coordinates().enumerate() {
-            let [mut value, rate] = coordinate.at(s);
-            if coordinate.wraps() {
-                value += TAU * ((self.history.angles[k] - value) / TAU).round();
-                self.history.angles[k] = value;
-            }
+        let Self { row, angles, scales, .. } = self;
+        let mut counted = angles.values();
+        for (_, coordinate) in assembly.joint_coordinates() {
+            let [value, rate] = coordinate.at(s);
+            let value = if coordinate.wraps() { counted.next().unwrap_or(value) } else { value };
             let [of_value, of_rate] = coordinate.dimensions();
-            self.push(value, of_value);
-            self.push(rate, of_rate);
+            row.extend([value * scales.unit(of_value), rate * scales.unit(of_rate)]);
         }
     }
 

@@ -14,7 +14,7 @@ use crate::results::{RowHistory, Rows};
 /// State of a dynamic analysis, from which [`Simulation::resume`] continues with bit-identical results.
 ///
 /// A checkpoint requires a format that stores numbers exactly, such as a binary one. For n coordinates and m multipliers it has
-/// about 8 (5n + 2m) bytes. Reused tangents add 8 (3n + m), error control adds 8 (n + m), and each active contact pair a few.
+/// about 8 (7n + 2m) bytes. Reused tangents add 8 (3n + m), error control adds 8 (n + m), and each active contact pair a few.
 ///
 /// A checkpoint is valid for the same model and the same version of this library. External functions must be the same and must
 /// return the same values for the same arguments.
@@ -66,7 +66,7 @@ pub enum ResumeError {
 }
 
 /// Version of the format and of the algorithm.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 impl Checkpoint {
     /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.
@@ -88,7 +88,7 @@ impl Checkpoint {
     ) -> Self {
         let control = control.checkpoint();
         let time = control.time() * summary.scales.time;
-        let (rows, monitor) = (rows.history().clone(), monitor.clone());
+        let (rows, monitor) = (rows.history(), monitor.clone());
         Self { version: VERSION, model, time, counts: StepCounts::of(summary), rows, monitor, control }
     }
 

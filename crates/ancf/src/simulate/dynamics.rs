@@ -13,7 +13,7 @@ use super::step_control::StepControl;
 use super::summary::Summary;
 use crate::failure::{StabilityMonitor, find_cause};
 use crate::model::Dynamics;
-use crate::results::{Rows, TIME};
+use crate::results::{AngleRates, Rows, TIME};
 
 /// Columns of the solver in dynamics.
 pub(crate) const COLUMNS: [&str; 5] = ["iterations", "residual", "increment", "drift", "violation"];
@@ -28,9 +28,11 @@ pub(crate) struct DynamicRun<'a> {
 }
 
 impl<'a> DynamicRun<'a> {
-    fn new(simulation: &'a Simulation, settings: &Dynamics, rows: Rows) -> Result<Self, SolveError> {
+    fn new(simulation: &'a Simulation, settings: &Dynamics, mut rows: Rows) -> Result<Self, SolveError> {
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
         let control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
+        let start = control.dynamics().state();
+        rows.count_turns(start.t, start, AngleRates::Velocities);
         Ok(Self { simulation, rows, control, fingerprint: OnceCell::new() })
     }
 
@@ -84,6 +86,7 @@ impl<'a> AnalysisRun<'a> {
             let Self { observer, summary, monitor, .. } = self;
             observer.last_checkpoint(&|| motion.checkpoint(summary, monitor))?;
         }
+        self.warn_of_ambiguous_turns(&motion.rows, "t", self.summary.scales.time);
         Ok(result)
     }
 
@@ -100,12 +103,13 @@ impl<'a> AnalysisRun<'a> {
             };
             let Self { observer, summary, monitor, .. } = self;
             observer.checkpoint(&|| motion.checkpoint(summary, monitor))?;
-            let control = &mut motion.control;
+            let DynamicRun { rows, control, .. } = &mut *motion;
             if flow.is_break() {
                 // A stop request at the last row has no effect.
                 return Ok(Ok(if control.is_finished() { ControlFlow::Continue(()) } else { flow }));
             }
-            let advanced = control.advance(|step| summary.count(step));
+            let advanced = control
+                .advance(|s| rows.count_turns(s.t, s, AngleRates::Velocities), |step| summary.count(step));
             summary.time = control.dynamics().state().t;
             match advanced {
                 Ok(true) => {}

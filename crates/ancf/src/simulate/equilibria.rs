@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use ancf_solver::equations::State;
 use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, StopRule};
 use ancf_solver::statics::{
-    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, PathPoint, solve_regularised,
+    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, LoadRates, PathPoint,
+    solve_regularised,
 };
 
 use super::outcome::unsupported_motions;
@@ -12,7 +13,7 @@ use super::run::{AnalysisRun, RunFailure, RunResult};
 use crate::assembly::Assembly;
 use crate::failure::{find_cause, unloaded};
 use crate::model::{Model, Path, Statics};
-use crate::results::{LOAD, Rows};
+use crate::results::{AngleRates, LOAD, Rows};
 use crate::units::ScaleChoice;
 
 /// Columns of the solver at an equilibrium.
@@ -98,6 +99,11 @@ impl AnalysisRun<'_> {
         if let Err(error) = statics.include_near_terms() {
             return Ok(Err(error.into()));
         }
+        let mut turns = match TurnCounter::new(assembly, &rows) {
+            Ok(turns) => turns,
+            Err(error) => return Ok(Err(error.into())),
+        };
+        turns.count(&mut rows, statics.state());
         let (none, energy) = (solver_values(&Equilibrium::default()), statics.energy());
         let first = rows.fill(assembly, statics.state(), 0.0, &none, energy, None);
         let mut written = self.observer.record(first, statics.state());
@@ -106,12 +112,14 @@ impl AnalysisRun<'_> {
         }
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
+            turns.count(&mut rows, s);
             written = self
                 .observer
                 .record(rows.fill(assembly, s, s.load, &solver_values(found), found.energy, None), s);
             flow(&written)
         });
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
+        self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)
     }
 
@@ -138,6 +146,7 @@ impl AnalysisRun<'_> {
             Ok(path) => path,
             Err(reason) => return Ok(Err(reason)),
         };
+        rows.count_turns(0.0, path.state(), AngleRates::Differences);
         let none = [solver_values(&Equilibrium::default()).as_slice(), &[0.0; 3]].concat();
         let first = rows.fill(assembly, path.state(), 0.0, &none, path.energy(), None);
         let mut written = self.observer.record(first, path.state());
@@ -148,12 +157,36 @@ impl AnalysisRun<'_> {
             EndConditions { load: Some(settings.load), points: settings.points, length: f64::INFINITY };
         let ended = path.follow(&until, |s, point| {
             self.count_equilibrium(s.load, &point.equilibrium);
+            rows.count_turns(point.length, s, AngleRates::Differences);
             let (values, energy) = (path_values(point), point.equilibrium.energy);
             written = self.observer.record(rows.fill(assembly, s, s.load, &values, energy, None), s);
             flow(&written)
         });
         let ended = ended.map_err(|error| equilibrium_failure(assembly, path.state(), error));
+        self.warn_of_ambiguous_turns(&rows, "arc length", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)
+    }
+}
+
+/// Counter of the turns of joint angles in statics.
+struct TurnCounter<'a> {
+    assembly: &'a Assembly,
+    /// Rates with respect to the load factor; `None` if no turns are counted.
+    rates: Option<LoadRates>,
+}
+
+impl<'a> TurnCounter<'a> {
+    fn new(assembly: &'a Assembly, rows: &Rows) -> Result<Self, SolveError> {
+        let rates = rows.counts_turns().then(|| LoadRates::new(assembly.system.matrix(), &assembly.rest()));
+        Ok(Self { assembly, rates: rates.transpose()? })
+    }
+
+    /// Counts the turns up to an equilibrium. Rates are those without contacts.
+    fn count(&mut self, rows: &mut Rows, s: &State) {
+        if let Some(rates) = &mut self.rates {
+            let s = rates.evaluate(&self.assembly.system, s);
+            rows.count_turns(s.load, s, AngleRates::Velocities);
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
 use crate::failure::{FailureCause, StabilityMonitor};
+use crate::results::Rows;
 
 /// State of a running analysis.
 pub(crate) struct AnalysisRun<'a> {
@@ -16,6 +17,20 @@ pub(crate) struct AnalysisRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) summary: Summary,
     pub(crate) monitor: StabilityMonitor,
+}
+
+impl AnalysisRun<'_> {
+    /// Adds a warning if the number of turns of a joint angle is ambiguous. `variable` and `unit` are the name and the unit of the
+    /// variable of the steps.
+    pub(crate) fn warn_of_ambiguous_turns(&mut self, rows: &Rows, variable: &str, unit: f64) {
+        if let Some((at, joint)) = rows.ambiguous_turns() {
+            self.summary.warnings.push(format!(
+                "the angle of joint `{joint}` changes by about half a turn or more in the step to {variable} = {:.4}: its number of \
+                 turns is ambiguous from there on; use smaller steps",
+                at * unit
+            ));
+        }
+    }
 }
 
 /// Result of an analysis, in solver units: finished, stopped by the observer, or failed. The outer error is that of the

@@ -2,7 +2,7 @@ use ancf_solver::dynamics::{
     AdaptiveCheckpoint, AdaptiveStepper, CheckpointMismatch, ErrorControl, StepReport, StepperCheckpoint,
     TimeStepper,
 };
-use ancf_solver::equations::System;
+use ancf_solver::equations::{State, System};
 use ancf_solver::newton::{Interrupt, Newton, SolveError};
 use serde::{Deserialize, Serialize};
 
@@ -130,21 +130,27 @@ impl<'a> StepControl<'a> {
         (self.is_due, self.report) = (false, StepReport::default());
     }
 
-    /// Takes one step towards the next output time and passes its report to `count`. Returns false at the end of the duration.
-    pub(crate) fn advance(&mut self, count: impl FnOnce(&StepReport)) -> Result<bool, SolveError> {
+    /// Takes one step towards the next output time and passes its report to `count`. `accepted` receives the states after each
+    /// accepted substep and after a restart. Returns false at the end of the duration.
+    pub(crate) fn advance(
+        &mut self,
+        mut accepted: impl FnMut(&State),
+        count: impl FnOnce(&StepReport),
+    ) -> Result<bool, SolveError> {
         let Some(to) = self.next_output() else { return Ok(false) };
         let jump = self.jumps.last().copied().filter(|jump| *jump <= to + self.tolerance);
         // The step ends just before the jump. A jump within rounding of the output time coincides with it.
         let end = jump.map_or(to, |jump| jump.min(to).next_down());
         // Equal if the restart after the jump failed and is repeated.
         if self.dynamics.state().t < end {
-            let step = self.step(end)?;
+            let step = self.step(end, &mut accepted)?;
             count(&step);
             self.report = self.report.then(&step);
         }
         if let Some(jump) = jump.filter(|_| self.dynamics.state().t == end) {
             let near = (to - jump).abs() <= self.tolerance;
             self.dynamics.restart(if near { jump.max(to) } else { jump })?;
+            accepted(self.dynamics.state());
             self.jumps.pop();
         }
         if self.interval.is_none() || self.dynamics.state().t >= to {
@@ -155,16 +161,20 @@ impl<'a> StepControl<'a> {
     }
 
     /// Takes one step towards a time.
-    fn step(&mut self, to: f64) -> Result<StepReport, SolveError> {
+    fn step(&mut self, to: f64, accepted: &mut impl FnMut(&State)) -> Result<StepReport, SolveError> {
         match &mut self.size {
-            StepSize::Adaptive(adaptive) => adaptive.step(&mut self.dynamics, to),
+            StepSize::Adaptive(adaptive) => {
+                let report = adaptive.step(&mut self.dynamics, to)?;
+                accepted(self.dynamics.state());
+                Ok(report)
+            }
             StepSize::Fixed(h) => {
                 if let Some(to) = self.dynamics.pending_time() {
-                    return self.dynamics.advance(to);
+                    return self.dynamics.advance_with(to, accepted);
                 }
                 let (now, left) = (self.dynamics.state().t, to - self.dynamics.state().t);
                 let parts = (left / *h * (1.0 - TIME_TOLERANCE)).ceil();
-                self.dynamics.advance(if parts > 1.0 { now + left / parts } else { to })
+                self.dynamics.advance_with(if parts > 1.0 { now + left / parts } else { to }, accepted)
             }
         }
     }

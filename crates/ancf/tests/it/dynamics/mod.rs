@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod convergence;
+mod dissipation;
 mod initial_conditions;
 mod newton_methods;
 mod pendulum;

@@ -5,3 +5,4 @@ mod extensions;
 mod failures;
 mod observers;
 mod recorder;
+mod turns;

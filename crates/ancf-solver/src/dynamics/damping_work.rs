@@ -1,0 +1,127 @@
+use serde::{Deserialize, Serialize};
+
+use super::scheme::SchemeCoefficients;
+use crate::equations::{Power, State};
+
+/// Damping forces of the state, from which the scheme computes their work.
+///
+/// With the mean velocity v̄ = ½(vₙ + vₙ₊₁) a step changes the kinetic energy by v̄·M(vₙ₊₁ − vₙ). For a constant mass
+/// matrix this is the work of the impulses h [(1 − γ) aₙ + γ aₙ₊₁] M. The damping forces F have the same share in the
+/// auxiliary accelerations as in the true ones:
+///
+/// ΔW = h v̄·[(1 − γ) φₙ + γ φₙ₊₁],   (1 − αm) φₙ₊₁ + αm φₙ = (1 − αf) Fₙ₊₁ + αf Fₙ.
+///
+/// The sum of ΔW is thus the kinetic energy that the scheme removes by damping, in steps of any size. The integral of
+/// the power F·v has no such bound: it diverges where a velocity decays within a step.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct DampingForces {
+    /// F, over the coordinates.
+    force: Vec<f64>,
+    /// Auxiliary forces φ, for the last step size.
+    auxiliary: Vec<f64>,
+}
+
+impl DampingForces {
+    /// Creates the forces of a start with φ = F. Entries of multipliers are ignored.
+    pub(crate) fn new(coordinates: usize, force: &[f64]) -> Self {
+        let force = force[..coordinates].to_vec();
+        Self { auxiliary: force.clone(), force }
+    }
+
+    /// Sets φ = F at a start.
+    pub(crate) fn restart(&mut self, force: &[f64]) {
+        let force = &force[..self.force.len()];
+        self.force.copy_from_slice(force);
+        self.auxiliary.copy_from_slice(force);
+    }
+
+    /// Sets φ at the start of a scheme with start values.
+    pub(crate) fn start(&mut self, auxiliary: &[f64]) {
+        self.auxiliary.copy_from_slice(&auxiliary[..self.force.len()]);
+    }
+
+    /// Removes the forces of a start with accelerations that do not contain them.
+    pub(crate) fn clear(&mut self) {
+        self.force.fill(0.0);
+        self.auxiliary.fill(0.0);
+    }
+
+    /// Scales φ − F with the step size, as the accelerations.
+    pub(crate) fn rescale(&mut self, ratio: f64) {
+        for (auxiliary, force) in self.auxiliary.iter_mut().zip(&self.force) {
+            *auxiliary = force + ratio * (*auxiliary - force);
+        }
+    }
+
+    /// Returns the work ΔW of a step and advances to the forces `next` at its end.
+    pub(crate) fn advance(
+        &mut self,
+        scheme: SchemeCoefficients,
+        (before, now): (&State, &State),
+        h: f64,
+        next: &[f64],
+    ) -> f64 {
+        let mut work = 0.0;
+        for i in 0..now.v.len() {
+            let auxiliary = scheme.auxiliary(self.auxiliary[i], self.force[i], next[i]);
+            let mean = (1.0 - scheme.gamma) * self.auxiliary[i] + scheme.gamma * auxiliary;
+            work += 0.5 * h * (before.v[i] + now.v[i]) * mean;
+            self.auxiliary[i] = auxiliary;
+        }
+        self.force.copy_from_slice(&next[..now.v.len()]);
+        work
+    }
+
+    /// Returns true if the forces have the given number of entries and are finite.
+    pub(crate) fn is_valid(&self, size: usize) -> bool {
+        let Self { force, auxiliary } = self;
+        let sizes = force.len() == size && auxiliary.len() == size;
+        sizes && force.iter().chain(auxiliary).all(|x| x.is_finite())
+    }
+}
+
+/// Integral of the powers of loads, prescribed motions and flows.
+///
+/// Auxiliary powers as in [`DampingForces`], with the γ of second order: a motion at constant speed against damping
+/// forces then supplies what they dissipate. For Newmark schemes this is the trapezoidal rule.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct PowerIntegral {
+    power: Power,
+    auxiliary: Power,
+}
+
+impl PowerIntegral {
+    /// Sets the power at a start.
+    pub(crate) const fn new(power: Power) -> Self {
+        Self { power, auxiliary: power }
+    }
+
+    /// Returns work and dissipation of a step h and advances to the power at its end. `ratio` is the ratio to the last
+    /// step size, `None` for the first step.
+    pub(crate) fn advance(
+        &mut self,
+        scheme: SchemeCoefficients,
+        ratio: Option<f64>,
+        h: f64,
+        next: Power,
+    ) -> Power {
+        let lead = scheme.lead();
+        let part = |power: f64, auxiliary: f64, next: f64| {
+            let start =
+                ratio.map_or(power + lead * (next - power), |ratio| power + ratio * (auxiliary - power));
+            let end = scheme.auxiliary(start, power, next);
+            (h * ((0.5 + lead) * start + (0.5 - lead) * end), end)
+        };
+        let Self { power, auxiliary } = *self;
+        let (work, work_end) = part(power.work, auxiliary.work, next.work);
+        let (dissipation, dissipation_end) = part(power.dissipation, auxiliary.dissipation, next.dissipation);
+        *self = Self { power: next, auxiliary: Power { work: work_end, dissipation: dissipation_end } };
+        Power { work, dissipation }
+    }
+
+    /// Returns true if the powers are finite.
+    pub(crate) fn is_valid(&self) -> bool {
+        let Self { power, auxiliary } = self;
+        [power.work, power.dissipation, auxiliary.work, auxiliary.dissipation].iter().all(|x| x.is_finite())
+    }
+}

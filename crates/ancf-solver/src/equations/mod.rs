@@ -19,4 +19,4 @@ pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use state::{State, Weights};
 pub use system::System;
-pub use term::{LOCAL, Local, LocalMatrix, Term, dissipated, supplied};
+pub use term::{LOCAL, Local, LocalMatrix, Term, dissipated, quadratic_constraints, supplied};

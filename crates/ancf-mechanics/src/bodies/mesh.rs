@@ -10,8 +10,8 @@ use crate::elements::{
     StrainEnergy, TwoNodeLaw,
 };
 use crate::kinematics::{
-    Attachment, BeamShape, Directions, Marker, NodalVector, QuadraticShape, ReferenceNode, VectorKind,
-    round_to_zero,
+    Attachment, BeamShape, Directions, Marker, NodalVector, QuadraticShape, ReferenceNode, SectionFrame,
+    VectorKind, round_to_zero,
 };
 use crate::sections::{CrossSection, Lame};
 
@@ -46,6 +46,8 @@ pub struct BeamMesh {
     pub(crate) reference: Vec<Vector3<f64>>,
     pub(crate) lame: Lame,
     pub(crate) elasticity: StressLaw,
+    /// Weight w_y of the section frame at the ends of the elements; ½ if empty.
+    frame_weights: Vec<f64>,
 }
 
 /// Common data of all elements of a mesh.
@@ -64,6 +66,17 @@ pub struct MeshParameters<'a> {
     pub section: &'a dyn Fn(f64) -> CrossSection,
     /// True if the section is constant along the beam.
     pub prismatic: bool,
+}
+
+impl MeshParameters<'_> {
+    /// Returns I_y/(I_y + I_z) of the sections at the nodes, I_y = ∫ y² dA.
+    fn frame_weights(&self, nodes: usize) -> Vec<f64> {
+        let weight = |k: usize| {
+            let moments = (self.section)(k as f64 * self.length).moments;
+            moments.yy / (moments.yy + moments.zz)
+        };
+        if self.prismatic { vec![weight(0); nodes] } else { (0..nodes).map(weight).collect() }
+    }
 }
 
 impl fmt::Debug for MeshParameters<'_> {
@@ -103,7 +116,11 @@ impl BeamMesh {
             TwoNodeLaw::Linked => StressLaw::Rod { linked: true },
         };
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity }
+        let frame_weights = match formulation {
+            TwoNodeLaw::Continuum => parameters.frame_weights(nodes.len()),
+            TwoNodeLaw::Enhanced | TwoNodeLaw::Linked => Vec::new(),
+        };
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
     }
 
     /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
@@ -123,7 +140,8 @@ impl BeamMesh {
         });
         let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity }
+        let frame_weights = Vec::new();
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
     }
 
     /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
@@ -149,7 +167,8 @@ impl BeamMesh {
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity: StressLaw::Line }
+        let (elasticity, frame_weights) = (StressLaw::Line, Vec::new());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.
@@ -244,16 +263,33 @@ impl BeamMesh {
 
     /// Returns the attachment of joints, loads and probes at an arc length.
     pub fn attachment(&self, s: f64) -> Attachment {
-        let [x, y, z] = self.axes(s);
-        let directions =
-            if self.has_sections() { Directions::Section([x, y, z]) } else { Directions::Line(x) };
-        Attachment { point: self.point(s), directions }
+        let directions = match self.frame(s) {
+            Some(frame) => Directions::Section(self.axes(s), frame),
+            None => {
+                let [tangent, ..] = self.axes(s);
+                Directions::Line(tangent)
+            }
+        };
+        Attachment { point: self.point(s).into(), directions }
     }
 
-    /// Returns the body-fixed direction at an arc length with the reference value `direction`
-    /// ([`Attachment::direction`]).
+    /// Returns the frame of the section at an arc length. A cable has none.
+    pub fn frame(&self, s: f64) -> Option<SectionFrame> {
+        let [_, d, e] = self.axes(s);
+        self.has_sections().then(|| SectionFrame::new([&d, &e], self.frame_weight(s)))
+    }
+
+    /// Returns the weight w_y of the section frame at an arc length, interpolated between the nodes.
+    fn frame_weight(&self, s: f64) -> f64 {
+        let (element, xi) = self.locate(s);
+        let at = |node: usize| self.frame_weights.get(node).copied().unwrap_or(0.5);
+        at(element) * (1.0 - xi) + at(element + 1) * xi
+    }
+
+    /// Returns the material direction at an arc length with the reference value `direction`
+    /// ([`Attachment::material_direction`]).
     pub fn direction(&self, s: f64, direction: Vector3<f64>) -> Marker {
-        self.attachment(s).direction(direction)
+        self.attachment(s).material_direction(direction)
     }
 
     /// Returns the directors r_x, r_y and r_z at an arc length.

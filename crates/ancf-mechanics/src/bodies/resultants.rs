@@ -65,20 +65,17 @@ impl BeamMesh {
         })
     }
 
-    /// Returns an orthonormal section frame at an arc length: the normal, and y and z as close as possible to r_y and
-    /// r_z.
+    /// Returns the axes of the [`SectionFrame`](crate::kinematics::SectionFrame) at an arc length.
     ///
-    /// For a cable, it is the tangent and two arbitrary normal directions.
+    /// For a cable, they are the tangent and two arbitrary normal directions.
     pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
-        let [a, d, e] = self.axes(s).map(|axis| axis.value(state));
-        if !self.has_sections() {
-            let normal = a.normalize();
-            let [y, z] = normals_to(normal);
-            return [normal, y, z];
+        if let Some(frame) = self.frame(s) {
+            return frame.at(&state.q).axes;
         }
-        let normal = d.cross(&e).normalize();
-        let y = (d.normalize() + e.cross(&normal).normalize()).normalize();
-        [normal, y, normal.cross(&y)]
+        let [tangent, ..] = self.axes(s);
+        let normal = tangent.value(state).normalize();
+        let [y, z] = normals_to(normal);
+        [normal, y, z]
     }
 }
 

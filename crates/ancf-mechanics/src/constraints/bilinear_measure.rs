@@ -1,14 +1,15 @@
 use ancf_solver::equations::{LOCAL, LocalMatrix, State};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
-use crate::kinematics::Marker;
+use crate::kinematics::BodyVector;
 
-/// Bilinear scalar g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ of markers and coordinates, used by constraints and springs.
+/// Scalar g(q) = Σ cᵢ aᵢ·bᵢ + Σ cⱼ qⱼ, bilinear in vectors of bodies and coordinates, used by constraints and springs.
 ///
 /// Angles of directions, distances of points along directions, squared distances, joint coordinates and their sums have
-/// this form. It is at most quadratic in q: the gradient is linear and the second derivative H constant. Changes g − g₀
-/// from the reference state are evaluated without cancellation.
+/// this form. Of markers it is at most quadratic in q: the gradient is linear and the second derivative H constant. Vectors
+/// in the frame of a section add their own second derivative. Changes g − g₀ from the reference state are evaluated
+/// without cancellation.
 #[derive(Clone, Debug, Default)]
 pub struct BilinearMeasure {
     products: Vec<Product>,
@@ -20,11 +21,11 @@ pub struct BilinearMeasure {
 #[derive(Clone, Debug)]
 struct Product {
     factor: f64,
-    markers: [Marker; 2],
+    vectors: [BodyVector; 2],
     roles: [MarkerMotion; 2],
 }
 
-/// Effect of the first body of a joint on a marker.
+/// Effect of the first body of a joint on a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum MarkerMotion {
     Translates,
@@ -36,19 +37,19 @@ enum MarkerMotion {
 #[derive(Clone, Copy, Debug)]
 pub enum MeasureFactor<'a> {
     /// Point of the first body relative to another point. It moves with the first point.
-    Point(&'a Marker),
+    Point(&'a BodyVector),
     /// Direction of the first body. It rotates with the body.
-    Direction(&'a Marker),
+    Direction(&'a BodyVector),
     /// Point or direction of the other body or of the ground.
-    Other(&'a Marker),
+    Other(&'a BodyVector),
 }
 
 impl<'a> MeasureFactor<'a> {
-    const fn parts(self) -> (&'a Marker, MarkerMotion) {
+    const fn parts(self) -> (&'a BodyVector, MarkerMotion) {
         match self {
-            Self::Point(marker) => (marker, MarkerMotion::Translates),
-            Self::Direction(marker) => (marker, MarkerMotion::Rotates),
-            Self::Other(marker) => (marker, MarkerMotion::Fixed),
+            Self::Point(vector) => (vector, MarkerMotion::Translates),
+            Self::Direction(vector) => (vector, MarkerMotion::Rotates),
+            Self::Other(vector) => (vector, MarkerMotion::Fixed),
         }
     }
 }
@@ -58,7 +59,7 @@ impl BilinearMeasure {
     pub fn new<'a>(products: impl IntoIterator<Item = (f64, MeasureFactor<'a>, MeasureFactor<'a>)>) -> Self {
         let product = |(factor, a, b): (f64, MeasureFactor<'a>, MeasureFactor<'a>)| {
             let ((a, first), (b, second)) = (a.parts(), b.parts());
-            Product { factor, markers: [a.clone(), b.clone()], roles: [first, second] }
+            Product { factor, vectors: [a.clone(), b.clone()], roles: [first, second] }
         };
         Self { products: products.into_iter().map(product).collect(), coordinates: Vec::new() }
     }
@@ -77,8 +78,8 @@ impl BilinearMeasure {
 
     /// Returns the sorted coordinates without repetition.
     pub fn coordinates(&self) -> Vec<usize> {
-        let markers = self.products.iter().flat_map(|product| &product.markers);
-        let mut all: Vec<usize> = markers.flat_map(Marker::coordinates).collect();
+        let vectors = self.products.iter().flat_map(|product| &product.vectors);
+        let mut all: Vec<usize> = vectors.flat_map(BodyVector::coordinates).collect();
         all.extend(self.coordinates.iter().map(|(coordinate, _)| coordinate));
         all.sort_unstable();
         all.dedup();
@@ -94,7 +95,7 @@ impl BilinearMeasure {
                 .expect("the coordinate list contains all coordinates")
         };
         let product = |product: &Product| Product {
-            markers: product.markers.each_ref().map(|marker| marker.within(coordinates)),
+            vectors: product.vectors.each_ref().map(|vector| vector.within(coordinates)),
             ..*product
         };
         Self {
@@ -103,9 +104,14 @@ impl BilinearMeasure {
         }
     }
 
+    /// Returns true if the measure is at most quadratic in the coordinates.
+    pub(crate) fn is_quadratic(&self) -> bool {
+        self.products.iter().all(Product::is_quadratic)
+    }
+
     /// Returns the reference value g₀.
     pub fn reference(&self) -> f64 {
-        let of = |p: &Product| p.factor * p.markers[0].reference().dot(&p.markers[1].reference());
+        let of = |p: &Product| p.factor * p.vectors[0].reference().dot(&p.vectors[1].reference());
         self.products.iter().map(of).sum()
     }
 
@@ -122,8 +128,8 @@ impl BilinearMeasure {
     /// Returns g − g₀.
     pub(crate) fn change(&self, q: &[f64]) -> f64 {
         let of = |p: &Product| {
-            let [a, b] = &p.markers;
-            let (ua, ub) = (a.sum(q), b.sum(q));
+            let [a, b] = &p.vectors;
+            let (ua, ub) = (a.change(q), b.change(q));
             p.factor * (a.reference().dot(&ub) + ua.dot(&b.reference()) + ua.dot(&ub))
         };
         self.products.iter().map(of).sum::<f64>()
@@ -133,43 +139,54 @@ impl BilinearMeasure {
     /// Returns the derivative along x: ∂g/∂q·x.
     pub(crate) fn slope(&self, q: &[f64], x: &[f64]) -> f64 {
         let of = |p: &Product| {
-            let ([a, b], [u, v]) = (p.values(q), p.markers.each_ref().map(|marker| marker.sum(x)));
+            let ([a, b], [u, v]) = (p.values(q), p.rates(q, x));
             p.factor * (u.dot(&b) + a.dot(&v))
         };
         self.products.iter().map(of).sum::<f64>()
             + self.coordinates.iter().map(|&(c, k)| k * x[c]).sum::<f64>()
     }
 
+    /// Returns the second derivative along x: x·H x.
+    pub(crate) fn second_slope(&self, q: &[f64], x: &[f64]) -> f64 {
+        let of = |p: &Product| {
+            let ([a, b], [u, v]) = (p.values(q), p.rates(q, x));
+            let [of_a, of_b] = p.vectors.each_ref().map(|vector| vector.rate_slope(q, x));
+            p.factor * (of_a.dot(&b) + 2.0 * u.dot(&v) + a.dot(&of_b))
+        };
+        self.products.iter().map(of).sum()
+    }
+
     /// Adds f ∂g/∂q.
     pub(crate) fn add_gradient(&self, q: &[f64], f: f64, rows: &mut [f64]) {
         for p in &self.products {
             let ([a, b], f) = (p.values(q), f * p.factor);
-            p.markers[0].add(b * f, rows);
-            p.markers[1].add(a * f, rows);
+            p.vectors[0].add(q, b * f, rows);
+            p.vectors[1].add(q, a * f, rows);
         }
         self.coordinates.iter().for_each(|&(c, k)| rows[c] += f * k);
     }
 
     /// Adds f H x, the derivative of f ∂g/∂q along x.
-    pub(crate) fn add_gradient_slope(&self, x: &[f64], f: f64, rows: &mut [f64]) {
+    pub(crate) fn add_gradient_slope(&self, q: &[f64], x: &[f64], f: f64, rows: &mut [f64]) {
         for p in &self.products {
-            let ([u, v], f) = (p.markers.each_ref().map(|marker| marker.sum(x)), f * p.factor);
-            p.markers[0].add(v * f, rows);
-            p.markers[1].add(u * f, rows);
+            let ([a, b], [u, v], f) = (p.values(q), p.rates(q, x), f * p.factor);
+            p.vectors[0].add(q, v * f, rows);
+            p.vectors[1].add(q, u * f, rows);
+            p.vectors[0].add_slope(q, x, b * f, rows);
+            p.vectors[1].add_slope(q, x, a * f, rows);
         }
     }
 
     /// Adds f H to a matrix.
-    pub(crate) fn add_curvature(&self, f: f64, k: &mut LocalMatrix<'_>) {
-        let mut add = |i: usize, j: usize, value: f64| {
-            if i >= j {
-                k.add(i, j, value);
-            }
-        };
+    pub(crate) fn add_curvature(&self, q: &[f64], f: f64, k: &mut LocalMatrix<'_>) {
         for p in &self.products {
-            let (curvature, [a, b]) = (Matrix3::from_diagonal_element(f * p.factor), &p.markers);
-            a.product(b, &curvature, &mut add);
-            b.product(a, &curvature, &mut add);
+            let [a, b] = &p.vectors;
+            a.add_product(b, q, f * p.factor, k);
+            if !p.is_quadratic() {
+                let values = p.values(q);
+                a.add_curvature(q, values[1] * (f * p.factor), k);
+                b.add_curvature(q, values[0] * (f * p.factor), k);
+            }
         }
     }
 
@@ -177,8 +194,16 @@ impl BilinearMeasure {
     pub(crate) fn add_rounding(&self, q: &[f64], f: f64, floor: &mut [f64]) -> f64 {
         let mut of_change = 0.0;
         for p in &self.products {
-            let sizes = p.markers.each_ref().map(|marker| marker.size(q) * p.factor.abs());
-            for (marker, other) in p.markers.iter().zip([sizes[1], sizes[0]]) {
+            let sizes = p.vectors.each_ref().map(|vector| vector.size(q) * p.factor.abs());
+            let errors = p.vectors.each_ref().map(|vector| vector.errors(q).map(|x| x * p.factor.abs()));
+            for (i, vector) in p.vectors.iter().enumerate() {
+                let (other, [of_other, _]) = (sizes[1 - i], errors[1 - i]);
+                let Some(marker) = vector.marker() else {
+                    vector.add_errors(q, other * f.abs(), of_other * f.abs(), floor);
+                    of_change += errors[i][1] / p.factor.abs() * other;
+                    continue;
+                };
+                let other = other.max(of_other / f64::EPSILON);
                 for &(first, w) in marker.parts() {
                     for row in first..first + 3 {
                         floor[row] += f64::EPSILON * (w * f).abs() * other;
@@ -212,9 +237,18 @@ impl BilinearMeasure {
 }
 
 impl Product {
+    fn is_quadratic(&self) -> bool {
+        self.vectors.iter().all(BodyVector::is_linear)
+    }
+
     /// Returns a and b.
     fn values(&self, q: &[f64]) -> [Vector3<f64>; 2] {
-        self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q))
+        self.vectors.each_ref().map(|vector| vector.at(q))
+    }
+
+    /// Returns the derivatives of a and b along x.
+    fn rates(&self, q: &[f64], x: &[f64]) -> [Vector3<f64>; 2] {
+        self.vectors.each_ref().map(|vector| vector.rate(q, x))
     }
 }
 

@@ -1,9 +1,11 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints,
+};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::Marker;
+use crate::kinematics::{BodyVector, Marker};
 
 /// Force and moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,9 +37,9 @@ pub(crate) fn direction(reference: Vector3<f64>) -> String {
 /// Units: those of the markers; λ is a force for points and a moment for directions.
 #[derive(Clone, Debug)]
 pub struct CoincidenceConstraint {
-    global: Marker,
-    a: Marker,
-    b: Marker,
+    global: BodyVector,
+    a: BodyVector,
+    b: BodyVector,
     coordinates: Vec<usize>,
     first: usize,
     direction: bool,
@@ -49,13 +51,13 @@ pub struct CoincidenceConstraint {
 
 impl CoincidenceConstraint {
     /// Constrains two points. Uses the three multipliers from `first`.
-    pub fn points(a: &Marker, b: &Marker, first: usize) -> Self {
-        Self::new(a, b, first, false)
+    pub fn points(a: impl Into<BodyVector>, b: impl Into<BodyVector>, first: usize) -> Self {
+        Self::new(a.into(), b.into(), first, false)
     }
 
     /// Moves a point to a ground point with the load factor. Uses the three multipliers from `first`.
-    pub fn toward(a: &Marker, target: Vector3<f64>, first: usize) -> Self {
-        Self::points(a, &Marker::fixed(target), first).closed_by_load()
+    pub fn toward(a: impl Into<BodyVector>, target: Vector3<f64>, first: usize) -> Self {
+        Self::points(a, BodyVector::fixed(target), first).closed_by_load()
     }
 
     /// Closes the reference gap of the points.
@@ -82,8 +84,8 @@ impl CoincidenceConstraint {
     }
 
     /// Constrains two directions. Uses the three multipliers from `first`.
-    pub fn directions(a: &Marker, b: &Marker, first: usize) -> Self {
-        Self::new(a, b, first, true)
+    pub fn directions(a: impl Into<BodyVector>, b: impl Into<BodyVector>, first: usize) -> Self {
+        Self::new(a.into(), b.into(), first, true)
     }
 
     /// Returns true for points and false for directions.
@@ -91,11 +93,11 @@ impl CoincidenceConstraint {
         !self.direction
     }
 
-    fn new(a: &Marker, b: &Marker, first: usize, direction: bool) -> Self {
-        let coordinates = Marker::union_coordinates([a, b]);
+    fn new(a: BodyVector, b: BodyVector, first: usize, direction: bool) -> Self {
+        let coordinates = BodyVector::union_coordinates([&a, &b]);
         let (local_a, local_b) = (a.within(&coordinates), b.within(&coordinates));
         let (gap, by_load) = (Vector3::zeros(), false);
-        Self { global: a.clone(), a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
+        Self { global: a, a: local_a, b: local_b, coordinates, first, direction, gap, by_load }
     }
 
     /// Returns the removed part of the gap at a load factor.
@@ -133,9 +135,9 @@ impl Term for CoincidenceConstraint {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (rows, equations) = r.split_at_mut(at.q.len());
         let lambda = Vector3::from_column_slice(at.lambda);
-        self.a.add(lambda, rows);
-        self.b.add(-lambda, rows);
-        let apart = self.a.sum(at.q) - self.b.sum(at.q) - self.removed_gap(at.load);
+        self.a.add(at.q, lambda, rows);
+        self.b.add(at.q, -lambda, rows);
+        let apart = self.a.change(at.q) - self.b.change(at.q) - self.removed_gap(at.load);
         for (row, apart) in equations.iter_mut().zip(&apart) {
             *row += apart;
         }
@@ -146,7 +148,14 @@ impl Term for CoincidenceConstraint {
         for (row, gap) in equations.iter_mut().zip(&self.removed_gap(at.load)) {
             *row += f64::EPSILON * gap.abs();
         }
-        for marker in [&self.a, &self.b] {
+        for vector in [&self.a, &self.b] {
+            let Some(marker) = vector.marker() else {
+                let force = Vector3::from_column_slice(at.lambda).norm();
+                vector.add_errors(at.q, force, 0.0, rows);
+                let [_, error] = vector.errors(at.q);
+                equations.iter_mut().for_each(|row| *row += error);
+                continue;
+            };
             for &(first, w) in marker.parts() {
                 for k in 0..3 {
                     rows[first + k] += f64::EPSILON * (w * at.lambda[k]).abs();
@@ -156,15 +165,34 @@ impl Term for CoincidenceConstraint {
         }
     }
 
-    fn tangent(&self, at: &Local<'_>, _: Weights, k: &mut LocalMatrix<'_>) {
+    fn tangent(&self, at: &Local<'_>, weights: Weights, k: &mut LocalMatrix<'_>) {
         let n = at.q.len();
-        for (marker, sign) in [(&self.a, 1.0), (&self.b, -1.0)] {
-            for &(first, w) in marker.parts() {
-                for i in 0..3 {
-                    k.add(n + i, first + i, sign * w);
+        for (vector, sign) in [(&self.a, 1.0), (&self.b, -1.0)] {
+            if let Some(marker) = vector.marker() {
+                for &(first, w) in marker.parts() {
+                    (0..3).for_each(|i| k.add(n + i, first + i, sign * w));
                 }
+                continue;
             }
+            vector.blocks(at.q, |first, block| {
+                for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                    k.add(n + i, first + j, sign * block[(i, j)]);
+                }
+            });
+            vector.add_curvature(at.q, Vector3::from_column_slice(at.lambda) * (sign * weights.q), k);
         }
+    }
+
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        if self.a.is_linear() && self.b.is_linear() {
+            return quadratic_constraints(self, at, level, phi);
+        }
+        let row = match level {
+            Level::Position => self.a.change(at.q) - self.b.change(at.q) - self.removed_gap(at.load),
+            Level::Velocity => self.a.rate(at.q, at.v) - self.b.rate(at.q, at.v),
+            Level::Acceleration => self.a.rate_slope(at.q, at.v) - self.b.rate_slope(at.q, at.v),
+        };
+        (0..3).for_each(|k| phi[k] += row[k]);
     }
 }
 

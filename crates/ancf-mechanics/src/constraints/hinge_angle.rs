@@ -1,10 +1,10 @@
 use std::ops::Range;
 
 use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
-use crate::kinematics::Marker;
+use crate::kinematics::BodyVector;
 
 /// Angle of a revolute joint as a massless coordinate θ, defined by one equation.
 ///
@@ -17,9 +17,9 @@ use crate::kinematics::Marker;
 /// Units: none; λ is the moment about the axis.
 #[derive(Clone, Debug)]
 pub struct HingeAngle {
-    global: [Marker; 3],
+    global: [BodyVector; 3],
     /// Directions p, u, v.
-    markers: [Marker; 3],
+    vectors: [BodyVector; 3],
     /// Coordinates, θ first.
     coordinates: Vec<usize>,
     multiplier: usize,
@@ -40,26 +40,29 @@ struct AngleValues {
 
 impl HingeAngle {
     /// Defines the angle from u to p about u × v as a coordinate.
-    pub fn new(coordinate: usize, p: &Marker, [u, v]: [&Marker; 2], multiplier: usize) -> Self {
-        let global = [p, u, v].map(Marker::clone);
-        let mut others: Vec<usize> = global.iter().flat_map(Marker::coordinates).collect();
-        others.sort_unstable();
-        others.dedup();
+    pub fn new(
+        coordinate: usize,
+        p: impl Into<BodyVector>,
+        [u, v]: [impl Into<BodyVector>; 2],
+        multiplier: usize,
+    ) -> Self {
+        let global = [p.into(), u.into(), v.into()];
+        let others = BodyVector::union_coordinates(&global);
         let coordinates: Vec<usize> = [coordinate].into_iter().chain(others).collect();
-        let markers = global.each_ref().map(|marker| marker.within(&coordinates));
-        Self { global, markers, coordinates, multiplier }
+        let vectors = global.each_ref().map(|vector| vector.within(&coordinates));
+        Self { global, vectors, coordinates, multiplier }
     }
 
     /// Returns the contribution to the joint reaction on the body that carries p: the moment p × (−λ w).
     pub fn reaction(&self, s: &State) -> Wrench {
-        let [p, u, v] = self.global.each_ref().map(|marker| marker.value(s));
+        let [p, u, v] = self.global.each_ref().map(|vector| vector.value(s));
         let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();
         let moment = p.cross(&((v * cos - u * sin) * -s.lambda[self.multiplier]));
         Wrench { moment, ..Wrench::default() }
     }
 
     fn values(&self, q: &[f64]) -> AngleValues {
-        let [p, u, v] = self.markers.each_ref().map(|marker| marker.reference() + marker.sum(q));
+        let [p, u, v] = self.vectors.each_ref().map(|vector| vector.at(q));
         let (sin, cos) = q[THETA].sin_cos();
         AngleValues { p, sin, cos, w: v * cos - u * sin, along: v * sin + u * cos }
     }
@@ -81,54 +84,56 @@ impl Term for HingeAngle {
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0]);
         let AngleValues { p, sin, cos, w, along } = self.values(at.q);
-        let [of_p, of_u, of_v] = &self.markers;
-        of_p.add(w * lambda, r);
-        of_u.add(p * (-sin * lambda), r);
-        of_v.add(p * (cos * lambda), r);
+        let [of_p, of_u, of_v] = &self.vectors;
+        of_p.add(at.q, w * lambda, r);
+        of_u.add(at.q, p * (-sin * lambda), r);
+        of_v.add(at.q, p * (cos * lambda), r);
         r[THETA] -= lambda * p.dot(&along);
         r[n] += p.dot(&w);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (n, lambda) = (at.q.len(), at.lambda[0].abs());
-        let [p, u, v] = self.markers.each_ref().map(|marker| marker.size(at.q));
+        let [p, u, v] = self.vectors.each_ref().map(|vector| vector.size(at.q));
         // The rounding error of an angle of many turns is ε times its value.
         let turn = f64::EPSILON * (2.0 + at.q[THETA].abs());
-        for (marker, size) in self.markers.iter().zip([u + v, p, p]) {
+        let mut of_equation = turn * p * (u + v);
+        for (vector, size) in self.vectors.iter().zip([u + v, p, p]) {
+            let [error, _] = vector.errors(at.q);
+            of_equation += if vector.is_linear() { 0.0 } else { error * size };
+            let Some(marker) = vector.marker() else {
+                vector.add_errors(at.q, lambda * size, turn * lambda * size, floor);
+                continue;
+            };
             for &(first, w) in marker.parts() {
                 floor[first..first + 3].iter_mut().for_each(|row| *row += turn * lambda * size * w.abs());
             }
         }
         floor[THETA] += turn * lambda * p * (u + v);
-        floor[n] += turn * p * (u + v);
+        floor[n] += of_equation;
     }
 
     fn tangent(&self, at: &Local<'_>, weights: Weights, k: &mut LocalMatrix<'_>) {
         let n = at.q.len();
         let AngleValues { p, sin, cos, w, along } = self.values(at.q);
         let f = weights.q * at.lambda[0];
-        let [of_p, of_u, of_v] = &self.markers;
+        let [of_p, of_u, of_v] = &self.vectors;
         k.add(n, THETA, -p.dot(&along));
         k.add(THETA, THETA, -f * p.dot(&w));
-        for (marker, slope, turned) in
+        for (vector, slope, turned) in
             [(of_p, w, -along), (of_u, p * -sin, p * -cos), (of_v, p * cos, p * -sin)]
         {
-            for &(first, weight) in marker.parts() {
+            vector.blocks(at.q, |first, block| {
+                let (slope, turned) = (block.transpose() * slope, block.transpose() * turned);
                 for i in 0..3 {
-                    k.add(n, first + i, weight * slope[i]);
-                    k.add(first + i, THETA, f * weight * turned[i]);
+                    k.add(n, first + i, slope[i]);
+                    k.add(first + i, THETA, f * turned[i]);
                 }
-            }
+            });
+            vector.add_curvature(at.q, slope * f, k);
         }
-        let mut add = |i: usize, j: usize, value: f64| {
-            if i >= j {
-                k.add(i, j, value);
-            }
-        };
-        for (marker, factor) in [(of_u, -sin), (of_v, cos)] {
-            let h = Matrix3::from_diagonal_element(f * factor);
-            of_p.product(marker, &h, &mut add);
-            marker.product(of_p, &h, &mut add);
+        for (vector, factor) in [(of_u, -sin), (of_v, cos)] {
+            of_p.add_product(vector, at.q, f * factor, k);
         }
     }
 
@@ -147,13 +152,14 @@ impl Term for HingeAngle {
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
         let AngleValues { p, sin, cos, w, along } = self.values(at.q);
-        let [dp, du, dv] = self.markers.each_ref().map(|marker| marker.sum(at.v));
+        let [dp, du, dv] = self.vectors.each_ref().map(|vector| vector.rate(at.q, at.v));
+        let [ddp, ddu, ddv] = self.vectors.each_ref().map(|vector| vector.rate_slope(at.q, at.v));
         let (rate, carried) = (at.v[THETA], dv * cos - du * sin);
         phi[0] += match level {
             Level::Position => p.dot(&w),
             Level::Velocity => dp.dot(&w) + p.dot(&carried) - rate * p.dot(&along),
             Level::Acceleration => {
-                2.0 * dp.dot(&carried)
+                ddp.dot(&w) + p.dot(&(ddv * cos - ddu * sin)) + 2.0 * dp.dot(&carried)
                     - 2.0 * rate * (dp.dot(&along) + p.dot(&(dv * sin + du * cos)))
                     - rate * rate * p.dot(&w)
             }

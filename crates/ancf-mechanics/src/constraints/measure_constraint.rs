@@ -1,6 +1,8 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    LOCAL, Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints,
+};
 
 use super::bilinear_measure::BilinearMeasure;
 use super::coincidence::Wrench;
@@ -20,6 +22,8 @@ pub struct MeasureConstraint {
     massless: Vec<usize>,
     multiplier: usize,
     name: &'static str,
+    /// Measure that is positive in admissible states.
+    positive: Option<BilinearMeasure>,
 }
 
 impl MeasureConstraint {
@@ -31,8 +35,20 @@ impl MeasureConstraint {
     /// Drives a measure to a target.
     pub fn driven(measure: BilinearMeasure, target: MeasureTarget, multiplier: usize) -> Self {
         let coordinates = measure.coordinates();
-        let (local, massless) = (measure.within(&coordinates), Vec::new());
-        Self { global: measure, measure: local, target, coordinates, massless, multiplier, name: "guide" }
+        let (local, massless, positive) = (measure.within(&coordinates), Vec::new(), None);
+        let name = "guide";
+        Self { global: measure, measure: local, target, coordinates, massless, multiplier, name, positive }
+    }
+
+    /// Restricts the equation to states in which another measure is positive, since it also holds half a turn away.
+    #[must_use]
+    pub fn where_positive(self, other: &BilinearMeasure) -> Self {
+        let mut coordinates = [self.coordinates, other.coordinates()].concat();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        let measure = self.global.within(&coordinates);
+        let positive = Some(other.within(&coordinates));
+        Self { measure, coordinates, positive, ..self }
     }
 
     /// Sets the description of the constraint.
@@ -77,7 +93,7 @@ impl Term for MeasureConstraint {
         let (n, mut gradient) = (at.q.len(), [0.0; LOCAL]);
         self.measure.add_gradient(at.q, 1.0, &mut gradient[..n]);
         gradient[..n].iter().enumerate().for_each(|(i, x)| k.add(n, i, *x));
-        self.measure.add_curvature(w.q * at.lambda[0], k);
+        self.measure.add_curvature(at.q, w.q * at.lambda[0], k);
     }
 
     fn constraint_name(&self, _: usize) -> String {
@@ -86,6 +102,22 @@ impl Term for MeasureConstraint {
 
     fn massless(&self) -> &[usize] {
         &self.massless
+    }
+
+    fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+        if self.measure.is_quadratic() {
+            return quadratic_constraints(self, at, level, phi);
+        }
+        let [rate, acceleration] = self.target.rates(at.t);
+        phi[0] += match level {
+            Level::Position => self.measure.change(at.q) - self.target.value(at),
+            Level::Velocity => self.measure.slope(at.q, at.v) - rate,
+            Level::Acceleration => self.measure.second_slope(at.q, at.v) - acceleration,
+        };
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        self.positive.as_ref().is_none_or(|measure| measure.reference() + measure.change(at.q) > 0.0)
     }
 
     fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {

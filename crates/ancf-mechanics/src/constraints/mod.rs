@@ -6,6 +6,7 @@ mod hinge_angle;
 mod measure_constraint;
 mod measure_target;
 mod rotation_drive;
+mod section_drive;
 mod slide_constraint;
 
 pub(crate) use bilinear_measure::add_outer;
@@ -15,4 +16,5 @@ pub use hinge_angle::HingeAngle;
 pub use measure_constraint::MeasureConstraint;
 pub use measure_target::MeasureTarget;
 pub use rotation_drive::RotationDrive;
+pub use section_drive::SectionDrive;
 pub use slide_constraint::SlideConstraint;

@@ -4,7 +4,7 @@ use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
 use super::coincidence::{AXES, Wrench};
-use crate::kinematics::{ElementAxis, Marker};
+use crate::kinematics::{BodyVector, ElementAxis};
 
 /// Sliding joint of a point on the axis of a beam: r_a = r_b(s), with the undeformed arc length s as a massless
 /// coordinate.
@@ -20,7 +20,7 @@ use crate::kinematics::{ElementAxis, Marker};
 /// Source: Sugiyama, Escalona & Shabana (2003), sliding joints of the absolute nodal coordinate formulation.
 #[derive(Clone, Debug)]
 pub struct SlideConstraint {
-    point: Marker,
+    point: BodyVector,
     axis: ElementAxis,
     /// Coordinates, s minus its reference value first.
     coordinates: Vec<usize>,
@@ -39,11 +39,12 @@ impl SlideConstraint {
     /// Uses the three multipliers from `first`.
     pub fn along(
         axes: impl IntoIterator<Item = ElementAxis>,
-        point: &Marker,
+        point: impl Into<BodyVector>,
         coordinate: usize,
         start: f64,
         first: usize,
     ) -> Vec<Self> {
+        let point = &point.into();
         let mut slides: Vec<Self> =
             axes.into_iter().map(|axis| Self::new(&axis, point, coordinate, start, first)).collect();
         if let Some(slide) = slides.first_mut() {
@@ -55,7 +56,7 @@ impl SlideConstraint {
         slides
     }
 
-    fn new(axis: &ElementAxis, point: &Marker, coordinate: usize, start: f64, first: usize) -> Self {
+    fn new(axis: &ElementAxis, point: &BodyVector, coordinate: usize, start: f64, first: usize) -> Self {
         let mut others: Vec<usize> = point.coordinates().chain(axis.coordinates()).collect();
         others.sort_unstable();
         others.dedup();
@@ -97,12 +98,12 @@ impl Term for SlideConstraint {
         let (n, lambda) = (at.q.len(), Vector3::from_column_slice(at.lambda));
         let [r_b, tangent, _] = self.axis.at(at.q, s);
         let [weights, ..] = self.axis.weights(s);
-        self.point.add(lambda, &mut r[..n]);
+        self.point.add(at.q, lambda, &mut r[..n]);
         for (&first, weight) in self.axis.vectors().iter().zip(weights) {
             (0..3).for_each(|k| r[first + k] -= weight * lambda[k]);
         }
         r[S] -= lambda.dot(&tangent);
-        let apart = self.point.reference() + self.point.sum(at.q) - r_b;
+        let apart = self.point.at(at.q) - r_b;
         (0..3).for_each(|k| r[n + k] += apart[k]);
     }
 
@@ -114,15 +115,18 @@ impl Term for SlideConstraint {
         let turn = f64::EPSILON * (self.start.abs() + at.q[S].abs());
         let of_value = |i: usize| 4.0 * (f64::EPSILON * values[i].abs() + turn * slopes[i].abs());
         let of_slope = |i: usize| 8.0 * (f64::EPSILON * slopes[i].abs() + turn * curvatures[i].abs());
-        let mut apart = f64::EPSILON * self.point.size(at.q);
+        let [mut apart, _] = self.point.errors(at.q);
         for (i, &first) in self.axis.vectors().iter().enumerate() {
             let size = self.axis.size(i, at.q);
             apart += of_value(i) * size;
             floor[S] += of_slope(i) * size * lambda.norm();
             (0..3).for_each(|k| floor[first + k] += of_value(i) * lambda[k].abs());
         }
-        for &(first, w) in self.point.parts() {
-            (0..3).for_each(|k| floor[first + k] += f64::EPSILON * (w * lambda[k]).abs());
+        match self.point.marker() {
+            Some(point) => point.parts().iter().for_each(|&(first, w)| {
+                (0..3).for_each(|k| floor[first + k] += f64::EPSILON * (w * lambda[k]).abs());
+            }),
+            None => self.point.add_errors(at.q, lambda.norm(), 0.0, floor),
         }
         floor[n..n + 3].iter_mut().for_each(|row| *row += apart);
     }
@@ -134,15 +138,24 @@ impl Term for SlideConstraint {
         let [values, slopes, _] = self.axis.weights(s);
         for i in 0..3 {
             k.add(n + i, S, -tangent[i]);
-            for &(first, weight) in self.point.parts() {
-                k.add(n + i, first + i, weight);
-            }
             for (j, &first) in self.axis.vectors().iter().enumerate() {
                 k.add(n + i, first + i, -values[j]);
                 k.add(first + i, S, -w.q * slopes[j] * lambda[i]);
             }
         }
         k.add(S, S, -w.q * lambda.dot(&curvature));
+        if let Some(point) = self.point.marker() {
+            for &(first, weight) in point.parts() {
+                (0..3).for_each(|i| k.add(n + i, first + i, weight));
+            }
+            return;
+        }
+        self.point.blocks(at.q, |first, block| {
+            for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                k.add(n + i, first + j, block[(i, j)]);
+            }
+        });
+        self.point.add_curvature(at.q, lambda * w.q, k);
     }
 
     fn massless(&self) -> &[usize] {
@@ -155,9 +168,11 @@ impl Term for SlideConstraint {
         let [velocity, turning, _] = self.axis.sum(at.v, s);
         let rate = at.v[S];
         let row = match level {
-            Level::Position => self.point.reference() + self.point.sum(at.q) - r_b,
-            Level::Velocity => self.point.sum(at.v) - velocity - tangent * rate,
-            Level::Acceleration => -(turning * (2.0 * rate) + curvature * (rate * rate)),
+            Level::Position => self.point.at(at.q) - r_b,
+            Level::Velocity => self.point.rate(at.q, at.v) - velocity - tangent * rate,
+            Level::Acceleration => {
+                self.point.rate_slope(at.q, at.v) - (turning * (2.0 * rate) + curvature * (rate * rate))
+            }
         };
         (0..3).for_each(|k| phi[k] += row[k]);
     }

@@ -110,7 +110,7 @@ impl ObstacleContact {
         law: ContactLaw,
     ) -> Option<Self> {
         let [x, y, z] = obstacle.place.axes()?;
-        let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.point)]);
+        let d = Marker::combined([(1.0, point), (-1.0, &obstacle.place.material_point())]);
         let global = [d, x.clone(), y.clone(), z.clone()];
         let coordinates = Marker::union_coordinates(&global);
         let markers = global.each_ref().map(|marker| marker.within(&coordinates));

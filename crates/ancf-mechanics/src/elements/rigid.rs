@@ -2,7 +2,7 @@ use ancf_solver::equations::{Energy, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
 use crate::constraints::ConstantAngle;
-use crate::kinematics::{Attachment, Directions, Marker, NodalVector, VectorKind};
+use crate::kinematics::{Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind};
 
 /// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///
@@ -72,12 +72,16 @@ impl RigidBody {
     /// Returns the attachment of joints, loads and probes at a point of the reference state. For a point mass it is the
     /// centre.
     pub fn attachment(&self, point: Vector3<f64>) -> Attachment {
-        let centre = Marker::new([(self.first, 1.0)], self.centre);
+        let centre = BodyVector::from(self.centre_marker());
         if !self.has_directors() {
             return Attachment { point: centre, directions: Directions::None };
         }
         let directions = Directions::Rigid(self.directors());
         Attachment { point: centre, directions }.offset(point - self.centre)
+    }
+
+    fn centre_marker(&self) -> Marker {
+        Marker::new([(self.first, 1.0)], self.centre)
     }
 
     /// Returns the mass times the position of the centre.
@@ -106,8 +110,7 @@ impl RigidBody {
 
     /// Returns all nodal vectors of the body in a state.
     pub fn vectors<'a>(&'a self, s: &'a State) -> impl Iterator<Item = NodalVector> + 'a {
-        let centre = Attachment { point: self.attachment(self.centre).point, directions: Directions::None };
-        let points = std::iter::once((VectorKind::Position, centre.point));
+        let points = std::iter::once((VectorKind::Position, self.centre_marker()));
         let kinds = [VectorKind::Slope, VectorKind::Y, VectorKind::Z].into_iter().zip(self.directors());
         let directors = kinds.filter(|_| self.has_directors());
         points.chain(directors).enumerate().map(move |(k, (kind, marker))| NodalVector {

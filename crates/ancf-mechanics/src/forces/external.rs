@@ -1,8 +1,9 @@
-use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
+use ancf_solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights, load_power};
 use nalgebra::{Matrix3, Vector3};
 
+use crate::constraints::add_outer;
 use crate::functions::ForceFunction;
-use crate::kinematics::{Marker, add_symmetric};
+use crate::kinematics::BodyVector;
 
 /// User-defined force on a point, computed from time, position and velocity: adds −w s F(t, x, v) with the load factor
 /// s.
@@ -16,7 +17,7 @@ use crate::kinematics::{Marker, add_symmetric};
 /// thousand time steps.
 #[derive(Clone, Debug)]
 pub struct ExternalForce {
-    point: Marker,
+    point: BodyVector,
     coordinates: Vec<usize>,
     function: ForceFunction,
     length: f64,
@@ -28,15 +29,16 @@ const STEP: f64 = 6.055e-6;
 const MIN_REFERENCE_SPEED: f64 = 1e-3;
 
 impl ExternalForce {
-    /// Creates the force on a point marker. `length` is the length of the model.
-    pub fn new(point: &Marker, function: ForceFunction, length: f64) -> Self {
-        let coordinates: Vec<usize> = point.coordinates().collect();
+    /// Creates the force on a point. `length` is the length of the model.
+    pub fn new(point: impl Into<BodyVector>, function: ForceFunction, length: f64) -> Self {
+        let point = point.into();
+        let coordinates = BodyVector::union_coordinates([&point]);
         Self { point: point.within(&coordinates), coordinates, function, length }
     }
 
     /// Returns position and velocity of the point.
     fn motion(&self, at: &Local<'_>) -> [Vector3<f64>; 2] {
-        [self.point.reference() + self.point.sum(at.q), self.point.sum(at.v)]
+        [self.point.at(at.q), self.point.rate(at.q, at.v)]
     }
 
     fn force(&self, at: &Local<'_>, [x, v]: [Vector3<f64>; 2]) -> Vector3<f64> {
@@ -53,6 +55,23 @@ impl ExternalForce {
     fn velocity_derivative(&self, at: &Local<'_>, speed: f64) -> Matrix3<f64> {
         let [x, v] = self.motion(at);
         slope(v, STEP * speed, |v| self.force(at, [x, v]))
+    }
+}
+
+impl ExternalForce {
+    /// Adds the change of the velocity with the coordinates, for a point at an arm of a section.
+    fn add_turning(&self, at: &Local<'_>, by_velocity: &Matrix3<f64>, k: &mut LocalMatrix<'_>) {
+        if self.point.is_linear() {
+            return;
+        }
+        let n = at.q.len();
+        for axis in 0..3 {
+            let (mut forces, mut slopes) = ([0.0; LOCAL], [0.0; LOCAL]);
+            let unit = Vector3::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 });
+            self.point.add(at.q, by_velocity.column(axis).into_owned(), &mut forces[..n]);
+            self.point.add_slope(at.q, at.v, unit, &mut slopes[..n]);
+            add_outer(&forces, &slopes, -1.0, n, k);
+        }
     }
 }
 
@@ -75,18 +94,21 @@ impl Term for ExternalForce {
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        self.point.add(-self.force(at, self.motion(at)), r);
+        self.point.add(at.q, -self.force(at, self.motion(at)), r);
     }
 
     /// Rounding errors of the arguments, and one rounding of the result.
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
-        let (place, speed) = (self.point.size(at.q), self.point.sum_of_sizes(at.v));
+        let (place, speed) = (self.point.size(at.q), self.point.rate_size(at.q, at.v));
         let mut error =
             4.0 * self.force(at, self.motion(at)).norm() + self.position_derivative(at).norm() * place;
         if speed > 0.0 {
             error += self.velocity_derivative(at, speed).norm() * speed;
         }
-        for &(first, w) in self.point.parts() {
+        let Some(point) = self.point.marker() else {
+            return self.point.add_errors(at.q, error, 2.0 * f64::EPSILON * error, floor);
+        };
+        for &(first, w) in point.parts() {
             floor[first..first + 3].iter_mut().for_each(|row| *row += 2.0 * f64::EPSILON * error * w.abs());
         }
     }
@@ -101,10 +123,13 @@ impl Term for ExternalForce {
         }
         if w.v != 0.0 {
             let rate = if w.q == 0.0 { 1.0 } else { (w.v / w.q).abs() };
-            let speed = self.point.sum(at.v).norm().max(MIN_REFERENCE_SPEED * self.length * rate);
-            slope += self.velocity_derivative(at, speed) * w.v;
+            let speed = self.point.rate(at.q, at.v).norm().max(MIN_REFERENCE_SPEED * self.length * rate);
+            let by_velocity = self.velocity_derivative(at, speed);
+            slope += by_velocity * w.v;
+            self.add_turning(at, &(by_velocity * w.q), k);
         }
-        add_symmetric(&[&self.point], &slope, -1.0, k);
+        self.point.add_quadratic(at.q, &-slope, k);
+        self.point.add_curvature(at.q, self.force(at, self.motion(at)) * -w.q, k);
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {

@@ -60,11 +60,11 @@ impl Term for Friction {
         let n = at.q.len();
         let (mut gradient, mut turned) = ([0.0; LOCAL], [0.0; LOCAL]);
         self.measure.add_gradient(at.q, 1.0, &mut gradient[..n]);
-        self.measure.add_gradient_slope(at.v, 1.0, &mut turned[..n]);
+        self.measure.add_gradient_slope(at.q, at.v, 1.0, &mut turned[..n]);
         let ratio = self.measure.slope(at.q, at.v) / self.creep;
         let slope = self.force / self.creep / ratio.cosh().powi(2);
         crate::constraints::add_outer(&gradient, &gradient, w.v * slope, n, k);
         crate::constraints::add_outer(&gradient, &turned, w.q * slope, n, k);
-        self.measure.add_curvature(w.q * self.force * ratio.tanh(), k);
+        self.measure.add_curvature(at.q, w.q * self.force * ratio.tanh(), k);
     }
 }

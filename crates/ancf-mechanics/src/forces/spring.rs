@@ -88,16 +88,16 @@ impl Term for Spring {
         let (n, gradient, mut turned) = (at.q.len(), self.gradient(at), [0.0; LOCAL]);
         let stiffness = w.q * self.stiffness + w.v * self.damping;
         add_outer(&gradient, &gradient, stiffness, n, k);
-        self.measure.add_curvature(w.q * self.force(at), k);
+        self.measure.add_curvature(at.q, w.q * self.force(at), k);
         if self.damping > 0.0 {
-            self.measure.add_gradient_slope(at.v, 1.0, &mut turned[..n]);
+            self.measure.add_gradient_slope(at.q, at.v, 1.0, &mut turned[..n]);
             add_outer(&gradient, &turned, w.q * self.damping, n, k);
         }
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
         let stretch = self.measure.slope(at.q, by.q) - by.load * self.rest.by_load(at);
-        self.measure.add_curvature(self.stiffness * stretch, k);
+        self.measure.add_curvature(at.q, self.stiffness * stretch, k);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -1,8 +1,8 @@
 use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::constraints::Wrench;
-use crate::kinematics::Marker;
+use crate::constraints::{Wrench, add_outer};
+use crate::kinematics::BodyVector;
 
 /// Spring and parallel damper between two points, d = r_a − r_b, of free length L₀. The tensile force is
 ///
@@ -18,8 +18,8 @@ use crate::kinematics::Marker;
 /// Units: k force/length, c force × time/length.
 #[derive(Clone, Debug)]
 pub struct Strut {
-    global: Marker,
-    distance_vector: Marker,
+    global: BodyVector,
+    distance_vector: BodyVector,
     coordinates: Vec<usize>,
     stiffness: f64,
     damping: f64,
@@ -42,9 +42,15 @@ struct StrutLength {
 
 impl Strut {
     /// Creates a spring and a damper between two points that are distinct in the reference state.
-    pub fn new(a: &Marker, b: &Marker, stiffness: f64, damping: f64, free_length: f64) -> Self {
-        let global = Marker::combined([(1.0, a), (-1.0, b)]);
-        let coordinates: Vec<usize> = global.coordinates().collect();
+    pub fn new(
+        a: impl Into<BodyVector>,
+        b: impl Into<BodyVector>,
+        stiffness: f64,
+        damping: f64,
+        free_length: f64,
+    ) -> Self {
+        let global = BodyVector::combined([(1.0, &a.into()), (-1.0, &b.into())]);
+        let coordinates = BodyVector::union_coordinates([&global]);
         let distance_vector = global.within(&coordinates);
         let preload_length = free_length - distance_vector.reference().norm();
         Self { global, distance_vector, coordinates, stiffness, damping, preload_length, rope: false }
@@ -62,8 +68,8 @@ impl Strut {
         Self { rope: true, ..self }
     }
 
-    fn distance(&self, marker: &Marker, q: &[f64]) -> StrutLength {
-        let (d0, u) = (marker.reference(), marker.sum(q));
+    fn distance(&self, vector: &BodyVector, q: &[f64]) -> StrutLength {
+        let (d0, u) = (vector.reference(), vector.change(q));
         let d = d0 + u;
         let length = d.norm();
         let change = (2.0 * d0.dot(&u) + u.dot(&u)) / (length + d0.norm());
@@ -87,16 +93,8 @@ impl Strut {
     /// Returns the force on the first body, at its point.
     pub fn reaction(&self, s: &State) -> Wrench {
         let StrutLength { change, unit, .. } = self.distance(&self.global, &s.q);
-        let (force, _) = self.force(change, s.load, unit.dot(&self.global.sum(&s.v)));
+        let (force, _) = self.force(change, s.load, unit.dot(&self.global.velocity(s)));
         Wrench { force: unit * -force, ..Wrench::default() }
-    }
-
-    fn add(&self, h: &Matrix3<f64>, k: &mut LocalMatrix<'_>) {
-        self.distance_vector.product(&self.distance_vector, h, |i, j, value| {
-            if i >= j {
-                k.add(i, j, value);
-            }
-        });
     }
 }
 
@@ -107,32 +105,37 @@ impl Term for Strut {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let StrutLength { change, unit, .. } = self.distance(&self.distance_vector, at.q);
-        let (force, _) = self.force(change, at.load, unit.dot(&self.distance_vector.sum(at.v)));
-        self.distance_vector.add(unit * force, r);
+        let (force, _) = self.force(change, at.load, unit.dot(&self.distance_vector.rate(at.q, at.v)));
+        self.distance_vector.add(at.q, unit * force, r);
     }
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
-        let (speed, zeros) = (self.distance_vector.sum(at.v), [0.0; LOCAL]);
+        let (speed, zeros) = (self.distance_vector.rate(at.q, at.v), [0.0; LOCAL]);
         let (force, acts) = self.force(change, at.load, unit.dot(&speed));
         // The displacement determines the rounding error of the length change, and the position that of the direction.
         let moved = self.distance_vector.size(at.q) - self.distance_vector.size(&zeros[..at.q.len()]);
         let turned = 2.0 * self.distance_vector.size(at.q) / length;
         let of_force = if acts {
             self.stiffness * (moved + change.abs() + (at.load * self.preload_length).abs())
-                + self.damping * (turned * speed.norm() + self.distance_vector.size(at.v))
+                + self.damping * (turned * speed.norm() + self.distance_vector.rate_size(at.q, at.v))
         } else {
             0.0
         };
         let bound = 2.0 * f64::EPSILON * (of_force + turned * force.abs());
-        for &(first, w) in self.distance_vector.parts() {
+        let Some(marker) = self.distance_vector.marker() else {
+            let [_, turned] = self.distance_vector.errors(at.q);
+            let error = bound + self.stiffness * turned;
+            return self.distance_vector.add_errors(at.q, force.abs(), error, floor);
+        };
+        for &(first, w) in marker.parts() {
             floor[first..first + 3].iter_mut().for_each(|row| *row += bound * w.abs());
         }
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
-        let speed = self.distance_vector.sum(at.v);
+        let speed = self.distance_vector.rate(at.q, at.v);
         let (force, acts) = self.force(change, at.load, unit.dot(&speed));
         if !acts {
             return;
@@ -142,7 +145,14 @@ impl Term for Strut {
         // ∂(dl/dt)/∂d is the transverse velocity over l.
         let turning = unit * (transverse * speed).transpose() * (0.5 * self.damping);
         let stiffness = along * self.stiffness + transverse * force + turning + turning.transpose();
-        self.add(&(stiffness * w.q + along * (w.v * self.damping)), k);
+        self.distance_vector.add_quadratic(at.q, &(stiffness * w.q + along * (w.v * self.damping)), k);
+        if !self.distance_vector.is_linear() {
+            let (n, mut gradient, mut turned) = (at.q.len(), [0.0; LOCAL], [0.0; LOCAL]);
+            self.distance_vector.add_curvature(at.q, unit * (force * w.q), k);
+            self.distance_vector.add(at.q, unit, &mut gradient[..n]);
+            self.distance_vector.add_slope(at.q, at.v, unit, &mut turned[..n]);
+            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+        }
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
@@ -151,8 +161,10 @@ impl Term for Strut {
             return;
         }
         let force =
-            self.stiffness * (unit.dot(&self.distance_vector.sum(by.q)) - by.load * self.preload_length);
-        self.add(&((Matrix3::identity() - unit * unit.transpose()) * (force / length)), k);
+            self.stiffness * (unit.dot(&self.distance_vector.rate(at.q, by.q)) - by.load * self.preload_length);
+        let transverse = (Matrix3::identity() - unit * unit.transpose()) * (force / length);
+        self.distance_vector.add_quadratic(at.q, &transverse, k);
+        self.distance_vector.add_curvature(at.q, unit * force, k);
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {

@@ -2,23 +2,28 @@
 
 mod attachment;
 mod axis;
+mod body_vector;
 mod curve;
 mod frame;
 mod line;
 mod marker;
 mod nodal_vector;
 mod quadrature;
+mod section_frame;
 mod shape;
 
 pub(crate) use attachment::round_to_zero;
 pub use attachment::{Attachment, Directions};
 pub use axis::ElementAxis;
+pub use body_vector::BodyVector;
+pub(crate) use body_vector::add_section;
 pub use curve::{ReferenceCurve, ReferenceNode, Spline};
 pub use frame::add_symmetric;
-pub(crate) use frame::{Real, components, constant, turned};
+pub(crate) use frame::{Real, constant};
 pub(crate) use line::{AxialStretch, Bend, BendBlocks};
 pub use marker::Marker;
 pub use nodal_vector::NodalVector;
 pub use quadrature::{gauss, gauss2, gauss3};
 pub(crate) use quadrature::{gauss4, lobatto3};
+pub use section_frame::{FrameValues, SectionFrame};
 pub use shape::{BeamShape, Interpolation, QuadraticShape, VectorKind};

@@ -1,5 +1,5 @@
 use ancf::joints::JointSymbol;
-use ancf::mechanics::kinematics::{Attachment, Marker};
+use ancf::mechanics::kinematics::{Attachment, BodyVector};
 use ancf::model::Place;
 use ancf::solver::equations::State;
 use nalgebra::Vector3;
@@ -13,7 +13,7 @@ pub(crate) struct Link {
     pub name: String,
     /// Kind in the scene, such as `"spring"`; arms have the kind `"arm"`.
     pub kind: &'static str,
-    ends: [Marker; 2],
+    ends: [BodyVector; 2],
     length: f64,
 }
 

@@ -1,6 +1,6 @@
 use ancf::mechanics::bodies::normals_to;
 use ancf::mechanics::contact::ObstacleShape;
-use ancf::mechanics::kinematics::{Attachment, Marker};
+use ancf::mechanics::kinematics::{Attachment, BodyVector};
 use ancf::model::ContactSurface;
 use ancf::solver::equations::State;
 use nalgebra::Vector3;
@@ -22,9 +22,9 @@ pub(crate) struct Obstacle {
     pub inside: bool,
     /// True if a body carries the obstacle.
     pub moves: bool,
-    point: Marker,
-    axis: Marker,
-    second: Marker,
+    point: BodyVector,
+    axis: BodyVector,
+    second: BodyVector,
     length: f64,
 }
 

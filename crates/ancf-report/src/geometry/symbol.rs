@@ -1,4 +1,4 @@
-use ancf::mechanics::kinematics::{Attachment, Marker};
+use ancf::mechanics::kinematics::{Attachment, BodyVector};
 use ancf::model::{Load, Probe, Quantity};
 use ancf::solver::equations::State;
 use ancf::{Model, Simulation};
@@ -14,7 +14,7 @@ pub struct Symbol {
     pub kind: SymbolKind,
     /// Kind of the joint, quantities that the probe records, or kind of the load.
     pub detail: String,
-    point: Marker,
+    point: BodyVector,
     length: f64,
 }
 

@@ -41,7 +41,7 @@ fn killed(folder: &Path) {
     let model = Model::parse(MODEL).unwrap();
     let simulation = Simulation::new(&model).unwrap();
     let recorder = Recorder::new(Folder::new(folder), "model.toml", MODEL, &model, &simulation);
-    simulation.run(&mut Killed(recorder.with_checkpoints(CheckpointInterval::Steps(2)))).unwrap();
+    let _ = simulation.run(&mut Killed(recorder.with_checkpoints(CheckpointInterval::Steps(2)))).unwrap();
 }
 
 /// Contents of a folder.

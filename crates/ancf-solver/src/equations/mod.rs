@@ -19,4 +19,4 @@ pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
 pub use state::{State, Weights};
 pub use system::System;
-pub use term::{LOCAL, Local, LocalMatrix, Term, load_power, velocity_forces};
+pub use term::{LOCAL, Local, LocalMatrix, Term, load_power, quadratic_constraints, velocity_forces};

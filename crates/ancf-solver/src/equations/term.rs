@@ -134,24 +134,7 @@ pub trait Term: Send + Sync {
     /// differences: A_q v = ½ [A(q + v) − A(q − v)], (A_q v)_q v = A(q + v) − 2A(q) + A(q − v).
     /// Terms with other constraints override this method.
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {
-        let m = at.lambda.len();
-        let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
-        self.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
-        let here = |sign| shifted_constraints(self, at, sign);
-        match level {
-            Level::Position => {
-                let here = here(0.0);
-                (0..m).for_each(|k| phi[k] += here[k]);
-            }
-            Level::Velocity => {
-                let (ahead, back) = (here(1.0), here(-1.0));
-                (0..m).for_each(|k| phi[k] += 0.5 * (ahead[k] - back[k]) + rates[k]);
-            }
-            Level::Acceleration => {
-                let (ahead, here, back) = (here(1.0), here(0.0), here(-1.0));
-                (0..m).for_each(|k| phi[k] += ahead[k] - 2.0 * here[k] + back[k] + accelerations[k]);
-            }
-        }
+        quadratic_constraints(self, at, level, phi);
     }
 
     /// Returns a description of the k-th constraint, such as "position along x".
@@ -241,6 +224,28 @@ pub fn load_power<T: Term + ?Sized>(load: &T, at: &Local<'_>) -> f64 {
     let (zeros, mut r, n) = ([0.0; LOCAL], [0.0; LOCAL], at.q.len());
     load.residual(&Local { a: &zeros[..n], ..*at }, &mut r[..n]);
     -at.v.iter().zip(r).map(|(v, r)| v * r).sum::<f64>()
+}
+
+/// Adds constraints that are at most quadratic in q: the default of [`Term::constraints`].
+pub fn quadratic_constraints<T: Term + ?Sized>(term: &T, at: &Local<'_>, level: Level, phi: &mut [f64]) {
+    let m = at.lambda.len();
+    let (mut rates, mut accelerations) = ([0.0; LOCAL], [0.0; LOCAL]);
+    term.drive(at.t, &mut rates[..m], &mut accelerations[..m]);
+    let here = |sign| shifted_constraints(term, at, sign);
+    match level {
+        Level::Position => {
+            let here = here(0.0);
+            (0..m).for_each(|k| phi[k] += here[k]);
+        }
+        Level::Velocity => {
+            let (ahead, back) = (here(1.0), here(-1.0));
+            (0..m).for_each(|k| phi[k] += 0.5 * (ahead[k] - back[k]) + rates[k]);
+        }
+        Level::Acceleration => {
+            let (ahead, here, back) = (here(1.0), here(0.0), here(-1.0));
+            (0..m).for_each(|k| phi[k] += ahead[k] - 2.0 * here[k] + back[k] + accelerations[k]);
+        }
+    }
 }
 
 /// Evaluates the constraint rows of a term at q + sign × v.

@@ -1,7 +1,7 @@
 use ancf_mechanics::bodies::BodyTerms;
 use std::collections::BTreeSet;
 
-use ancf_mechanics::kinematics::{Attachment, Marker};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, RecordedQuantity};
@@ -74,7 +74,8 @@ impl Model {
         let place = self.attachment(bodies, &probe.on);
         let point = match (place.axes(), &bodies[index].1) {
             (Some([_, d, e]), BodyTerms::Flexible(_)) => {
-                Marker::combined([(1.0, &place.point), (y, d), (z, e)])
+                let own = Marker::combined([(y, d), (z, e)]).into();
+                BodyVector::combined([(1.0, &place.point), (1.0, &own)])
             }
             _ => place.point.clone(),
         };

@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::constraints::Wrench;
-use ancf_mechanics::kinematics::{Attachment, Marker, VectorKind};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, VectorKind};
 use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
@@ -17,7 +17,7 @@ pub struct Assembly {
     /// Equations of motion.
     pub system: System,
     /// Names and points of the probes.
-    pub probes: Vec<(String, Marker)>,
+    pub probes: Vec<(String, BodyVector)>,
     /// Quantities that the probes record.
     pub recorded_quantities: Vec<RecordedQuantity>,
     /// True if strain energies of bodies are recorded by part.

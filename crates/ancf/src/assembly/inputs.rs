@@ -2,7 +2,7 @@
 
 use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::functions::{ForceFunction, Function};
-use ancf_mechanics::kinematics::Marker;
+use ancf_mechanics::kinematics::BodyVector;
 use ancf_solver::equations::State;
 
 use crate::model::{Load, Model, TimeMode, loads_of};
@@ -13,7 +13,7 @@ pub(crate) struct Inputs {
     /// Functions of time. The flag is true for drives, whose rates are used.
     times: Vec<(String, Function, bool)>,
     /// External forces with their points of application.
-    forces: Vec<(String, Marker, ForceFunction)>,
+    forces: Vec<(String, BodyVector, ForceFunction)>,
 }
 
 /// Function with a value that is not finite.
@@ -37,8 +37,8 @@ impl Inputs {
             let (what, value) = counted.iter().copied().find(|(_, x)| !x.is_finite())?;
             Some(NoNumber { path: path.clone(), what, value })
         };
-        let of_force = |(path, point, force): &(String, Marker, ForceFunction)| {
-            let (x, v) = (point.value(s), point.sum(&s.v));
+        let of_force = |(path, point, force): &(String, BodyVector, ForceFunction)| {
+            let (x, v) = (point.value(s), point.velocity(s));
             let value = force.at(s.t, x.into(), v.into()).into_iter().find(|f| !f.is_finite())?;
             Some(NoNumber { path: path.clone(), what: "value", value })
         };

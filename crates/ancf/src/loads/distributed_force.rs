@@ -1,4 +1,5 @@
 use ancf_mechanics::forces::FollowerForce;
+use ancf_mechanics::kinematics::BodyVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -50,8 +51,9 @@ impl LoadKind for DistributedForce {
         let (span, function) = (self.part().span(body), builder.function(&self.time));
         if self.follower {
             for (s, force) in span.points(mesh) {
-                let [_, d, e] = mesh.axes(s);
-                builder.add(FollowerForce::in_section(&mesh.point(s), [&d, &e], force, function.clone()));
+                let Some(frame) = mesh.frame(s) else { return };
+                let force = BodyVector::turned(&frame, frame.composed(&force));
+                builder.add(FollowerForce::new(&mesh.point(s), force, function.clone()));
             }
             return;
         }

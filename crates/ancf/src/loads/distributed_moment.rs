@@ -47,11 +47,10 @@ impl LoadKind for DistributedMoment {
         let Some((body, mesh)) = builder.flexible(&self.body) else { return };
         let function = builder.function(&self.time);
         for (s, moment) in self.part().span(body).points(mesh) {
-            let [_, d, e] = mesh.axes(s);
-            let (directors, function) = ([&d, &e], function.clone());
+            let (Some(frame), function) = (mesh.frame(s), function.clone()) else { return };
             builder.add(match self.follower {
-                true => Moment::in_section(directors, moment, function),
-                false => Moment::new(directors, moment, function),
+                true => Moment::in_section(&frame, moment, function),
+                false => Moment::new(&frame, moment, function),
             });
         }
     }

@@ -37,8 +37,9 @@ impl LoadKind for PointForce {
         let (on, function) = (builder.attachment(&self.on), builder.function(&self.time));
         if !self.follower {
             builder.force(&on.point, self.force, function);
-        } else if let Some([_, d, e]) = on.axes() {
-            builder.add(FollowerForce::new(&on.point, [d, e], Vector3::from(self.force), function));
+        } else {
+            let force = on.direction(Vector3::from(self.force));
+            builder.add(FollowerForce::new(&on.point, force, function));
         }
     }
 

@@ -35,11 +35,11 @@ impl LoadKind for PointMoment {
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let (on, function) = (builder.attachment(&self.on), builder.function(&self.time));
-        let Some([_, d, e]) = on.axes() else { return };
-        let (directors, moment) = ([d, e], Vector3::from(self.moment));
+        let Some(frame) = on.frame() else { return };
+        let moment = Vector3::from(self.moment);
         builder.add(match self.follower {
-            false => Moment::new(directors, moment, function),
-            true => Moment::follower(directors, moment, function),
+            false => Moment::new(&frame, moment, function),
+            true => Moment::follower(&frame, moment, function),
         });
     }
 

@@ -98,9 +98,9 @@ impl<'a> Fields<'a> {
         let mut push = |x: Vector3<f64>, of| to.extend((x * self.scales.unit(of)).iter());
         match field {
             Field::Position => push(point.value(s), Dimension::LENGTH),
-            Field::Displacement => push(point.sum(&s.q), Dimension::LENGTH),
-            Field::Velocity => push(point.sum(&s.v), Dimension::VELOCITY),
-            Field::Acceleration => push(point.sum(&s.a), Dimension::ACCELERATION),
+            Field::Displacement => push(point.displacement(s), Dimension::LENGTH),
+            Field::Velocity => push(point.velocity(s), Dimension::VELOCITY),
+            Field::Acceleration => push(point.acceleration(s), Dimension::ACCELERATION),
             Field::Directors => {
                 for axis in self.frame(station, s) {
                     push(axis, Dimension::NUMBER);

@@ -225,8 +225,8 @@ impl Rows {
             match probe.quantity {
                 Quantity::Motion => {
                     self.extend(probe.place.point.value(s), Dimension::LENGTH);
-                    self.extend(probe.place.point.sum(&s.v), Dimension::VELOCITY);
-                    self.extend(probe.place.point.sum(&s.a), Dimension::ACCELERATION);
+                    self.extend(probe.place.point.velocity(s), Dimension::VELOCITY);
+                    self.extend(probe.place.point.acceleration(s), Dimension::ACCELERATION);
                 }
                 Quantity::Rotation => {
                     if let Some((parameters, velocity)) = probe.place.rotation(s) {

@@ -128,7 +128,7 @@ impl AnalysisRun<'_> {
             let mut row = vec![(number + 1) as f64];
             row.extend(values);
             for (_, point) in &self.assembly.probes {
-                row.extend(point.sum(shape).iter().map(|x| x / mass.sqrt()));
+                row.extend(point.variation(&about, shape).iter().map(|x| x / mass.sqrt()));
             }
             about.v.iter_mut().zip(shape).for_each(|(v, x)| *v = x * as_velocity);
             self.summary.steps += 1;

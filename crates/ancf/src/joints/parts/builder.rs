@@ -2,12 +2,12 @@ use std::fmt;
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{
-    BilinearMeasure, CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, MeasureTarget,
-    RotationDrive, SlideConstraint,
+    BilinearMeasure, CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, MeasureFactor,
+    MeasureTarget, RotationDrive, SectionDrive, SlideConstraint,
 };
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_mechanics::functions::Function;
-use ancf_mechanics::kinematics::{Attachment, ElementAxis, Marker};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions, ElementAxis};
 use nalgebra::Vector3;
 
 use super::actions::JointActions;
@@ -133,10 +133,14 @@ impl<'a> JointBuilder<'a> {
         function: &Function,
         fix: Option<ClampedGradients>,
     ) {
-        let here = self.a();
-        for &direction in self.fixed(fix).of(&reference(here)) {
+        let (here, fix) = (self.a(), self.fixed(fix));
+        if let (Directions::Section(_, frame), ClampedGradients::Section) = (&here.directions, fix) {
             let first = self.multipliers(3);
-            self.add(RotationDrive::new(&here.direction(direction), axis, angle, function.clone(), first));
+            return self.add(SectionDrive::new(frame, axis, angle, function.clone(), first));
+        }
+        for &direction in fix.of(&reference(here)) {
+            let (first, direction) = (self.multipliers(3), here.material_direction(direction));
+            self.add(RotationDrive::new(&direction, axis, angle, function.clone(), first));
         }
     }
 
@@ -145,26 +149,46 @@ impl<'a> JointBuilder<'a> {
         fix.unwrap_or(default)
     }
 
-    /// Constrains two directions to keep their angle.
-    pub fn keep_angle(&mut self, a: &Marker, b: &Marker, name: Option<&'static str>) {
-        let first = self.multipliers(1);
-        let angle = ConstantAngle::new(a, b, first);
-        self.add(if let Some(name) = name { angle.named(name) } else { angle });
+    /// Constrains two directions to keep their angle. The first one belongs to the first end.
+    pub fn keep_angle(
+        &mut self,
+        a: impl Into<BodyVector>,
+        b: impl Into<BodyVector>,
+        name: Option<&'static str>,
+    ) {
+        let (a, b, name) = (a.into(), b.into(), name.unwrap_or("angle of directions"));
+        if let (Some(a), Some(b)) = (a.marker(), b.marker()) {
+            let first = self.multipliers(1);
+            return self.add(ConstantAngle::new(a, b, first).named(name));
+        }
+        let product = (1.0, MeasureFactor::Direction(&a), MeasureFactor::Other(&b));
+        self.prescribe(name, BilinearMeasure::new([product]), MeasureTarget::NONE);
     }
 
     /// Constrains an axis of unit length of the first end to stay parallel to the same axis of the second end.
     pub fn parallel(&mut self, axis: impl Into<Vector3<f64>>, name: &'static str) {
         let axis = axis.into();
         for normal in normals_to(axis) {
-            self.keep_angle(&self.a().direction(axis), &self.b().direction(normal), Some(name));
+            self.keep_angle(self.a().direction(axis), self.b().direction(normal), Some(name));
         }
+    }
+
+    /// Constrains a measure to its reference value, in states in which another measure is positive.
+    pub(crate) fn keep_where(
+        &mut self,
+        name: &'static str,
+        measure: BilinearMeasure,
+        positive: &BilinearMeasure,
+    ) {
+        let multiplier = self.multipliers(1);
+        self.add(MeasureConstraint::new(measure, multiplier).named(name).where_positive(positive));
     }
 
     /// Constrains directions of both ends to coincide.
     pub(crate) fn coincide_directions(&mut self, directions: &[Vector3<f64>]) {
         for &direction in directions {
             let first = self.multipliers(3);
-            let (a, b) = (self.a().direction(direction), self.b().direction(direction));
+            let (a, b) = (self.a().material_direction(direction), self.b().material_direction(direction));
             self.add(CoincidenceConstraint::directions(&a, &b, first));
         }
     }
@@ -185,16 +209,16 @@ impl<'a> JointBuilder<'a> {
     ///
     /// The other equations of the joint must keep the axes of both ends parallel. A joint records one angle.
     pub fn angle(&mut self, axis: impl Into<Vector3<f64>>, actions: &JointActions<'_>) {
-        let markers = measures::hinge(self.a(), self.b(), axis.into());
+        let vectors = measures::hinge(self.a(), self.b(), axis.into());
         let mut coordinate = None;
         if (self.coupled)(JointCoordinate::Angle) || actions.is_some() {
             let (own, multiplier) = (self.coordinate(), self.multipliers(1));
-            let [p, u, v] = &markers;
+            let [p, u, v] = &vectors;
             self.add(HingeAngle::new(own, p, [u, v], multiplier));
             self.act(own, actions);
             coordinate = Some(own);
         }
-        self.equations.recorded.push(RecordedCoordinate { source: Source::Angle(markers), coordinate });
+        self.equations.recorded.push(RecordedCoordinate { source: Source::Angle(vectors), coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.

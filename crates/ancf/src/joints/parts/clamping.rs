@@ -1,14 +1,15 @@
 //! Constraints of orientation between rigid bodies, sections of beams and tangents of cables.
 
 use ancf_mechanics::bodies::normals_to;
+use ancf_mechanics::constraints::{BilinearMeasure, MeasureFactor, MeasureTarget};
 use ancf_mechanics::kinematics::Directions::{Line, None, Rigid, Section};
-use ancf_mechanics::kinematics::{Attachment, Marker};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker, SectionFrame};
 use nalgebra::Vector3;
 
 use super::builder::JointBuilder;
 use super::clamped_gradients::{ClampedGradients, reference};
 
-/// Cosine of the angle beyond which sections or lines that meet form a corner: 5°.
+/// Cosine of the angle beyond which lines that meet form a corner: 5°.
 const CORNER: f64 = 0.996;
 
 impl JointBuilder<'_> {
@@ -27,61 +28,61 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
         (Rigid(_), Rigid(_)) => {
             let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
             for k in 0..3 {
-                keep_angle(builder, &here.direction(axes[k]), &there.direction(axes[(k + 1) % 3]));
+                builder.keep_angle(here.direction(axes[k]), there.direction(axes[(k + 1) % 3]), Option::None);
             }
         }
-        (Section(a), Section(b)) if fix == ClampedGradients::Section && corner(a, b) => {
-            clamp_corner(builder, a, b);
+        (Section(..), Section(..) | Rigid(_)) if fix == ClampedGradients::All => {
+            builder.coincide_directions(&reference(here));
         }
-        (Section(_), Section(_) | Rigid(_)) => builder.coincide_directions(fix.of(&reference(here))),
-        (Rigid(_), Section(_)) => builder.coincide_directions(fix.of(&reference(there))),
+        (Rigid(_), Section(..)) if fix == ClampedGradients::All => {
+            builder.coincide_directions(&reference(there));
+        }
+        (Section(_, frame), Section(..) | Rigid(_)) => clamp_section(builder, frame, there, true),
+        (Rigid(_), Section(_, frame)) => clamp_section(builder, frame, here, false),
         // A line has a tangent only: it stays normal to the directions across it at the other end.
-        (Line(tangent), Line(other)) if lines_corner(tangent, other) => keep_angle(builder, tangent, other),
+        (Line(tangent), Line(other)) if lines_corner(tangent, other) => {
+            builder.keep_angle(tangent, other, Option::None);
+        }
         (Line(tangent), Line(_)) => builder.coincide_directions(&[tangent.reference()]),
-        (Line(tangent), Section(_) | Rigid(_)) => {
+        (Line(tangent), Section(..) | Rigid(_)) => {
             if fix == ClampedGradients::All {
                 return builder.coincide_directions(&[tangent.reference()]);
             }
             keep_normal(builder, [here, there], tangent);
         }
-        (Section(_) | Rigid(_), Line(tangent)) => keep_normal(builder, [there, here], tangent),
+        (Section(..) | Rigid(_), Line(tangent)) => keep_normal(builder, [there, here], tangent),
     }
-}
-
-fn keep_angle(builder: &mut JointBuilder<'_>, a: &Marker, b: &Marker) {
-    builder.keep_angle(a, b, Option::None);
 }
 
 /// Constrains the tangent of a line to stay normal to two directions of the other end.
 fn keep_normal(builder: &mut JointBuilder<'_>, [line, other]: [&Attachment; 2], tangent: &Marker) {
     let tangent = tangent.reference().normalize();
     for normal in normals_to(tangent) {
-        keep_angle(builder, &line.direction(tangent), &other.direction(normal));
+        builder.keep_angle(line.direction(tangent), other.direction(normal), Option::None);
     }
 }
 
-/// Constrains the angles between the section directions of two beams that meet at an angle: the rotations are equal, and each
-/// section may change its size.
+/// Constrains the frame of a section to the frame X, Y, Z of the other end: X·d = 0, X·e = 0, w_y Z·d = w_z Y·e.
 ///
-/// Three of the four products of r_y, r_z of one beam with r_y, r_z of the other are constrained: those whose rates separate
-/// rotations best.
-fn clamp_corner(builder: &mut JointBuilder<'_>, [_, d, e]: &[Marker; 3], [_, y, z]: &[Marker; 3]) {
-    let pairs = [(d, y), (d, z), (e, y), (e, z)];
-    let turns = pairs.map(|(a, b)| a.reference().cross(&b.reference()));
-    let volume = |left: usize| {
-        let kept: Vec<_> = (0..4).filter(|&k| k != left).map(|k| turns[k]).collect();
-        kept[0].dot(&kept[1].cross(&kept[2])).abs()
+/// The section may change its size and shape, and r_x is free. The equations also hold half a turn away. These states are
+/// inadmissible. `first` is true if the section belongs to the first end.
+fn clamp_section(builder: &mut JointBuilder<'_>, frame: &SectionFrame, other: &Attachment, first: bool) {
+    let [d, e] = frame.directors().each_ref().map(BodyVector::from);
+    let [x, y, z] = frame.reference().map(|axis| other.direction(axis));
+    let normal = BodyVector::turned(frame, frame.reference()[0]);
+    let [w_y, w_z] = frame.weights();
+    let sum = |products: &[(f64, &BodyVector, &BodyVector)]| {
+        BilinearMeasure::new(products.iter().map(|&(factor, own, other)| match first {
+            true => (factor, MeasureFactor::Direction(own), MeasureFactor::Other(other)),
+            false => (factor, MeasureFactor::Other(own), MeasureFactor::Direction(other)),
+        }))
     };
-    let left = (0..4).max_by(|&i, &j| volume(i).total_cmp(&volume(j))).unwrap_or(0);
-    for (_, (a, b)) in pairs.iter().enumerate().filter(|(k, _)| *k != left) {
-        keep_angle(builder, a, b);
-    }
-}
-
-/// True if the sections of two beams are not parallel.
-fn corner(a: &[Marker; 3], b: &[Marker; 3]) -> bool {
-    let [a, b] = [a, b].map(|axes| axes[1].reference().cross(&axes[2].reference()).normalize());
-    a.dot(&b).abs() < CORNER
+    let name = "normal of the section";
+    builder.keep_where(name, sum(&[(1.0, &d, &x)]), &sum(&[(1.0, &normal, &x)]));
+    builder.prescribe(name, sum(&[(1.0, &e, &x)]), MeasureTarget::NONE);
+    let (rotation, positive) =
+        (sum(&[(w_y, &d, &z), (-w_z, &e, &y)]), sum(&[(w_y, &d, &y), (w_z, &e, &z)]));
+    builder.keep_where("rotation about the normal", rotation, &positive);
 }
 
 /// True if two lines are not parallel.

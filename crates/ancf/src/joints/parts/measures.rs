@@ -2,7 +2,7 @@
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{BilinearMeasure, MeasureFactor};
-use ancf_mechanics::kinematics::{Attachment, Marker};
+use ancf_mechanics::kinematics::{Attachment, BodyVector};
 use nalgebra::Vector3;
 
 /// Name of the equations that constrain the position.
@@ -13,8 +13,8 @@ pub(crate) const GUIDE: &str = "guide";
 pub(crate) const AXIS: &str = "axis";
 
 /// r_a − r_b.
-pub(crate) fn apart(a: &Attachment, b: &Attachment) -> Marker {
-    Marker::combined([(1.0, &a.point), (-1.0, &b.point)])
+pub(crate) fn apart(a: &Attachment, b: &Attachment) -> BodyVector {
+    BodyVector::combined([(1.0, &a.point), (-1.0, &b.point)])
 }
 
 /// n·(r_a − r_b): how far a is along a direction.
@@ -28,7 +28,7 @@ pub(crate) fn meeting(a: &Attachment, b: &Attachment) -> Vec<BilinearMeasure> {
     let row = |axis| {
         BilinearMeasure::new([(
             1.0,
-            MeasureFactor::Other(&Marker::fixed(axis)),
+            MeasureFactor::Other(&BodyVector::fixed(axis)),
             MeasureFactor::Point(&apart),
         )])
     };
@@ -114,7 +114,7 @@ pub(crate) fn bushing(a: &Attachment, b: &Attachment) -> [BilinearMeasure; 6] {
 }
 
 /// p of a, and u, v of b across an axis, u along p in the reference state: the angle about the axis is that from u to p.
-pub(crate) fn hinge(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> [Marker; 3] {
+pub(crate) fn hinge(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> [BodyVector; 3] {
     let [u, _] = normals_to(axis);
     [a.direction(u), b.direction(u), b.direction(axis.cross(&u))]
 }

@@ -1,5 +1,5 @@
 use ancf_mechanics::constraints::BilinearMeasure;
-use ancf_mechanics::kinematics::Marker;
+use ancf_mechanics::kinematics::BodyVector;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
@@ -18,13 +18,13 @@ pub struct RecordedCoordinate {
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
     /// Angle of the vector p of the first end in the plane of u and v of the second end.
-    Angle([Marker; 3]),
+    Angle([BodyVector; 3]),
     /// Displacement along an axis.
     Displacement(BilinearMeasure),
     /// Arc length along a beam, with its initial value.
     Position(f64),
     /// Distance of the two points.
-    Length(Marker),
+    Length(BodyVector),
 }
 
 impl RecordedCoordinate {
@@ -57,16 +57,16 @@ impl RecordedCoordinate {
         match &self.source {
             Source::Position(start) => [start + own[0], own[1]],
             Source::Angle(_) | Source::Displacement(_) if self.coordinate.is_some() => own,
-            Source::Angle(markers) => {
-                let [p, u, v] = markers.each_ref().map(|marker| marker.value(s));
-                let [dp, du, dv] = markers.each_ref().map(|marker| marker.sum(&s.v));
+            Source::Angle(vectors) => {
+                let [p, u, v] = vectors.each_ref().map(|vector| vector.value(s));
+                let [dp, du, dv] = vectors.each_ref().map(|vector| vector.velocity(s));
                 let (x, y) = (p.dot(&u), p.dot(&v));
                 let (dx, dy) = (dp.dot(&u) + p.dot(&du), dp.dot(&v) + p.dot(&dv));
                 [y.atan2(x), (x * dy - y * dx) / (x * x + y * y)]
             }
             Source::Displacement(measure) => [measure.value(s) - measure.reference(), measure.rate(s)],
             Source::Length(apart) => {
-                let (d, rate): (Vector3<f64>, _) = (apart.value(s), apart.sum(&s.v));
+                let (d, rate): (Vector3<f64>, _) = (apart.value(s), apart.velocity(s));
                 let length = d.norm();
                 [length, d.dot(&rate) / length]
             }

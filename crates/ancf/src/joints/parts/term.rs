@@ -1,6 +1,6 @@
 use ancf_mechanics::constraints::{
-    CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, RotationDrive, SlideConstraint,
-    Wrench,
+    CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, RotationDrive, SectionDrive,
+    SlideConstraint, Wrench,
 };
 use ancf_mechanics::forces::{Friction, Spring, Strut};
 use ancf_solver::equations::{State, Term};
@@ -28,4 +28,4 @@ macro_rules! joint_terms {
     };
 }
 
-joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, MeasureConstraint }
+joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, MeasureConstraint }

@@ -3,7 +3,7 @@ use std::fmt;
 use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_mechanics::forces::{ExternalForce, Force};
 use ancf_mechanics::functions::{ForceFunction, Function};
-use ancf_mechanics::kinematics::{Attachment, Marker};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -85,13 +85,13 @@ impl<'a> LoadBuilder<'a> {
         self.terms.push(Box::new(term));
     }
 
-    /// Adds a force of constant direction at a marker.
-    pub fn force(&mut self, point: &Marker, force: impl Into<Vector3<f64>>, function: Function) {
+    /// Adds a force of constant direction at a point.
+    pub fn force(&mut self, point: impl Into<BodyVector>, force: impl Into<Vector3<f64>>, function: Function) {
         self.add(Force::varying(point, force.into(), function));
     }
 
     /// Adds a force at a place, computed from time, position and velocity.
     pub fn external_force(&mut self, on: &Place, force: ForceFunction) {
-        self.add(ExternalForce::new(&self.attachment(on).point, force, self.context.length()));
+        self.add(ExternalForce::new(self.attachment(on).point, force, self.context.length()));
     }
 }

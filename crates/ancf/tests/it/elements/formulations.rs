@@ -50,7 +50,7 @@ fn with_tip_force(mut model: Model, force: [f64; 3]) -> Model {
 }
 
 fn tip(assembly: &Assembly, state: &State) -> Vector3<f64> {
-    assembly.probes[0].1.sum(&state.q)
+    assembly.probes[0].1.displacement(state)
 }
 
 /// Deflections along y and z, relative to PL³/3EI + PL/kGA.

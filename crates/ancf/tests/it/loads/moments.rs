@@ -3,7 +3,7 @@
 use ancf::mechanics::constraints::RotationDrive;
 use ancf::mechanics::forces::{FollowerForce, Moment};
 use ancf::mechanics::functions::{Function, TimeTable};
-use ancf::mechanics::kinematics::Marker;
+use ancf::mechanics::kinematics::{BodyVector, Marker, SectionFrame};
 use ancf::solver::equations::{LOCAL, Local, LocalMatrix, Term, Weights};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use proptest::prelude::*;
@@ -31,12 +31,18 @@ fn constant() -> Function {
 
 /// Moments with fixed direction, follower moments and follower forces on given markers.
 fn terms(markers: &[Marker; 3], vector: Vector3<f64>) -> Vec<(&'static str, Box<dyn Term>)> {
-    let [r, d, e] = markers;
+    let frame = frame(markers);
+    let along = BodyVector::turned(&frame, vector);
     vec![
-        ("moment", Box::new(Moment::new([d, e], vector, constant()))),
-        ("follower moment", Box::new(Moment::follower([d, e], vector, constant()))),
-        ("follower force", Box::new(FollowerForce::new(r, [d, e], vector, constant()))),
+        ("moment", Box::new(Moment::new(&frame, vector, constant()))),
+        ("follower moment", Box::new(Moment::follower(&frame, vector, constant()))),
+        ("follower force", Box::new(FollowerForce::new(&markers[0], along, constant()))),
     ]
+}
+
+/// Section frame of unequal weights.
+fn frame([_, d, e]: &[Marker; 3]) -> SectionFrame {
+    SectionFrame::new([d, e], 0.3)
 }
 
 /// Extracts the coordinates of a term from the nine.
@@ -121,13 +127,13 @@ proptest! {
     fn moment_is_a_couple(q in any_state(), m in any_vector(2.0), omega in any_vector(1.0)) {
         let markers = markers();
         let [_, d, e] = vectors(&markers, &q);
-        let moment = Moment::new([&markers[1], &markers[2]], m, constant());
+        let moment = Moment::new(&frame(&markers), m, constant());
         let f = forces(&moment, &q);
         prop_assert_eq!(part(&f, 0), Vector3::zeros());
         let power = part(&f, 3).dot(&omega.cross(&d)) + part(&f, 6).dot(&omega.cross(&e));
         prop_assert!((power - m.dot(&omega)).abs() < 1e-13, "{power} and {}", m.dot(&omega));
-        // Stretch of a director has no power.
-        prop_assert!(part(&f, 3).dot(&d).abs() + part(&f, 6).dot(&e).abs() < 1e-13);
+        // Stretch of the section has no power.
+        prop_assert!((part(&f, 3).dot(&d) + part(&f, 6).dot(&e)).abs() < 1e-13);
     }
 
         #[test]
@@ -180,7 +186,7 @@ proptest! {
 fn moment_is_conservative_in_a_plane() {
     let markers = orthonormal();
     let q = rotated(&markers, Rotation3::new(Vector3::z() * 2.1)) * 1.1;
-    let term = Moment::new([&markers[1], &markers[2]], Vector3::z() * 1.7, constant());
+    let term = Moment::new(&frame(&markers), Vector3::z() * 1.7, constant());
     let slope = differences(&term, &q);
     // Displacements of d in the plane.
     let plane = |k: &DMatrix<f64>| k.view((3, 3), (2, 2)).into_owned();
@@ -193,13 +199,13 @@ fn moment_is_conservative_in_a_plane() {
 /// Loads are proportional to their function of time and to the load factor.
 #[test]
 fn loads_scale_with_time_function_and_load_factor() {
-    let [r, d, e] = &markers();
+    let (frame, [r, ..]) = (frame(&markers()), &markers());
     let function = || Function::Table(TimeTable::new([[0.0, 0.0], [2.0, 3.0]]));
     let vector = Vector3::new(0.3, -0.4, 1.1);
     let varying: [Box<dyn Term>; 3] = [
-        Box::new(Moment::new([d, e], vector, function())),
-        Box::new(Moment::follower([d, e], vector, function())),
-        Box::new(FollowerForce::new(r, [d, e], vector, function())),
+        Box::new(Moment::new(&frame, vector, function())),
+        Box::new(Moment::follower(&frame, vector, function())),
+        Box::new(FollowerForce::new(r, BodyVector::turned(&frame, vector), function())),
     ];
     for (term, (name, steady)) in varying.iter().zip(terms(&markers(), vector)) {
         let q = DVector::from_element(term.coordinates().len(), 0.1);

@@ -3,12 +3,14 @@
 use ancf::mechanics::elements::{CableDamping, RigidBody};
 use ancf::mechanics::forces::{ExternalForce, FollowerForce, Moment};
 use ancf::mechanics::functions::{ForceFunction, Function};
+use ancf::mechanics::kinematics::BodyVector;
 use ancf::model::{Damping, MaterialLaw};
 use ancf::solver::equations::Term;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::constraints::{ORIGIN, bodies, constraints_and_loads, mesh};
 use super::contacts::{Loss, contacts};
+use super::frames::frame_terms;
 use super::immersed::{immersed_terms, meshes};
 use super::joint_terms::joint_terms;
 use super::kind::TermKind;
@@ -52,12 +54,13 @@ fn cable_elements(gravity: Vector3<f64>) -> impl Iterator<Item = TermCase> {
 /// Loads that follow the section, and moments with a fixed direction.
 fn followers() -> impl Iterator<Item = TermCase> {
     let (_, mesh) = meshes().swap_remove(0);
-    let ([_, d, e], vector) = (mesh.axes(1.3), Vector3::new(0.3, -2.0, 0.7));
-    let force = FollowerForce::in_section(&mesh.point(1.3), [&d, &e], vector, Function::ONE);
+    let (frame, vector) = (mesh.frame(1.3).expect("a beam"), Vector3::new(0.3, -2.0, 0.7));
+    let along = BodyVector::turned(&frame, frame.composed(&vector));
+    let force = FollowerForce::new(&mesh.point(1.3), along, Function::ONE);
     let terms: [(&str, Box<dyn Term>); 3] = [
         ("follower force", Box::new(force)),
-        ("follower moment", Box::new(Moment::in_section([&d, &e], vector, Function::ONE))),
-        ("moment", Box::new(Moment::new([&d, &e], vector, Function::ONE))),
+        ("follower moment", Box::new(Moment::in_section(&frame, vector, Function::ONE))),
+        ("moment", Box::new(Moment::new(&frame, vector, Function::ONE))),
     ];
     let kind = TermKind::NonConservative;
     terms.into_iter().map(move |(name, term)| TermCase { name: name.to_owned(), term, kind })
@@ -112,7 +115,7 @@ pub(super) fn terms() -> Vec<TermCase> {
         kind: TermKind::Polynomial,
     });
     let [a, b] = bodies();
-    let joints = joint_terms(&a, &b).into_iter();
+    let joints = joint_terms(&a, &b).into_iter().chain(frame_terms(&a, &b));
     let joints = joints.map(|(name, term, kind)| TermCase { name: name.to_owned(), term, kind });
     let immersed = immersed_terms(gravity).into_iter().map(|(name, term, flows)| {
         let kind = if flows { TermKind::NonConservative } else { TermKind::Damped };

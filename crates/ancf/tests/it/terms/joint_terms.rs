@@ -6,7 +6,7 @@ use ancf::mechanics::constraints::{
 };
 use ancf::mechanics::forces::{Friction, Spring, Strut};
 use ancf::mechanics::functions::Function;
-use ancf::mechanics::kinematics::Marker;
+use ancf::mechanics::kinematics::BodyVector;
 use ancf::solver::equations::Term;
 use nalgebra::Vector3;
 
@@ -18,17 +18,17 @@ const OWN: usize = 100;
 /// Returns terms between two bodies with their names. Terms named "preloaded" are stressed in the reference state.
 pub(super) fn joint_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<(&'static str, Box<dyn Term>, TermKind)> {
     let (along, across) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36));
-    let (point, other) = (a.point(0.31), b.point(0.7));
-    let relative = Marker::combined([(1.0, &point), (-1.0, &other)]);
-    let (p, q) = (a.direction(0.31, across), b.direction(0.9, along));
-    let [u, v] = [b.direction(0.9, across), b.direction(0.9, along.cross(&across))];
+    let [point, other] = [a.point(0.31), b.point(0.7)].map(BodyVector::from);
+    let relative = BodyVector::combined([(1.0, &point), (-1.0, &other)]);
+    let [p, second] = [across, along].map(|x| BodyVector::from(a.direction(0.31, x)));
+    let [q, u, v] = [along, across, along.cross(&across)].map(|x| BodyVector::from(b.direction(0.9, x)));
     let along_line =
         || BilinearMeasure::new([(1.0, MeasureFactor::Other(&q), MeasureFactor::Point(&relative))]);
     let square =
         || BilinearMeasure::new([(0.7, MeasureFactor::Point(&relative), MeasureFactor::Point(&relative))]);
     let turn = || {
         let half = |c, x, y| (c, MeasureFactor::Direction(x), MeasureFactor::Other(y));
-        BilinearMeasure::new([half(0.5, &p, &q), half(-0.5, &a.direction(0.31, along), &u)])
+        BilinearMeasure::new([half(0.5, &p, &q), half(-0.5, &second, &u)])
     };
     let sum = || BilinearMeasure::coordinate(OWN).plus(OWN + 2, -2.5);
     let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };

@@ -3,6 +3,7 @@
 mod cases;
 mod constraints;
 mod contacts;
+mod frames;
 mod immersed;
 mod joint_terms;
 mod kind;

@@ -54,7 +54,7 @@ fn elongation_depends_on_the_clamped_slope() {
     let part = 1e-6;
     let elongation = |elements, fix| {
         let assembly = pulled(elements, fix, part).assemble().unwrap();
-        assembly.probes[0].1.sum(&linear(&assembly, &[]).q).x / (part * rod::LENGTH)
+        assembly.probes[0].1.displacement(&linear(&assembly, &[])).x / (part * rod::LENGTH)
     };
     for (elements, fixed) in [
         (1, 8.0 / 9.0),
@@ -99,7 +99,7 @@ fn uniform_load_deflections_have_closed_forms() {
         let exact = -load * rod::LENGTH.powi(4) / (material.young * moments.yy) * bending
             - load * rod::LENGTH.powi(2) / (material.lame().shear * moments.area) * shear;
         let assembly = model.assemble().unwrap();
-        let y = assembly.probes[0].1.sum(&linear(&assembly, &[]).q).y;
+        let y = assembly.probes[0].1.displacement(&linear(&assembly, &[])).y;
         assert_near(&format!("{fix:?}, {elements} elements"), y / exact, 1.0, 1e-9);
     };
     tip(1, ClampedGradients::All, 1.0 / 12.0, 7.0 / 18.0);

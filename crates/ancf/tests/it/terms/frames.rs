@@ -1,0 +1,89 @@
+//! Terms on the frames of sections, inside elements, with unequal weights.
+
+use ancf::mechanics::bodies::BeamMesh;
+use ancf::mechanics::constraints::{
+    BilinearMeasure, CoincidenceConstraint, HingeAngle, MeasureConstraint, MeasureFactor, MeasureTarget,
+    SectionDrive, SlideConstraint,
+};
+use ancf::mechanics::forces::{ExternalForce, FollowerForce, Force, Friction, Moment, Spring, Strut};
+use ancf::mechanics::functions::{ForceFunction, Function};
+use ancf::mechanics::kinematics::{BodyVector, SectionFrame};
+use ancf::solver::equations::Term;
+use nalgebra::Vector3;
+
+use super::kind::TermKind;
+
+/// Coordinate that belongs to no body.
+const OWN: usize = 100;
+
+/// Frame of a section inside an element, with the weight 0.3.
+fn frame(mesh: &BeamMesh, s: f64) -> SectionFrame {
+    let [_, d, e] = mesh.axes(s);
+    SectionFrame::new([&d, &e], 0.3)
+}
+
+/// Point at an arm of a section.
+fn arm(mesh: &BeamMesh, frame: &SectionFrame, s: f64) -> BodyVector {
+    let arm = BodyVector::turned(frame, Vector3::new(0.2, -0.5, 0.4));
+    BodyVector::combined([(1.0, &mesh.point(s).into()), (1.0, &arm)])
+}
+
+fn external(t: f64, x: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    let [x, v] = [x, v].map(Vector3::from);
+    let field = Vector3::new(0.3 * t, -2.0, 0.7);
+    (field - x * 3.0 - v * 0.4 + field.cross(&v) + x * x.dot(&v) * 0.2).into()
+}
+
+type Case = (&'static str, Box<dyn Term>, TermKind);
+
+/// Returns terms between the frames of two bodies with their names.
+pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
+    let (fa, fb) = (frame(a, 0.31), frame(b, 0.9));
+    let axes = [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36), Vector3::new(-0.64, 0.6, 0.48)];
+    let [p, _, normal] = axes.map(|x| BodyVector::turned(&fa, x));
+    let [u, v, w] = axes.map(|x| BodyVector::turned(&fb, x));
+    let (point, other) = (arm(a, &fa, 0.31), arm(b, &fb, 0.9));
+    let apart = BodyVector::combined([(1.0, &point), (-1.0, &other)]);
+    let d = BodyVector::from(&fa.directors()[0]);
+    let turn = || BilinearMeasure::new([(0.8, MeasureFactor::Direction(&p), MeasureFactor::Other(&v))]);
+    let along = || BilinearMeasure::new([(1.0, MeasureFactor::Other(&w), MeasureFactor::Point(&apart))]);
+    let row = BilinearMeasure::new([(0.7, MeasureFactor::Direction(&d), MeasureFactor::Other(&v))]);
+    let positive = BilinearMeasure::new([(1.0, MeasureFactor::Direction(&normal), MeasureFactor::Other(&w))]);
+    let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
+    let slide = SlideConstraint::along(a.element_axes(), &other, OWN, 0.31, 5).swap_remove(0);
+    let force = Vector3::new(0.3, -2.0, 0.7);
+    let ramp = Function::Ramp { start: 0.0, end: 2.0 };
+    vec![
+        (
+            "frames: row of a clamp",
+            Box::new(MeasureConstraint::new(row, 5).where_positive(&positive)),
+            TermKind::Smooth,
+        ),
+        ("frames: axis of a hinge", Box::new(MeasureConstraint::new(turn(), 5)), TermKind::Smooth),
+        (
+            "frames: driven displacement",
+            Box::new(MeasureConstraint::driven(along(), MeasureTarget::new(0.3, sine()), 5)),
+            TermKind::Smooth,
+        ),
+        ("frames: angle", Box::new(HingeAngle::new(OWN, &p, [&u, &v], 5)), TermKind::Smooth),
+        ("frames: points", Box::new(CoincidenceConstraint::points(&point, &other, 5)), TermKind::Smooth),
+        ("frames: drive", Box::new(SectionDrive::new(&fa, axes[1], 2.0, ramp, 5)), TermKind::Smooth),
+        ("frames: spring", Box::new(Spring::new(turn(), 2.0, 0.0)), TermKind::Smooth),
+        ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
+        ("frames: friction", Box::new(Friction::new(turn(), 0.4, 0.9)), TermKind::Damped),
+        ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
+        ("frames: slide", Box::new(slide), TermKind::Smooth),
+        ("frames: force", Box::new(Force::new(&point, force)), TermKind::Smooth),
+        ("frames: moment", Box::new(Moment::new(&fa, force, Function::ONE)), TermKind::NonConservative),
+        (
+            "frames: follower",
+            Box::new(FollowerForce::new(&point, &p, Function::ONE)),
+            TermKind::NonConservative,
+        ),
+        (
+            "frames: external force",
+            Box::new(ExternalForce::new(&point, ForceFunction::new(external), 1e6)),
+            TermKind::NonConservative,
+        ),
+    ]
+}

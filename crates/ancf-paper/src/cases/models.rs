@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Joint, Material, NamedPosition,
-    NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes, Spherical, Start,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Formulation, Joint, Material,
+    NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes,
+    Spherical, Start,
 };
 use serde::Serialize;
 
@@ -97,6 +98,7 @@ impl PaperCase {
             sections: BTreeMap::from([("rod".into(), Section::circle(DIAMETER))]),
             bodies: vec![Body::Beam(Beam {
                 slopes,
+                formulation: Formulation::Continuum,
                 ..Beam::straight("beam", [[0.0; 3], [LENGTH, 0.0, 0.0]], n, "rod", "steel")
             })],
             joints: vec![joint],

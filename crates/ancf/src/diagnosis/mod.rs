@@ -1,7 +1,9 @@
-//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions.
+//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking.
 
+mod locking;
 mod mechanism;
 mod summary;
 
+pub(crate) use locking::locking_warnings;
 pub use mechanism::{FreeMotion, RigidMotion};
 pub use summary::Diagnosis;

@@ -5,6 +5,7 @@ use ancf_solver::dynamics::consistent_velocities;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::Serialize;
 
+use super::locking::locking_warnings;
 use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
@@ -44,6 +45,8 @@ pub struct Diagnosis {
     /// Kinetic energy of the change from the stated initial velocities to those that satisfy the constraints, relative to the
     /// kinetic energy of the stated velocities. `None` without initial velocities.
     pub projection: Option<f64>,
+    /// Beams whose formulation is known to lock, with the size of the error.
+    pub locking: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -84,6 +87,7 @@ impl Model {
             gaps: closed.map(|closed| lengths(&closed.gaps)).unwrap_or_default(),
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
             projection: if dynamic { assembly.projection(&model) } else { None },
+            locking: locking_warnings(self),
         })
     }
 
@@ -201,6 +205,7 @@ impl Diagnosis {
                 "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
+        warnings.extend(self.locking.iter().cloned());
         warnings
     }
 }

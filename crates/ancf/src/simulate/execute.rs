@@ -8,6 +8,7 @@ use super::run::{AnalysisRun, RunResult};
 use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
+use crate::diagnosis::locking_warnings;
 use crate::failure::StabilityMonitor;
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
@@ -66,7 +67,8 @@ impl Simulation {
 
     fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> AnalysisRun<'a> {
         let Self { chosen, assembly, interrupt, .. } = self;
-        let summary = Summary::new(assembly, chosen.clone());
+        let mut summary = Summary::new(assembly, chosen.clone());
+        summary.warnings = locking_warnings(&self.scaled);
         AnalysisRun { summary, assembly, interrupt, observer, monitor: StabilityMonitor::new(&self.scaled) }
     }
 

@@ -29,13 +29,13 @@ __all__ = [
 Formulation: TypeAlias = Literal["continuum", "enhanced", "linked", "quadratic"]
 """Element type and elasticity law of a beam.
 
-* ``"continuum"``: Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element
-  locks: the bending stiffness is (λ+2G) I instead of E I, the torsion constant is the polar moment of area.
-  With n elements the error is 1/(3n²).
+* ``"continuum"``: Two nodes, 24 coordinates, three-dimensional elasticity (Kim et al. 2017). The element of
+  the paper locks: the bending stiffness is (λ+2G) I instead of E I, the torsion constant is the polar moment
+  of area. With n elements the error is 1/(3n²).
 * ``"enhanced"``: Continuum element with the elasticity of a rod (Gerstmayr, Matikainen & Mikkola 2008). The
   Poisson effect is limited to the axis. Shear factors and St. Venant's torsion constant apply.
 * ``"linked"``: Enhanced element with linked strains, free of shear locking. One element is exact for end
-  loads.
+  loads. The default.
 * ``"quadratic"``: Three nodes, 27 coordinates, elasticity of a rod, two integration points (Nachbagauer,
   Gruber & Gerstmayr 2013).
 """
@@ -163,7 +163,7 @@ class Beam(Axis):
         Name of the material, a key of ``materials``. Or the material itself.
     formulation
         Element type and elasticity law. One of ``"continuum"``, ``"enhanced"``, ``"linked"``,
-        ``"quadratic"``. Default: ``"continuum"``.
+        ``"quadratic"``. Default: ``"linked"``.
     motion
         Initial velocities in dynamics; at rest by default.
     section_end

@@ -192,7 +192,7 @@ pub struct Beam {
 }
 
 impl Beam {
-    /// Straight beam in the continuum formulation, with default values otherwise.
+    /// Straight beam with default values otherwise.
     pub fn straight(
         name: &str,
         [from, to]: [[f64; 3]; 2],
@@ -208,7 +208,7 @@ impl Beam {
             up: None,
             twist: 0.0,
             elements,
-            formulation: Formulation::Continuum,
+            formulation: Formulation::default(),
             section: section.into(),
             section_end: None,
             material: material.into(),

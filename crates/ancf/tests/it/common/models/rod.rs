@@ -4,8 +4,9 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Joint, Material, NamedPosition,
-    NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical, Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Formulation, Joint, Material,
+    NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical,
+    Start, Step, Stop,
 };
 
 /// Length L.
@@ -15,7 +16,8 @@ pub(crate) const GRAVITY: f64 = 9.81;
 
 /// Rod without joints, with a probe at its end. Analysis as in the paper: 2 s in steps of 1 ms.
 pub(crate) fn free(elements: u32) -> Model {
-    let beam = Beam::straight("rod", [[0.0; 3], [LENGTH, 0.0, 0.0]], elements, "circle", "steel");
+    let straight = Beam::straight("rod", [[0.0; 3], [LENGTH, 0.0, 0.0]], elements, "circle", "steel");
+    let beam = Beam { formulation: Formulation::Continuum, ..straight };
     let steel = Material::elastic(8030.0, 193e9, 0.0);
     Model {
         title: None,

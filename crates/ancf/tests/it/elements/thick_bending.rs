@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use ancf::model::Section;
+
 use crate::common::models::parse;
 use crate::common::solutions::Run;
 
@@ -57,5 +59,34 @@ fn thick_beams_follow_the_law_of_the_fibres_on_fine_meshes() {
             assert!(error < bound, "{formulation}, {elements}, {axis}: {error:e}");
             assert!(negative <= 2.0, "{formulation}, {elements}, {axis}: unstable in {negative} directions");
         }
+    }
+}
+
+/// A beam without a stated formulation has the deflection F L³/(3EI) + F L/(kGA) for any Poisson ratio, with one element.
+#[test]
+fn default_formulation_bends_by_timoshenko_for_any_poisson_ratio() {
+    for (poisson, elements) in [(-0.2, 3), (0.0, 1), (0.35, 1), (0.49, 12)] {
+        let run = Run::of(&parse(&format!(
+            r#"
+materials.s = {{ density = 1000, young = 3e9, poisson = {poisson} }}
+sections.c = {{ kind = "rectangle", height = 0.08, width = 0.03 }}
+bodies = [{{ kind = "beam", name = "arm", from = [0, 0, 0], to = [0, 1.5, 0], elements = {elements}, section = "c", material = "s" }}]
+joints = [{{ kind = "clamp", name = "root", a = {{ body = "arm", at = "start" }} }}]
+loads = [{{ kind = "force", on = {{ body = "arm", at = "end" }}, force = [0, 0, 2e-3] }}]
+probes = [{{ name = "tip", on = {{ body = "arm", at = "end" }} }}]
+[analysis]
+kind = "statics"
+stop = {{ rule = "energy", tolerance = 1e-14 }}
+"#
+        )));
+        let section = Section::rectangle(0.08, 0.03);
+        let (moments, shear) = (section.moments(), 3e9 / (2.0 * (1.0 + poisson)));
+        let (up, across) = (moments.yy, moments.zz);
+        let inertia = up.max(across);
+        let k = section.shear_factors(poisson);
+        let factor = if up > across { k[0] } else { k[1] };
+        let exact = 2e-3 * (1.5_f64.powi(3) / (3.0 * 3e9 * inertia) + 1.5 / (factor * shear * moments.area));
+        let found = *run.column("tip.z").last().unwrap();
+        assert!((found / exact - 1.0).abs() < 1e-6, "nu = {poisson}: {}", found / exact);
     }
 }

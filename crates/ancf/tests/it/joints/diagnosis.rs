@@ -1,6 +1,8 @@
 //! Diagnosis of models: contents, mobility, loose bodies, names of equations.
 
-use ancf::model::{Analysis, At, Beam, Body, End, Joint, NamedPosition, Place, Spherical, Statics};
+use ancf::model::{
+    Analysis, At, Beam, Body, End, Formulation, Joint, NamedPosition, Place, Section, Spherical, Statics,
+};
 use ancf::record::Series;
 use ancf::{Model, Outcome, simulate};
 
@@ -33,8 +35,34 @@ fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
          mobility:  1 by Grübler's formula, rigid bodies\n           \
          1 by rank, rigid bodies\n           \
          31 by rank, deformable bodies\n\
-         free:      body `rod` can rotate about the axis through (0, 0, 0) along z\n"
+         free:      body `rod` can rotate about the axis through (0, 0, 0) along z\n\
+         warning:   beam `rod`, formulation \"continuum\": deflections are about 8.333 % too small with 2 elements (shear locking); \
+         \"linked\" and \"quadratic\" have no such error\n"
     );
+}
+
+/// Warnings of locking state the size of the error: (λ+2G)/E = (1 − ν)/((1 + ν)(1 − 2ν)), the polar moment of a square over
+/// J = 0.1406 h⁴, and 1/(3n²).
+#[test]
+fn locking_is_reported_with_its_size() {
+    let warnings = |formulation, poisson, section, elements| {
+        let mut model = rod::cantilever(elements);
+        rod::beam(&mut model).formulation = formulation;
+        rod::material(&mut model).poisson = poisson;
+        model.sections.insert("circle".into(), section);
+        model.diagnose().unwrap().warnings().join(" ")
+    };
+    let (round, square) = (Section::circle(0.02), Section::rectangle(0.02, 0.02));
+    let text = warnings(Formulation::Continuum, 0.3, square.clone(), 3);
+    for part in ["1.346 E I", "1.186 G J", "3.704 %"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(warnings(Formulation::Enhanced, 0.3, square.clone(), 2).contains("8.333 %"));
+    for formulation in [Formulation::Linked, Formulation::Quadratic] {
+        assert_eq!(warnings(formulation, 0.45, square.clone(), 1), "");
+    }
+    assert_eq!(warnings(Formulation::Continuum, 0.0, round, 6), "");
+    assert_eq!(Formulation::default(), Formulation::Linked);
 }
 
 /// Bodies without joints and chains without connection to the ground.

@@ -25,6 +25,7 @@ fn arm(text: &str, joint: &str) -> Model {
         from = [0, 0, 0]
         to = [0.5, 0, 0]
         elements = 2
+        formulation = "continuum"
         section = "round"
         material = "stiff"
 

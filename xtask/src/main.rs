@@ -9,7 +9,7 @@ mod system;
 use std::env;
 use std::process::ExitCode;
 
-use commands::{benchmark, dependencies, fuzz, package, schema, test, viewer};
+use commands::{benchmark, dependencies, fuzz, hunt, package, schema, test, viewer};
 use system::shell::say;
 
 const HELP: &str = "\
@@ -23,6 +23,8 @@ cargo xtask schema          docs/model.schema.json, the Python classes and the t
 cargo xtask viewer          the viewer of results, built into the crate that embeds it
 cargo xtask deny            licences, sources, duplicates and known vulnerabilities of dependencies, by deny.toml
 cargo xtask fuzz [SECONDS]  random input for the readers of models and formulas, 600 s each by default
+cargo xtask hunt [SEED] [N] random models beside their twins in other frames, units, orders; FOLDER as third argument keeps
+                            the findings; file FILE, show SEED NUMBER, one SEED NUMBER
 cargo xtask bench           times per element beside their targets; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    instruction counts of fixed work beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; needs Python and the network
@@ -40,6 +42,7 @@ fn main() -> ExitCode {
         "schema" => schema::refresh(),
         "deny" => dependencies::deny(),
         "fuzz" => fuzz::fuzz(options),
+        "hunt" => hunt::hunt(options),
         "bench" => benchmark::bench(options),
         "instructions" => benchmark::instructions(options),
         "viewer" => viewer::build(),

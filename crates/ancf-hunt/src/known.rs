@@ -1,6 +1,7 @@
 //! Known defects, by which findings are sorted.
 
 use ancf::Model;
+use ancf::model::{Analysis, Body, End, Formulation, Joint, Load, Place};
 
 use crate::compare::Finding;
 
@@ -14,9 +15,115 @@ pub struct Known {
 }
 
 /// Known defects. An entry without findings in the test is an error: remove it when the defect is mended.
-pub const KNOWN: &[Known] = &[];
+pub const KNOWN: &[Known] = &[
+    Known { name: "joints distort sections", is_cause: |model, _| model.joints.iter().any(|j| distorts(model, j)) },
+    Known { name: "arms distort sections", is_cause: |model, _| has_arm(model) },
+    Known {
+        name: "frame of the section forces of cables",
+        is_cause: |model, finding| is_section_force_of_cable(model, &finding.quantity),
+    },
+    Known {
+        name: "clamps of beams at a corner distort sections",
+        is_cause: |model, finding| ["elements", "rotation", "axes"].contains(&finding.law) && has_corner(model),
+    },
+    Known {
+        name: "sign of the moment of a clamp to a cable",
+        is_cause: |model, finding| finding.law == "exchange" && is_moment_of_cable(model, &finding.quantity),
+    },
+    Known {
+        name: "default gradients of a clamp by its first end",
+        is_cause: |model, finding| finding.law == "exchange" && has_mixed_clamp(model),
+    },
+    Known {
+        name: "angular velocity of rigid bodies by two directors",
+        is_cause: |model, finding| {
+            let suffix = finding.quantity.rsplit_once('.').map_or("", |(_, suffix)| suffix);
+            let is_frame = ["rotation", "axes"].contains(&finding.law) && ["wx", "wy", "wz", "rate"].contains(&suffix);
+            is_frame && model.bodies.iter().any(|body| matches!(body, Body::Rigid(_)))
+        },
+    },
+    Known {
+        name: "steps of paths",
+        is_cause: |model, finding| finding.quantity == "verdict" && matches!(model.analysis, Analysis::Path(_)),
+    },
+    Known {
+        name: "critical loads of rigid bodies by rounding errors",
+        is_cause: |model, finding| {
+            finding.quantity == "factor" && !model.bodies.iter().any(Body::is_flexible)
+        },
+    },
+    Known {
+        name: "dissipation of damping in long steps",
+        is_cause: |model, finding| finding.law == "energy" && is_damped(model),
+    },
+];
 
 /// Known defect of a finding.
 pub fn cause(model: &Model, finding: &Finding) -> Option<&'static str> {
     KNOWN.iter().find(|known| (known.is_cause)(model, finding)).map(|known| known.name)
+}
+
+fn is_beam(model: &Model, name: &str) -> bool {
+    model.bodies.iter().any(|body| body.name() == name && matches!(body, Body::Beam(_)))
+}
+
+/// True for joints that constrain directions of a deformable section.
+fn distorts(model: &Model, joint: &Joint) -> bool {
+    let on_beam = |place: &Place| is_beam(model, &place.body);
+    let second = |end: &End| matches!(end, End::Place(place) if on_beam(place));
+    let (a, b) = joint.ends();
+    match joint {
+        Joint::Clamp(_) | Joint::Spherical(_) | Joint::Drive(_) | Joint::Distance(_) | Joint::Spring(_) | Joint::Slide(_) => false,
+        Joint::PointOnLine(_) => second(b),
+        _ => on_beam(a) || second(b),
+    }
+}
+
+/// True with a rigid arm on a deformable section.
+fn has_arm(model: &Model) -> bool {
+    let is_arm = |place: &Place| place.offset != [0.0; 3] && is_beam(model, &place.body);
+    let of_joints = model.joints.iter().any(|joint| {
+        let (a, b) = joint.ends();
+        is_arm(a) || matches!(b, End::Place(place) if is_arm(place))
+    });
+    of_joints || model.loads.iter().any(|load| matches!(load, Load::Force(force) if is_arm(&force.on)))
+}
+
+/// Bodies of the two ends of a clamp between bodies.
+fn clamped<'a>(model: &'a Model, joint: &'a Joint) -> Option<([&'a Body; 2], bool)> {
+    let Joint::Clamp(clamp) = joint else { return None };
+    let End::Place(b) = &clamp.b else { return None };
+    let body = |place: &Place| model.bodies.iter().find(|body| body.name() == place.body);
+    Some(([body(&clamp.a)?, body(b)?], clamp.fix.is_none()))
+}
+
+fn has_corner(model: &Model) -> bool {
+    let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
+    clamps.any(|(bodies, _)| bodies.iter().all(|body| matches!(body, Body::Beam(_))))
+}
+
+fn is_moment_of_cable(model: &Model, column: &str) -> bool {
+    let Some((joint, suffix)) = column.rsplit_once('.') else { return false };
+    let joint = model.joints.iter().find(|other| other.name() == joint);
+    let bodies = joint.and_then(|joint| clamped(model, joint));
+    suffix.starts_with('m') && bodies.is_some_and(|(bodies, _)| bodies.iter().any(|body| matches!(body, Body::Cable(_))))
+}
+
+fn has_mixed_clamp(model: &Model) -> bool {
+    let is_continuum = |body: &Body| matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Continuum);
+    let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
+    clamps.any(|([a, b], is_default)| is_default && is_continuum(a) != is_continuum(b))
+}
+
+fn is_damped(model: &Model) -> bool {
+    let of_materials = model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
+    let of_loads = model.loads.iter().any(|load| matches!(load, Load::Fluid(_)));
+    of_materials || of_loads || !model.joints.is_empty()
+}
+
+fn is_section_force_of_cable(model: &Model, column: &str) -> bool {
+    let Some((probe, suffix)) = column.rsplit_once('.') else { return false };
+    let probe = model.probes.iter().find(|other| other.name == probe);
+    let on_cable = probe.and_then(|probe| model.bodies.iter().find(|body| body.name() == probe.on.body));
+    matches!(on_cable, Some(Body::Cable(_))) && ["Qy", "Qz", "My", "Mz", "T"].contains(&suffix)
 }

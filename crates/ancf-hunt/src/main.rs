@@ -37,6 +37,7 @@ fn of_arguments(arguments: &[String]) -> Result<bool, String> {
             say(&text_of(&model)?);
             Ok(true)
         }
+        Some("file") => of_file(Path::new(arguments.get(1).map_or("", String::as_str))),
         Some("one") => {
             let (seed, number) = (number(1, 1)?, number(2, 0)?);
             let report = check(seed, number, case(seed, number)?, 1.0);
@@ -47,6 +48,18 @@ fn of_arguments(arguments: &[String]) -> Result<bool, String> {
         }
         _ => of_seed(number(0, 1)?, number(1, 1000)?, arguments.get(2)),
     }
+}
+
+/// Checks all laws for a model file, and prints the last row of the run.
+fn of_file(path: &Path) -> Result<bool, String> {
+    let model = ancf::Model::read(path).map_err(|errors| errors.to_string())?;
+    for column in ancf_hunt::run::run(&model).columns {
+        say(&format!("{:<16} {:?}", column.name, column.values));
+    }
+    let report = check(1, 0, model, 1.0);
+    say(&report.to_string());
+    report.trophies.iter().for_each(|trophy| say(&line(trophy)));
+    Ok(report.new_findings().next().is_none())
 }
 
 fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, String> {

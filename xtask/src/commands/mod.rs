@@ -3,6 +3,7 @@
 pub(crate) mod benchmark;
 pub(crate) mod dependencies;
 pub(crate) mod fuzz;
+pub(crate) mod hunt;
 pub(crate) mod package;
 pub(crate) mod schema;
 pub(crate) mod test;

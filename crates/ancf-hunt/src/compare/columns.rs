@@ -43,13 +43,15 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Opt
     }
     let rows = case.shared_rows(twin)?;
     let mut worst: Option<Finding> = None;
-    for column in case.base.columns.iter().filter(|column| !PROCEDURE.contains(&column.name.as_str())) {
+    let is_determined = |name: &str| !case.base.is_redundant || !is_reaction(name);
+    let is_compared = |name: &str| !PROCEDURE.contains(&name) && is_determined(name);
+    for column in case.base.columns.iter().filter(|column| is_compared(&column.name)) {
         let (Some(dimension), Some(other)) = (dimension(column), twin.column(&column.name)) else { continue };
         let size = case.magnitudes.of(dimension);
         let neighbour = case.neighbour.column(&column.name);
         for row in rows.clone() {
             let (a, b) = (column.values[row], aligned(&case.base, twin, &other.name, row, other.values[row]));
-            if a.is_nan() && b.is_nan() {
+            if a == b || (a.is_nan() && b.is_nan()) {
                 continue;
             }
             let spread = case.spread(column, neighbour, row);
@@ -62,6 +64,11 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Opt
         }
     }
     worst
+}
+
+/// True for forces and moments of joints.
+fn is_reaction(column: &str) -> bool {
+    column.rsplit_once('.').is_some_and(|(_, suffix)| ["fx", "fy", "fz", "mx", "my", "mz"].contains(&suffix))
 }
 
 /// Dimension of a column whose values are compared.

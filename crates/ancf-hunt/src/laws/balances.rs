@@ -1,7 +1,7 @@
 //! Balances of energy, momentum and forces; finite numbers.
 
 use ancf::Model;
-use ancf::model::{Body, ContactSurface, End, Joint, Load};
+use ancf::model::{ContactSurface, End, Joint, Load};
 use ancf::nalgebra::Vector3;
 
 use super::law::{Check, Law};
@@ -97,11 +97,6 @@ fn is_of_ground(joint: &Joint) -> bool {
 /// Sum of weights and dead forces; `None` with loads whose sum depends on the motion.
 fn dead_loads(model: &Model) -> Option<Vector3<f64>> {
     if !model.contacts.is_empty() {
-        return None;
-    }
-    // The mass of tapered bodies is not that of the start section.
-    let is_tapered = model.bodies.iter().any(|body| matches!(body, Body::Beam(beam) if beam.section_end.is_some()));
-    if is_tapered && model.gravity != [0.0; 3] {
         return None;
     }
     let mut sum = Vector3::from(model.gravity) * model.mass();

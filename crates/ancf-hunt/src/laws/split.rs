@@ -35,6 +35,8 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
     let Body::Beam(first) = &mut twin.bodies[index] else { return None };
     let node = 1 + random.index(first.elements as usize - 1) as u32;
     let part = f64::from(node) / f64::from(first.elements);
+    // The nodes of three-node elements have no axial gradient.
+    let fix = if first.formulation.has_middle_node() { ClampedGradients::Section } else { ClampedGradients::All };
     let second = divide(first, node, &up);
     let other = second.name.clone();
     twin.bodies.push(Body::Beam(second));
@@ -66,7 +68,7 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
         name: "weld".into(),
         a: Place::new(&other, At::Named(NamedPosition::Start)),
         b: End::Place(Place::new(&name, At::Named(NamedPosition::End))),
-        fix: Some(ClampedGradients::All),
+        fix: Some(fix),
     }));
     Some(twin)
 }

@@ -62,6 +62,8 @@ pub struct Run {
     pub columns: Vec<Record>,
     /// Warnings of the summary.
     pub warnings: Vec<String>,
+    /// True if joint equations are redundant, so that reactions are not determined.
+    pub is_redundant: bool,
     /// True if steps were divided or rejected, or increments halved.
     pub is_divided: bool,
 }
@@ -69,7 +71,7 @@ pub struct Run {
 impl Run {
     /// Run without rows.
     pub const fn empty(verdict: Verdict) -> Self {
-        Self { verdict, columns: Vec::new(), warnings: Vec::new(), is_divided: false }
+        Self { verdict, columns: Vec::new(), warnings: Vec::new(), is_redundant: false, is_divided: false }
     }
 
     /// Column of a name.

@@ -22,9 +22,17 @@ impl Model {
     pub fn mass(&self) -> f64 {
         let mass = |body: &Body| match body {
             Body::Rigid(Rigid { mass, .. }) | Body::Mass(PointMass { mass, .. }) => *mass,
-            Body::Beam(_) | Body::Cable(_) => self.line_properties(body).0 * body.length(),
+            Body::Beam(_) | Body::Cable(_) => self.line_mass(body),
         };
         self.bodies.iter().map(mass).sum()
+    }
+
+    /// Mass of a flexible body. Simpson's rule is exact, since areas are at most quadratic along the axis.
+    fn line_mass(&self, body: &Body) -> f64 {
+        let Some((_, material)) = body.section_and_material() else { return 0.0 };
+        let area = |part| self.section_at(body, part).map_or(0.0, |section| section.moments().area);
+        let mean = (area(0.0) + 4.0 * area(0.5) + area(1.0)) / 6.0;
+        self.materials[material].density * mean * body.length()
     }
 
     /// Reference length: length of the longest flexible body.

@@ -1,5 +1,3 @@
-//! Pseudo-random numbers: SplitMix64 (Steele, Lea & Flood 2014). A seed gives the same model on every computer.
-
 use ancf::nalgebra::{Rotation3, Vector3};
 
 /// Generator of pseudo-random numbers.

@@ -20,8 +20,10 @@ pub enum StopRule {
     /// The products are independent of units, slope coordinates and frame of reference, and so is the number of
     /// iterations. Newton's method converges quadratically, so the remaining error is far below the tolerance. The
     /// tolerance is relative to the size of the motion in the energy norm. With a reused tangent the increments
-    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most a
-    /// thousandth of the tolerance.
+    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-5 of the
+    /// tolerance, and 2e-5 of the first increment. Remainders of successive steps with the same tangent have the same
+    /// sign, so they accumulate as the errors of the scheme do. The first increment is the error of the extrapolated start
+    /// value, some twenty times the error of the scheme in this step.
     Energy(f64),
     /// Residual: |r|₂ is at most this number, with forces and constraints in one norm. Depends on units.
     Residual(f64),
@@ -59,7 +61,11 @@ pub(crate) struct NewtonCheckpoint {
 /// Multiple of the rounding bound below which a residual counts as zero.
 const FLOOR: f64 = 8.0;
 /// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
-const REMAINDER: f64 = 1e-3;
+const REMAINDER: f64 = 1e-5;
+/// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
+const REDUCTION: f64 = 2e-5;
+/// Smallest target of the remainder, relative to the tolerance. It is at the rounding error.
+const LEAST_REMAINDER: f64 = 1e-7;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -266,11 +272,13 @@ impl Newton {
                 // of the motion.
                 let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
+                let first = *progress.first.get_or_insert(size);
+                let remainder = (REDUCTION * first).clamp(LEAST_REMAINDER * wanted, REMAINDER * wanted);
                 self.tangent.record(progress.rate(energy));
-                if size <= wanted && self.tangent.remainder(size) <= REMAINDER * wanted {
+                if size <= wanted && self.tangent.remainder(size) <= remainder {
                     return ControlFlow::Break(Ok(progress.report));
                 }
-                if !self.tangent.plan_iteration(REMAINDER * wanted / size) {
+                if !self.tangent.plan_iteration(remainder / size) {
                     return ControlFlow::Break(Err(SolveFailure::Stagnated));
                 }
                 progress.record(energy);
@@ -314,6 +322,8 @@ impl Newton {
 #[derive(Default)]
 struct IterationProgress {
     report: NewtonReport,
+    /// Size of the first increment.
+    first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
     /// Energy of the last increment.

@@ -40,6 +40,9 @@ struct TangentUsage {
     reused: bool,
     /// Rate θ of the last two iterations with the same tangent.
     rate: Option<f64>,
+    /// Number of solutions since the tangent was computed, now and at the last measurement of the rate.
+    solutions: u32,
+    rated: u32,
     /// Fewest iterations of a solution with this tangent, and the sum of the iterations in excess of it.
     fewest_iterations: u32,
     extra_iterations: u32,
@@ -154,6 +157,7 @@ impl NewtonTangent {
         self.usage.pause = self.usage.pause.saturating_sub(1);
         self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
         self.usage.age = TangentAge::Old;
+        self.usage.solutions += 1;
         self.usage.reused = false;
     }
 
@@ -193,19 +197,26 @@ impl NewtonTangent {
         self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
         self.usage.age = TangentAge::Iteration;
         (self.usage.rate, self.usage.fewest_iterations, self.usage.extra_iterations) = (None, u32::MAX, 0);
+        (self.usage.solutions, self.usage.rated) = (0, 0);
         Ok(())
     }
 
     /// Records the rate θ of the last two increments of a solution.
     pub(crate) fn record(&mut self, rate: Option<f64>) {
-        if self.usage.age != TangentAge::Iteration {
-            self.usage.rate = rate.or(self.usage.rate);
+        if self.usage.age != TangentAge::Iteration && rate.is_some() {
+            (self.usage.rate, self.usage.rated) = (rate, self.usage.solutions);
         }
+    }
+
+    /// Returns the rate θ. Without a measurement in this solution it grows in proportion to the age of the tangent.
+    fn rate(&self) -> Option<f64> {
+        let TangentUsage { rate, solutions, rated, .. } = self.usage;
+        rate.map(|rate| rate * f64::from(1 + solutions) / f64::from(1 + rated))
     }
 
     /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
     pub(crate) fn remainder(&self, size: f64) -> f64 {
-        match self.usage.rate {
+        match self.rate() {
             _ if self.usage.age == TangentAge::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
@@ -216,7 +227,7 @@ impl NewtonTangent {
     ///
     /// Returns false if the current solution should be restarted.
     pub(crate) fn plan_iteration(&mut self, part: f64) -> bool {
-        let Some(rate) = self.usage.rate else { return true };
+        let Some(rate) = self.rate() else { return true };
         let left = (part * (1.0 - rate)).ln() / rate.ln();
         if rate < 1.0 && left <= f64::from(RENEWAL_COST) {
             return true;
@@ -246,6 +257,8 @@ impl TangentUsage {
             age: TangentAge::Iteration,
             reused: false,
             rate: None,
+            solutions: 0,
+            rated: 0,
             fewest_iterations: u32::MAX,
             extra_iterations: 0,
             pause: 0,
@@ -311,7 +324,7 @@ impl NewtonTangent {
             && usage.weights.is_some() == made.is_some()
             && usage.weights.is_none_or(finite)
             && made.as_ref().is_none_or(|s| is_reusable(usage) && s.is_valid(coordinates, multipliers))
-            && usage.extra_iterations <= u32::MAX / 2
+            && usage.extra_iterations.max(usage.solutions).max(usage.rated) <= u32::MAX / 2
             && usage.pause.max(usage.last_pause) <= MAX_PAUSE
     }
 }

@@ -1,8 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{
-    Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints,
-};
+use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::{BodyVector, Marker};

@@ -48,7 +48,11 @@ impl HingeAngle {
     ) -> Self {
         let global = [p.into(), u.into(), v.into()];
         let others = BodyVector::union_coordinates(&global);
-        let coordinates: Vec<usize> = [coordinate].into_iter().chain(others).collect();
+        Self::over([coordinate].into_iter().chain(others).collect(), global, multiplier)
+    }
+
+    /// Creates the angle for a term with the given coordinates, θ first.
+    pub(crate) fn over(coordinates: Vec<usize>, global: [BodyVector; 3], multiplier: usize) -> Self {
         let vectors = global.each_ref().map(|vector| vector.within(&coordinates));
         Self { global, vectors, coordinates, multiplier }
     }
@@ -59,6 +63,12 @@ impl HingeAngle {
         let (sin, cos) = s.q[self.coordinates[THETA]].sin_cos();
         let moment = p.cross(&((v * cos - u * sin) * -s.lambda[self.multiplier]));
         Wrench { moment, ..Wrench::default() }
+    }
+
+    /// Returns the product of p and u rotated by θ, which is positive in admissible states.
+    pub(crate) fn along(&self, at: &Local<'_>) -> f64 {
+        let AngleValues { p, along, .. } = self.values(at.q);
+        p.dot(&along)
     }
 
     fn values(&self, q: &[f64]) -> AngleValues {
@@ -146,8 +156,7 @@ impl Term for HingeAngle {
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {
-        let AngleValues { p, along, .. } = self.values(at.q);
-        p.dot(&along) > 0.0
+        self.along(at) > 0.0
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {

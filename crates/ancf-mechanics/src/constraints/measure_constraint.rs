@@ -1,8 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{
-    LOCAL, Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints,
-};
+use ancf_solver::equations::{LOCAL, Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints};
 
 use super::bilinear_measure::BilinearMeasure;
 use super::coincidence::Wrench;

@@ -8,6 +8,7 @@ mod measure_target;
 mod rotation_drive;
 mod section_drive;
 mod slide_constraint;
+mod twist_angle;
 
 pub(crate) use bilinear_measure::add_outer;
 pub use bilinear_measure::{BilinearMeasure, MeasureFactor};
@@ -18,3 +19,4 @@ pub use measure_target::MeasureTarget;
 pub use rotation_drive::RotationDrive;
 pub use section_drive::SectionDrive;
 pub use slide_constraint::SlideConstraint;
+pub use twist_angle::TwistAngle;

@@ -42,7 +42,15 @@ impl SectionDrive {
         first: usize,
     ) -> Self {
         let coordinates = Marker::union_coordinates(frame.directors());
-        Self { global: frame.clone(), frame: frame.within(&coordinates), coordinates, first, axis, angle, function }
+        Self {
+            global: frame.clone(),
+            frame: frame.within(&coordinates),
+            coordinates,
+            first,
+            axis,
+            angle,
+            function,
+        }
     }
 
     /// Returns the contribution to the reaction of the drive on the section.
@@ -95,9 +103,8 @@ impl SectionDrive {
         let [angle, omega, alpha] = [value, rate, acceleration].map(|x| self.angle * x);
         let DrivenAxes { values, .. } = self.axes(angle);
         let rates = values.map(|axis| self.axis.cross(&axis) * omega);
-        let slopes = [0, 1, 2].map(|k| {
-            self.axis.cross(&values[k]) * alpha + self.axis.cross(&rates[k]) * omega
-        });
+        let slopes =
+            [0, 1, 2].map(|k| self.axis.cross(&values[k]) * alpha + self.axis.cross(&rates[k]) * omega);
         let moved = self.frame.directors().each_ref().map(|d| d.reference() + d.sum(at.q));
         (moved, [rates, slopes])
     }

@@ -7,6 +7,7 @@ mod friction;
 mod moment;
 mod spring;
 mod strut;
+mod swing_spring;
 
 pub use external::ExternalForce;
 pub use follower::FollowerForce;
@@ -15,3 +16,4 @@ pub use friction::Friction;
 pub use moment::Moment;
 pub use spring::Spring;
 pub use strut::Strut;
+pub use swing_spring::SwingSpring;

@@ -160,8 +160,8 @@ impl Term for Strut {
         if self.rope && self.stretch(change, at.load) <= 0.0 {
             return;
         }
-        let force =
-            self.stiffness * (unit.dot(&self.distance_vector.rate(at.q, by.q)) - by.load * self.preload_length);
+        let force = self.stiffness
+            * (unit.dot(&self.distance_vector.rate(at.q, by.q)) - by.load * self.preload_length);
         let transverse = (Matrix3::identity() - unit * unit.transpose()) * (force / length);
         self.distance_vector.add_quadratic(at.q, &transverse, k);
         self.distance_vector.add_curvature(at.q, unit * force, k);

@@ -191,7 +191,8 @@ impl FrameValues {
         let [area, length] = self.stretches(rates);
         let along = (w_y * z.dot(&d) - w_z * y.dot(&e)) / self.length;
         let of_along = (w_y * dz.dot(&d) - w_z * dy.dot(&e)) / self.length - along * length / self.length;
-        let transverse = d * x.dot(&e) - e * x.dot(&d) + self.d * dx.dot(&e) - self.e * dx.dot(&d)
+        let transverse = d * x.dot(&e) - e * x.dot(&d) + self.d * dx.dot(&e)
+            - self.e * dx.dot(&d)
             - (self.d * x.dot(&e) - self.e * x.dot(&d)) * (area / self.area);
         transverse / self.area + dx * along + x * of_along
     }

@@ -1,3 +1,6 @@
+use ancf_mechanics::constraints::{BilinearMeasure, TwistAngle};
+use ancf_mechanics::forces::SwingSpring;
+use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -44,11 +47,12 @@ impl JointKind for Bushing {
     }
 
     fn build(&self, builder: &mut JointBuilder<'_>) {
-        for (k, measure) in measures::bushing(builder.a(), builder.b()).into_iter().enumerate() {
-            if self.stiffness[k] > 0.0 || self.damping[k] > 0.0 {
+        for (k, measure) in measures::displacements(builder.a(), builder.b()).into_iter().enumerate() {
+            if self.acts(k) {
                 builder.spring(measure, self.stiffness[k], self.damping[k]);
             }
         }
+        self.build_rotation(builder);
     }
 
     fn needs(&self) -> [Option<(Capability, &'static str)>; 2] {
@@ -57,5 +61,39 @@ impl JointKind for Bushing {
 
     fn symbol(&self) -> JointSymbol {
         JointSymbol::Line("bushing")
+    }
+}
+
+impl Bushing {
+    /// True if there is a spring or a damper along or about an axis.
+    fn acts(&self, k: usize) -> bool {
+        self.stiffness[k] > 0.0 || self.damping[k] > 0.0
+    }
+
+    /// Number of the axis of twist: the one with the least stiffness against rotation, and of equal ones the first.
+    fn twist_axis(&self) -> usize {
+        let [x, y, z]: [f64; 3] = [3, 4, 5].map(|k| self.stiffness[k]);
+        if x <= y && x <= z { 0 } else { 1 + usize::from(z < y) }
+    }
+
+    /// Adds springs and dampers of the twist about one axis and of its swing about the other two.
+    fn build_rotation(&self, builder: &mut JointBuilder<'_>) {
+        let (a, b, axis) = (builder.a(), builder.b(), self.twist_axis());
+        let numbers = [0, 1, 2].map(|k| (axis + k) % 3);
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let [e, u, v] = numbers.map(|k| axes[k]);
+        let [twist, swing @ ..] = numbers.map(|k| k + 3);
+        if self.acts(twist) {
+            let (own, multiplier) = (builder.coordinate(), builder.multipliers(1));
+            let directions = [a, b].map(|end| [u, v].map(|axis| end.direction(axis)));
+            let [own_directions, other_directions] = directions;
+            builder.add(TwistAngle::new(own, own_directions, other_directions, multiplier));
+            let measure = BilinearMeasure::coordinate(own);
+            builder.spring(measure, self.stiffness[twist], self.damping[twist]);
+        }
+        if swing.iter().any(|&k| self.acts(k)) {
+            let [stiffness, damping] = [self.stiffness, self.damping].map(|all| swing.map(|k| all[k]));
+            builder.add(SwingSpring::new(measures::swing(a, b, [e, u, v]), stiffness, damping));
+        }
     }
 }

@@ -80,8 +80,7 @@ fn clamp_section(builder: &mut JointBuilder<'_>, frame: &SectionFrame, other: &A
     let name = "normal of the section";
     builder.keep_where(name, sum(&[(1.0, &d, &x)]), &sum(&[(1.0, &normal, &x)]));
     builder.prescribe(name, sum(&[(1.0, &e, &x)]), MeasureTarget::NONE);
-    let (rotation, positive) =
-        (sum(&[(w_y, &d, &z), (-w_z, &e, &y)]), sum(&[(w_y, &d, &y), (w_z, &e, &z)]));
+    let (rotation, positive) = (sum(&[(w_y, &d, &z), (-w_z, &e, &y)]), sum(&[(w_y, &d, &y), (w_z, &e, &z)]));
     builder.keep_where("rotation about the normal", rotation, &positive);
 }
 

@@ -92,25 +92,14 @@ pub(crate) fn half_square(a: &Attachment, b: &Attachment) -> (BilinearMeasure, f
     )
 }
 
-/// Deformation of a bushing: b_i·(r_a − r_b), and ψ_k = ½ (a_i·b_j − a_j·b_i), the sine of a rotation about axis k.
-pub(crate) fn bushing(a: &Attachment, b: &Attachment) -> [BilinearMeasure; 6] {
-    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-    let apart = apart(a, b);
-    let ([own, other], axis) = ([a, b].map(|end| axes.map(|axis| end.direction(axis))), |k: usize| k % 3);
-    std::array::from_fn(|k| {
-        if k < 3 {
-            return BilinearMeasure::new([(
-                1.0,
-                MeasureFactor::Other(&other[k]),
-                MeasureFactor::Point(&apart),
-            )]);
-        }
-        let (i, j) = (axis(k + 1), axis(k + 2));
-        BilinearMeasure::new([
-            (0.5, MeasureFactor::Direction(&own[i]), MeasureFactor::Other(&other[j])),
-            (-0.5, MeasureFactor::Direction(&own[j]), MeasureFactor::Other(&other[i])),
-        ])
-    })
+/// b_i·(r_a − r_b): displacements of a bushing.
+pub(crate) fn displacements(a: &Attachment, b: &Attachment) -> [BilinearMeasure; 3] {
+    [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| along(a, b, axis))
+}
+
+/// x·e, x·u and x·v of the axis x = e of a and the axes e, u, v of b.
+pub(crate) fn swing(a: &Attachment, b: &Attachment, [e, u, v]: [Vector3<f64>; 3]) -> [BilinearMeasure; 3] {
+    [e, u, v].map(|axis| angle(a, b, e, axis))
 }
 
 /// p of a, and u, v of b across an axis, u along p in the reference state: the angle about the axis is that from u to p.

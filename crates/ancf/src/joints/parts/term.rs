@@ -1,8 +1,8 @@
 use ancf_mechanics::constraints::{
     CoincidenceConstraint, ConstantAngle, HingeAngle, MeasureConstraint, RotationDrive, SectionDrive,
-    SlideConstraint, Wrench,
+    SlideConstraint, TwistAngle, Wrench,
 };
-use ancf_mechanics::forces::{Friction, Spring, Strut};
+use ancf_mechanics::forces::{Friction, Spring, Strut, SwingSpring};
 use ancf_solver::equations::{State, Term};
 
 /// Term of a joint: a constraint or a force with a reaction.
@@ -28,4 +28,4 @@ macro_rules! joint_terms {
     };
 }
 
-joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, MeasureConstraint }
+joint_terms! { HingeAngle, CoincidenceConstraint, RotationDrive, SectionDrive, Friction, ConstantAngle, SlideConstraint, Spring, Strut, SwingSpring, TwistAngle, MeasureConstraint }

@@ -86,7 +86,12 @@ impl<'a> LoadBuilder<'a> {
     }
 
     /// Adds a force of constant direction at a point.
-    pub fn force(&mut self, point: impl Into<BodyVector>, force: impl Into<Vector3<f64>>, function: Function) {
+    pub fn force(
+        &mut self,
+        point: impl Into<BodyVector>,
+        force: impl Into<Vector3<f64>>,
+        function: Function,
+    ) {
         self.add(Force::varying(point, force.into(), function));
     }
 

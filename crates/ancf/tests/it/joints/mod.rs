@@ -7,5 +7,6 @@ mod kinds;
 mod mechanisms;
 mod overconstrained;
 mod redundancy;
+mod section_compliance;
 mod sliding;
 mod springs;

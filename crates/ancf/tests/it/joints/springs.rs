@@ -46,26 +46,62 @@ joints = [{{ kind = "spring", name = "rope", a = {{ body = "bob", at = "center" 
     assert!((longest - 1.0 - stretch).abs() < 2e-4, "{longest} for {}", 1.0 + stretch);
 }
 
-/// Displacement F/k; rotation φ under a large moment M with k ½ sin 2φ = M.
+/// Displacement F/k; rotation M/k about each axis, which may be large.
 #[test]
 fn bushing_deflects_by_its_stiffness() {
-    let loaded = |moment: f64| {
+    let loaded = |moment: [f64; 3]| {
         let keys =
             "kind = \"bushing\"\nstiffness = [100, 200, 300, 10, 20, 30]\ndamping = [1, 1, 1, 1, 1, 1]\n";
         let loads = format!(
-            "[[loads]]\nkind = \"moment\"\non = {{ body = \"body\", at = \"center\" }}\nmoment = [0, 0, {moment}]\n"
+            "[[loads]]\nkind = \"moment\"\non = {{ body = \"body\", at = \"center\" }}\nmoment = {moment:?}\n"
         );
         Run::of(&parse(&(jointed_body(keys) + &loads + STATICS)))
     };
-    let turned = loaded(9.0);
-    let angle = 2.0 * turned.last("center.e0").acos();
-    assert!((30.0 * 0.5 * (2.0 * angle).sin() - 9.0).abs() < 1e-6, "{angle}");
-    assert!((turned.last("joint.mz") + 9.0).abs() < 1e-6);
+    // Twist about x by more than half a turn; swing about y and z by more than a right angle.
+    for (axis, moment, stiffness) in
+        [(0, 38.0, 10.0), (0, -9.0, 10.0), (1, 33.0, 20.0), (2, 9.0, 30.0), (2, -70.0, 30.0)]
+    {
+        let mut vector = [0.0; 3];
+        vector[axis] = moment;
+        let turned = loaded(vector);
+        let angle: f64 = moment / stiffness;
+        let found = [turned.last("center.e0"), turned.last(["center.e1", "center.e2", "center.e3"][axis])];
+        let sign = (0.5 * angle).cos().signum();
+        let expected = [sign * (0.5 * angle).cos(), sign * (0.5 * angle).sin()];
+        let error = (found[0] - expected[0]).abs() + (found[1] - expected[1]).abs();
+        assert!(error < 1e-6, "axis {axis}, {moment}: {found:?} for {expected:?}");
+        let reaction = turned.last(["joint.mx", "joint.my", "joint.mz"][axis]);
+        assert!((reaction + moment).abs() < 1e-6, "axis {axis}, {moment}: {reaction}");
+    }
     let keys = "kind = \"bushing\"\nstiffness = [100, 200, 300, 1e6, 1e6, 1e6]\n";
     let run = Run::of(&parse(&(String::from("gravity = [1, 2, 3]\n") + &jointed_body(keys) + STATICS)));
     for (axis, start, expected) in [("x", 0.4, 0.02), ("y", 0.1, 0.02), ("z", -0.2, 0.02)] {
         let moved = run.last(&format!("center.{axis}")) - start;
         assert!((moved - expected).abs() < 1e-4, "{axis}: {moved}");
+    }
+}
+
+/// The stiffness against tilting does not depend on the twist: a rotor on a bushing that is free about its axis keeps its sag
+/// m g (1/k + l²/c) and its spin through more than a turn.
+#[test]
+fn bushing_carries_a_rotor_at_all_angles() {
+    let run = Run::of(&parse(
+        r#"
+gravity = [0, 0, -10]
+bodies = [{ kind = "rigid", name = "rotor", center = [0.12, 0, 0], mass = 1.5, inertia = [0.002, 0.001, 0.001], motion = { spin = [6, 0, 0] } }]
+joints = [{ kind = "bushing", name = "mount", a = { body = "rotor", at = [0, 0, 0] }, stiffness = [1e5, 1e5, 1e5, 0, 2e3, 2e3], damping = [10, 10, 10, 0, 2, 2] }]
+probes = [{ name = "c", on = { body = "rotor", at = "center" }, record = ["motion", "rotation"] }]
+[analysis]
+kind = "dynamics"
+duration = 1.4
+step = 1e-3
+scheme = { spectral_radius = 0.8 }
+"#,
+    ));
+    let sag = 15.0 * (1.0 / 1e5 + 0.12 * 0.12 / 2e3);
+    for (t, (z, spin)) in run.column("t").iter().zip(run.column("c.z").iter().zip(run.column("c.wx"))) {
+        assert!(z.abs() < 2.0 * sag && (spin - 6.0).abs() < 0.06, "{z}, {spin} at {t}");
+        assert!(*t < 1.0 || (z + sag).abs() < 0.02 * sag, "{z} for {sag} at {t}");
     }
 }
 

@@ -3,9 +3,11 @@
 use ancf::mechanics::bodies::BeamMesh;
 use ancf::mechanics::constraints::{
     BilinearMeasure, CoincidenceConstraint, HingeAngle, MeasureConstraint, MeasureFactor, MeasureTarget,
-    SectionDrive, SlideConstraint,
+    SectionDrive, SlideConstraint, TwistAngle,
 };
-use ancf::mechanics::forces::{ExternalForce, FollowerForce, Force, Friction, Moment, Spring, Strut};
+use ancf::mechanics::forces::{
+    ExternalForce, FollowerForce, Force, Friction, Moment, Spring, Strut, SwingSpring,
+};
 use ancf::mechanics::functions::{ForceFunction, Function};
 use ancf::mechanics::kinematics::{BodyVector, SectionFrame};
 use ancf::solver::equations::Term;
@@ -40,7 +42,7 @@ type Case = (&'static str, Box<dyn Term>, TermKind);
 pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let (fa, fb) = (frame(a, 0.31), frame(b, 0.9));
     let axes = [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.48, 0.8, -0.36), Vector3::new(-0.64, 0.6, 0.48)];
-    let [p, _, normal] = axes.map(|x| BodyVector::turned(&fa, x));
+    let [p, q, normal] = axes.map(|x| BodyVector::turned(&fa, x));
     let [u, v, w] = axes.map(|x| BodyVector::turned(&fb, x));
     let (point, other) = (arm(a, &fa, 0.31), arm(b, &fb, 0.9));
     let apart = BodyVector::combined([(1.0, &point), (-1.0, &other)]);
@@ -49,6 +51,11 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     let along = || BilinearMeasure::new([(1.0, MeasureFactor::Other(&w), MeasureFactor::Point(&apart))]);
     let row = BilinearMeasure::new([(0.7, MeasureFactor::Direction(&d), MeasureFactor::Other(&v))]);
     let positive = BilinearMeasure::new([(1.0, MeasureFactor::Direction(&normal), MeasureFactor::Other(&w))]);
+    let swing = || {
+        [&u, &v, &w].map(|axis| {
+            BilinearMeasure::new([(1.0, MeasureFactor::Direction(&p), MeasureFactor::Other(axis))])
+        })
+    };
     let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
     let slide = SlideConstraint::along(a.element_axes(), &other, OWN, 0.31, 5).swap_remove(0);
     let force = Vector3::new(0.3, -2.0, 0.7);
@@ -72,6 +79,17 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
         ("frames: damped spring", Box::new(Spring::new(along(), 2.0, 0.3)), TermKind::Damped),
         ("frames: friction", Box::new(Friction::new(turn(), 0.4, 0.9)), TermKind::Damped),
         ("frames: strut", Box::new(Strut::new(&point, &other, 2.0, 0.7, 0.0).unstressed()), TermKind::Damped),
+        (
+            "frames: twist",
+            Box::new(TwistAngle::new(OWN, [p.clone(), q.clone()], [u.clone(), v.clone()], 5)),
+            TermKind::Smooth,
+        ),
+        ("frames: swing", Box::new(SwingSpring::new(swing(), [2.0, 0.7], [0.0; 2])), TermKind::Smooth),
+        (
+            "frames: damped swing",
+            Box::new(SwingSpring::new(swing(), [2.0, 0.7], [0.3, 0.2])),
+            TermKind::Damped,
+        ),
         ("frames: slide", Box::new(slide), TermKind::Smooth),
         ("frames: force", Box::new(Force::new(&point, force)), TermKind::Smooth),
         ("frames: moment", Box::new(Moment::new(&fa, force, Function::ONE)), TermKind::NonConservative),

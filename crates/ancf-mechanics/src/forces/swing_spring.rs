@@ -1,0 +1,245 @@
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Term, Weights};
+
+use crate::constraints::{BilinearMeasure, Wrench, add_outer};
+
+/// Springs and parallel dampers that resist the swing of an axis x of one body from an axis e of another one.
+///
+/// The swing is the vector s = β c/|c|, c = e × x, of the smallest rotation that takes e to x, with the angle β between
+/// them. In directions u, v = e × u of the other body: s_u = −f(C) x·v, s_v = f(C) x·u, C = x·e, f = β/sin β. A rotation
+/// of either body about its own axis has no effect on |s|. U = ½ (k_u s_u² + k_v s_v²); the dampers dissipate
+/// d_u ṡ_u² + d_v ṡ_v². The swing is regular below half a turn. A larger one is inadmissible.
+///
+/// The derivative of the damper forces by q is not symmetric. The tangent contains its symmetric part.
+///
+/// Units: stiffness moment/radian, damping moment × time/radian.
+#[derive(Clone, Debug)]
+pub struct SwingSpring {
+    global: [BilinearMeasure; 3],
+    /// x·e, x·u and x·v.
+    measures: [BilinearMeasure; 3],
+    coordinates: Vec<usize>,
+    stiffness: [f64; 2],
+    damping: [f64; 2],
+}
+
+/// Products whose sign and number give s_u and s_v.
+const PARTS: [(usize, f64); 2] = [(2, -1.0), (1, 1.0)];
+/// 1 + C at which the swing counts as half a turn.
+const HALF_TURN: f64 = 1e-6;
+
+/// Component of the swing with its derivatives by the products C and m.
+#[derive(Clone, Copy)]
+struct Component {
+    /// Number of the product m.
+    part: usize,
+    value: f64,
+    /// Derivatives by C and m, and by C, C and C, m.
+    by: [f64; 2],
+    second: [f64; 2],
+    /// Rate, and generalised force k s + d ṡ.
+    rate: f64,
+    force: f64,
+}
+
+/// Returns f = β/sin β and its first two derivatives by C = cos β, for h = 1 − C.
+///
+/// (1 − C²) f' = C f − 1 and (1 − C²) f'' = f + 3 C f'. For small h: f = Σ aₙ hⁿ, aₙ₊₁ = aₙ (n + 1)/(2n + 3).
+fn ratio(h: f64) -> [f64; 3] {
+    if h.abs() < 0.1 {
+        let (mut f, mut a, mut power) = ([0.0; 3], 1.0, 1.0);
+        let (mut before, mut twice) = (0.0, 0.0);
+        for n in 0..16 {
+            let order = f64::from(n);
+            f[0] += a * power;
+            f[1] -= a * order * before;
+            f[2] += a * order * (order - 1.0) * twice;
+            (twice, before, power) = (before, power, power * h);
+            a *= (order + 1.0) / (2.0 * order + 3.0);
+        }
+        return f;
+    }
+    let (c, square) = (1.0 - h, h * (2.0 - h));
+    let f = square.max(0.0).sqrt().atan2(c) / square.sqrt();
+    let slope = (c * f - 1.0) / square;
+    [f, slope, (f + 3.0 * c * slope) / square]
+}
+
+impl SwingSpring {
+    /// Creates springs and dampers about u and v from the products x·e, x·u and x·v, which are 1, 0 and 0 in the reference
+    /// state.
+    pub fn new(products: [BilinearMeasure; 3], stiffness: [f64; 2], damping: [f64; 2]) -> Self {
+        let mut coordinates: Vec<usize> = products.iter().flat_map(BilinearMeasure::coordinates).collect();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        let measures = products.each_ref().map(|product| product.within(&coordinates));
+        Self { global: products, measures, coordinates, stiffness, damping }
+    }
+
+    fn components(&self, measures: &[BilinearMeasure; 3], q: &[f64], v: &[f64]) -> [Component; 2] {
+        let [of_c, of_u, of_v] = measures.each_ref().map(|measure| measure.change(q));
+        let rates = measures.each_ref().map(|measure| measure.slope(q, v));
+        let [f, slope, curvature] = ratio(-of_c);
+        let products = [of_c, of_u, of_v];
+        [0, 1].map(|k| {
+            let (part, sign) = PARTS[k];
+            let (m, by) = (products[part], [sign * slope * products[part], sign * f]);
+            let (value, rate) = (sign * f * m, by[0] * rates[0] + by[1] * rates[part]);
+            let force = self.stiffness[k] * value + self.damping[k] * rate;
+            Component { part, value, by, second: [sign * curvature * m, sign * slope], rate, force }
+        })
+    }
+
+    fn now(&self, at: &Local<'_>) -> [Component; 2] {
+        self.components(&self.measures, at.q, at.v)
+    }
+
+    /// Returns the generalised forces on the products.
+    fn forces(components: &[Component; 2]) -> [f64; 3] {
+        let mut forces = [0.0; 3];
+        for Component { part, by, force, .. } in components {
+            forces[0] += force * by[0];
+            forces[*part] += force * by[1];
+        }
+        forces
+    }
+
+    /// Returns the force and moment on the body of x.
+    pub fn reaction(&self, s: &State) -> Wrench {
+        let forces = Self::forces(&self.components(&self.global, &s.q, &s.v));
+        self.global.iter().zip(forces).map(|(measure, force)| measure.wrench(s, -force)).fold(
+            Wrench::default(),
+            |sum, part| Wrench { force: sum.force + part.force, moment: sum.moment + part.moment },
+        )
+    }
+
+    fn gradients(&self, q: &[f64]) -> [[f64; LOCAL]; 3] {
+        self.measures.each_ref().map(|measure| {
+            let mut gradient = [0.0; LOCAL];
+            measure.add_gradient(q, 1.0, &mut gradient[..q.len()]);
+            gradient
+        })
+    }
+
+    /// Adds f times the second derivative of a component.
+    fn add_curvature(
+        &self,
+        q: &[f64],
+        gradients: &[[f64; LOCAL]; 3],
+        Component { part, by, second, .. }: &Component,
+        f: f64,
+        k: &mut LocalMatrix<'_>,
+    ) {
+        let n = q.len();
+        add_outer(&gradients[0], &gradients[0], f * second[0], n, k);
+        add_outer(&gradients[0], &gradients[*part], 2.0 * f * second[1], n, k);
+        self.measures[0].add_curvature(q, f * by[0], k);
+        self.measures[*part].add_curvature(q, f * by[1], k);
+    }
+}
+
+/// Returns α x + β y.
+fn sum(alpha: f64, x: &[f64; LOCAL], beta: f64, y: &[f64; LOCAL]) -> [f64; LOCAL] {
+    std::array::from_fn(|i| alpha * x[i] + beta * y[i])
+}
+
+impl Term for SwingSpring {
+    fn coordinates(&self) -> &[usize] {
+        &self.coordinates
+    }
+
+    fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
+        for (measure, force) in self.measures.iter().zip(Self::forces(&self.now(at))) {
+            measure.add_gradient(at.q, force, r);
+        }
+    }
+
+    fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
+        let (n, components, gradients) = (at.q.len(), self.now(at), self.gradients(at.q));
+        let forces = Self::forces(&components);
+        let mut errors = [[0.0; 2]; 3];
+        for (i, (measure, force)) in self.measures.iter().zip(forces).enumerate() {
+            let mut of_rate = [0.0; LOCAL];
+            let change = measure.add_rounding(at.q, force, floor);
+            measure.add_rounding(at.q, 1.0, &mut of_rate[..n]);
+            let slope =
+                (0..n).map(|j| (of_rate[j] + f64::EPSILON * gradients[i][j].abs()) * at.v[j].abs()).sum();
+            errors[i] = [change, slope];
+        }
+        for (k, Component { part, by, second, force, rate, .. }) in components.iter().enumerate() {
+            let along = |of: usize| by[0].abs() * errors[0][of] + by[1].abs() * errors[*part][of];
+            let turning = second[0].abs() * errors[0][0]
+                + second[1].abs() * (errors[0][0] + errors[*part][0])
+                + f64::EPSILON * (by[0].abs() + by[1].abs());
+            let of_rate = along(1) + turning * rate.abs() / by[1].abs();
+            let of_force = self.stiffness[k] * along(0) + self.damping[k] * of_rate;
+            for i in 0..n {
+                let size = gradients[0][i].abs() + gradients[*part][i].abs();
+                floor[i] += 4.0 * (of_force * (by[0].abs() + by[1].abs()) + turning * force.abs()) * size;
+            }
+        }
+    }
+
+    fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (n, gradients) = (at.q.len(), self.gradients(at.q));
+        let rates = self.measures.each_ref().map(|measure| measure.slope(at.q, at.v));
+        for (i, component) in self.now(at).iter().enumerate() {
+            let Component { part, by, second, force, .. } = *component;
+            let slope = sum(by[0], &gradients[0], by[1], &gradients[part]);
+            add_outer(&slope, &slope, w.q * self.stiffness[i] + w.v * self.damping[i], n, k);
+            self.add_curvature(at.q, &gradients, component, w.q * force, k);
+            if self.damping[i] > 0.0 {
+                let of_c = second[0] * rates[0] + second[1] * rates[part];
+                let mut turned = sum(of_c, &gradients[0], second[1] * rates[0], &gradients[part]);
+                self.measures[0].add_gradient_slope(at.q, at.v, by[0], &mut turned[..n]);
+                self.measures[part].add_gradient_slope(at.q, at.v, by[1], &mut turned[..n]);
+                add_outer(&slope, &turned, w.q * self.damping[i], n, k);
+            }
+        }
+    }
+
+    fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {
+        let gradients = self.gradients(at.q);
+        let moved = self.measures.each_ref().map(|measure| measure.slope(at.q, by.q));
+        for (i, component) in self.now(at).iter().enumerate() {
+            let turn = component.by[0] * moved[0] + component.by[1] * moved[component.part];
+            self.add_curvature(at.q, &gradients, component, self.stiffness[i] * turn, k);
+        }
+    }
+
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        2.0 + self.measures[0].change(at.q) > HALF_TURN
+    }
+
+    fn energy(&self, at: &Local<'_>) -> Energy {
+        let components = self.now(at);
+        let strain = (0..2).map(|k| 0.5 * self.stiffness[k] * components[k].value.powi(2)).sum();
+        Energy { strain, ..Energy::default() }
+    }
+
+    fn power(&self, at: &Local<'_>) -> Power {
+        let components = self.now(at);
+        let dissipation = (0..2).map(|k| self.damping[k] * components[k].rate.powi(2)).sum();
+        Power { work: 0.0, dissipation }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ratio;
+
+    /// Closed form and series agree where they meet; f(cos β) sin β = β.
+    #[test]
+    fn ratio_is_the_angle_over_its_sine() {
+        for angle in [1e-9_f64, 1e-3, 0.2, 0.44, 0.46, 1.0, 2.0, 3.1] {
+            let h = 2.0 * (0.5 * angle).sin().powi(2);
+            assert!((ratio(h)[0] * angle.sin() - angle).abs() < 1e-14 * angle * (1.0 + 1.0 / (3.15 - angle)));
+        }
+        for h in [0.01, 0.0999, 0.1001, 0.5, 1.7] {
+            let step = 1e-4;
+            let differences = [0, 1].map(|k| -(ratio(h + step)[k] - ratio(h - step)[k]) / (2.0 * step));
+            for (found, expected) in differences.iter().zip(&ratio(h)[1..]) {
+                assert!((found - expected).abs() < 1e-6 * (1.0 + expected.abs()), "{h}: {found} {expected}");
+            }
+        }
+    }
+}

@@ -129,7 +129,9 @@ impl Term for ExternalForce {
             self.add_turning(at, &(by_velocity * w.q), k);
         }
         self.point.add_quadratic(at.q, &-slope, k);
-        self.point.add_curvature(at.q, self.force(at, self.motion(at)) * -w.q, k);
+        if !self.point.is_linear() {
+            self.point.add_curvature(at.q, self.force(at, self.motion(at)) * -w.q, k);
+        }
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {

@@ -54,7 +54,9 @@ impl Term for FollowerForce {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let factor = -w.q * self.factor(at);
         self.point.add_product(&self.force, at.q, 0.5 * factor, k);
-        self.point.add_curvature(at.q, self.force(at) * factor, k);
+        if !self.point.is_linear() {
+            self.point.add_curvature(at.q, self.force(at) * factor, k);
+        }
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {

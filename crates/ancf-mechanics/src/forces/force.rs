@@ -56,7 +56,9 @@ impl Term for Force {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        self.point.add_curvature(at.q, self.now(at) * -w.q, k);
+        if !self.point.is_linear() {
+            self.point.add_curvature(at.q, self.now(at) * -w.q, k);
+        }
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -19,7 +19,7 @@ pub enum SolveFailure {
     Stagnated,
     /// A term does not admit the solution.
     #[error(
-        "the solution is inadmissible: an element is inverted, a slider leaves its beam, or the ends of a spring coincide"
+        "the solution is inadmissible: an element is inverted, a slider leaves its beam, the ends of a spring coincide, or a joint is half a turn from its place"
     )]
     Inverted,
     /// The number of turns of a joint angle is ambiguous.

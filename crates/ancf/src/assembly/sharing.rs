@@ -24,6 +24,16 @@ impl Assembly {
         wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
     }
 
+    /// Joint equations that depend on others in the reference state and contradict them in a state.
+    ///
+    /// Equations of driven sections rotate with time. Two that differ are then no longer dependent.
+    pub(crate) fn contradicting_since_rest(&self, s: &State) -> Vec<Redundant> {
+        let constraints = self.constraints();
+        let found = constraints.dependences(&self.rest(), REDUNDANCY_TOLERANCE);
+        let wrong = constraints.contradictions(&found, None, std::iter::once(s.clone()));
+        wrong.into_iter().filter_map(|dependence| constraints.describe(dependence)).collect()
+    }
+
     /// Nonlinear joint equations that separate from the equations on which they depend after a state. Linear ones are found by
     /// [`contradicting`](Self::contradicting). The state is a solution except for its time.
     pub(crate) fn parting(&self, s: &State) -> Vec<Redundant> {

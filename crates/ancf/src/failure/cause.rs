@@ -66,6 +66,7 @@ fn joints(assembly: &Assembly, from: &State, there: &State, error: &SolveError) 
     };
     let wrong = assembly.contradicting(there);
     let wrong = if wrong.is_empty() { assembly.parting(there) } else { wrong };
+    let wrong = if wrong.is_empty() { assembly.contradicting_since_rest(there) } else { wrong };
     if !wrong.is_empty() {
         return cause("joints contradict each other", &wrong, FOR_CONTRADICTIONS);
     }

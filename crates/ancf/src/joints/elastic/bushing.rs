@@ -20,7 +20,8 @@ pub struct Bushing {
     /// Second end, to which the axes are fixed; the ground by default. The axes are initially parallel to the global axes.
     #[serde(default)]
     pub b: End,
-    /// Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
+    /// Stiffnesses along x, y, z, force/length, and about x, y, z, force length. The rotation is a twist about the axis of least
+    /// stiffness, of any number of turns, and a swing of this axis. The moments are linear in it.
     #[unit([force / length; 3], [force * length / radian; 3])]
     pub stiffness: [f64; 6],
     /// Dampings along x, y, z, force time/length, and about x, y, z, force length time; none by default.

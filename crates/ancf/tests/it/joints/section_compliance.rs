@@ -59,7 +59,7 @@ impl<'a> Rod<'a> {
             "materials.m = {{ density = 900, young = {YOUNG}, poisson = {poisson} }}\nsections.s = {section}\n\
              bodies = [{bodies}]\njoints = [{joints}]\nloads = [{loads}]\n\
              probes = [{{ name = \"tip\", on = {{ body = \"arm\", at = \"end\" }}, record = [\"motion\", \"rotation\"] }}]\n\
-             [analysis]\nkind = \"statics\"\nstop = {{ rule = \"energy\", tolerance = 1e-13 }}\n"
+             [analysis]\nkind = \"statics\"\nstop = {{ rule = \"energy\", tolerance = 1e-10 }}\n"
         )))
     }
 

@@ -156,8 +156,7 @@ impl Frame {
     }
 
     fn six(&self, x: [f64; 6]) -> Option<[f64; 6]> {
-        let ([a, b, c], [d, e, f]) =
-            (self.diagonal([x[0], x[1], x[2]])?, self.diagonal([x[3], x[4], x[5]])?);
+        let ([a, b, c], [d, e, f]) = (self.diagonal([x[0], x[1], x[2]])?, self.diagonal([x[3], x[4], x[5]])?);
         Some([a, b, c, d, e, f])
     }
 
@@ -184,7 +183,8 @@ impl Frame {
             }
             Load::DistributedForce(load) => {
                 let follower = load.follower;
-                let map = |x: [f64; 3]| if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) };
+                let map =
+                    |x: [f64; 3]| if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) };
                 load.force = map(load.force);
                 load.force_end = load.force_end.map(map);
             }

@@ -268,7 +268,13 @@ impl Newton {
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= REMAINDER * wanted {
-                    return ControlFlow::Break(Ok(progress.report));
+                    // Without forces the energy is zero, whatever the gaps of the constraints.
+                    let is_complete = size > 0.0 || self.excess(eom, s).1 <= FLOOR;
+                    return if is_complete {
+                        ControlFlow::Break(Ok(progress.report))
+                    } else {
+                        ControlFlow::Continue(())
+                    };
                 }
                 if !self.tangent.plan_iteration(REMAINDER * wanted / size) {
                     return ControlFlow::Break(Err(SolveFailure::Stagnated));

@@ -1,4 +1,6 @@
 //! Random models of a fixed seed, and the models of earlier findings.
+// For Clippy, which permits `unwrap` in the helper functions of test code only.
+#![cfg(test)]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -76,7 +76,7 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Opt
             let spread = case.spread(column, neighbour, row);
             let tolerance = own_size(column, size, row) * case.tolerance(relative) + NEIGHBOUR * spread;
             let excess = (a - b).abs() / tolerance;
-            if !(excess <= worst.as_ref().map_or(1.0, |worst| worst.excess)) {
+            if excess.is_nan() || excess > worst.as_ref().map_or(1.0, |worst| worst.excess) {
                 let values = format!("row {row}: {a:e} / {b:e}, tolerance {tolerance:.1e} of {size:.1e}");
                 worst = Some(Finding { law, quantity: column.name.clone(), values, excess });
             }

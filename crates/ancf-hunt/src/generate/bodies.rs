@@ -155,7 +155,7 @@ fn beam(draft: &mut Draft, name: String, kind: Kind, start: Vector3<f64>) -> Vec
     draft.bodies.push(data);
     let spot = |at: Value, point, is_end| Spot { body: name.clone(), kind, at, point, is_end };
     let mut spots = vec![spot(json!("start"), start, true), spot(json!("end"), end, true)];
-    if is_straight && elements % 2 == 0 {
+    if is_straight && elements.is_multiple_of(2) {
         spots.push(spot(json!("center"), start + 0.5 * (end - start), false));
     }
     spots

@@ -95,11 +95,7 @@ fn choose(draft: &mut Draft, own: &Spot, root: Option<&Spot>, is_apart: bool) ->
 fn add_keys(draft: &mut Draft, kind: &str, joint: &mut Value) {
     let sizes = draft.sizes;
     match kind {
-        "clamp" => {
-            if draft.random.chance(0.3) {
-                joint["fix"] = "section".into();
-            }
-        }
+        "clamp" if draft.random.chance(0.3) => joint["fix"] = "section".into(),
         "revolute" | "cylindrical" => {
             joint["axis"] = list(&draft.vector(1.0));
             angle_actions(draft, kind, joint);
@@ -182,7 +178,8 @@ fn displacement_actions(draft: &mut Draft, kind: &str, joint: &mut Value) {
             joint["drive"] = json!({ "displacement": displacement, "time": draft.time(true) });
         }
         2 => {
-            joint["friction"] = json!({ "force": rounded(0.05 * sizes.force()), "speed": rounded(0.3 * sizes.length / sizes.period()) })
+            let (force, speed) = (0.05 * sizes.force(), 0.3 * sizes.length / sizes.period());
+            joint["friction"] = json!({ "force": rounded(force), "speed": rounded(speed) });
         }
         _ => {}
     }

@@ -15,7 +15,7 @@ use crate::random::Random;
 
 /// Finding with its model.
 #[derive(Clone, Debug)]
-pub struct Trophy {
+pub struct Violation {
     /// Number of the case.
     pub number: u64,
     /// Model that violates a law.
@@ -47,7 +47,7 @@ pub struct Report {
     /// Counts by law and analysis.
     pub counts: BTreeMap<(&'static str, &'static str), Counts>,
     /// All findings.
-    pub trophies: Vec<Trophy>,
+    pub violations: Vec<Violation>,
     /// Reasons of ends before the analysis was complete, with the numbers of the cases.
     pub refusals: Vec<(u64, String)>,
 }
@@ -71,6 +71,12 @@ pub fn case(seed: u64, number: u64) -> Result<Model, String> {
     model(Random::of_case(seed, number))
 }
 
+/// Random numbers of a law in a case of a hunt.
+pub fn random_of(law: &str, seed: u64, number: u64) -> Random {
+    let hash = law.bytes().fold(seed, |hash, byte| hash.wrapping_mul(31).wrapping_add(u64::from(byte)));
+    Random::of_case(hash, number)
+}
+
 /// Checks the laws for a model. A law is left out with the probability 1 − `share`.
 pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
     let mut report = Report { models: 1, ..Report::default() };
@@ -80,9 +86,10 @@ pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
     if !case.base.verdict.is_finished() {
         report.refusals.push((number, format!("{kind}: {}", case.base.verdict.reason())));
     }
-    for (k, law) in LAWS.iter().enumerate() {
-        let mut random = Random::of_case(seed ^ (k as u64 + 1), number);
-        if !random.chance(share) {
+    for law in LAWS {
+        let mut random = random_of(law.name(), seed, number);
+        let is_chosen = random.chance(share);
+        if !is_chosen {
             continue;
         }
         let result = law.check(&case, &mut random);
@@ -94,7 +101,7 @@ pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
         if let Check::Violated(finding) = result {
             let known = known::cause(&case.model, &finding);
             *if known.is_some() { &mut counts.known } else { &mut counts.new } += 1;
-            report.trophies.push(Trophy { number, model: case.model.clone(), finding, known });
+            report.violations.push(Violation { number, model: case.model.clone(), finding, known });
         }
     }
     report
@@ -105,10 +112,8 @@ pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
 /// # Errors
 /// If the generator states a model of a wrong form.
 pub fn hunt(seed: u64, numbers: std::ops::Range<u64>, share: f64) -> Result<Report, String> {
-    let reports: Result<Vec<Report>, String> = numbers
-        .into_par_iter()
-        .map(|number| Ok(check(seed, number, case(seed, number)?, share)))
-        .collect();
+    let reports: Result<Vec<Report>, String> =
+        numbers.into_par_iter().map(|number| Ok(check(seed, number, case(seed, number)?, share))).collect();
     Ok(reports?.into_iter().fold(Report::default(), Report::with))
 }
 
@@ -126,7 +131,7 @@ impl Report {
             sum.known += counts.known;
             sum.new += counts.new;
         }
-        self.trophies.extend(other.trophies);
+        self.violations.extend(other.violations);
         self.refusals.extend(other.refusals);
         self
     }
@@ -139,8 +144,8 @@ impl Report {
     }
 
     /// Findings without a known defect.
-    pub fn new_findings(&self) -> impl Iterator<Item = &Trophy> {
-        self.trophies.iter().filter(|trophy| trophy.known.is_none())
+    pub fn new_findings(&self) -> impl Iterator<Item = &Violation> {
+        self.violations.iter().filter(|violation| violation.known.is_none())
     }
 }
 

@@ -16,7 +16,10 @@ pub struct Known {
 
 /// Known defects. An entry without findings in the test is an error: remove it when the defect is mended.
 pub const KNOWN: &[Known] = &[
-    Known { name: "joints distort sections", is_cause: |model, _| model.joints.iter().any(|j| distorts(model, j)) },
+    Known {
+        name: "joints distort sections",
+        is_cause: |model, _| model.joints.iter().any(|j| distorts(model, j)),
+    },
     Known { name: "arms distort sections", is_cause: |model, _| has_arm(model) },
     Known {
         name: "frame of the section forces of cables",
@@ -24,7 +27,9 @@ pub const KNOWN: &[Known] = &[
     },
     Known {
         name: "clamps of beams at a corner distort sections",
-        is_cause: |model, finding| ["elements", "rotation", "axes"].contains(&finding.law) && has_corner(model),
+        is_cause: |model, finding| {
+            ["elements", "rotation", "axes"].contains(&finding.law) && has_corner(model)
+        },
     },
     Known {
         name: "sign of the moment of a clamp to a cable",
@@ -38,13 +43,17 @@ pub const KNOWN: &[Known] = &[
         name: "angular velocity of rigid bodies by two directors",
         is_cause: |model, finding| {
             let suffix = finding.quantity.rsplit_once('.').map_or("", |(_, suffix)| suffix);
-            let is_frame = ["rotation", "axes"].contains(&finding.law) && ["wx", "wy", "wz", "rate"].contains(&suffix);
+            let is_frame =
+                ["rotation", "axes"].contains(&finding.law) && ["wx", "wy", "wz", "rate"].contains(&suffix);
             is_frame && model.bodies.iter().any(|body| matches!(body, Body::Rigid(_)))
         },
     },
     Known {
-        name: "steps of paths",
-        is_cause: |model, finding| finding.quantity == "verdict" && matches!(model.analysis, Analysis::Path(_)),
+        name: "equilibria near rounding errors are not found",
+        is_cause: |model, finding| {
+            finding.quantity == "verdict"
+                && matches!(model.analysis, Analysis::Path(_) | Analysis::Statics(_))
+        },
     },
     Known {
         name: "critical loads of rigid bodies by rounding errors",
@@ -73,7 +82,12 @@ fn distorts(model: &Model, joint: &Joint) -> bool {
     let second = |end: &End| matches!(end, End::Place(place) if on_beam(place));
     let (a, b) = joint.ends();
     match joint {
-        Joint::Clamp(_) | Joint::Spherical(_) | Joint::Drive(_) | Joint::Distance(_) | Joint::Spring(_) | Joint::Slide(_) => false,
+        Joint::Clamp(_)
+        | Joint::Spherical(_)
+        | Joint::Drive(_)
+        | Joint::Distance(_)
+        | Joint::Spring(_)
+        | Joint::Slide(_) => false,
         Joint::PointOnLine(_) => second(b),
         _ => on_beam(a) || second(b),
     }
@@ -106,17 +120,20 @@ fn is_moment_of_cable(model: &Model, column: &str) -> bool {
     let Some((joint, suffix)) = column.rsplit_once('.') else { return false };
     let joint = model.joints.iter().find(|other| other.name() == joint);
     let bodies = joint.and_then(|joint| clamped(model, joint));
-    suffix.starts_with('m') && bodies.is_some_and(|(bodies, _)| bodies.iter().any(|body| matches!(body, Body::Cable(_))))
+    suffix.starts_with('m')
+        && bodies.is_some_and(|(bodies, _)| bodies.iter().any(|body| matches!(body, Body::Cable(_))))
 }
 
 fn has_mixed_clamp(model: &Model) -> bool {
-    let is_continuum = |body: &Body| matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Continuum);
+    let is_continuum =
+        |body: &Body| matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Continuum);
     let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
     clamps.any(|([a, b], is_default)| is_default && is_continuum(a) != is_continuum(b))
 }
 
 fn is_damped(model: &Model) -> bool {
-    let of_materials = model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
+    let of_materials =
+        model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
     let of_loads = model.loads.iter().any(|load| matches!(load, Load::Fluid(_)));
     of_materials || of_loads || !model.joints.is_empty()
 }

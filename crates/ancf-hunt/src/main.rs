@@ -1,14 +1,13 @@
 //! Program of `cargo xtask hunt`: random models, held to the same physics as their transformed twins.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs};
 
-use ancf_hunt::hunt::{Report, Trophy, case, check, hunt};
-use ancf_hunt::laws::LAWS;
-use ancf_hunt::random::Random;
-use ancf_hunt::shrink::shrink;
+use ancf_hunt::hunt::{Report, Violation, case, check, hunt};
+use ancf_hunt::shrink::{find, shrink};
 
 /// Number of models between two lines of progress.
 const PORTION: u64 = 100;
@@ -43,7 +42,7 @@ fn of_arguments(arguments: &[String]) -> Result<bool, String> {
             let report = check(seed, number, case(seed, number)?, 1.0);
             say(&report.to_string());
             report.refusals.iter().for_each(|(_, reason)| say(reason));
-            report.trophies.iter().for_each(|trophy| say(&line(trophy)));
+            report.violations.iter().for_each(|violation| say(&line(violation)));
             Ok(report.new_findings().next().is_none())
         }
         _ => of_seed(number(0, 1)?, number(1, 1000)?, arguments.get(2)),
@@ -58,12 +57,13 @@ fn of_file(path: &Path) -> Result<bool, String> {
     }
     let report = check(1, 0, model, 1.0);
     say(&report.to_string());
-    report.trophies.iter().for_each(|trophy| say(&line(trophy)));
+    report.violations.iter().for_each(|violation| say(&line(violation)));
     Ok(report.new_findings().next().is_none())
 }
 
 fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, String> {
     let mut report = Report::default();
+    let mut stored = BTreeSet::new();
     let mut first = 0;
     while first < models {
         let last = (first + PORTION).min(models);
@@ -71,10 +71,12 @@ fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, Stri
         for (number, reason) in &part.refusals {
             say(&format!("  {number}: {reason}"));
         }
-        for trophy in &part.trophies {
-            say(&line(trophy));
-            if let (Some(folder), None) = (folder, trophy.known) {
-                store(Path::new(folder), seed, trophy)?;
+        for violation in &part.violations {
+            say(&line(violation));
+            // All new findings, and the first one of each known defect.
+            let is_stored = violation.known.is_none_or(|known| stored.insert(known));
+            if let Some(folder) = folder.filter(|_| is_stored) {
+                store(Path::new(folder), seed, violation)?;
             }
         }
         say(&format!("{last} of {models} models"));
@@ -85,24 +87,27 @@ fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, Stri
     Ok(report.new_findings().next().is_none())
 }
 
-fn line(trophy: &Trophy) -> String {
-    let Trophy { number, finding, known, .. } = trophy;
+fn line(violation: &Violation) -> String {
+    let Violation { number, finding, known, .. } = violation;
     let known = known.map_or_else(String::new, |known| format!(" [{known}]"));
     format!("  {number}: {} {}: {}{known}", finding.law, finding.quantity, finding.values)
 }
 
 /// Writes the reduced model of a finding.
-fn store(folder: &Path, seed: u64, trophy: &Trophy) -> Result<(), String> {
-    let finding = &trophy.finding;
-    let index = LAWS.iter().position(|law| law.name() == finding.law).unwrap_or(0);
-    let mut random = Random::of_case(seed ^ (index as u64 + 1), trophy.number);
-    let _ = random.chance(1.0);
-    let model = shrink(&trophy.model, finding, &random);
-    let again = ancf_hunt::shrink::finding(&model, finding.law, &random).unwrap_or_else(|| finding.clone());
-    let text = format!("# law: {}\n# quantity: {}\n# values: {}\n# case: seed {seed}, number {}\n\n{}",
-        again.law, again.quantity, again.values.replace('\n', " "), trophy.number, text_of(&model)?);
+fn store(folder: &Path, seed: u64, violation: &Violation) -> Result<(), String> {
+    let finding = &violation.finding;
+    let model = shrink(&violation.model, finding, seed, violation.number);
+    let again = find(&model, finding.law, seed, violation.number).unwrap_or_else(|| finding.clone());
+    let text = format!(
+        "# law: {}\n# quantity: {}\n# values: {}\n# case: seed {seed}, number {}\n\n{}",
+        again.law,
+        again.quantity,
+        again.values.replace('\n', " "),
+        violation.number,
+        text_of(&model)?
+    );
     fs::create_dir_all(folder).map_err(|error| error.to_string())?;
-    let path = folder.join(format!("{}-{seed}-{}.toml", finding.law, trophy.number));
+    let path = folder.join(format!("{}-{seed}-{}.toml", finding.law, violation.number));
     fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))?;
     say(&format!("    {}", path.display()));
     Ok(())

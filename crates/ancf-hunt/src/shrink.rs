@@ -4,27 +4,30 @@ use ancf::Model;
 use ancf::model::{Analysis, Body, Joint, Load, Shape, Step, TimeFunction};
 
 use crate::compare::{Case, Finding};
+use crate::hunt::random_of;
 use crate::laws::{Check, LAWS};
-use crate::random::Random;
 
 /// Maximum number of attempts.
 const ATTEMPTS: usize = 400;
 
-/// Finding of a law for a model.
-pub fn finding(model: &Model, law: &str, random: &Random) -> Option<Finding> {
+/// Finding of a law for a model, with the random numbers of a case of a hunt.
+pub fn find(model: &Model, law: &str, seed: u64, number: u64) -> Option<Finding> {
     let law = LAWS.iter().find(|known| known.name() == law)?;
-    match law.check(&Case::new(model.clone()), &mut random.clone()) {
+    let mut random = random_of(law.name(), seed, number);
+    // As in a hunt, the first number is the choice of the law.
+    let _ = random.unit();
+    match law.check(&Case::new(model.clone()), &mut random) {
         Check::Violated(finding) => Some(finding),
         Check::Holds | Check::Inapplicable => None,
     }
 }
 
 /// Removes parts of a model and simplifies others while it violates the law in the same way: by its verdict, or by its values.
-pub fn shrink(model: &Model, found: &Finding, random: &Random) -> Model {
+pub fn shrink(model: &Model, found: &Finding, seed: u64, number: u64) -> Model {
     let mut small = model.clone();
     let is_verdict = found.quantity == "verdict";
     let fails = |model: &Model| {
-        finding(model, found.law, random).is_some_and(|other| (other.quantity == "verdict") == is_verdict)
+        find(model, found.law, seed, number).is_some_and(|other| (other.quantity == "verdict") == is_verdict)
     };
     let mut left = ATTEMPTS;
     loop {
@@ -122,7 +125,8 @@ fn without_body(model: &mut Model, name: &str) {
         let (a, b) = joint.ends();
         a.body == name || matches!(b, ancf::model::End::Place(place) if place.body == name)
     };
-    let gone: Vec<String> = model.joints.iter().filter(|joint| is_of(joint)).map(|joint| joint.name().to_owned()).collect();
+    let gone: Vec<String> =
+        model.joints.iter().filter(|joint| is_of(joint)).map(|joint| joint.name().to_owned()).collect();
     model.joints.retain(|joint| !is_of(joint));
     model.couplings.retain(|coupling| !coupling.joints.iter().any(|part| gone.contains(&part.joint)));
     model.bodies.retain(|body| body.name() != name);

@@ -5,8 +5,18 @@ use super::finding::Finding;
 use crate::run::{Record, Run, Verdict};
 
 /// Columns of the solution procedure, which twins do not share.
-const PROCEDURE: [&str; 10] =
-    ["iterations", "residual", "increment", "drift", "violation", "length", "slope", "limit", "mode", "unstable"];
+const PROCEDURE: [&str; 10] = [
+    "iterations",
+    "residual",
+    "increment",
+    "drift",
+    "violation",
+    "length",
+    "slope",
+    "limit",
+    "mode",
+    "unstable",
+];
 
 /// Factor between the deviation of a neighbour and the tolerance.
 const NEIGHBOUR: f64 = 1e4;
@@ -28,7 +38,13 @@ pub fn identical(law: &'static str, base: &Run, other: &Run) -> Option<Finding> 
         if a.values.len() != b.values.len() || !a.values.iter().zip(&b.values).all(is_same) {
             let row = a.values.iter().zip(&b.values).position(|pair| !is_same(pair)).unwrap_or(0);
             let value = |record: &Record| record.values.get(row).copied().unwrap_or(f64::NAN);
-            let values = format!("row {row}: {:e} / {:e}, {} / {} rows", value(a), value(b), a.values.len(), b.values.len());
+            let values = format!(
+                "row {row}: {:e} / {:e}, {} / {} rows",
+                value(a),
+                value(b),
+                a.values.len(),
+                b.values.len()
+            );
             return Some(Finding::of_kind(law, &a.name, values));
         }
     }
@@ -40,6 +56,9 @@ pub fn identical(law: &'static str, base: &Run, other: &Run) -> Option<Finding> 
 pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Option<Finding> {
     if let Some(finding) = unequal_verdicts(law, &case.base, twin) {
         return Some(finding);
+    }
+    if !case.base.verdict.is_finished() {
+        return None;
     }
     let rows = case.shared_rows(twin)?;
     let mut worst: Option<Finding> = None;
@@ -57,7 +76,7 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Opt
             let spread = case.spread(column, neighbour, row);
             let tolerance = own_size(column, size, row) * case.tolerance(relative) + NEIGHBOUR * spread;
             let excess = (a - b).abs() / tolerance;
-            if !(excess <= worst.as_ref().map_or(1.0, |worst| worst.excess)) {
+            if excess.is_nan() || excess > worst.as_ref().map_or(1.0, |worst| worst.excess) {
                 let values = format!("row {row}: {a:e} / {b:e}, tolerance {tolerance:.1e} of {size:.1e}");
                 worst = Some(Finding { law, quantity: column.name.clone(), values, excess });
             }

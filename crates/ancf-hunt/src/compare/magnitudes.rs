@@ -1,15 +1,18 @@
 use ancf::Model;
-use ancf::model::Analysis;
+use ancf::model::{Analysis, Joint};
 use ancf::units::Dimension;
 
 use crate::run::Run;
+
+/// Forces below which models of rigid bodies without weight have none.
+const NO_FORCE: f64 = 1e-3;
 
 /// Magnitudes of the quantities of a run, by dimension. Deviations are relative to them.
 #[derive(Clone, Debug)]
 pub struct Magnitudes {
     length: f64,
     duration: f64,
-    /// Axial stiffness of the stiffest body.
+    /// Axial stiffness of the stiffest body, force of the stiffest spring, or weight.
     stiffness: f64,
     largest: Vec<(Dimension, f64)>,
 }
@@ -22,6 +25,13 @@ impl Magnitudes {
             let area = model.sections.get(section)?.moments().area;
             Some(model.materials.get(material)?.young * area)
         });
+        let elastic = model.joints.iter().map(|joint| match joint {
+            Joint::Spring(spring) => spring.stiffness * model.length(),
+            Joint::Bushing(bushing) => bushing.stiffness.iter().copied().fold(0.0, f64::max) * model.length(),
+            _ => 0.0,
+        });
+        let weight = model.mass() * model.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let stiffness = axial.chain(elastic).fold(weight, f64::max).max(NO_FORCE);
         let duration = match &model.analysis {
             Analysis::Dynamics(dynamics) => dynamics.duration,
             _ => 1.0,
@@ -35,12 +45,13 @@ impl Magnitudes {
                 None => largest.push((dimension, value)),
             }
         }
-        Self { length: model.length(), duration, stiffness: axial.fold(0.0, f64::max), largest }
+        Self { length: model.length(), duration, stiffness, largest }
     }
 
     /// Magnitude of quantities of a dimension.
     pub fn of(&self, dimension: Dimension) -> f64 {
-        let largest = |of: Dimension| self.largest.iter().find(|(known, _)| *known == of).map_or(0.0, |(_, x)| *x);
+        let largest =
+            |of: Dimension| self.largest.iter().find(|(known, _)| *known == of).map_or(0.0, |(_, x)| *x);
         let rate = 0.01 / self.duration;
         let force = largest(Dimension::FORCE).max(1e-7 * self.stiffness);
         match dimension {

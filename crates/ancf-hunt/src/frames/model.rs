@@ -156,8 +156,7 @@ impl Frame {
     }
 
     fn six(&self, x: [f64; 6]) -> Option<[f64; 6]> {
-        let ([a, b, c], [d, e, f]) =
-            (self.diagonal([x[0], x[1], x[2]])?, self.diagonal([x[3], x[4], x[5]])?);
+        let ([a, b, c], [d, e, f]) = (self.diagonal([x[0], x[1], x[2]])?, self.diagonal([x[3], x[4], x[5]])?);
         Some([a, b, c, d, e, f])
     }
 
@@ -183,21 +182,28 @@ impl Frame {
                 load.moment = self.axial(load.moment);
             }
             Load::DistributedForce(load) => {
-                let follower = load.follower;
-                let map = |x: [f64; 3]| if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) };
-                load.force = map(load.force);
-                load.force_end = load.force_end.map(map);
+                load.force = self.line_force(load.force, load.follower);
+                load.force_end = load.force_end.map(|force| self.line_force(force, load.follower));
             }
             Load::DistributedMoment(load) => {
-                let (follower, s) = (load.follower, self.sign());
-                let map = |x: [f64; 3]| if follower { [x[0] * s, x[1] * s, x[2]] } else { self.axial(x) };
-                load.moment = map(load.moment);
-                load.moment_end = load.moment_end.map(map);
+                load.moment = self.line_moment(load.moment, load.follower);
+                load.moment_end = load.moment_end.map(|moment| self.line_moment(moment, load.follower));
             }
             Load::BaseAcceleration(load) => load.acceleration = self.polar(load.acceleration),
             Load::Fluid(load) => load.current = self.polar(load.current),
             Load::External(_) | Load::Custom(_) => return None,
         }
         Some(())
+    }
+
+    /// Force per length, in the frame of the section for followers. The third direction of a section is the product of the other two.
+    fn line_force(&self, x: [f64; 3], follower: bool) -> [f64; 3] {
+        if follower { [x[0], x[1], x[2] * self.sign()] } else { self.polar(x) }
+    }
+
+    /// Moment per length, in the frame of the section for followers.
+    fn line_moment(&self, x: [f64; 3], follower: bool) -> [f64; 3] {
+        let s = self.sign();
+        if follower { [x[0] * s, x[1] * s, x[2]] } else { self.axial(x) }
     }
 }

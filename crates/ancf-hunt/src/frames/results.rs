@@ -23,8 +23,11 @@ const REFLECTED: [&str; 7] = ["Qz", "T", "My", "exz", "eyz", "sxz", "syz"];
 impl Frame {
     /// Maps the results of a model in this frame back to the frame of the model. Modes have no vectors to map.
     pub fn back(&self, model: &Model, run: &mut Run) {
-        let mut owners: Vec<String> =
-            run.columns.iter().filter_map(|column| Some(column.name.rsplit_once('.')?.0.to_owned())).collect();
+        let mut owners: Vec<String> = run
+            .columns
+            .iter()
+            .filter_map(|column| Some(column.name.rsplit_once('.')?.0.to_owned()))
+            .collect();
         owners.sort();
         owners.dedup();
         let inverse = self.matrix.transpose();
@@ -46,9 +49,16 @@ impl Frame {
         }
     }
 
-    fn vector(&self, run: &mut Run, owner: &str, names: [&str; 3], map: impl Fn(Vector3<f64>) -> Vector3<f64>) {
+    fn vector(
+        &self,
+        run: &mut Run,
+        owner: &str,
+        names: [&str; 3],
+        map: impl Fn(Vector3<f64>) -> Vector3<f64>,
+    ) {
         let names = names.map(|name| format!("{owner}.{name}"));
-        let [Some(x), Some(y), Some(z)] = names.each_ref().map(|name| run.column(name).map(|c| c.values.clone()))
+        let [Some(x), Some(y), Some(z)] =
+            names.each_ref().map(|name| run.column(name).map(|c| c.values.clone()))
         else {
             return;
         };

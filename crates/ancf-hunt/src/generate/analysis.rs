@@ -22,10 +22,13 @@ pub(super) fn choose(draft: &mut Draft) -> Value {
             json!({ "kind": "path", "first": first, "largest": largest, "points": 60, "stop": stop })
         }
         Task::Modes => {
-            let about = if draft.is_free { "reference" } else { draft.random.choose(&["reference", "equilibrium"]) };
+            let about =
+                if draft.is_free { "reference" } else { draft.random.choose(&["reference", "equilibrium"]) };
             json!({ "kind": "modes", "count": 1 + draft.random.index(6), "about": about })
         }
-        Task::Buckling => json!({ "kind": "buckling", "count": 1 + draft.random.index(2), "sense": draft.random.choose(&["stated", "either"]) }),
+        Task::Buckling => {
+            json!({ "kind": "buckling", "count": 1 + draft.random.index(2), "sense": draft.random.choose(&["stated", "either"]) })
+        }
     }
 }
 

@@ -15,11 +15,14 @@ pub(super) fn add(draft: &mut Draft) {
     let lowest = draft.spots.iter().map(|spot| spot.point.z).fold(f64::INFINITY, f64::min);
     let radius = 0.5 * draft.sizes.diameter;
     let gap = draft.sizes.length * draft.random.within(0.02, 0.1);
-    let top = Vector3::new(draft.spots[0].point.x, draft.spots[0].point.y, lowest - 2.0 * radius - gap).map(rounded);
+    let top = Vector3::new(draft.spots[0].point.x, draft.spots[0].point.y, lowest - 2.0 * radius - gap)
+        .map(rounded);
     let size = rounded(draft.sizes.length * draft.random.within(0.2, 0.6));
     let with = match draft.random.index(4) {
         0 => json!({ "kind": "sphere", "center": list(&(top - Vector3::z() * size)), "radius": size }),
-        1 => json!({ "kind": "cylinder", "point": list(&(top - Vector3::z() * size)), "axis": [1.0, 0.5, 0.0], "radius": size }),
+        1 => {
+            json!({ "kind": "cylinder", "point": list(&(top - Vector3::z() * size)), "axis": [1.0, 0.5, 0.0], "radius": size })
+        }
         _ => json!({ "kind": "plane", "point": list(&top), "normal": [0.0, 0.0, 1.0] }),
     };
     let friction = draft.random.choose(&[0.0, 0.0, 0.4]);

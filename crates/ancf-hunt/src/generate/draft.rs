@@ -184,7 +184,8 @@ impl Draft {
         if self.is_static() {
             return json!(1.0);
         }
-        let smooth = json!({ "kind": "expression", "text": "t^2*(3 - 2*t)/(1 + t^2)", "unit": rounded(2.0 / end) });
+        let smooth =
+            json!({ "kind": "expression", "text": "t^2*(3 - 2*t)/(1 + t^2)", "unit": rounded(2.0 / end) });
         if is_motion {
             return smooth;
         }
@@ -192,7 +193,9 @@ impl Draft {
             0 => json!(1.0),
             1 => json!({ "kind": "sine", "frequency": rounded(0.7 / end), "phase": 0.0 }),
             2 => json!({ "kind": "ramp", "end": rounded(0.5 * end) }),
-            3 => json!({ "kind": "table", "times": [0.0, rounded(0.2 * end), rounded(0.5 * end)], "values": [0.0, 1.0, -0.5] }),
+            3 => {
+                json!({ "kind": "table", "times": [0.0, rounded(0.2 * end), rounded(0.5 * end)], "values": [0.0, 1.0, -0.5] })
+            }
             _ => smooth,
         }
     }

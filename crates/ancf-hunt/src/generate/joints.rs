@@ -29,7 +29,8 @@ pub(super) fn attach(draft: &mut Draft, own: &Spot, root: Option<&Spot>) {
         return;
     }
     // Without a common point, an arm of one of the bodies reaches the other one.
-    let on_root = root.is_none_or(|root| root.kind.has_frame()) && draft.random.chance(0.5) || !own.kind.has_frame();
+    let on_root =
+        root.is_none_or(|root| root.kind.has_frame()) && draft.random.chance(0.5) || !own.kind.has_frame();
     let at = if is_apart && !on_root { target } else { own.point };
     let mut ends = [own.place_of(&at), root.map_or(Value::Null, |root| root.place_of(&at))];
     if root.is_some() && kind != "slide" && draft.random.chance(0.5) {
@@ -60,10 +61,20 @@ fn choose(draft: &mut Draft, own: &Spot, root: Option<&Spot>, is_apart: bool) ->
     let slides = root.is_some_and(|root| matches!(root.kind, Kind::Beam | Kind::Cable) && !root.is_end);
     if !frames {
         let loose = if is_static { 0.0 } else { 1.0 };
-        return draft.random.weighted(&[(1.0, "clamp"), (loose, "spherical"), (if slides { 0.4 * loose } else { 0.0 }, "slide")]);
+        return draft.random.weighted(&[
+            (1.0, "clamp"),
+            (loose, "spherical"),
+            (if slides { 0.4 * loose } else { 0.0 }, "slide"),
+        ]);
     }
     if is_static {
-        return draft.random.weighted(&[(6.0, "clamp"), (2.0, "revolute"), (1.0, "bushing"), (0.7, "prismatic"), (0.5, "cylindrical")]);
+        return draft.random.weighted(&[
+            (6.0, "clamp"),
+            (2.0, "revolute"),
+            (1.0, "bushing"),
+            (0.7, "prismatic"),
+            (0.5, "cylindrical"),
+        ]);
     }
     draft.random.weighted(&[
         (4.0, "clamp"),
@@ -84,11 +95,7 @@ fn choose(draft: &mut Draft, own: &Spot, root: Option<&Spot>, is_apart: bool) ->
 fn add_keys(draft: &mut Draft, kind: &str, joint: &mut Value) {
     let sizes = draft.sizes;
     match kind {
-        "clamp" => {
-            if draft.random.chance(0.3) {
-                joint["fix"] = "section".into();
-            }
-        }
+        "clamp" if draft.random.chance(0.3) => joint["fix"] = "section".into(),
         "revolute" | "cylindrical" => {
             joint["axis"] = list(&draft.vector(1.0));
             angle_actions(draft, kind, joint);
@@ -112,7 +119,8 @@ fn add_keys(draft: &mut Draft, kind: &str, joint: &mut Value) {
             let isotropic = draft.random.chance(0.6);
             let factors: Vec<f64> = (0..6).map(|_| draft.random.spread(5.0, 50.0)).collect();
             let factor = |i: usize| if isotropic { factors[i / 3 * 3] } else { factors[i] };
-            let stiffness: Vec<f64> = (0..6).map(|i| rounded(factor(i) * if i < 3 { k } else { c })).collect();
+            let stiffness: Vec<f64> =
+                (0..6).map(|i| rounded(factor(i) * if i < 3 { k } else { c })).collect();
             let rate = 0.02 * sizes.period();
             joint["damping"] = stiffness.iter().map(|k| rounded(k * rate)).collect::<Vec<_>>().into();
             joint["stiffness"] = stiffness.into();
@@ -142,7 +150,8 @@ fn angle_actions(draft: &mut Draft, kind: &str, joint: &mut Value) {
         }
         1 => joint["drive"] = json!({ "angle": draft.random.within(-1.0, 1.0), "time": draft.time(true) }),
         2 if kind == "revolute" => {
-            joint["friction"] = json!({ "moment": rounded(0.05 * moment), "rate": rounded(0.3 / sizes.period()) });
+            joint["friction"] =
+                json!({ "moment": rounded(0.05 * moment), "rate": rounded(0.3 / sizes.period()) });
         }
         _ => {}
     }
@@ -161,13 +170,17 @@ fn displacement_actions(draft: &mut Draft, kind: &str, joint: &mut Value) {
         0 => {
             let stiffness = rounded(sizes.force() / sizes.length * draft.random.spread(3.0, 50.0));
             let damping = rounded(0.05 * stiffness * sizes.period());
-            joint["spring"] = json!({ "stiffness": stiffness, "damping": damping, "displacement": rounded(0.3 * reach) });
+            joint["spring"] =
+                json!({ "stiffness": stiffness, "damping": damping, "displacement": rounded(0.3 * reach) });
         }
         1 => {
             let displacement = rounded(reach * draft.random.within(-1.0, 1.0));
             joint["drive"] = json!({ "displacement": displacement, "time": draft.time(true) });
         }
-        2 => joint["friction"] = json!({ "force": rounded(0.05 * sizes.force()), "speed": rounded(0.3 * sizes.length / sizes.period()) }),
+        2 => {
+            let (force, speed) = (0.05 * sizes.force(), 0.3 * sizes.length / sizes.period());
+            joint["friction"] = json!({ "force": rounded(force), "speed": rounded(speed) });
+        }
         _ => {}
     }
 }
@@ -193,7 +206,9 @@ fn line(draft: &mut Draft, name: &str, kind: &str, a: Value, b: Value) -> Value 
 pub(super) fn close(draft: &mut Draft) {
     let spots = draft.spots.clone();
     if draft.is_static() {
-        for spot in spots.iter().filter(|spot| spot.kind == Kind::Mass || spot.kind == Kind::Cable && spot.is_end) {
+        for spot in
+            spots.iter().filter(|spot| spot.kind == Kind::Mass || spot.kind == Kind::Cable && spot.is_end)
+        {
             for _ in 0..3 {
                 to_ground(draft, "spring", spot);
             }

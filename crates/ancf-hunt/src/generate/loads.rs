@@ -21,7 +21,9 @@ pub(super) fn add(draft: &mut Draft) {
     if draft.random.chance(0.1) && !draft.is_static() {
         let acceleration = draft.vector(0.3 * draft.sizes.force() / draft.sizes.mass());
         let time = draft.time(false);
-        draft.loads.push(json!({ "kind": "base_acceleration", "acceleration": list(&acceleration), "time": time }));
+        draft
+            .loads
+            .push(json!({ "kind": "base_acceleration", "acceleration": list(&acceleration), "time": time }));
     } else if draft.random.chance(0.12) {
         fluid(draft);
     }
@@ -36,7 +38,12 @@ fn load(draft: &mut Draft, spot: &Spot) -> Value {
     let line = if spot.kind.is_flexible() { 1.0 } else { 0.0 };
     let frame = if spot.kind.has_frame() { 1.0 } else { 0.0 };
     let flexible_frame = line * frame;
-    let kinds = [(3.0, "force"), (1.5 * frame, "moment"), (1.2 * line, "distributed_force"), (0.6 * flexible_frame, "distributed_moment")];
+    let kinds = [
+        (3.0, "force"),
+        (1.5 * frame, "moment"),
+        (1.2 * line, "distributed_force"),
+        (0.6 * flexible_frame, "distributed_moment"),
+    ];
     let kind = draft.random.weighted(&kinds);
     let factor = magnitude(draft);
     let follower = spot.kind.has_frame() && draft.random.chance(0.25);
@@ -73,7 +80,12 @@ fn load(draft: &mut Draft, spot: &Spot) -> Value {
 
 /// Adds a fluid around all flexible bodies.
 fn fluid(draft: &mut Draft) {
-    let mut names: Vec<String> = draft.spots.iter().filter(|spot| spot.kind != Kind::Rigid && spot.kind != Kind::Mass).map(|spot| spot.body.clone()).collect();
+    let mut names: Vec<String> = draft
+        .spots
+        .iter()
+        .filter(|spot| spot.kind != Kind::Rigid && spot.kind != Kind::Mass)
+        .map(|spot| spot.body.clone())
+        .collect();
     names.dedup();
     if names.is_empty() {
         return;

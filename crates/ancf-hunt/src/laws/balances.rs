@@ -53,7 +53,12 @@ impl Law for Energy {
             return Check::Holds;
         }
         let values = format!("{created:.3e} created, largest energy {size:.3e}");
-        Check::Violated(Finding { law: self.name(), quantity: "balance".into(), values, excess: created / size })
+        Check::Violated(Finding {
+            law: self.name(),
+            quantity: "balance".into(),
+            values,
+            excess: created / size,
+        })
     }
 }
 
@@ -81,7 +86,12 @@ impl Law for Reactions {
             return Check::Holds;
         }
         let values = format!("sum {gap:.3e}, largest force {size:.3e}");
-        Check::Violated(Finding { law: self.name(), quantity: "force".into(), values, excess: gap / tolerance })
+        Check::Violated(Finding {
+            law: self.name(),
+            quantity: "force".into(),
+            values,
+            excess: gap / tolerance,
+        })
     }
 }
 
@@ -135,7 +145,8 @@ impl Law for Momentum {
             && !model.contacts.iter().any(|contact| !matches!(contact.with, ContactSurface::Bodies));
         let is_damped = model.materials.values().any(|material| material.damping.mass > 0.0);
         let dynamics = model.analysis.dynamics();
-        if dynamics.is_none() || !is_free || is_damped || g.norm() == 0.0 || !case.base.verdict.is_finished() {
+        if dynamics.is_none() || !is_free || is_damped || g.norm() == 0.0 || !case.base.verdict.is_finished()
+        {
             return Check::Inapplicable;
         }
         let (Some(times), Some(potential)) = (case.base.column("t"), case.base.column("potential")) else {
@@ -154,7 +165,13 @@ impl Law for Momentum {
         if worst <= case.tolerance(1e-9) * size + 1e-7 * expected.abs() {
             return Check::Holds;
         }
-        let values = format!("second difference of the potential energy off by {worst:.2e}, expected {expected:.2e}");
-        Check::Violated(Finding { law: self.name(), quantity: "potential".into(), values, excess: worst / expected.abs() })
+        let values =
+            format!("second difference of the potential energy off by {worst:.2e}, expected {expected:.2e}");
+        Check::Violated(Finding {
+            law: self.name(),
+            quantity: "potential".into(),
+            values,
+            excess: worst / expected.abs(),
+        })
     }
 }

@@ -53,8 +53,14 @@ impl Law for Steps {
         if coarse > UNRESOLVED || fine < SMALL || fine < factor * coarse {
             return Check::Holds;
         }
-        let values = format!("differences {coarse:.2e}, {fine:.2e} of the length with steps divided by 1, 2, 4");
-        Check::Violated(Finding { law: self.name(), quantity: "position".into(), values, excess: fine / coarse })
+        let values =
+            format!("differences {coarse:.2e}, {fine:.2e} of the length with steps divided by 1, 2, 4");
+        Check::Violated(Finding {
+            law: self.name(),
+            quantity: "position".into(),
+            values,
+            excess: fine / coarse,
+        })
     }
 }
 
@@ -101,8 +107,14 @@ impl Law for Elements {
         if fine < 1e-4 || fine < 0.8 * coarse {
             return Check::Holds;
         }
-        let values = format!("relative differences {coarse:.2e}, {fine:.2e} with 4, 8, 16 times the elements");
-        Check::Violated(Finding { law: self.name(), quantity: "last row".into(), values, excess: fine / coarse })
+        let values =
+            format!("relative differences {coarse:.2e}, {fine:.2e} with 4, 8, 16 times the elements");
+        Check::Violated(Finding {
+            law: self.name(),
+            quantity: "last row".into(),
+            values,
+            excess: fine / coarse,
+        })
     }
 }
 
@@ -132,7 +144,9 @@ fn last_difference([coarse, fine]: [&Run; 2], length: f64) -> f64 {
         match column.name.as_str() {
             "squared" | "factor" => {
                 let is_checked = |a: f64| column.name != "factor" || a.abs() < LARGEST_FACTOR;
-                let relative = pairs.filter(|(a, _)| is_checked(**a)).map(|(a, b)| (a - b).abs() / (a.abs() + 1e-6 * scale + f64::MIN_POSITIVE));
+                let relative = pairs
+                    .filter(|(a, _)| is_checked(**a))
+                    .map(|(a, b)| (a - b).abs() / (a.abs() + 1e-6 * scale + f64::MIN_POSITIVE));
                 worst = relative.fold(worst, f64::max);
             }
             name if !is_eigen && is_position(name) => {

@@ -106,7 +106,9 @@ fn place_of_load(load: &mut Load) -> Option<&mut Place> {
 
 fn line_load(load: &mut Load, reversed: &[(String, f64)]) {
     let (body, from, to, start, end, follower) = match load {
-        Load::DistributedForce(l) => (&l.body, &mut l.from, &mut l.to, &mut l.force, &mut l.force_end, l.follower),
+        Load::DistributedForce(l) => {
+            (&l.body, &mut l.from, &mut l.to, &mut l.force, &mut l.force_end, l.follower)
+        }
         Load::DistributedMoment(l) => {
             (&l.body, &mut l.from, &mut l.to, &mut l.moment, &mut l.moment_end, l.follower)
         }

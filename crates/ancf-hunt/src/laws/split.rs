@@ -36,7 +36,8 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
     let node = 1 + random.index(first.elements as usize - 1) as u32;
     let part = f64::from(node) / f64::from(first.elements);
     // The nodes of three-node elements have no axial gradient.
-    let fix = if first.formulation.has_middle_node() { ClampedGradients::Section } else { ClampedGradients::All };
+    let fix =
+        if first.formulation.has_middle_node() { ClampedGradients::Section } else { ClampedGradients::All };
     let second = divide(first, node, &up);
     let other = second.name.clone();
     twin.bodies.push(Body::Beam(second));

@@ -276,7 +276,13 @@ impl Newton {
                 let remainder = (REDUCTION * first).clamp(LEAST_REMAINDER * wanted, REMAINDER * wanted);
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
-                    return ControlFlow::Break(Ok(progress.report));
+                    // Without forces the energy is zero, whatever the gaps of the constraints.
+                    let is_complete = size > 0.0 || self.excess(eom, s).1 <= FLOOR;
+                    return if is_complete {
+                        ControlFlow::Break(Ok(progress.report))
+                    } else {
+                        ControlFlow::Continue(())
+                    };
                 }
                 if !self.tangent.plan_iteration(remainder / size) {
                     return ControlFlow::Break(Err(SolveFailure::Stagnated));

@@ -40,3 +40,28 @@ fn constants_of_general_sections_vary_linearly() {
     let prismatic = FORCE * LENGTH.powi(3) / (3.0 * YOUNG * first);
     assert!(exact > 1.1 * prismatic, "the taper matters");
 }
+
+/// Mass of the frustum of a cone, ρ π L (D² + D d + d²)/12, by the model and as the weight that the clamp supports.
+#[test]
+fn mass_of_a_tapered_beam_is_that_of_the_frustum() {
+    let [wide, narrow, density, gravity] = [0.06_f64, 0.02, 2700.0, 9.81];
+    let text = format!(
+        r#"
+        gravity = [0, 0, -{gravity}]
+        materials.alloy = {{ density = {density}, young = 7e10 }}
+        sections.root = {{ kind = "circle", diameter = {wide} }}
+        sections.tip = {{ kind = "circle", diameter = {narrow} }}
+        bodies = [{{ kind = "beam", name = "horn", from = [0, 0, 0], to = [0, 0, {LENGTH}], elements = 3, formulation = "linked", section = "root", section_end = "tip", material = "alloy" }}]
+        joints = [{{ kind = "clamp", name = "foot", a = {{ body = "horn", at = "start" }} }}]
+        analysis = {{ kind = "statics" }}
+        "#
+    );
+    let model = Model::parse(&text).unwrap();
+    let exact =
+        density * std::f64::consts::PI * LENGTH * (wide.powi(2) + wide * narrow + narrow.powi(2)) / 12.0;
+    assert!((model.mass() / exact - 1.0).abs() < 1e-14, "{} and {exact}", model.mass());
+    let mut series = Series::new();
+    assert!(simulate(&model, &mut series).unwrap().outcome.is_finished());
+    let reaction = series.column("foot.fz").unwrap().last().unwrap();
+    assert!((reaction / (exact * gravity) - 1.0).abs() < 1e-9, "{reaction} and {}", exact * gravity);
+}

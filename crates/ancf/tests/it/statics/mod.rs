@@ -1,5 +1,6 @@
 //! Static equilibria under load increments and along paths.
 
+mod drives;
 mod load_increments;
 mod paths;
 mod rigid_ends;

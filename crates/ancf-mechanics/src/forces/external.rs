@@ -2,7 +2,7 @@ use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied}
 use nalgebra::{Matrix3, Vector3};
 
 use crate::functions::ForceFunction;
-use crate::kinematics::{Marker, add_symmetric};
+use crate::kinematics::{Marker, add_symmetric, visit_skew};
 
 /// User-defined force on a point, computed from time, position and velocity: adds −w s F(t, x, v) with the load factor
 /// s.
@@ -69,6 +69,9 @@ fn slope(x: Vector3<f64>, step: f64, f: impl Fn(Vector3<f64>) -> Vector3<f64>) -
     Matrix3::from_columns(&columns)
 }
 
+/// Relative skew part of a derivative by differences that counts as their error.
+const DIFFERENCE_ERROR: f64 = 1e-4;
+
 impl Term for ExternalForce {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -105,6 +108,17 @@ impl Term for ExternalForce {
             slope += self.velocity_derivative(at, speed) * w.v;
         }
         add_symmetric(&[&self.point], &slope, -1.0, k);
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        if at.load == 0.0 {
+            return;
+        }
+        let slope = self.position_derivative(at);
+        let skew = (slope - slope.transpose()) * 0.5;
+        if skew.norm() > DIFFERENCE_ERROR * slope.norm() {
+            visit_skew(&[&self.point], &slope, -1.0, visit);
+        }
     }
 
     fn power(&self, at: &Local<'_>) -> Power {

@@ -2,7 +2,7 @@ use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied}
 use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 
 use crate::functions::Function;
-use crate::kinematics::{Marker, Real, add_symmetric, components, turned};
+use crate::kinematics::{Marker, Real, add_symmetric, components, turned, visit_skew};
 
 /// Follower force on a point, with constant direction in the section frame and a magnitude scaled by f(t).
 ///
@@ -50,6 +50,14 @@ impl FollowerForce {
         turned(x.fixed_rows::<3>(0).into_owned(), x.fixed_rows::<3>(3).into_owned(), &self.components)
     }
 
+    /// Returns the derivative of the force on the point by the three markers.
+    fn slope(&self, at: &Local<'_>) -> SMatrix<f64, 9, 9> {
+        let (_, slope) = num_dual::jacobian(|x| self.force(&x), &self.values(at.q));
+        let mut h = SMatrix::<f64, 9, 9>::zeros();
+        h.fixed_view_mut::<3, 6>(0, 3).copy_from(&slope);
+        h
+    }
+
     fn factor(&self, at: &Local<'_>) -> f64 {
         at.load * self.function.value(at.t)
     }
@@ -80,10 +88,11 @@ impl Term for FollowerForce {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (_, slope) = num_dual::jacobian(|x| self.force(&x), &self.values(at.q));
-        let mut h = SMatrix::<f64, 9, 9>::zeros();
-        h.fixed_view_mut::<3, 6>(0, 3).copy_from(&slope);
-        add_symmetric(&self.markers.each_ref(), &h, -w.q * self.factor(at), k);
+        add_symmetric(&self.markers.each_ref(), &self.slope(at), -w.q * self.factor(at), k);
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        visit_skew(&self.markers.each_ref(), &self.slope(at), -self.factor(at), visit);
     }
 
     fn power(&self, at: &Local<'_>) -> Power {

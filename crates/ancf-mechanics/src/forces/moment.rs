@@ -2,7 +2,7 @@ use ancf_solver::equations::{Local, LocalMatrix, Power, Term, Weights, supplied}
 use nalgebra::{SVector, Vector3, Vector6};
 
 use crate::functions::Function;
-use crate::kinematics::{Marker, Real, add_symmetric, components, constant, turned};
+use crate::kinematics::{Marker, Real, add_symmetric, components, constant, turned, visit_skew};
 
 /// Moment on a section, as a couple of forces on its directors d = r_y and e = r_z.
 ///
@@ -118,6 +118,11 @@ impl Term for Moment {
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let (_, h) = num_dual::jacobian(|x| self.forces(&x), &self.values(at.q));
         add_symmetric(&self.directors.each_ref(), &h, -w.q * self.factor(at), k);
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let (_, h) = num_dual::jacobian(|x| self.forces(&x), &self.values(at.q));
+        visit_skew(&self.directors.each_ref(), &h, -self.factor(at), visit);
     }
 
     fn power(&self, at: &Local<'_>) -> Power {

@@ -8,7 +8,7 @@ use super::run::{AnalysisRun, RunResult};
 use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
-use crate::failure::StabilityMonitor;
+use crate::failure::{EquilibriumStability, StabilityMonitor};
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
 use crate::results::{Column, LOAD, TIME, columns};
@@ -67,7 +67,8 @@ impl Simulation {
     fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> AnalysisRun<'a> {
         let Self { chosen, assembly, interrupt, .. } = self;
         let summary = Summary::new(assembly, chosen.clone());
-        AnalysisRun { summary, assembly, interrupt, observer, monitor: StabilityMonitor::new(&self.scaled) }
+        let (monitor, stability) = (StabilityMonitor::new(&self.scaled), EquilibriumStability::default());
+        AnalysisRun { summary, assembly, interrupt, observer, monitor, stability }
     }
 
     fn end(&self, mut run: AnalysisRun<'_>, result: RunResult) -> io::Result<Summary> {

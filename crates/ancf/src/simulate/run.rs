@@ -7,7 +7,7 @@ use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure}
 use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
-use crate::failure::{FailureCause, StabilityMonitor};
+use crate::failure::{EquilibriumStability, FailureCause, StabilityMonitor};
 
 /// State of a running analysis.
 pub(crate) struct AnalysisRun<'a> {
@@ -16,6 +16,7 @@ pub(crate) struct AnalysisRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) summary: Summary,
     pub(crate) monitor: StabilityMonitor,
+    pub(crate) stability: EquilibriumStability,
 }
 
 /// Result of an analysis, in solver units: finished, stopped by the observer, or failed. The outer error is that of the

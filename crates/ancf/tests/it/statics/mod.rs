@@ -3,4 +3,6 @@
 mod load_increments;
 mod paths;
 mod rigid_ends;
+mod rotations;
 mod truss;
+mod unstable;

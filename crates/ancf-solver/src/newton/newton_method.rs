@@ -302,18 +302,21 @@ impl Newton {
         worst
     }
 
-    /// Returns true in statics if the work of the residual on the last increment is that of its rounding errors.
+    /// Returns true in statics if a state without energy satisfies the equations to their rounding errors.
     ///
     /// Without strain and loads all multipliers are rounding errors of the linear solution, which exceed those of the
-    /// residual. An arm on a driven hinge is an example.
+    /// residual. An arm on a driven hinge is an example. The work of the residual on the last increment decides, since
+    /// there is no energy that the other rule could compare it with.
     fn is_rounding(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
         if self.weights != Weights::STIFFNESS {
             return false;
         }
         // The bounds of the evaluation alone, without those of the linear solution.
         eom.rounding(s, &mut self.floor);
+        let energy = self.energy.max(eom.energy(s).largest());
+        let largest: f64 = self.floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
         let work = |x: &[f64]| self.z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
-        work(&self.r) <= FLOOR * work(&self.floor)
+        energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
     }
 
     fn error(

@@ -28,8 +28,9 @@ impl<'a> RunSummary<'a> {
     /// Returns the names of the recorded columns.
     const fn names(&self) -> &'static [&'static str] {
         match self.analysis {
-            Analysis::Dynamics(_) | Analysis::Statics(_) => &[],
-            Analysis::Path(_) => &["limit"],
+            Analysis::Dynamics(_) => &[],
+            Analysis::Statics(_) => &["unstable"],
+            Analysis::Path(_) => &["limit", "unstable"],
             Analysis::Modes(_) => &["squared", "frequency"],
             Analysis::Buckling(_) => &["factor"],
         }
@@ -83,7 +84,8 @@ impl<'a> RunSummary<'a> {
             Analysis::Statics(_) if *steps == 0 => "no equilibrium".to_owned(),
             Analysis::Statics(_) => {
                 let increments = if *steps > 1 { format!(" in {steps} increments") } else { String::new() };
-                format!("equilibrium at load factor {}{increments}, {newton}", short(*time))
+                let unstable = self.unstable(0);
+                format!("{unstable}equilibrium at load factor {}{increments}, {newton}", short(*time))
             }
             Analysis::Path(path) => {
                 let limits = self.column(0).filter(|limit| *limit != 0.0).count() as u64;
@@ -93,16 +95,26 @@ impl<'a> RunSummary<'a> {
                     _ => "",
                 };
                 let points = count(*steps, "point");
-                format!("{points} to load factor {}{end}, {limits}, {newton}", short(*time))
+                let unstable = if self.unstable(1).is_empty() { "" } else { " (unstable)" };
+                format!("{points} to load factor {}{unstable}{end}, {limits}, {newton}", short(*time))
             }
             Analysis::Modes(_) => self.modes(),
             Analysis::Buckling(_) => self.critical(),
         }
     }
 
+    /// Returns a word for the stability of the last equilibrium, which is empty if it is stable.
+    fn unstable(&self, place: usize) -> &'static str {
+        match self.column(place).last() {
+            Some(count) if count > 0.0 => "unstable ",
+            _ => "",
+        }
+    }
+
     fn modes(&self) -> String {
         let of = |test: fn(f64) -> bool| self.column(0).filter(|squared| test(*squared)).count();
-        let (rigid, unstable) = (of(|squared| squared == 0.0), of(|squared| squared < 0.0));
+        let rigid = of(|squared| squared == 0.0);
+        let unstable = self.column(1).filter(|frequency| frequency.is_nan()).count();
         let mut text = count(self.rows.len() as u64, "mode");
         for (number, kind) in [(rigid, "rigid"), (unstable, "unstable")] {
             if number > 0 {

@@ -4,7 +4,7 @@ use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
-use crate::kinematics::BodyVector;
+use crate::kinematics::{BodyVector, relative_driven_rotation};
 
 /// Angle of a revolute joint as a massless coordinate θ, defined by one equation.
 ///
@@ -153,6 +153,10 @@ impl Term for HingeAngle {
 
     fn counted_angle(&self) -> Option<usize> {
         Some(self.coordinates[THETA])
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        relative_driven_rotation(to.q[THETA] - from.q[THETA])
     }
 
     fn is_admissible(&self, at: &Local<'_>) -> bool {

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::coincidence::{AXES, Wrench, direction};
 use crate::functions::{Function, FunctionValue};
-use crate::kinematics::Marker;
+use crate::kinematics::{Marker, relative_driven_rotation};
 
 /// Three linear equations that prescribe a direction by rotation of its reference value about an axis.
 ///
@@ -49,9 +49,14 @@ impl RotationDrive {
         Wrench { moment: self.global.value(s).cross(&force), ..Wrench::default() }
     }
 
+    /// Returns the prescribed angle θ.
+    fn prescribed(&self, at: &Local<'_>) -> f64 {
+        at.load * self.angle * self.function.value(at.t)
+    }
+
     /// Computes (R − I) a₀, with 1 − cos θ free of cancellation.
     fn turned(&self, at: &Local<'_>) -> Vector3<f64> {
-        let angle = at.load * self.angle * self.function.value(at.t);
+        let angle = self.prescribed(at);
         self.cross_products[0] * angle.sin() + self.cross_products[1] * (2.0 * (0.5 * angle).sin().powi(2))
     }
 }
@@ -80,7 +85,7 @@ impl Term for RotationDrive {
 
     fn rounding(&self, at: &Local<'_>, floor: &mut [f64]) {
         let (rows, equations) = floor.split_at_mut(at.q.len());
-        let angle = at.load * self.angle * self.function.value(at.t);
+        let angle = self.prescribed(at);
         for k in 0..3 {
             // The rounding error of an angle of many turns is ε times its value.
             let size = self.cross_products[0][k].abs() + self.cross_products[1][k].abs();
@@ -101,6 +106,10 @@ impl Term for RotationDrive {
                 k.add(n + i, first + i, w);
             }
         }
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        relative_driven_rotation(self.prescribed(to) - self.prescribed(from))
     }
 
     fn drive(&self, t: f64, rates: &mut [f64], accelerations: &mut [f64]) {

@@ -3,6 +3,7 @@ use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 
 use super::contact_law::ContactLaw;
+use super::crossing::SMALLEST_DISTANCE;
 use crate::kinematics::{ElementAxis, Marker, Real, constant};
 
 /// Contact between a point of a beam axis and the axis of an element of another beam or the same beam.
@@ -225,6 +226,13 @@ impl Term for BeamContact {
                 }
             }
         }
+    }
+
+    /// Requires a distance of more than half the sum of the radii. At smaller distances the force is close to its
+    /// reversal.
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let contact_point = self.contact_point(at.q);
+        contact_point.is_none_or(|(_, [d, ..])| d.norm() > SMALLEST_DISTANCE * self.radius)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -7,11 +7,12 @@ use rstar::{AABB, RTree};
 
 use super::beam_contact::BeamContact;
 use super::contact_law::ContactLaw;
+use super::crossing::{SMALLEST_DISTANCE, SPACING, obstacle_crossing};
 use super::obstacle::{Obstacle, ObstacleContact};
 use crate::bodies::BeamMesh;
 use crate::kinematics::{ElementAxis, Marker};
 
-/// Contact geometry of a body: a round tube about its axis, with equidistant points on it.
+/// Contact geometry of a body: a round tube about its axis, with equidistant points on it, or the balls of a rigid body.
 #[derive(Clone, Debug)]
 pub struct ContactTube {
     axes: Vec<ElementAxis>,
@@ -21,7 +22,12 @@ pub struct ContactTube {
     /// Length of beam that each point represents.
     length: f64,
     radius: f64,
+    /// Search margin.
+    margin: f64,
 }
+
+/// Search margin of points without a radius, relative to the size of their body.
+const POINT_MARGIN: f64 = 0.05;
 
 impl ContactTube {
     /// Creates the tube of a body with a radius and a number of points per element.
@@ -29,7 +35,18 @@ impl ContactTube {
         let all = mesh.count() * count;
         let length = mesh.length() / all as f64;
         let points = (0..all).map(|i| mesh.point((i as f64 + 0.5) * length)).collect();
-        Self { axes: mesh.element_axes().collect(), points, count, length, radius }
+        Self { axes: mesh.element_axes().collect(), points, count, length, radius, margin: radius }
+    }
+
+    /// Creates the balls of a rigid body about its points. They share the size of the body as the length.
+    pub fn of_points(points: Vec<Marker>, radius: f64, size: f64) -> Self {
+        let length = size / points.len() as f64;
+        Self { axes: Vec::new(), points, count: 0, length, radius, margin: radius.max(POINT_MARGIN * size) }
+    }
+
+    /// Returns the radius, or the search margin of points without a radius.
+    pub const fn margin(&self) -> f64 {
+        self.margin
     }
 
     /// Returns the points of an element.
@@ -44,19 +61,22 @@ impl ContactTube {
 pub struct ObstacleContacts {
     contacts: Vec<Arc<ObstacleContact>>,
     margins: Vec<f64>,
+    /// End of the contacts of each tube.
+    ends: Vec<usize>,
 }
 
 impl ObstacleContacts {
     /// Creates the search for every point of some bodies. The search margin is one radius.
     pub fn new(obstacle: &Obstacle, tubes: &[ContactTube], law: ContactLaw) -> Self {
-        let (mut contacts, mut margins) = (Vec::new(), Vec::new());
+        let (mut contacts, mut margins, mut ends) = (Vec::new(), Vec::new(), Vec::new());
         for tube in tubes {
             let contact =
                 |point: &Marker| ObstacleContact::new(obstacle, point, tube.radius, tube.length, law);
             contacts.extend(tube.points.iter().filter_map(contact).map(Arc::new));
-            margins.resize(contacts.len(), tube.radius);
+            margins.resize(contacts.len(), tube.margin);
+            ends.push(contacts.len());
         }
-        Self { contacts, margins }
+        Self { contacts, margins, ends }
     }
 }
 
@@ -66,6 +86,12 @@ impl ContactSearch for ObstacleContacts {
             ([i as u32, 0], contact.gap_of_all(&s.q) / self.margins[i])
         };
         self.contacts.iter().enumerate().map(distance).filter(|(_, distance)| *distance <= 1.0).collect()
+    }
+
+    fn crossing(&self, from: &State, to: &State) -> Option<usize> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        let mut tubes = starts.zip(&self.ends).map(|(start, &end)| &self.contacts[start..end]);
+        tubes.find_map(|contacts| obstacle_crossing(contacts, &from.q, &to.q))
     }
 
     fn contains(&self, [contact, other]: ContactPair) -> bool {
@@ -96,6 +122,9 @@ pub struct BeamContacts {
 
 /// Overlap in the reference state, relative to the sum of the radii, above which two parts count as joined.
 const JOINED_OVERLAP: f64 = 0.01;
+
+/// Maximum number of states that are checked between two states.
+const MAX_SAMPLES: f64 = 1000.0;
 
 type Corner = [f64; 3];
 type ElementBox = GeomWithData<Rectangle<Corner>, usize>;
@@ -128,6 +157,12 @@ impl BeamContacts {
         let overlaps = |pair: &ContactPair| self.contact(*pair).overlaps(s, JOINED_OVERLAP);
         self.joined = near.map(|(pair, _)| pair).filter(overlaps).collect();
         self
+    }
+
+    /// Returns a pair whose axes are too close in a state.
+    fn deep(&self, s: &State) -> Option<ContactPair> {
+        let near = self.near(s).into_iter().filter(|(_, distance)| *distance < 0.0);
+        near.map(|(pair, _)| pair).find(|pair| self.contact(*pair).overlaps(s, 1.0 - SMALLEST_DISTANCE))
     }
 
     fn contact(&self, [point, element]: ContactPair) -> BeamContact {
@@ -182,6 +217,28 @@ impl ContactSearch for BeamContacts {
         }
         near.sort_unstable_by_key(|(pair, _)| *pair);
         near
+    }
+
+    /// The states between both are sampled so that no point moves by more than a quarter of the smallest radius.
+    fn crossing(&self, from: &State, to: &State) -> Option<usize> {
+        let all = self.tubes.iter().flat_map(|tube| &tube.points);
+        let farthest = all.map(|point| (point.value(to) - point.value(from)).norm()).fold(0.0, f64::max);
+        let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
+        let count = (farthest / (SPACING * smallest)).ceil();
+        // Terms reject a small distance at the end ([`Term::is_admissible`]).
+        if count <= 1.0 {
+            return None;
+        }
+        let count = count.min(MAX_SAMPLES);
+        let mut between = from.clone();
+        (1..=count as usize).find_map(|k| {
+            let part = k as f64 / count;
+            let ends = from.q.iter().zip(&to.q);
+            between.q.iter_mut().zip(ends).for_each(|(q, (from, to))| *q = from + part * (to - from));
+            let pair = self.deep(&between)?;
+            let is_new = !self.contact(pair).overlaps(from, 1.0 - SMALLEST_DISTANCE);
+            is_new.then(|| self.contact(pair).coordinates().first().copied()).flatten()
+        })
     }
 
     fn contains(&self, pair: ContactPair) -> bool {

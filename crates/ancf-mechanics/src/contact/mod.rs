@@ -3,6 +3,7 @@
 mod beam_contact;
 mod contact_law;
 mod contact_search;
+mod crossing;
 mod obstacle;
 
 pub use beam_contact::BeamContact;

@@ -124,6 +124,27 @@ impl ObstacleContact {
         self.shape.gap(&d, &combine(&axes, &self.axis)).0 - self.radius
     }
 
+    /// Returns the vector from the centre or the axis of a convex obstacle to the point, in the frame of the carrier,
+    /// over the sum of the radii. `None` for planes and hollow obstacles, which have no second side.
+    pub(crate) fn radial(&self, q: &[f64]) -> Option<Vector3<f64>> {
+        let [d, axes @ ..] = self.global.each_ref().map(|marker| marker.reference() + marker.sum(q));
+        let d = Vector3::from(components(&axes, &d));
+        let (radius, radial) = match self.shape {
+            ObstacleShape::Sphere { radius, inside: false } => (radius, d),
+            ObstacleShape::Cylinder { radius, inside: false } => {
+                let axis = self.axis.normalize();
+                (radius, d - axis * axis.dot(&d))
+            }
+            _ => return None,
+        };
+        Some(radial / (radius + self.radius))
+    }
+
+    /// Returns a coordinate of the point, or of the carrier if the point is fixed.
+    pub(crate) fn coordinate(&self) -> Option<usize> {
+        self.coordinates.first().copied()
+    }
+
     /// Returns the values of the markers and their velocities.
     fn values(&self, at: &Local<'_>) -> [MarkerValues<f64>; 2] {
         let stack = |of: &dyn Fn(&Marker) -> Vector3<f64>| {

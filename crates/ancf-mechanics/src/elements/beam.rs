@@ -5,7 +5,7 @@ use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity
 use nalgebra::{Matrix3, Vector3};
 
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
-use crate::kinematics::{BeamShape, Interpolation, QuadraticShape};
+use crate::kinematics::{BeamShape, Interpolation, QuadraticShape, relative_rotation};
 use crate::sections::NO_STIFFNESS;
 
 /// Common data of congruent elements: quadrature points with their elasticity, inertia and body force.
@@ -196,6 +196,17 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
             .stations
             .iter()
             .all(|s| s.is_admissible(&s.reference(&self.frame), &s.directors::<S>(&q)))
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        let [from, to] = [from, to].map(|at| RelativeVectors::new::<S>(&vectors(at.q)));
+        let of = |station: &BeamStation<N>| {
+            let g0 = station.reference(&self.frame);
+            let [before, after] = [&from, &to].map(|q| station.directors::<S>(q));
+            // Directors r_x, r_y and r_z.
+            relative_rotation([0, 3, 4].map(|i| [g0[i] + before[i], g0[i] + after[i]]))
+        };
+        self.profile.stations.iter().map(of).fold(0.0, f64::max)
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

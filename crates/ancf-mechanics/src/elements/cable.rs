@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
-use crate::kinematics::{AxialStretch, Bend, BendBlocks};
+use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
 
 /// Value of |r′| up to which a line counts as collapsed to a point.
 pub(crate) const CRUSHED: f64 = 0.01;
@@ -214,6 +214,12 @@ impl Term for Cable12 {
         if self.profile.damping() != CableDamping::default() {
             velocity_forces(self, at, r);
         }
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        let [from, to] = [from, to].map(|at| vectors(at.q));
+        let tangents = |station: &CableStation| [&from, &to].map(|q| self.direction + station.first(q));
+        relative_rotation(self.profile.axial().iter().chain(self.profile.bending()).map(tangents))
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

@@ -2,7 +2,7 @@ use ancf_solver::equations::{Energy, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
 use crate::constraints::ConstantAngle;
-use crate::kinematics::{Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind};
+use crate::kinematics::{Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind, relative_rotation};
 
 /// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///
@@ -190,6 +190,13 @@ impl Term for InertiaTerm {
                 k.add(i, j, w.a * mass);
             }
         });
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        let vectors = self.coordinates.len() / 3;
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let director = |q: &[f64], i: usize| axes[i - 1] + Vector3::from_column_slice(&q[3 * i..3 * i + 3]);
+        relative_rotation((1..vectors).map(|i| [from, to].map(|at| director(at.q, i))))
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

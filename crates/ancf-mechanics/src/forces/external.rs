@@ -88,6 +88,9 @@ fn slope(x: Vector3<f64>, step: f64, f: impl Fn(Vector3<f64>) -> Vector3<f64>) -
     Matrix3::from_columns(&columns)
 }
 
+/// Relative skew part of a derivative by differences that counts as their error.
+const DIFFERENCE_ERROR: f64 = 1e-4;
+
 impl Term for ExternalForce {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -131,6 +134,17 @@ impl Term for ExternalForce {
         self.point.add_quadratic(at.q, &-slope, k);
         if !self.point.is_linear() {
             self.point.add_curvature(at.q, self.force(at, self.motion(at)) * -w.q, k);
+        }
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        if at.load == 0.0 {
+            return;
+        }
+        let slope = self.position_derivative(at);
+        let skew = (slope - slope.transpose()) * 0.5;
+        if skew.norm() > DIFFERENCE_ERROR * slope.norm() {
+            self.point.visit_skew(&self.point, at.q, &-slope, visit);
         }
     }
 

@@ -1,5 +1,5 @@
 use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::functions::Function;
 use crate::kinematics::BodyVector;
@@ -57,6 +57,11 @@ impl Term for FollowerForce {
         if !self.point.is_linear() {
             self.point.add_curvature(at.q, self.force(at) * factor, k);
         }
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let h = Matrix3::from_diagonal_element(-self.factor(at));
+        self.point.visit_skew(&self.force, at.q, &h, visit);
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {

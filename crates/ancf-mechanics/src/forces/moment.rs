@@ -2,7 +2,7 @@ use ancf_solver::equations::{Local, LocalMatrix, Term, Weights, load_power};
 use nalgebra::{SMatrix, Vector3};
 
 use crate::functions::Function;
-use crate::kinematics::{FrameValues, SectionFrame, add_section};
+use crate::kinematics::{FrameValues, SectionFrame, add_section, visit_skew};
 
 /// Moment on a section, as forces on its directors d = r_y and e = r_z.
 ///
@@ -85,6 +85,16 @@ impl Term for Moment {
         // The part −Tᵀ [m]× T of a follower is antisymmetric.
         let h: SMatrix<f64, 6, 6> = values.second_variation(&self.moment(&values));
         add_section(&self.frame, &h, -w.q * self.factor(at), k);
+    }
+
+    fn skew_stiffness(&self, at: &Local<'_>, visit: &mut dyn FnMut(usize, usize, f64)) {
+        let values = self.frame.at(at.q);
+        let moment = self.moment(&values);
+        let mut h: SMatrix<f64, 6, 6> = values.second_variation(&moment);
+        if matches!(self.direction, MomentFrame::Section(_)) {
+            h -= values.turning(&moment);
+        }
+        visit_skew(&self.frame.directors().each_ref(), &h, -self.factor(at), visit);
     }
 
     fn supplied_power(&self, at: &Local<'_>) -> f64 {

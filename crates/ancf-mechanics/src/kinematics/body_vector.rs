@@ -1,6 +1,7 @@
 use ancf_solver::equations::{LocalMatrix, State};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::frame::NEGLIGIBLE;
 use super::marker::Marker;
 use super::section_frame::SectionFrame;
 
@@ -251,6 +252,29 @@ impl BodyVector {
                 let block = a.transpose() * h * b;
                 for (m, n) in (0..3).flat_map(|m| (0..3).map(move |n| (m, n))) {
                     add(i + m, j + n, block[(m, n)]);
+                }
+            });
+        });
+    }
+
+    /// Visits the lower entries of the skew part of (∂a/∂q)ᵀ h ∂b/∂q.
+    pub(crate) fn visit_skew(
+        &self,
+        other: &Self,
+        q: &[f64],
+        h: &Matrix3<f64>,
+        visit: &mut dyn FnMut(usize, usize, f64),
+    ) {
+        self.blocks(q, |i, a| {
+            other.blocks(q, |j, b| {
+                let block = a.transpose() * h * b * 0.5;
+                let negligible = NEGLIGIBLE * block.amax();
+                for (m, n) in (0..3).flat_map(|m| (0..3).map(move |n| (m, n))) {
+                    let (row, column, value) = (i + m, j + n, block[(m, n)]);
+                    if value.abs() <= negligible || row == column {
+                        continue;
+                    }
+                    if row > column { visit(row, column, value) } else { visit(column, row, -value) }
                 }
             });
         });

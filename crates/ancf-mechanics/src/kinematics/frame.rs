@@ -36,3 +36,27 @@ pub fn add_symmetric<const N: usize>(
         }
     }
 }
+
+/// Skew entries of this size, relative to H, are rounding errors.
+pub(super) const NEGLIGIBLE: f64 = 1e-13;
+
+/// Visits the lower entries of the skew part of w H, with the meaning of [`add_symmetric`].
+pub(crate) fn visit_skew<const N: usize>(
+    markers: &[&Marker],
+    h: &SMatrix<f64, N, N>,
+    w: f64,
+    visit: &mut dyn FnMut(usize, usize, f64),
+) {
+    let negligible = NEGLIGIBLE * w.abs() * h.amax();
+    for (i, a) in markers.iter().enumerate() {
+        for (j, b) in markers.iter().enumerate() {
+            let block = |i: usize, j: usize| h.fixed_view::<3, 3>(3 * i, 3 * j);
+            let skew = (block(i, j) - block(j, i).transpose()) * (0.5 * w);
+            a.product(b, &skew, |i, j, value| {
+                if i > j && value.abs() > negligible {
+                    visit(i, j, value);
+                }
+            });
+        }
+    }
+}

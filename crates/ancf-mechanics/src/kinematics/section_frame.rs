@@ -257,12 +257,24 @@ impl FrameValues {
     /// Tᵀ [f]× [a]× T + S(a × f).
     pub(crate) fn curvature(&self, reference: &Vector3<f64>, f: &Vector3<f64>) -> SMatrix<f64, 6, 6> {
         let a = self.turned(reference);
+        let t = self.variation_matrix();
+        let turning = f.cross_matrix() * a.cross_matrix();
+        t.transpose() * turning * t + self.second_variation(&a.cross(f))
+    }
+
+    /// Returns Tᵀ [M]× T.
+    pub(crate) fn turning(&self, moment: &Vector3<f64>) -> SMatrix<f64, 6, 6> {
+        let t = self.variation_matrix();
+        t.transpose() * moment.cross_matrix() * t
+    }
+
+    /// Returns T by d and e.
+    fn variation_matrix(&self) -> SMatrix<f64, 3, 6> {
         let [of_d, of_e] = self.variation();
         let mut t = SMatrix::<f64, 3, 6>::zeros();
         t.fixed_view_mut::<3, 3>(0, 0).copy_from(&of_d);
         t.fixed_view_mut::<3, 3>(0, 3).copy_from(&of_e);
-        let turning = f.cross_matrix() * a.cross_matrix();
-        t.transpose() * turning * t + self.second_variation(&a.cross(f))
+        t
     }
 
     /// Returns a bound of the magnification of a moment to forces on d and e: 1/J-weighted arms and 1/t.

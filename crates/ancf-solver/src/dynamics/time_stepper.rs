@@ -206,6 +206,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
                 }
             };
             let Some((eom, matrix)) = self.eom.with_active_terms(&self.motion.state) else {
+                if let Some(at) = self.eom.crossing(&self.before, &self.motion.state) {
+                    self.revert();
+                    return Err(SolveError::after(done, to, SolveFailure::Crossed, at));
+                }
                 return Ok(NewtonReport { iterations: spent + done.iterations, ..done });
             };
             // A term that is active at the end was not included.

@@ -64,7 +64,8 @@ const MIN_WORK: f64 = 1e-12;
 /// Krylov spaces.
 ///
 /// # Errors
-/// If K₀ is singular or not positive definite, the iteration does not converge, or it is interrupted.
+/// If K₀ is singular or not positive definite, the loads have no potential, the iteration does not converge, or it is
+/// interrupted.
 pub fn buckling(
     eom: &dyn EquationsOfMotion,
     matrix: SparseMatrix,
@@ -79,6 +80,9 @@ pub fn buckling(
         Some(0.0) => return Err(EigenError::Singular),
         Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
         Some(_) => {}
+    }
+    if !eom.skew_stiffness(&State { load: 1.0, ..s.clone() }).is_empty() {
+        return Err(EigenError::Nonconservative);
     }
     let (mut stiffness, n) = (matrix.clone(), eom.coordinates());
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);

@@ -14,6 +14,9 @@ pub enum EigenError {
     /// The inner product is not positive definite: missing stiffness or negative mass.
     #[error("the matrix of the inner product is not positive definite: the state is unstable")]
     Indefinite,
+    /// The loads have no potential, so critical loads of equilibria do not determine stability.
+    #[error("the loads have no potential: their stiffness is not symmetric, and the structure may flutter")]
+    Nonconservative,
     /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,

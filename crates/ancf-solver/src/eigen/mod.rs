@@ -3,7 +3,10 @@
 mod buckling;
 mod krylov;
 mod modes;
+mod nonconservative;
+mod skew_operator;
 
 pub use buckling::{CriticalLoad, LoadDirection, buckling};
 pub use krylov::EigenError;
 pub use modes::{EigenModes, Mode, modes};
+pub use nonconservative::{ComplexMode, nonconservative_modes};

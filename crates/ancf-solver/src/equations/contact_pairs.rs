@@ -20,6 +20,13 @@ pub trait ContactSearch: Debug + Send + Sync {
     /// Returns true if the pair belongs to this search.
     fn contains(&self, pair: ContactPair) -> bool;
 
+    /// Returns a coordinate of a body that passes through its contact partner between two states.
+    ///
+    /// The states are connected by a straight line. The forces at both ends do not resist such a motion.
+    fn crossing(&self, _from: &State, _to: &State) -> Option<usize> {
+        None
+    }
+
     /// Creates the term of a pair that belongs to this search.
     fn term(&self, pair: ContactPair) -> Arc<dyn Term>;
 }

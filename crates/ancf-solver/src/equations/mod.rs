@@ -4,11 +4,13 @@ mod batch;
 mod contact_pairs;
 mod dependence;
 mod energy;
+mod local_state;
 mod motion_equations;
 mod scatter;
 mod state;
 mod system;
 mod term;
+mod term_sums;
 mod thread_parts;
 
 pub use batch::{Batch, LANES, Lanes, LocalLanes};
@@ -20,3 +22,4 @@ pub use scatter::Scatter;
 pub use state::{State, Weights};
 pub use system::System;
 pub use term::{LOCAL, Local, LocalMatrix, Term, load_power, quadratic_constraints, velocity_forces};
+pub use term_sums::Rotation;

@@ -1,6 +1,7 @@
 use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
 use super::state::{State, Weights};
+use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
 
 /// Index-3 equations of motion M a + f(q, v, t) + Φ_qᵀ λ = 0, Φ(q, t) = 0 with symmetric derivatives.
@@ -51,6 +52,25 @@ pub trait EquationsOfMotion {
     /// The equations determine such an angle up to whole turns.
     fn counted_angles(&self) -> &[usize] {
         &[]
+    }
+
+    /// Returns the lower entries (i, j, value), i > j, of the skew part of ∂f/∂q in ascending order.
+    ///
+    /// It is empty if all forces of the state have a potential ([`Term::skew_stiffness`]).
+    ///
+    /// [`Term::skew_stiffness`]: super::term::Term::skew_stiffness
+    fn skew_stiffness(&self, _s: &State) -> Vec<(usize, usize, f64)> {
+        Vec::new()
+    }
+
+    /// Returns a coordinate of a body that passes through its contact partner between two states, if there is one.
+    fn crossing(&self, _from: &State, _to: &State) -> Option<usize> {
+        None
+    }
+
+    /// Returns the largest rotation between two states, which limits load increments.
+    fn rotation(&self, _from: &State, _to: &State) -> Rotation {
+        Rotation::default()
     }
 
     /// Extends the equations by the terms that may become active soon, before a step.

@@ -6,10 +6,12 @@ use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
 use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
 use super::energy::{Energy, Level, Power};
+use super::local_state::LocalState;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
+use super::term_sums::{Rotation, largest_rotation, skew_stiffness};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
@@ -48,37 +50,6 @@ impl fmt::Debug for System {
 
 /// Distance, relative to the search margin, below which pairs are included before they become active.
 const INCLUSION_DISTANCE: f64 = 0.5;
-
-/// State variables of one term, gathered from a global state.
-struct LocalState {
-    q: [f64; LOCAL],
-    v: [f64; LOCAL],
-    a: [f64; LOCAL],
-    lambda: [f64; LOCAL],
-}
-
-impl LocalState {
-    const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
-
-    fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
-        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
-        for (i, &c) in coordinates.iter().enumerate() {
-            self.q[i] = s.q[c];
-            self.v[i] = s.v[c];
-            self.a[i] = s.a[c];
-        }
-        let (n, m) = (coordinates.len(), multipliers.len());
-        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
-        Local {
-            q: &self.q[..n],
-            v: &self.v[..n],
-            a: &self.a[..n],
-            lambda: &self.lambda[..m],
-            t: s.t,
-            load: s.load,
-        }
-    }
-}
 
 impl System {
     /// Creates the sum of `terms` over the given numbers of coordinates and multipliers.
@@ -339,6 +310,18 @@ impl EquationsOfMotion for System {
             self.unbatched().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())))
         });
         wrong.and_then(|term| term.coordinates().first().copied())
+    }
+
+    fn skew_stiffness(&self, s: &State) -> Vec<(usize, usize, f64)> {
+        skew_stiffness(&self.terms, s)
+    }
+
+    fn crossing(&self, from: &State, to: &State) -> Option<usize> {
+        self.searches.iter().find_map(|search| search.crossing(from, to))
+    }
+
+    fn rotation(&self, from: &State, to: &State) -> Rotation {
+        largest_rotation(&self.terms, from, to)
     }
 
     fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {

@@ -147,6 +147,18 @@ pub trait Term: Send + Sync {
         true
     }
 
+    /// Visits the lower entries (i, j), i > j, of the skew part of ∂f/∂q. The tangent contains the symmetric part.
+    ///
+    /// Forces without a potential have a skew part, such as follower forces. It determines flutter.
+    fn skew_stiffness(&self, _at: &Local<'_>, _visit: &mut dyn FnMut(usize, usize, f64)) {}
+
+    /// Returns the rotation between two states, relative to the largest rotation of one load increment.
+    ///
+    /// Larger rotations are ambiguous: a section that turns by 2π has its initial directions.
+    fn rotation(&self, _from: &Local<'_>, _to: &Local<'_>) -> f64 {
+        0.0
+    }
+
     /// Adds the lower triangle of the initial stress stiffness at the configuration of the state.
     ///
     /// The stresses, multipliers and loads are the first-order response to the increment `by` of q, λ and the load

@@ -3,10 +3,12 @@
 mod dense;
 mod factorisation;
 mod front;
+mod inertia;
 mod ldlt;
 mod null_space;
 mod scales;
 mod substitution;
 
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};
+pub use inertia::inertia;
 pub use null_space::{NullSpace, SparseVector};

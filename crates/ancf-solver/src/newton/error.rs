@@ -19,7 +19,8 @@ pub enum SolveFailure {
     Stagnated,
     /// A term does not admit the solution.
     #[error(
-        "the solution is inadmissible: an element is inverted, a slider leaves its beam, the ends of a spring coincide, or a joint is half a turn from its place"
+        "the solution is inadmissible: an element is inverted, a slider leaves its beam, the ends of a spring coincide, a joint is \
+         half a turn from its place, or bodies in contact are pressed through each other"
     )]
     Inverted,
     /// The number of turns of a joint angle is ambiguous.
@@ -31,6 +32,12 @@ pub enum SolveFailure {
     /// The equilibrium path turns too far within a step.
     #[error("the equilibrium path turns too far within the step")]
     Turned,
+    /// A drive, a body or a section turns too far within a load increment.
+    #[error("a drive, a body or a section turns too far within the increment")]
+    Rotated,
+    /// A body passes through its contact partner within a step.
+    #[error("a body passes through its contact partner within the step")]
+    Crossed,
     /// The iteration limit was reached.
     #[error("the iteration did not converge within the iteration limit")]
     NotConverged,

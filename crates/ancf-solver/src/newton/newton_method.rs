@@ -9,6 +9,7 @@ use super::newton_report::NewtonReport;
 use super::rounding_floor::raise_to_achievable;
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::factor::inertia;
 use crate::sparse::SparseMatrix;
 
 /// Stopping rule of a Newton iteration.
@@ -224,9 +225,11 @@ impl Newton {
 
     /// Returns the number of negative eigenvalues of the last factorised matrix in excess of the number of multipliers.
     ///
-    /// In statics this is the number of unstable directions. Returns `None` if the factors do not provide the inertia.
+    /// In statics this is the number of unstable directions. Returns `None` if neither the factors nor those of the
+    /// augmented matrix provide the inertia.
     pub(crate) fn unstable(&self, eom: &dyn EquationsOfMotion) -> Option<usize> {
-        self.tangent.factor.negative_pivots()?.checked_sub(eom.multipliers())
+        let NewtonTangent { matrix, factor, .. } = &self.tangent;
+        factor.negative_pivots().or_else(|| inertia(matrix))?.checked_sub(eom.multipliers())
     }
 
     /// Ends the iteration if the residual is small enough, at its rounding floor or not finite, or on interrupt.
@@ -246,7 +249,7 @@ impl Newton {
         if matches!(self.stop, StopRule::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
-        if progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR {
+        if progress.stagnant > 0 && (self.excess(eom, s).1 <= FLOOR || self.is_rounding(eom, s)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {
@@ -311,6 +314,23 @@ impl Newton {
             }
         }
         worst
+    }
+
+    /// Returns true in statics if a state without energy satisfies the equations to their rounding errors.
+    ///
+    /// Without strain and loads all multipliers are rounding errors of the linear solution, which exceed those of the
+    /// residual. An arm on a driven hinge is an example. The work of the residual on the last increment decides, since
+    /// there is no energy that the other rule could compare it with.
+    fn is_rounding(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
+        if self.weights != Weights::STIFFNESS {
+            return false;
+        }
+        // The bounds of the evaluation alone, without those of the linear solution.
+        eom.rounding(s, &mut self.floor);
+        let energy = self.energy.max(eom.energy(s).largest());
+        let largest: f64 = self.floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
+        let work = |x: &[f64]| self.z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
+        energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
     }
 
     fn error(

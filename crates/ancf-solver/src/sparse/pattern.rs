@@ -152,12 +152,17 @@ impl Pattern {
     /// # Panics
     /// If the unknowns share no block.
     pub(crate) fn slot(&self, i: usize, j: usize) -> usize {
+        self.find_slot(i, j).expect("both unknowns belong to one block")
+    }
+
+    /// Returns the index of the entry of two unknowns, or `None` if the pattern has no such entry.
+    pub(crate) fn find_slot(&self, i: usize, j: usize) -> Option<usize> {
         let (i, j) = (self.position(i), self.position(j));
         let (row, column) = (i.max(j), i.min(j));
         let at = self.supernode_of(column);
         let supernode = &self.supernodes.list[at];
-        let row = self.supernodes.row(at, row).expect("both unknowns belong to one block");
-        supernode.start + supernode.shape().at(row, column - supernode.first as usize)
+        let row = self.supernodes.row(at, row)?;
+        Some(supernode.start + supernode.shape().at(row, column - supernode.first as usize))
     }
 
     /// Returns the index of the diagonal entry of a position among the values of a matrix.

@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use super::arc_metric::{Metric, PathTangent, PlaneUpdate, response};
-use super::equilibrium::Equilibrium;
+use super::equilibrium::{Equilibrium, check_change};
 use super::path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, FullUpdate, Newton, SolveError, SolveFailure};
@@ -302,6 +302,7 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
         if self.trial_tangent.product(&self.tangent) < TURN || along < CHORD * chord {
             return Err(found.reject(SolveFailure::Turned, &self.trial));
         }
+        check_change(&*self.eom, &found, &self.state, &self.trial)?;
         Ok(found)
     }
 

@@ -1,4 +1,4 @@
-use crate::equations::{Energy, EquationsOfMotion, State, Weights};
+use crate::equations::{Energy, EquationsOfMotion, Rotation, State, Weights};
 use crate::newton::{Newton, NewtonReport, SolveError, SolveFailure, StateUpdate};
 
 /// Report of an equilibrium solution.
@@ -17,7 +17,7 @@ pub struct Equilibrium {
     /// Number of unstable directions, from the last factorised matrix.
     ///
     /// These are the negative eigenvalues of the stiffness on the motions permitted by the constraints. `None` if the
-    /// factors do not provide the inertia.
+    /// factors do not provide the inertia, or if it is indefinite with loads without a potential.
     pub unstable: Option<usize>,
     /// Energies of the equilibrium.
     pub energy: Energy,
@@ -41,7 +41,9 @@ impl Equilibrium {
             return Err(SolveError::after(report, s.t, SolveFailure::Inverted, worst));
         }
         let NewtonReport { iterations, residual, increment, floor } = report;
-        let (unstable, energy) = (newton.unstable(eom), eom.energy(s));
+        // With loads without a potential, an indefinite symmetric part does not imply instability.
+        let counts = |count: &usize| *count == 0 || eom.skew_stiffness(s).is_empty();
+        let (unstable, energy) = (newton.unstable(eom).filter(counts), eom.energy(s));
         Ok(Self { iterations, attempts: 1, residual, increment, floor, unstable, energy })
     }
 
@@ -70,4 +72,21 @@ impl Equilibrium {
         self.iterations += cause.iterations;
         self.attempts += 1;
     }
+}
+
+/// Rejects an equilibrium that is too far from the previous one. Returns the largest rotation relative to its limit.
+///
+/// The equations are also satisfied by a section that turned by whole turns, and beyond an obstacle.
+pub(crate) fn check_change(
+    eom: &dyn EquationsOfMotion,
+    found: &Equilibrium,
+    from: &State,
+    to: &State,
+) -> Result<f64, SolveError> {
+    let reject = |failure, at| SolveError { worst: Some(at), ..found.reject(failure, to) };
+    let Rotation { size, at } = eom.rotation(from, to);
+    if size > 1.0 {
+        return Err(reject(SolveFailure::Rotated, at));
+    }
+    eom.crossing(from, to).map_or(Ok(size), |at| Err(reject(SolveFailure::Crossed, at)))
 }

@@ -1,6 +1,7 @@
 use std::ops::ControlFlow;
 
-use super::equilibrium::Equilibrium;
+use super::equilibrium::{Equilibrium, check_change};
+use super::leave::leave;
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
@@ -12,6 +13,8 @@ pub struct LoadIncrements {
     pub first: f64,
     /// Smallest permitted increment.
     pub smallest: f64,
+    /// Largest permitted increment.
+    pub largest: f64,
     /// Iteration count up to which the next increment is doubled.
     pub fast_iterations: u32,
     /// Largest increment after which a loss of stability is accepted.
@@ -19,25 +22,49 @@ pub struct LoadIncrements {
     /// Newton's method also finds unstable equilibria, such as the straight state of a buckling column. After larger
     /// increments they are rejected.
     pub trusted: f64,
+    /// Continuation after a loss of stability.
+    pub unstable: UnstablePolicy,
+}
+
+/// Continuation of load increments after a loss of stability.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum UnstablePolicy {
+    /// The analysis fails at the last stable equilibrium.
+    Stop,
+    /// The unstable branch is followed.
+    #[default]
+    Follow,
+    /// The analysis continues on a stable branch in an unstable direction.
+    Leave,
 }
 
 impl Default for LoadIncrements {
     /// A single increment, halved down to 2⁻²⁰, trusted from 2⁻¹⁶.
     fn default() -> Self {
-        Self { first: 1.0, smallest: 0.5_f64.powi(20), fast_iterations: 12, trusted: 0.5_f64.powi(16) }
+        Self {
+            first: 1.0,
+            smallest: 0.5_f64.powi(20),
+            largest: 1.0,
+            fast_iterations: 12,
+            trusted: 0.5_f64.powi(16),
+            unstable: UnstablePolicy::Follow,
+        }
     }
 }
 
 /// Stagnation limit. A slender beam that the first increment stretched takes about twenty iterations.
 const STAGNATION_LIMIT: u32 = 30;
+/// Rotation to which the next increment is limited, relative to the largest permitted one.
+const PLANNED_ROTATION: f64 = 0.8;
 /// Tolerance of the end of the interval, relative to its length.
 const END_TOLERANCE: f64 = 1e-12;
 
 /// Incremental-iterative solution of static equilibrium: r(q, λ, s) = 0 with v = a = 0 up to a final load factor s.
 ///
 /// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
-/// corrects it. Failed increments are halved, and increments follow that double after fast convergence. Beyond a limit
-/// point, use [`ArcLength`](super::arc_length::ArcLength).
+/// corrects it. Failed increments are halved, and increments follow that double after fast convergence. An increment also
+/// fails if a drive, a body or a section turns too far, or if a body passes through its contact partner
+/// ([`EquationsOfMotion::rotation`], [`EquationsOfMotion::crossing`]): the equations are satisfied on both sides. Beyond a limit point, use [`ArcLength`](super::arc_length::ArcLength).
 #[derive(Debug)]
 pub struct LoadStepper<'a, E: EquationsOfMotion + ?Sized> {
     eom: ActiveSet<'a, E>,
@@ -82,26 +109,31 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         mut each: impl FnMut(&State, &Equilibrium) -> ControlFlow<()>,
     ) -> Result<Equilibrium, EquilibriumError> {
         let (from, way) = (self.state.load, to - self.state.load);
-        let (mut done, mut part) = (0.0, self.increments.first.max(self.increments.smallest));
+        let LoadIncrements { first, smallest, largest, .. } = self.increments;
+        let (mut done, mut part) = (0.0, first.min(largest).max(smallest));
         let (mut total, mut found) = (Equilibrium::default(), Equilibrium::default());
         loop {
             let next = if done + part > 1.0 - END_TOLERANCE { 1.0 } else { done + part };
             let load = if next == 1.0 { to } else { from + next * way };
-            match self.attempt(load, next - done > self.increments.trusted) {
-                Ok(last) => {
+            let trusted = next - done <= self.increments.trusted;
+            let accepted = trusted && self.increments.unstable != UnstablePolicy::Stop;
+            match self.attempt(load, !accepted) {
+                Ok((last, rotation)) => {
                     (total, found) = (total.followed_by(last), found.followed_by(last));
                     done = next;
                     if each(&self.state, &found).is_break() || done == 1.0 {
                         return Ok(total);
                     }
                     found = Equilibrium::default();
-                    part *= if last.iterations <= self.increments.fast_iterations { 2.0 } else { 1.0 };
+                    let factor: f64 =
+                        if last.iterations <= self.increments.fast_iterations { 2.0 } else { 1.0 };
+                    part = (part * factor.min(PLANNED_ROTATION / rotation)).min(largest).max(smallest);
                 }
                 Err(cause) => {
                     total.failed(&cause);
                     found.failed(&cause);
                     part = 0.5 * (next - done);
-                    if part < self.increments.smallest || way == 0.0 || cause.is_final() {
+                    if part < smallest || way == 0.0 || cause.is_final() {
                         return Err(EquilibriumError { reached: self.state.load, load, cause });
                     }
                 }
@@ -109,10 +141,14 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         }
     }
 
-    /// Solves for the equilibrium at a load factor and makes it the current state.
-    fn attempt(&mut self, load: f64, check_stability: bool) -> Result<Equilibrium, SolveError> {
+    /// Solves for the equilibrium at a load factor and makes it the current state. Returns also its largest rotation.
+    fn attempt(&mut self, load: f64, check_stability: bool) -> Result<(Equilibrium, f64), SolveError> {
         self.include_near_terms()?;
         let mut found = Equilibrium::default();
+        self.trial.copy_from(&self.state);
+        self.trial.load = load;
+        // Only prescribed rotations change with the load factor alone.
+        check_change(&*self.eom, &found, &self.state, &self.trial)?;
         loop {
             self.predict(load);
             let Self { newton, search, eom, trial, .. } = self;
@@ -121,6 +157,7 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
             // A term that is active there was not included.
             self.replace_equations(eom, matrix)?;
         }
+        let rotation = check_change(&*self.eom, &found, &self.state, &self.trial)?;
         let lost = matches!((self.unstable, found.unstable), (Some(before), Some(now)) if now > before);
         if check_stability && lost {
             return Err(found.reject(SolveFailure::Unstable, &self.trial));
@@ -130,7 +167,11 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         before.copy_from(&self.state);
         self.state.copy_from(&self.trial);
         self.unstable = found.unstable;
-        Ok(found)
+        if lost && self.increments.unstable == UnstablePolicy::Leave {
+            let left = leave(&mut self.eom, &mut self.newton, &mut self.search, &mut self.state)?;
+            (found, self.unstable, self.before) = (found.repeated(left), left.unstable, None);
+        }
+        Ok((found, rotation))
     }
 
     /// Returns the energies of the current state.

@@ -3,6 +3,7 @@
 mod arc_length;
 mod arc_metric;
 mod equilibrium;
+mod leave;
 mod load_rates;
 mod load_stepper;
 mod path_point;
@@ -11,6 +12,6 @@ mod regularised;
 pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
 pub use load_rates::LoadRates;
-pub use load_stepper::{LoadIncrements, LoadStepper};
+pub use load_stepper::{LoadIncrements, LoadStepper, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 pub use regularised::solve_regularised;

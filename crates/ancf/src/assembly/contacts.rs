@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
+use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::contact::{
     BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts, ObstacleShape,
 };
-use ancf_mechanics::kinematics::Attachment;
+use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
@@ -49,6 +49,21 @@ impl Contact {
 }
 
 impl Model {
+    /// Contact geometry of a body: a tube with a radius, or the balls of a rigid body.
+    fn tube(&self, contact: &Contact, body: usize, terms: &BodyTerms) -> Option<ContactTube> {
+        let own = &self.bodies[body];
+        if let Some(mesh) = terms.mesh() {
+            let radius = contact.radius(self, own)?;
+            let length = mesh.length() / mesh.count() as f64;
+            return Some(ContactTube::new(mesh, radius, contact.points(length, radius)));
+        }
+        let (surface, [centre, _]) = (own.surface()?, own.span());
+        // Points of rigid bodies and masses are linear in the coordinates.
+        let marker = |point| terms.attachment(0.0, point).point.linear().clone();
+        let points: Vec<Marker> = surface.centres(centre).into_iter().map(marker).collect();
+        Some(ContactTube::of_points(points, surface.radius, surface.size(centre)))
+    }
+
     /// Contact searches of a valid model. Bodies that overlap in the initial state are excluded as joined.
     pub(crate) fn encounters(
         &self,
@@ -56,18 +71,12 @@ impl Model {
         begin: &State,
     ) -> Vec<Arc<dyn ContactSearch>> {
         let of = |contact: &Contact| -> Option<Arc<dyn ContactSearch>> {
-            let bodies = contact.bodies(self).into_iter();
-            let sized: Vec<_> = bodies
-                .filter_map(|i| Some((built[i].1.mesh()?, contact.radius(self, &self.bodies[i])?)))
-                .collect();
-            let thinnest = sized.iter().map(|(_, radius)| *radius).fold(f64::INFINITY, f64::min);
-            let skin = |&(mesh, radius): &(&BeamMesh, f64)| {
-                let length = mesh.length() / mesh.count() as f64;
-                ContactTube::new(mesh, radius, contact.points(length, radius))
-            };
-            let (skins, law) = (sized.iter().map(skin).collect::<Vec<_>>(), contact.law(self, thinnest));
+            let tubes: Vec<ContactTube> =
+                contact.bodies(self).into_iter().filter_map(|i| self.tube(contact, i, &built[i].1)).collect();
+            let thinnest = tubes.iter().map(ContactTube::margin).fold(f64::INFINITY, f64::min);
+            let law = contact.law(self, thinnest);
             let Some(obstacle) = contact.with.obstacle() else {
-                return Some(Arc::new(BeamContacts::new(skins, law).with_joined_pairs(begin)));
+                return Some(Arc::new(BeamContacts::new(tubes, law).with_joined_pairs(begin)));
             };
             let (shape, point) = (obstacle.shape(), Vector3::from(obstacle.point()));
             let axis = obstacle.axis().map_or_else(Vector3::x, |(_, axis)| axis.into());
@@ -79,7 +88,7 @@ impl Model {
                     held.offset(arm)
                 },
             );
-            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, &skins, law)))
+            Some(Arc::new(ObstacleContacts::new(&Obstacle::new(shape, place, axis)?, &tubes, law)))
         };
         self.contacts.iter().filter_map(of).collect()
     }

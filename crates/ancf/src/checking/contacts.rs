@@ -1,8 +1,10 @@
 //! Checks of contacts beyond the schema.
 
+use ancf_mechanics::contact::ObstacleShape;
+
 use super::findings::{body, is_direction, named, no_direction, rule_of_place, unknown_body};
-use crate::errors::{Finding, finding, quoted};
-use crate::model::{Body, Contact, Model, ObstacleKind};
+use crate::errors::{Finding, finding, number, quoted};
+use crate::model::{Body, Contact, Model, ObstacleKind, bodies_of};
 
 /// Checks that bodies exist and have a radius, and that obstacles have a direction and a carrier with directions.
 pub(crate) fn contacts(model: &Model) -> Vec<Finding> {
@@ -18,9 +20,13 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
             findings.push(unknown_body(model, key, name));
             continue;
         };
-        if !body.is_flexible() {
-            let found = format!("{}, which is rigid", quoted(name));
-            findings.push(finding(key, found, "a beam or a cable").rests_on(["bodies".into()]));
+        if !contact.touches(body) {
+            let rigid = |more: &str| format!("{}, which is rigid{more}", quoted(name));
+            let (found, wanted) = match contact.with.obstacle() {
+                Some(_) => (rigid(" and has no `surface`"), "a beam, a cable or a body with a `surface`"),
+                None => (rigid(""), "a beam or a cable"),
+            };
+            findings.push(finding(key, found, wanted).rests_on(["bodies".into()]));
         } else if contact.bodies[..i].contains(name) {
             findings.push(finding(key, format!("{} a second time", quoted(name)), "each body once"));
         }
@@ -40,7 +46,63 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
         findings.push(no_direction(format!("{path}.with.{key}"), direction));
     }
     findings.extend(rules_of_carrier(model, path, contact));
+    findings.extend(rule_of_partners(model, path, contact));
+    findings.extend(rules_of_boxes(model, path, contact));
     findings
+}
+
+/// Checks that some body can touch the partner.
+fn rule_of_partners(model: &Model, path: &str, contact: &Contact) -> Option<Finding> {
+    if !contact.bodies.is_empty() || !contact.bodies(model).is_empty() {
+        return None;
+    }
+    let found = "no body that can touch it";
+    let wanted = match contact.with.obstacle() {
+        Some(_) => "a beam, a cable, or a rigid body or point mass with a `surface`",
+        None => "a beam or a cable",
+    };
+    let error = finding(path.to_owned(), found, wanted);
+    Some(Finding { absence: true, ..error.rests_on(["bodies".into()]) })
+}
+
+/// Rejects boxes in contact with convex obstacles, which touch faces and edges between the corners.
+fn rules_of_boxes(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {
+    let is_convex = match contact.with.obstacle().map(ObstacleKind::shape) {
+        Some(ObstacleShape::Sphere { inside, .. } | ObstacleShape::Cylinder { inside, .. }) => !inside,
+        _ => false,
+    };
+    let bodies = contact.bodies(model).into_iter().filter(|_| is_convex).map(|i| &model.bodies[i]);
+    let boxes = bodies.filter(|body| body.surface().is_some_and(|surface| surface.edges.is_some()));
+    let rule = |body: &Body| {
+        let found = format!("the box {}, of which only the corners are in contact", quoted(body.name()));
+        finding(format!("{path}.with.kind"), found, "a plane, or a `surface` of balls")
+            .rests_on(["bodies".into()])
+    };
+    boxes.map(rule).collect()
+}
+
+/// Checks that surfaces state one shape of positive size, and that those of point masses are balls.
+pub(crate) fn surfaces(model: &Model) -> Vec<Finding> {
+    let rule = |(path, body): (String, &Body)| {
+        let surface = body.surface()?;
+        let key = format!("{path}.surface");
+        let other = surface.edges.is_some() || !surface.points.is_empty();
+        if surface.edges.is_some() && !surface.points.is_empty() {
+            return Some(finding(key, "both `edges` and `points`", "one of them"));
+        }
+        if matches!(body, Body::Mass(_)) && other {
+            return Some(finding(key, "`edges` or `points` of a point mass", "`radius`"));
+        }
+        if let Some(edges) = surface.edges.filter(|edges| edges.iter().any(|edge| *edge <= 0.0)) {
+            let found = format!("edges {}, {}, {}", number(edges[0]), number(edges[1]), number(edges[2]));
+            return Some(finding(format!("{key}.edges"), found, "three numbers > 0"));
+        }
+        let empty = surface.size(body.span()[0]) <= 0.0;
+        empty.then(|| {
+            finding(key, "a surface without size", "a `radius` > 0, `edges` of a box, or two `points`")
+        })
+    };
+    bodies_of(model).filter_map(rule).collect()
 }
 
 fn rules_of_carrier(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {

@@ -4,6 +4,7 @@ mod bodies;
 mod capabilities;
 mod contacts;
 mod findings;
+mod friction;
 mod joints;
 mod loads;
 mod rules;

@@ -26,7 +26,14 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
-    let of_loads = [contacts, super::loads::kinds, super::loads::fluids, super::loads::bases];
+    let of_loads = [
+        contacts,
+        super::contacts::surfaces,
+        super::friction::friction,
+        super::loads::kinds,
+        super::loads::fluids,
+        super::loads::bases,
+    ];
     let of_joints = [
         super::joints::axes,
         super::joints::spans,

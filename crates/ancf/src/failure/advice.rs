@@ -11,6 +11,9 @@ const FOR_MEMORY: &str = "fewer elements, or a machine with more memory";
 const FOR_INVERTED: &str = "more elements there and smaller steps; smaller loads on the section; for a slider, a check \
                             that it does not reach the end of its beam, and for a spring, that its ends do not coincide";
 
+const FOR_CROSSED: &str = "a larger `stiffness` of the contact, or more contact `points` where an obstacle fits between two \
+                           points; in statics smaller loads, or \"dynamics\" with damping; in dynamics a smaller step";
+
 /// Advice after a failed iteration.
 pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -> String {
     match (failure, analysis) {
@@ -20,6 +23,12 @@ pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -
         (SolveFailure::StepTooSmall, _) => {
             "a larger `step.tolerance`; ramps instead of jumps of loads and drives; softer or damped contacts; a \
              scheme with numerical damping, such as `scheme = { spectral_radius = 0.6 }`"
+                .into()
+        }
+        (SolveFailure::Crossed, _) => FOR_CROSSED.into(),
+        (SolveFailure::Unstable, Analysis::Statics(_)) => {
+            "`unstable = \"leave\"` for the stable branch, or `unstable = \"follow\"` for the unstable one; an analysis of \
+             kind \"buckling\" for the critical load"
                 .into()
         }
         (_, Analysis::Dynamics(settings)) => for_steps(settings),
@@ -53,6 +62,10 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
         EigenError::Singular => FOR_SINGULAR,
         EigenError::Indefinite => {
             "smaller loads, for which the reference state of the modes is stable, or `about = \"reference\"`"
+        }
+        EigenError::Nonconservative => {
+            "modes with `about = \"equilibrium\"` under several loads: flutter begins where two frequencies meet; loads of \
+             fixed direction have critical loads; fewer loads without a potential if this is an analysis of modes"
         }
         EigenError::NotConverged => "a smaller `analysis.count`, or more elements",
         EigenError::Interrupted => "nothing: the analysis was interrupted on request",

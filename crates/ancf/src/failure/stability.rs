@@ -1,7 +1,7 @@
 //! Stability of a state by the inertia of its tangent stiffness.
 
 use ancf_solver::equations::{EquationsOfMotion, State, Weights};
-use ancf_solver::factor::Factor;
+use ancf_solver::factor::{Factor, inertia};
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
@@ -21,8 +21,13 @@ pub(crate) struct Instability {
 impl Instability {
     /// Number of directions, as text.
     pub(crate) fn directions(&self) -> String {
-        if self.count == 1 { "1 direction".to_owned() } else { format!("{} directions", self.count) }
+        directions(self.count)
     }
+}
+
+/// Number of directions, as text.
+pub(crate) fn directions(count: usize) -> String {
+    if count == 1 { "1 direction".to_owned() } else { format!("{count} directions") }
 }
 
 /// Upper limit on the number of bodies. The search for free motions of larger models takes too long.
@@ -56,7 +61,7 @@ fn instability_of(
     system.tangent(s, Weights::STIFFNESS, &mut k);
     let mut factor = Factor::new(k.pattern()).ok()?;
     factor.factorise(&k).ok()?;
-    let count = factor.negative_pivots()?.checked_sub(system.multipliers())?;
+    let count = factor.negative_pivots().or_else(|| inertia(&k))?.checked_sub(system.multipliers())?;
     if count == 0 {
         return None;
     }

@@ -16,11 +16,11 @@ use crate::units::Scaled;
 
 pub use analyses::{
     About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
-    Start, Statics, Step, Stop,
+    Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
-    At, Beam, Body, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place, PointMass, Rigid,
-    Shape, Slopes,
+    At, Beam, Body, BodySurface, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place,
+    PointMass, Rigid, Shape, Slopes,
 };
 pub use contacts::{Contact, ContactSurface, Cylinder, ObstacleKind, Plane, Sphere};
 pub use functions::{TimeFunction, Varying};

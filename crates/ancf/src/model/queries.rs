@@ -172,11 +172,16 @@ impl Contact {
             false => self.bodies.iter().any(|body| body == name),
         };
         (0..model.bodies.len())
-            .filter(|&i| model.bodies[i].is_flexible() && is_meant(model.bodies[i].name()))
+            .filter(|&i| self.touches(&model.bodies[i]) && is_meant(model.bodies[i].name()))
             .collect()
     }
 
-    /// Contact radius of a body: as given, or the outer radius of a round, constant section.
+    /// True for beams and cables, and for bodies with a surface if the partner is an obstacle.
+    pub(crate) fn touches(&self, body: &Body) -> bool {
+        body.is_flexible() || (body.surface().is_some() && self.with.obstacle().is_some())
+    }
+
+    /// Contact radius of a flexible body: as given, or the outer radius of a round, constant section.
     pub(crate) fn radius(&self, model: &Model, body: &Body) -> Option<f64> {
         let tapered = matches!(body, Body::Beam(Beam { section_end: Some(_), .. }));
         let own = || {

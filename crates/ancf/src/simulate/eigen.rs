@@ -1,7 +1,9 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf_solver::eigen::{CriticalLoad, EigenError, Mode, buckling, modes};
+use ancf_solver::eigen::{
+    ComplexMode, CriticalLoad, EigenError, Mode, buckling, modes, nonconservative_modes,
+};
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::SolveFailure;
 
@@ -36,6 +38,51 @@ pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
     columns
 }
 
+/// Mode under loads with or without a potential.
+struct FoundMode {
+    /// Frequency, or NaN for an unstable mode.
+    frequency: f64,
+    /// Real part of ω².
+    squared: f64,
+    /// Frequency and growth rate of flutter.
+    flutter: Option<[f64; 2]>,
+    shape: Vec<f64>,
+    residual: f64,
+}
+
+impl From<Mode> for FoundMode {
+    fn from(mode: Mode) -> Self {
+        let frequency = mode.frequency().unwrap_or(f64::NAN);
+        let Mode { omega_squared: squared, shape, residual } = mode;
+        Self { frequency, squared, flutter: None, shape, residual }
+    }
+}
+
+impl From<ComplexMode> for FoundMode {
+    fn from(mode: ComplexMode) -> Self {
+        let [frequency, growth] = mode.frequency_and_growth();
+        let flutter = (mode.omega_squared.im != 0.0).then_some([frequency, growth]);
+        let frequency = if mode.is_unstable() { f64::NAN } else { frequency };
+        let ComplexMode { omega_squared, shape, residual } = mode;
+        Self { frequency, squared: omega_squared.re, flutter, shape, residual }
+    }
+}
+
+impl FoundMode {
+    /// Values of [`MODE_COLUMNS`].
+    fn values(&self, rate: f64) -> Vec<f64> {
+        vec![self.frequency * rate, self.squared * rate * rate, self.residual]
+    }
+
+    /// Warning of flutter.
+    fn flutter_text(&self, number: usize, rate: f64) -> Option<String> {
+        let [frequency, growth] = self.flutter?.map(|x| x * rate);
+        Some(format!(
+            "mode {number} flutters under loads without a potential: frequency {frequency:.6e}, growth rate {growth:.6e}"
+        ))
+    }
+}
+
 impl AnalysisRun<'_> {
     /// Computes the state about which the model is linearised.
     fn state_about(&self, model: &Model, about: About) -> Result<State, RunFailure> {
@@ -62,13 +109,19 @@ impl AnalysisRun<'_> {
     /// Computes natural modes, one row per mode.
     pub(crate) fn modes(&mut self, model: &Model, settings: &Modes) -> RunResult {
         self.begin(&MODE_COLUMNS)?;
+        let count = settings.count as usize;
         let found = self.state_about(model, settings.about).and_then(|s| {
-            let (system, count) = (&self.assembly.system, settings.count as usize);
-            let found = match system.with_active_terms(&s) {
-                Some((complete, matrix)) => modes(&complete, matrix, &s, count, self.interrupt)?,
-                None => modes(system, system.matrix(), &s, count, self.interrupt)?,
-            };
-            Ok((s, found.modes))
+            let system = &self.assembly.system;
+            let complete = system.with_active_terms(&s);
+            let (system, matrix) = complete
+                .as_ref()
+                .map_or((system, system.matrix()), |(system, matrix)| (system, matrix.clone()));
+            if !system.skew_stiffness(&s).is_empty() {
+                let found = nonconservative_modes(system, matrix, &s, count, self.interrupt)?;
+                return Ok((s, found.into_iter().map(FoundMode::from).collect()));
+            }
+            let found = modes(system, matrix, &s, count, self.interrupt)?.modes;
+            Ok((s, found.into_iter().map(FoundMode::from).collect::<Vec<_>>()))
         });
         let rate = self.summary.scales.time.recip();
         match found {
@@ -76,14 +129,12 @@ impl AnalysisRun<'_> {
             Ok((_, found)) if found.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
                 Ok(Err(EigenError::NotConverged.into()))
             }
-            Ok((about, found)) => self.shapes(
-                about,
-                found.iter().map(|mode| {
-                    let Mode { omega_squared: squared, shape, residual } = mode;
-                    let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
-                    (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
-                }),
-            ),
+            Ok((about, found)) => {
+                let warnings =
+                    found.iter().enumerate().filter_map(|(k, mode)| mode.flutter_text(k + 1, rate));
+                self.summary.warnings.extend(warnings);
+                self.shapes(about, found.iter().map(|mode| (mode.values(rate), mode.shape.as_slice())))
+            }
             Err(reason) => Ok(Err(reason)),
         }
     }

@@ -78,6 +78,13 @@ impl AnalysisRun<'_> {
         summary.floor_steps += u64::from(found.floor);
         summary.iterations += u64::from(found.iterations);
         summary.most_iterations = summary.most_iterations.max(found.iterations);
+        self.stability.add(load, found.unstable);
+    }
+
+    /// Adds the warnings of unstable equilibria up to the last one, `s`.
+    fn warn_of_instability(&mut self, s: &State, path: bool) {
+        let warnings = self.stability.warnings(self.assembly, s, self.summary.scales, path);
+        self.summary.warnings.extend(warnings);
     }
 
     /// Runs a static analysis by load increments and records each equilibrium.
@@ -89,7 +96,9 @@ impl AnalysisRun<'_> {
         if let Err(reason) = self.require_support(&start) {
             return Ok(Err(reason));
         }
-        let increments = LoadIncrements { first: settings.first, ..LoadIncrements::default() };
+        let Statics { first, largest, unstable, .. } = *settings;
+        let increments =
+            LoadIncrements { first, largest, unstable: unstable.into(), ..LoadIncrements::default() };
         let matrix = assembly.system.matrix();
         let newton = match Newton::new(matrix, settings.stop.into(), settings.max_iterations) {
             Ok(newton) => newton.with_interrupt(self.interrupt.clone()),
@@ -118,6 +127,7 @@ impl AnalysisRun<'_> {
                 .record(rows.fill(assembly, s, s.load, &solver_values(found), found.energy, None), s);
             flow(&written)
         });
+        self.warn_of_instability(statics.state(), false);
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)
@@ -162,6 +172,7 @@ impl AnalysisRun<'_> {
             written = self.observer.record(rows.fill(assembly, s, s.load, &values, energy, None), s);
             flow(&written)
         });
+        self.warn_of_instability(path.state(), true);
         let ended = ended.map_err(|error| equilibrium_failure(assembly, path.state(), error));
         self.warn_of_ambiguous_turns(&rows, "arc length", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)

@@ -9,7 +9,7 @@ use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
 use crate::diagnosis::locking_warnings;
-use crate::failure::StabilityMonitor;
+use crate::failure::{EquilibriumStability, StabilityMonitor};
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
 use crate::results::{Column, LOAD, TIME, columns};
@@ -69,7 +69,8 @@ impl Simulation {
         let Self { chosen, assembly, interrupt, .. } = self;
         let mut summary = Summary::new(assembly, chosen.clone());
         summary.warnings = locking_warnings(&self.scaled);
-        AnalysisRun { summary, assembly, interrupt, observer, monitor: StabilityMonitor::new(&self.scaled) }
+        let (monitor, stability) = (StabilityMonitor::new(&self.scaled), EquilibriumStability::default());
+        AnalysisRun { summary, assembly, interrupt, observer, monitor, stability }
     }
 
     fn end(&self, mut run: AnalysisRun<'_>, result: RunResult) -> io::Result<Summary> {

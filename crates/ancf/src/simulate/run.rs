@@ -7,7 +7,7 @@ use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure}
 use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
-use crate::failure::{FailureCause, StabilityMonitor};
+use crate::failure::{EquilibriumStability, FailureCause, StabilityMonitor};
 use crate::results::Rows;
 
 /// State of a running analysis.
@@ -17,6 +17,7 @@ pub(crate) struct AnalysisRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) summary: Summary,
     pub(crate) monitor: StabilityMonitor,
+    pub(crate) stability: EquilibriumStability,
 }
 
 impl AnalysisRun<'_> {

@@ -23,6 +23,7 @@ from ancf.model.analyses import (
     Statics,
     StepSize,
     Stop,
+    Unstable,
 )
 from ancf.model.base.functions import (
     Expression,
@@ -39,6 +40,7 @@ from ancf.model.bodies import (
     Arc,
     Beam,
     Body,
+    BodySurface,
     Cable,
     Formulation,
     Helix,
@@ -116,6 +118,7 @@ __all__ = [
     "BaseAcceleration",
     "Beam",
     "Body",
+    "BodySurface",
     "Buckling",
     "Bushing",
     "Cable",
@@ -206,5 +209,6 @@ __all__ = [
     "Tube",
     "Units",
     "Universal",
+    "Unstable",
     "Varying",
 ]

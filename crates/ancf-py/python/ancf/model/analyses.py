@@ -28,6 +28,7 @@ __all__ = [
     "Statics",
     "StepSize",
     "Stop",
+    "Unstable",
 ]
 
 NewtonMethod: TypeAlias = Literal["modified", "full"]
@@ -205,6 +206,14 @@ class IncrementStop(Part):
 Stop: TypeAlias = EnergyStop | ResidualStop | IncrementStop
 """Convergence criterion of a Newton iteration."""
 
+Unstable: TypeAlias = Literal["stop", "follow", "leave"]
+"""Continuation of statics after a loss of stability.
+
+* ``"stop"``: Failure at the last stable equilibrium.
+* ``"follow"``: Unstable equilibria, with a warning.
+* ``"leave"``: A stable branch in an unstable direction.
+"""
+
 About: TypeAlias = Literal["reference", "equilibrium"]
 """State about which natural modes are computed.
 
@@ -270,12 +279,17 @@ class Statics(Part):
     ----------
     first
         First increment, as a fraction of the final load factor (> 0, <= 1). Default: ``1.0``.
+    largest
+        Largest increment, as a fraction of the final load factor (> 0, <= 1). Default: ``1.0``.
     load
         Final load factor. Default: ``1.0``.
     max_iterations
         Maximum number of Newton iterations of an increment (>= 1). Default: ``100``.
     stop
         Convergence criterion of the Newton iteration. Default: ``EnergyStop(tolerance=1e-8)``.
+    unstable
+        Continuation after a loss of stability. One of ``"stop"``, ``"follow"``, ``"leave"``. Default:
+        ``"follow"``.
 
     """
 
@@ -284,9 +298,11 @@ class Statics(Part):
     kind: ClassVar[Literal["statics"]] = "statics"
 
     first: float | None = None
+    largest: float | None = None
     load: float | None = None
     max_iterations: int | None = None
     stop: Stop | None = None
+    unstable: Unstable | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)

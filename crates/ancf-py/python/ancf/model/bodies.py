@@ -14,6 +14,7 @@ __all__ = [
     "Arc",
     "Beam",
     "Body",
+    "BodySurface",
     "Cable",
     "Formulation",
     "Helix",
@@ -144,6 +145,29 @@ Slopes: TypeAlias = Literal["gradient", "length"]
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class BodySurface(Part):
+    """Contact surface of a rigid body or a point mass: a ball, a box or balls about points.
+
+    Attributes
+    ----------
+    edges
+        Edges of a box about the centre along the global axes at the start, length. Its corners are in
+        contact.
+    points
+        Centres of the balls in the initial state, length; the centre of mass by default.
+    radius
+        Radius of the balls, length; 0 for points and the corners of a box (>= 0). Default: ``0.0``.
+
+    """
+
+    _form = "BodySurface"
+
+    edges: Vector | None = None
+    points: Points | None = None
+    radius: float | None = None
+
+
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Beam(Axis):
     """Beam with bending, torsion, axial and shear deformation.
 
@@ -270,6 +294,8 @@ class RigidBody(Frame):
         Initial velocities in dynamics; at rest by default.
     products
         Off-diagonal entries ``[xy, xz, yz]`` of the inertia tensor, mass length²; zero by default.
+    surface
+        Surface in contacts with obstacles; none by default.
 
     """
 
@@ -283,6 +309,7 @@ class RigidBody(Frame):
     inertia: Vector
     motion: InitialMotion | None = None
     products: Vector | None = None
+    surface: BodySurface | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
@@ -299,6 +326,8 @@ class PointMass(Point):
         Mass, force time²/length (> 0).
     motion
         Initial velocities in dynamics; at rest by default.
+    surface
+        Surface in contacts with obstacles, a ball; none by default.
 
     """
 
@@ -310,6 +339,7 @@ class PointMass(Point):
     center: Vector
     mass: float
     motion: InitialMotion | None = None
+    surface: BodySurface | None = None
 
 
 Body: TypeAlias = Beam | Cable | RigidBody | PointMass

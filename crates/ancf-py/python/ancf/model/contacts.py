@@ -108,7 +108,10 @@ ContactSurface: TypeAlias = Plane | Sphere | Cylinder | EachOther
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)
 class Contact(Part):
-    """Contact of bodies with an obstacle or with each other. Bodies are round tubes about their axes.
+    """Contact of bodies with an obstacle or with each other.
+
+    Beams and cables are round tubes about their axes. Rigid bodies and point masses have the surface that
+    they state, in contact with obstacles only.
 
     Attributes
     ----------
@@ -117,17 +120,18 @@ class Contact(Part):
     stiffness
         Force per length of a body and per depth, force/length² (> 0).
     bodies
-        Names of the beams and cables; all except the body that carries the obstacle by default.
+        Names of the beams and cables, and of bodies with a ``surface``; all except the body that carries the
+        obstacle by default.
     damping
         Damping coefficient c, time/length. The factor of the force is 1 − c v for small velocities v of
         separation (>= 0). Default: ``0.0``.
     friction
-        Coefficient of friction; 0 by default. Statics ignores friction (>= 0).
+        Coefficient of friction; 0 by default. Equilibria admit no friction (>= 0).
     points
         Contact points of each element; by default a number that resolves the obstacle and the radius (>= 1,
         <= 10000).
     radius
-        Radius of the bodies, length; that of circles and tubes by default (> 0).
+        Radius of the beams and cables, length; that of circles and tubes by default (> 0).
     slip_speed
         Sliding speed below which friction is viscous, length/time; by default 1/1000 of the length of the
         longest body divided by the duration (> 0).

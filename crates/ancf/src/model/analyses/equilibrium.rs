@@ -6,7 +6,8 @@ use crate::units::Scaled;
 
 /// Settings of an equilibrium under increasing loads. The factor `load` multiplies all loads, gravity included.
 ///
-/// Load increments are automatic. A failed increment is halved; after a success the next increment is doubled.
+/// Load increments are automatic. A failed increment is halved; after a success the next increment is doubled. An increment
+/// turns drives by at most 30° and bodies by at most 120°.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(default, deny_unknown_fields)]
 pub struct Statics {
@@ -17,6 +18,12 @@ pub struct Statics {
     #[unit(number)]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1))]
     pub first: f64,
+    /// Largest increment, as a fraction of the final load factor.
+    #[unit(number)]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1))]
+    pub largest: f64,
+    /// Continuation after a loss of stability.
+    pub unstable: Unstable,
     /// Convergence criterion of the Newton iteration.
     pub stop: Stop,
     /// Maximum number of Newton iterations of an increment.
@@ -26,7 +33,37 @@ pub struct Statics {
 
 impl Default for Statics {
     fn default() -> Self {
-        Self { load: 1.0, first: 1.0, stop: Stop::default(), max_iterations: 100 }
+        Self {
+            load: 1.0,
+            first: 1.0,
+            largest: 1.0,
+            unstable: Unstable::Follow,
+            stop: Stop::default(),
+            max_iterations: 100,
+        }
+    }
+}
+
+/// Continuation of statics after a loss of stability.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(rename_all = "snake_case")]
+pub enum Unstable {
+    /// Failure at the last stable equilibrium.
+    Stop,
+    /// Unstable equilibria, with a warning.
+    #[default]
+    Follow,
+    /// A stable branch in an unstable direction.
+    Leave,
+}
+
+impl From<Unstable> for ancf_solver::statics::UnstablePolicy {
+    fn from(unstable: Unstable) -> Self {
+        match unstable {
+            Unstable::Stop => Self::Stop,
+            Unstable::Follow => Self::Follow,
+            Unstable::Leave => Self::Leave,
+        }
     }
 }
 

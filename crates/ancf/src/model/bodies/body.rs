@@ -7,6 +7,7 @@ use super::formulation::Formulation;
 use super::motion::InitialMotion;
 use super::rigid::{PointMass, Rigid};
 use super::shape::Shape;
+use super::surface::BodySurface;
 use crate::units::Scaled;
 
 /// Rounding of a position along an axis, relative to its length.
@@ -49,6 +50,15 @@ impl Body {
     /// True for beams and cables.
     pub const fn is_flexible(&self) -> bool {
         matches!(self, Self::Beam(_) | Self::Cable(_))
+    }
+
+    /// Contact surface of a rigid body or a point mass.
+    pub const fn surface(&self) -> Option<&BodySurface> {
+        match self {
+            Self::Rigid(rigid) => rigid.surface.as_ref(),
+            Self::Mass(mass) => mass.surface.as_ref(),
+            Self::Beam(_) | Self::Cable(_) => None,
+        }
     }
 
     /// Initial motion.

@@ -6,6 +6,7 @@ mod formulation;
 mod motion;
 mod rigid;
 mod shape;
+mod surface;
 
 pub(crate) use body::ON_AXIS;
 pub use body::{At, Beam, Body, Cable, NamedPosition, Place, Slopes};
@@ -14,3 +15,4 @@ pub use formulation::Formulation;
 pub use motion::InitialMotion;
 pub use rigid::{PointMass, Rigid};
 pub use shape::Shape;
+pub use surface::BodySurface;

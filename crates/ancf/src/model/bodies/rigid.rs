@@ -3,6 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::motion::InitialMotion;
+use super::surface::BodySurface;
 use crate::units::Scaled;
 
 /// Rigid body.
@@ -26,6 +27,9 @@ pub struct Rigid {
     #[serde(default)]
     #[unit(mass * length^2)]
     pub products: [f64; 3],
+    /// Surface in contacts with obstacles; none by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<BodySurface>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,
@@ -53,6 +57,9 @@ pub struct PointMass {
     #[schemars(extend("exclusiveMinimum" = 0))]
     #[unit(mass)]
     pub mass: f64,
+    /// Surface in contacts with obstacles, a ball; none by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<BodySurface>,
     /// Initial velocities in dynamics; at rest by default.
     #[serde(default, skip_serializing_if = "InitialMotion::is_rest")]
     pub motion: InitialMotion,

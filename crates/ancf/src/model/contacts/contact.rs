@@ -4,16 +4,17 @@ use serde::{Deserialize, Serialize};
 use super::surface::ContactSurface;
 use crate::units::Scaled;
 
-/// Contact of bodies with an obstacle or with each other. Bodies are round tubes about their axes.
+/// Contact of bodies with an obstacle or with each other. Beams and cables are round tubes about their axes. Rigid bodies and
+/// point masses have the surface that they state, in contact with obstacles only.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
     /// Contact partner of the bodies.
     pub with: ContactSurface,
-    /// Names of the beams and cables; all except the body that carries the obstacle by default.
+    /// Names of the beams and cables, and of bodies with a `surface`; all except the body that carries the obstacle by default.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<String>,
-    /// Radius of the bodies, length; that of circles and tubes by default.
+    /// Radius of the beams and cables, length; that of circles and tubes by default.
     #[unit(length)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -36,7 +37,7 @@ pub struct Contact {
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub damping: f64,
-    /// Coefficient of friction; 0 by default. Statics ignores friction.
+    /// Coefficient of friction; 0 by default. Equilibria admit no friction.
     #[serde(default)]
     #[unit(number)]
     #[schemars(extend("minimum" = 0))]

@@ -1,5 +1,7 @@
 //! Contact of bodies with obstacles and with each other.
 
+mod crossing;
 mod forces;
 mod models;
 mod search;
+mod surfaces;

@@ -251,3 +251,37 @@ fn drive_rates_are_time_derivatives() {
         assert!((curvature - Vector3::from(accelerations)).norm() < 1e-7, "{t}");
     }
 }
+
+/// The skew stiffness is the skew part of the derivative of the residual.
+#[test]
+fn skew_stiffness_is_the_skew_part_of_the_derivative() {
+    let q: Vec<f64> = (0..9).map(|i| 0.1 * (f64::from(i) * 1.7).sin()).collect();
+    for (name, term) in terms(&markers(), Vector3::new(0.7, -1.3, 0.4)) {
+        let coordinates: Vec<f64> = term.coordinates().iter().map(|&c| q[c]).collect();
+        let n = coordinates.len();
+        let (zeros, step) = (vec![0.0; n], 1e-6);
+        let residual = |q: &[f64]| {
+            let mut r = vec![0.0; n];
+            let at = Local { q, v: &zeros, a: &zeros, lambda: &[], t: 0.0, load: 1.0 };
+            term.residual(&at, &mut r);
+            DVector::from_vec(r)
+        };
+        let mut derivative = DMatrix::zeros(n, n);
+        for j in 0..n {
+            let moved = |by: f64| {
+                let mut q = coordinates.clone();
+                q[j] += by;
+                residual(&q)
+            };
+            derivative.set_column(j, &((moved(step) - moved(-step)) / (2.0 * step)));
+        }
+        let mut skew = DMatrix::<f64>::zeros(n, n);
+        let at = Local { q: &coordinates, v: &zeros, a: &zeros, lambda: &[], t: 0.0, load: 1.0 };
+        term.skew_stiffness(&at, &mut |i, j, value| {
+            skew[(i, j)] += value;
+            skew[(j, i)] -= value;
+        });
+        let exact = (&derivative - derivative.transpose()) * 0.5;
+        assert!((&skew - &exact).amax() < 1e-8 && exact.amax() > 1e-2, "{name}: {skew} not {exact}");
+    }
+}

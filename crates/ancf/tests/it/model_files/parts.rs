@@ -25,7 +25,7 @@ fn all_errors_of_a_part_are_reported() {
     assert_eq!(
         errors_of("Body", "kind = 'mass'\nname = ''\ncentre = [0, 0]\nmass = -1"),
         [
-            "centre: found unknown key `centre`, wanted `center`, `kind`, `mass`, `motion` or `name` (did you mean \
+            "centre: found unknown key `centre`, wanted `center`, `kind`, `mass`, `motion`, `name` or `surface` (did you mean \
              `center`?)",
             "centre: found an array of 2, wanted an array of 3 numbers",
             "mass: found -1, wanted a number > 0",

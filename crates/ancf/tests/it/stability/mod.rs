@@ -1,4 +1,5 @@
 //! Natural modes.
 
+mod followers;
 mod loaded_equilibria;
 mod modes;

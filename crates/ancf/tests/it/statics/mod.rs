@@ -4,4 +4,6 @@ mod drives;
 mod load_increments;
 mod paths;
 mod rigid_ends;
+mod rotations;
 mod truss;
+mod unstable;

@@ -1,0 +1,50 @@
+//! Motions through contact partners.
+
+use nalgebra::Vector3;
+
+use super::obstacle::ObstacleContact;
+
+/// Smallest distance of two axes, or of a point and the centre of an obstacle, relative to the sum of the radii. A
+/// contact force at smaller distances is close to its reversal.
+pub(super) const SMALLEST_DISTANCE: f64 = 0.5;
+/// Largest spacing of positions that are checked, relative to the sum of the radii.
+pub(super) const SPACING: f64 = 0.25;
+
+/// Returns true if a point passes through a convex obstacle on a straight line between two radial vectors.
+///
+/// The vectors are relative to the sum of the radii. A point that is too deep at the start may leave on its side.
+fn passes(from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+    let way = to - from;
+    let square = way.norm_squared();
+    let part = if square > 0.0 { (-from.dot(&way) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let nearest = (from + way * part).norm();
+    nearest < SMALLEST_DISTANCE
+        && (nearest < from.norm() * (1.0 - 1e-9))
+        && (from.norm() >= SMALLEST_DISTANCE || from.dot(to) < 0.0)
+}
+
+/// Returns a coordinate of a point of a tube that passes through an obstacle between two states.
+///
+/// Positions between two points of the tube are interpolated, since an obstacle may fit between them.
+pub(super) fn obstacle_crossing(
+    contacts: &[std::sync::Arc<ObstacleContact>],
+    from: &[f64],
+    to: &[f64],
+) -> Option<usize> {
+    let mut last: Option<[Vector3<f64>; 2]> = None;
+    for contact in contacts {
+        let here = [contact.radial(from)?, contact.radial(to)?];
+        let [before, after] = last.unwrap_or(here);
+        let spacing = (here[0] - before).norm().max((here[1] - after).norm());
+        let count = (spacing / SPACING).ceil().clamp(1.0, 1e4);
+        for k in 1..=count as usize {
+            let part = k as f64 / count;
+            let at = |last: &Vector3<f64>, here: &Vector3<f64>| last + (here - last) * part;
+            if passes(&at(&before, &here[0]), &at(&after, &here[1])) {
+                return contact.coordinate();
+            }
+        }
+        last = Some(here);
+    }
+    None
+}

@@ -1,0 +1,38 @@
+use super::factorisation::Factor;
+use crate::sparse::SparseMatrix;
+
+/// Weight of the constraints relative to the largest diagonal entry. It is larger than one, since multipliers add negative
+/// entries of the size of K, and not an integer, so that sums do not cancel.
+const WEIGHT: f64 = 61.803_398_87;
+
+/// Returns the number of negative eigenvalues of [K, Φ_qᵀ; Φ_q, 0] where K may be singular without the constraints.
+///
+/// The inertia is that of [K + Φ_qᵀ Γ Φ_q, Φ_qᵀ; Φ_q, 0] for any Γ: both projections onto Φ_q x = 0 are equal. With
+/// Γ > 0 above the size of K the pivots of rigid bodies, which have no stiffness, are far from zero. `None` if LDLᵀ still
+/// does not succeed.
+///
+/// Source: Nocedal & Wright (2006), theorem 16.3; Hestenes (1969), the augmented Lagrangian.
+pub fn inertia(k: &SparseMatrix) -> Option<usize> {
+    let pattern = k.pattern();
+    let mut augmented = k.clone();
+    let largest = (0..pattern.size()).map(|i| k.diagonal_of(i).abs()).fold(0.0, f64::max);
+    let scale = WEIGHT * if largest > 0.0 { largest } else { 1.0 };
+    let mut rows: Vec<(usize, usize, f64)> = k.constraints().filter(|row| row.2 != 0.0).collect();
+    rows.sort_unstable_by_key(|&(multiplier, coordinate, _)| (multiplier, coordinate));
+    for row in rows.chunk_by(|a, b| a.0 == b.0) {
+        let square: f64 = row.iter().map(|(.., entry)| entry * entry).sum();
+        for (i, &(_, a, x)) in row.iter().enumerate() {
+            for &(_, b, y) in &row[..=i] {
+                let slot = pattern.find_slot(a, b)?;
+                augmented.values_mut()[slot] += scale / square * x * y;
+            }
+        }
+    }
+    let mut factor = Factor::new(pattern).ok()?;
+    factor.factorise(&augmented).ok()?;
+    // A solution verifies the accuracy of the factors. The right-hand side has components along all eigenvectors.
+    let mut x: Vec<f64> =
+        (0..pattern.size()).map(|i| ((i + 1) as f64 * 0.754_877_67).fract() - 0.5).collect();
+    factor.solve(&augmented, &mut x).ok()?;
+    factor.negative_pivots()
+}

@@ -20,7 +20,7 @@ pub enum StopRule {
     /// The products are independent of units, slope coordinates and frame of reference, and so is the number of
     /// iterations. Newton's method converges quadratically, so the remaining error is far below the tolerance. The
     /// tolerance is relative to the size of the motion in the energy norm. With a reused tangent the increments
-    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-5 of the
+    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-4 of the
     /// tolerance, and 2e-5 of the first increment. Remainders of successive steps with the same tangent have the same
     /// sign, so they accumulate as the errors of the scheme do. The first increment is the error of the extrapolated start
     /// value, some twenty times the error of the scheme in this step.
@@ -61,7 +61,7 @@ pub(crate) struct NewtonCheckpoint {
 /// Multiple of the rounding bound below which a residual counts as zero.
 const FLOOR: f64 = 8.0;
 /// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
-const REMAINDER: f64 = 1e-5;
+const REMAINDER: f64 = 1e-4;
 /// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
 const REDUCTION: f64 = 2e-5;
 /// Smallest target of the remainder, relative to the tolerance. It is at the rounding error.

@@ -56,6 +56,8 @@
 //!     kind = "dynamics"
 //!     duration = 2.0
 //!     step = 1e-3
+//!     scheme = "adams"
+//!     energy_guard = { loss = 1 }
 //!     start = "zero"
 //!     "#,
 //! )?;

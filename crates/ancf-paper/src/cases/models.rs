@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Formulation, Joint, Material,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint, Material,
     NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Slopes,
     Spherical, Start,
 };
@@ -111,6 +111,8 @@ impl PaperCase {
                 newton: NewtonMethod::Full,
                 scheme: Scheme::Adams,
                 start: Start::Zero,
+                // Strong numerical damping, as in the paper.
+                energy_guard: EnergyGuard { gain: 1e9, loss: 1e9 },
                 // Ends with the last full step, as in the paper.
                 ..Dynamics::new((DURATION / step * (1.0 + 1e-12)).floor() * step, step)
             }),

@@ -35,11 +35,6 @@ impl DampingForces {
         self.auxiliary.copy_from_slice(force);
     }
 
-    /// Sets φ at the start of a scheme with start values.
-    pub(crate) fn start(&mut self, auxiliary: &[f64]) {
-        self.auxiliary.copy_from_slice(&auxiliary[..self.force.len()]);
-    }
-
     /// Removes the forces of a start with accelerations that do not contain them.
     pub(crate) fn clear(&mut self) {
         self.force.fill(0.0);
@@ -47,29 +42,37 @@ impl DampingForces {
     }
 
     /// Scales φ − F with the step size, as the accelerations.
-    pub(crate) fn rescale(&mut self, ratio: f64) {
-        for (auxiliary, force) in self.auxiliary.iter_mut().zip(&self.force) {
-            *auxiliary = force + ratio * (*auxiliary - force);
-        }
+    fn rescaled(&self, i: usize, ratio: f64) -> f64 {
+        self.force[i] + ratio * (self.auxiliary[i] - self.force[i])
     }
 
-    /// Returns the work ΔW of a step and advances to the forces `next` at its end.
-    pub(crate) fn advance(
-        &mut self,
+    /// Returns the work ΔW of a step between two states, and sets the auxiliary forces at its end.
+    ///
+    /// `start` has the auxiliary forces of a first step. For other steps `ratio` is the ratio to the last step size.
+    pub(crate) fn work(
+        &self,
         scheme: SchemeCoefficients,
         (before, now): (&State, &State),
-        h: f64,
-        next: &[f64],
+        (start, ratio): (Option<&[f64]>, f64),
+        attempt: &mut DampingAttempt,
     ) -> f64 {
+        let h = now.t - before.t;
         let mut work = 0.0;
         for i in 0..now.v.len() {
-            let auxiliary = scheme.auxiliary(self.auxiliary[i], self.force[i], next[i]);
-            let mean = (1.0 - scheme.gamma) * self.auxiliary[i] + scheme.gamma * auxiliary;
+            let first = start.map_or_else(|| self.rescaled(i, ratio), |start| start[i]);
+            let last = scheme.auxiliary(first, self.force[i], attempt.force[i]);
+            let mean = (1.0 - scheme.gamma) * first + scheme.gamma * last;
             work += 0.5 * h * (before.v[i] + now.v[i]) * mean;
-            self.auxiliary[i] = auxiliary;
+            attempt.auxiliary[i] = last;
         }
-        self.force.copy_from_slice(&next[..now.v.len()]);
         work
+    }
+
+    /// Advances to the end of an attempted step.
+    pub(crate) fn accept(&mut self, attempt: &DampingAttempt) {
+        let n = self.force.len();
+        self.force.copy_from_slice(&attempt.force[..n]);
+        self.auxiliary.copy_from_slice(&attempt.auxiliary);
     }
 
     /// Returns true if the forces have the given number of entries and are finite.
@@ -77,6 +80,21 @@ impl DampingForces {
         let Self { force, auxiliary } = self;
         let sizes = force.len() == size && auxiliary.len() == size;
         sizes && force.iter().chain(auxiliary).all(|x| x.is_finite())
+    }
+}
+
+/// Damping forces at the end of an attempted step.
+#[derive(Clone, Debug)]
+pub(crate) struct DampingAttempt {
+    /// F, with entries of multipliers, which are ignored.
+    pub(crate) force: Vec<f64>,
+    /// Auxiliary forces φ.
+    auxiliary: Vec<f64>,
+}
+
+impl DampingAttempt {
+    pub(crate) fn new(coordinates: usize, multipliers: usize) -> Self {
+        Self { force: vec![0.0; coordinates + multipliers], auxiliary: vec![0.0; coordinates] }
     }
 }
 

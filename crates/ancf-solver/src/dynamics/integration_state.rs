@@ -2,6 +2,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::damping_work::{DampingForces, PowerIntegral};
+use super::energy_guard::EnergyRecord;
 use super::predictor::Predictor;
 use super::step_report::StepReport;
 use crate::equations::{ActivePair, Energy, EquationsOfMotion, Power, State};
@@ -26,6 +27,7 @@ pub(crate) struct IntegrationState {
     pub(crate) power: PowerIntegral,
     pub(crate) exchanged: Power,
     pub(crate) damping: DampingForces,
+    pub(crate) record: EnergyRecord,
 }
 
 /// Remainder of a divided step: a number of substeps h up to a time.
@@ -61,6 +63,7 @@ impl IntegrationState {
         let mut damping = vec![0.0; start.q.len() + start.lambda.len()];
         let power = PowerIntegral::new(eom.exchange(&start, &mut damping));
         let damping = DampingForces::new(start.q.len(), &damping);
+        let energy = eom.energy(&start);
         Self {
             auxiliary: start.a.clone(),
             h: 0.0,
@@ -68,7 +71,8 @@ impl IntegrationState {
             halvings: 0,
             divided: None,
             predictor: Predictor::new(start.q.len() + start.lambda.len()),
-            energy: eom.energy(&start),
+            energy,
+            record: EnergyRecord::new(energy),
             power,
             damping,
             exchanged: Power::default(),
@@ -89,6 +93,7 @@ impl IntegrationState {
             && self.halvings <= max_halvings
             && self.divided.is_none_or(|divided| divided.is_valid(self.state.t, max_halvings))
             && power.is_valid()
+            && self.record.is_valid()
             && self.damping.is_valid(coordinates)
             && self.predictor.is_valid(coordinates + multipliers)
     }

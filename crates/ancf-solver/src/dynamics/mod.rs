@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod damping_work;
+mod energy_guard;
 mod error_estimate;
 mod first_step;
 mod initial_conditions;
@@ -12,6 +13,7 @@ mod step_report;
 mod time_stepper;
 
 pub use adaptive::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl};
+pub use energy_guard::{EnergyGuard, EnergyRecord};
 pub use initial_conditions::{consistent_accelerations, consistent_velocities};
 pub use integration_state::{CheckpointMismatch, StepperCheckpoint};
 pub use scheme::SchemeCoefficients;

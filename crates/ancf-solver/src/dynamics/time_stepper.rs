@@ -1,6 +1,7 @@
 use std::f64::consts::FRAC_PI_2;
 
-use super::damping_work::PowerIntegral;
+use super::damping_work::{DampingAttempt, PowerIntegral};
+use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord};
 use super::first_step::{StartValues, start_values};
 use super::initial_conditions::{accelerations, velocities};
 use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
@@ -21,13 +22,15 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     /// Pairs at the last accepted step, if they have changed since.
     active: Option<Vec<ActivePair>>,
     /// State before the current attempt.
-    before: State,
+    pub(crate) before: State,
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
     /// Auxiliary damping forces at the start of the attempt after a restart, and damping forces at its end.
-    start_damping: Vec<f64>,
-    next_damping: Vec<f64>,
+    pub(crate) start_damping: Vec<f64>,
+    pub(crate) damping: DampingAttempt,
+    pub(crate) energies: EnergyAttempt,
+    pub(crate) guard: EnergyGuard,
 }
 
 impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
@@ -53,9 +56,17 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
             start_damping: vec![0.0; start.q.len() + start.lambda.len()],
-            next_damping: vec![0.0; start.q.len() + start.lambda.len()],
+            damping: DampingAttempt::new(start.q.len(), start.lambda.len()),
+            energies: EnergyAttempt::default(),
+            guard: EnergyGuard::default(),
             motion: IntegrationState::new(start, eom),
         }
+    }
+
+    /// Sets the limits of the energy that steps may make.
+    #[must_use]
+    pub fn with_energy_guard(self, guard: EnergyGuard) -> Self {
+        Self { guard, ..self }
     }
 
     /// Returns the current state.
@@ -73,6 +84,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     /// The dissipated energy is the work of the damping forces with the impulses and mean velocities of the scheme.
     pub fn energy_exchange(&self) -> Power {
         self.motion.exchanged
+    }
+
+    /// Returns the energy that the integration itself made or lost since the start.
+    pub fn energy_record(&self) -> EnergyRecord {
+        self.motion.record
     }
 
     /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
@@ -210,7 +226,8 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
                     self.revert();
                     return Err(SolveError::after(done, to, SolveFailure::Crossed, at));
                 }
-                return Ok(NewtonReport { iterations: spent + done.iterations, ..done });
+                let done = NewtonReport { iterations: spent + done.iterations, ..done };
+                return self.check_energy(done, to);
             };
             // A term that is active at the end was not included.
             self.revert();
@@ -285,7 +302,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Accepts the end of the attempt as the current state.
     pub(crate) fn accept(&mut self, done: &NewtonReport, report: &mut StepReport) {
-        self.add_exchange(self.motion.state.t - self.before.t);
+        let EnergyAttempt { energy, power, exchange, record } = self.energies;
+        self.motion.exchanged += exchange;
+        (self.motion.energy, self.motion.power, self.motion.record) = (energy, power, record);
+        self.motion.damping.accept(&self.damping);
         self.motion.h = self.motion.state.t - self.before.t;
         self.motion.predictor.record(
             &self.before,
@@ -295,7 +315,6 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         );
         self.motion.at_start = false;
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
-        self.motion.energy = self.eom.energy(&self.motion.state);
         self.newton.record_energy(self.motion.energy.largest());
         report.iterations += done.iterations;
         report.substeps += 1;
@@ -309,26 +328,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
 
     /// Sets powers and damping forces of a start.
     fn set_exchange(&mut self) {
-        let power = self.eom.exchange(&self.motion.state, &mut self.next_damping);
+        let power = self.eom.exchange(&self.motion.state, &mut self.damping.force);
         self.motion.power = PowerIntegral::new(power);
-        self.motion.damping.restart(&self.next_damping);
-    }
-
-    /// Adds work and dissipation of an accepted step h.
-    fn add_exchange(&mut self, h: f64) {
-        let Self { motion, scheme, .. } = self;
-        let power = self.eom.exchange(&motion.state, &mut self.next_damping);
-        let is_first = motion.at_start && !scheme.is_newmark();
-        let ratio = if motion.h > 0.0 { h / motion.h } else { 1.0 };
-        if is_first {
-            motion.damping.start(&self.start_damping);
-        } else {
-            motion.damping.rescale(ratio);
-        }
-        let states = (&self.before, &motion.state);
-        let exchanged = motion.power.advance(*scheme, (!is_first).then_some(ratio), h, power);
-        motion.exchanged += exchanged;
-        motion.exchanged.dissipation += motion.damping.advance(*scheme, states, h, &self.next_damping);
+        self.motion.damping.restart(&self.damping.force);
     }
 
     /// Saves the state to which a failed next step returns.

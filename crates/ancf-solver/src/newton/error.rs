@@ -26,6 +26,11 @@ pub enum SolveFailure {
     /// The number of turns of a joint angle is ambiguous.
     #[error("the number of turns of a joint angle is ambiguous: its rate changes too much in the step")]
     AmbiguousTurns,
+    /// The step made energy.
+    #[error(
+        "the integration makes energy: energies less work plus dissipation rise above the permitted share"
+    )]
+    EnergyMade,
     /// The equilibrium is less stable than the previous one, and no limit point was found between them.
     #[error("the stability changed within the step")]
     Unstable,

@@ -21,7 +21,7 @@ pub enum StopRule {
     /// The products are independent of units, slope coordinates and frame of reference, and so is the number of
     /// iterations. Newton's method converges quadratically, so the remaining error is far below the tolerance. The
     /// tolerance is relative to the size of the motion in the energy norm. With a reused tangent the increments
-    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-5 of the
+    /// decrease by a rate θ. The estimated remainder, θ/(1 − θ) times the last increment, must then be at most 1e-4 of the
     /// tolerance, and 2e-5 of the first increment. Remainders of successive steps with the same tangent have the same
     /// sign, so they accumulate as the errors of the scheme do. The first increment is the error of the extrapolated start
     /// value, some twenty times the error of the scheme in this step.
@@ -62,11 +62,13 @@ pub(crate) struct NewtonCheckpoint {
 /// Multiple of the rounding bound below which a residual counts as zero.
 const FLOOR: f64 = 8.0;
 /// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
-const REMAINDER: f64 = 1e-5;
+const REMAINDER: f64 = 1e-4;
 /// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
 const REDUCTION: f64 = 2e-5;
-/// Smallest target of the remainder, relative to the tolerance. It is at the rounding error.
+/// Smallest target of the remainder, relative to the tolerance.
 const LEAST_REMAINDER: f64 = 1e-7;
+/// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
+const ROUNDING: f64 = 1e-15;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -276,7 +278,8 @@ impl Newton {
                 let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
-                let remainder = (REDUCTION * first).clamp(LEAST_REMAINDER * wanted, REMAINDER * wanted);
+                let least = (LEAST_REMAINDER * wanted).max(ROUNDING * largest.sqrt());
+                let remainder = (REDUCTION * first).min(REMAINDER * wanted).max(least);
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // Without forces the energy is zero, whatever the gaps of the constraints.

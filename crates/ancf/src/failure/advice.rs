@@ -13,6 +13,9 @@ const FOR_INVERTED: &str = "more elements there and smaller steps; smaller loads
 
 const FOR_CROSSED: &str = "a larger `stiffness` of the contact, or more contact `points` where an obstacle fits between two \
                            points; in statics smaller loads, or \"dynamics\" with damping; in dynamics a smaller step";
+const FOR_ENERGY: &str = "a shorter `analysis.step`; a smaller `spectral_radius` in `analysis.scheme`, such as 0.5, which is stable \
+                          for fast rotations; a larger `analysis.energy_guard.gain` if this error is acceptable";
+const FOR_TURNS: &str = "a shorter `analysis.step`; ramps instead of jumps of drives and moments";
 
 /// Advice after a failed iteration.
 pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -> String {
@@ -20,6 +23,8 @@ pub(crate) fn advice_for_iteration(failure: SolveFailure, analysis: &Analysis) -
         (SolveFailure::Singular, _) => FOR_SINGULAR.into(),
         (SolveFailure::Memory, _) => FOR_MEMORY.into(),
         (SolveFailure::Inverted, _) => FOR_INVERTED.into(),
+        (SolveFailure::EnergyMade, _) => FOR_ENERGY.into(),
+        (SolveFailure::AmbiguousTurns, _) => FOR_TURNS.into(),
         (SolveFailure::StepTooSmall, _) => {
             "a larger `step.tolerance`; ramps instead of jumps of loads and drives; softer or damped contacts; a \
              scheme with numerical damping, such as `scheme = { spectral_radius = 0.6 }`"

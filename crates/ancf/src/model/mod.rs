@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::units::Scaled;
 
 pub use analyses::{
-    About, Analysis, Buckling, Dynamics, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
+    About, Analysis, Buckling, Dynamics, EnergyGuard, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
     Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{

@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::simulation::Simulation;
 use super::step_control::{MAX_COUNT, StepControl, StepControlCheckpoint};
 use super::summary::Summary;
-use crate::failure::StabilityMonitor;
+use crate::failure::{RotationHistory, RotationMonitor, StabilityMonitor};
 use crate::model::Model;
 use crate::results::{RowHistory, Rows};
 
@@ -27,6 +27,7 @@ pub struct Checkpoint {
     counts: StepCounts,
     rows: RowHistory,
     monitor: StabilityMonitor,
+    rotations: RotationHistory,
     control: StepControlCheckpoint,
 }
 
@@ -82,14 +83,23 @@ impl Checkpoint {
     pub(crate) fn new(
         model: u64,
         summary: &Summary,
-        monitor: &StabilityMonitor,
+        (monitor, rotations): (&StabilityMonitor, &RotationMonitor),
         rows: &Rows,
         control: &StepControl<'_>,
     ) -> Self {
         let control = control.checkpoint();
         let time = control.time() * summary.scales.time;
-        let (rows, monitor) = (rows.history(), monitor.clone());
-        Self { version: VERSION, model, time, counts: StepCounts::of(summary), rows, monitor, control }
+        let (rows, monitor, rotations) = (rows.history(), monitor.clone(), rotations.history().clone());
+        Self {
+            version: VERSION,
+            model,
+            time,
+            counts: StepCounts::of(summary),
+            rows,
+            monitor,
+            rotations,
+            control,
+        }
     }
 
     /// Checks version, model and ranges. The state itself is checked by [`restore`](Self::restore).
@@ -116,11 +126,14 @@ impl Checkpoint {
     pub(crate) fn restore(
         &self,
         summary: &mut Summary,
-        monitor: &mut StabilityMonitor,
+        (monitor, rotations): (&mut StabilityMonitor, &mut RotationMonitor),
         rows: &mut Rows,
         control: &mut StepControl<'_>,
     ) -> Result<(), ResumeError> {
-        if !rows.restore(&self.rows) || control.restore(&self.control).is_err() {
+        if !rows.restore(&self.rows)
+            || !rotations.restore(&self.rotations)
+            || control.restore(&self.control).is_err()
+        {
             return Err(ResumeError::Damaged);
         }
         self.counts.copy_to(summary);

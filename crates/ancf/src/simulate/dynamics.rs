@@ -3,6 +3,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::dynamics::StepReport;
+use ancf_solver::equations::State;
 use ancf_solver::newton::SolveError;
 
 use super::checkpoint::{Checkpoint, ResumeError, fingerprint};
@@ -11,7 +12,7 @@ use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::simulation::Simulation;
 use super::step_control::StepControl;
 use super::summary::Summary;
-use crate::failure::{StabilityMonitor, find_cause};
+use crate::failure::{RotationMonitor, StabilityMonitor, find_cause};
 use crate::model::Dynamics;
 use crate::results::{AngleRates, Rows, TIME};
 
@@ -23,6 +24,7 @@ pub(crate) struct DynamicRun<'a> {
     simulation: &'a Simulation,
     rows: Rows,
     control: StepControl<'a>,
+    rotations: RotationMonitor,
     /// Computed with the first checkpoint.
     fingerprint: OnceCell<u64>,
 }
@@ -33,12 +35,13 @@ impl<'a> DynamicRun<'a> {
         let control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
         let start = control.dynamics().state();
         rows.count_turns(start.t, start, AngleRates::Velocities);
-        Ok(Self { simulation, rows, control, fingerprint: OnceCell::new() })
+        let rotations = RotationMonitor::new(scaled, assembly);
+        Ok(Self { simulation, rows, control, rotations, fingerprint: OnceCell::new() })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
         let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
-        Checkpoint::new(model, summary, monitor, &self.rows, &self.control)
+        Checkpoint::new(model, summary, (monitor, &self.rotations), &self.rows, &self.control)
     }
 }
 
@@ -70,7 +73,8 @@ impl<'a> AnalysisRun<'a> {
         from.check(simulation)?;
         let motion = DynamicRun::new(simulation, settings, rows(simulation));
         let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
-        from.restore(&mut self.summary, &mut self.monitor, &mut motion.rows, &mut motion.control)?;
+        let DynamicRun { rows, control, rotations, .. } = &mut motion;
+        from.restore(&mut self.summary, (&mut self.monitor, rotations), rows, control)?;
         Ok(motion)
     }
 
@@ -87,6 +91,8 @@ impl<'a> AnalysisRun<'a> {
             observer.last_checkpoint(&|| motion.checkpoint(summary, monitor))?;
         }
         self.warn_of_ambiguous_turns(&motion.rows, "t", self.summary.scales.time);
+        self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
+        self.warn_of_energy(&motion);
         Ok(result)
     }
 
@@ -103,13 +109,16 @@ impl<'a> AnalysisRun<'a> {
             };
             let Self { observer, summary, monitor, .. } = self;
             observer.checkpoint(&|| motion.checkpoint(summary, monitor))?;
-            let DynamicRun { rows, control, .. } = &mut *motion;
+            let DynamicRun { rows, control, rotations, .. } = &mut *motion;
             if flow.is_break() {
                 // A stop request at the last row has no effect.
                 return Ok(Ok(if control.is_finished() { ControlFlow::Continue(()) } else { flow }));
             }
-            let advanced = control
-                .advance(|s| rows.count_turns(s.t, s, AngleRates::Velocities), |step| summary.count(step));
+            let accepted = |s: &State| {
+                rows.count_turns(s.t, s, AngleRates::Velocities);
+                rotations.examine(s);
+            };
+            let advanced = control.advance(accepted, |step| summary.count(step));
             summary.time = control.dynamics().state().t;
             match advanced {
                 Ok(true) => {}
@@ -120,6 +129,30 @@ impl<'a> AnalysisRun<'a> {
                     return Ok(Err(RunFailure::Solve(error, cause)));
                 }
             }
+        }
+    }
+
+    /// Adds warnings if steps of fixed size made energy, or if the scheme has lost a large part of the exchanged energy.
+    fn warn_of_energy(&mut self, motion: &DynamicRun<'_>) {
+        let limit =
+            motion.simulation.scaled.analysis.dynamics().map_or(f64::INFINITY, |own| own.energy_guard.loss);
+        let record = motion.control.dynamics().energy_record();
+        let (lost, reference) = (record.lost(), record.reference());
+        let is_fixed =
+            motion.simulation.scaled.analysis.dynamics().is_some_and(|own| own.step.fixed().is_some());
+        if record.refused() > 0 && is_fixed {
+            self.summary.warnings.push(format!(
+                "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \
+                 `energy_guard.gain`; use smaller steps or a smaller `spectral_radius`",
+                record.refused()
+            ));
+        }
+        if lost > limit * reference {
+            self.summary.warnings.push(format!(
+                "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
+                 a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",
+                100.0 * lost / reference
+            ));
         }
     }
 

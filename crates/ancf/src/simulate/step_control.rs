@@ -1,6 +1,6 @@
 use ancf_solver::dynamics::{
-    AdaptiveCheckpoint, AdaptiveStepper, CheckpointMismatch, ErrorControl, StepReport, StepperCheckpoint,
-    TimeStepper,
+    AdaptiveCheckpoint, AdaptiveStepper, CheckpointMismatch, EnergyGuard, ErrorControl, StepReport,
+    StepperCheckpoint, TimeStepper,
 };
 use ancf_solver::equations::{State, System};
 use ancf_solver::newton::{Interrupt, Newton, SolveError};
@@ -52,7 +52,8 @@ impl<'a> StepControl<'a> {
         let newton = if settings.newton == NewtonMethod::Full { newton.with_new_tangents() } else { newton };
         let (system, scheme) = (&assembly.system, settings.scheme.numbers());
         let mut dynamics =
-            TimeStepper::new(system, scheme, newton, settings.max_halvings, assembly.start(model));
+            TimeStepper::new(system, scheme, newton, settings.max_halvings, assembly.start(model))
+                .with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
         dynamics.include_near_terms()?;
         match settings.start {
             Start::Consistent => dynamics.restart(0.0)?,

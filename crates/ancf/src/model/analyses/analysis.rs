@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::equilibrium::{Buckling, Modes, Path, Statics};
-use super::solver_settings::{NewtonMethod, Stop};
+use super::solver_settings::{EnergyGuard, NewtonMethod, Stop};
 use crate::units::Scaled;
 
 /// Analysis to run.
@@ -65,6 +65,9 @@ pub struct Dynamics {
     #[serde(default = "Dynamics::max_halvings")]
     #[schemars(range(max = 30))]
     pub max_halvings: u32,
+    /// Limits of the error of the energy balance.
+    #[serde(default)]
+    pub energy_guard: EnergyGuard,
 }
 
 impl Dynamics {
@@ -81,12 +84,13 @@ impl Dynamics {
         Self {
             duration,
             step: Step::Fixed(step),
-            scheme: Scheme::Adams,
+            scheme: Scheme::DEFAULT,
             start: Start::Consistent,
             stop: Stop::Energy { tolerance: Stop::ENERGY },
             newton: NewtonMethod::Modified,
             max_iterations: Self::max_iterations(),
             max_halvings: Self::max_halvings(),
+            energy_guard: EnergyGuard::DEFAULT,
         }
     }
 }
@@ -135,11 +139,10 @@ impl Step {
 /// Time integration scheme, by name or by parameters.
 ///
 /// Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977); Chung & Hulbert (1993).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
 #[serde(rename_all = "snake_case")]
 pub enum Scheme {
     /// Newmark with γ = 0.70, β = 0.36: first order, strong numerical damping. Used by Kim et al. (2017).
-    #[default]
     Adams,
     /// Newmark with γ = 1/2, β = 1/4: second order, conserves the energy of linear systems. Joint reactions oscillate.
     AverageAcceleration,
@@ -164,7 +167,8 @@ pub enum Scheme {
     #[serde(untagged)]
     #[schemars(extend("additionalProperties" = false))]
     GeneralizedAlpha {
-        /// Spectral radius at infinite frequency, from 0 (maximum damping) to 1 (no damping). Recommended: 0.8.
+        /// Spectral radius ρ at infinite frequency, from 0 (maximum damping) to 1 (no damping). Rotations of ω h radians per step
+        /// are stable up to 0.7 (1 − ρ).
         #[unit(number)]
         #[schemars(range(min = 0, max = 1))]
         spectral_radius: f64,
@@ -180,7 +184,17 @@ pub enum Scheme {
     },
 }
 
+impl Default for Scheme {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
 impl Scheme {
+    /// Generalized-α with ρ = 0.6. A vibration of 100 steps a period loses 0.1 % of its energy in 50 periods, and rotations of at
+    /// least 22 steps a turn are stable. With ρ = 0.8 they lose a tenth of this and require 45 steps a turn.
+    pub const DEFAULT: Self = Self::GeneralizedAlpha { spectral_radius: 0.6 };
+
     /// Parameters of the scheme.
     pub const fn numbers(&self) -> ancf_solver::dynamics::SchemeCoefficients {
         use ancf_solver::dynamics::SchemeCoefficients;

@@ -8,4 +8,4 @@ mod solver_settings;
 pub use analysis::{Analysis, Dynamics, Scheme, Start, Step};
 pub use equilibrium::{About, Buckling, Modes, Path, Sense, Statics, Unstable};
 pub use output::{Output, Probe, Quantity};
-pub use solver_settings::{NewtonMethod, Stop};
+pub use solver_settings::{EnergyGuard, NewtonMethod, Stop};

@@ -67,3 +67,40 @@ impl From<Stop> for ancf_solver::newton::StopRule {
         }
     }
 }
+
+/// Limits of the error of the energy balance in dynamics.
+///
+/// The error is relative to the exchanged energy: the largest sum of kinetic and strain energy, plus the magnitudes of the work and
+/// of the dissipation of all steps.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Scaled)]
+#[serde(deny_unknown_fields)]
+pub struct EnergyGuard {
+    /// Largest energy that the integration may make. Steps above it are halved, finally rejected.
+    #[unit(number)]
+    #[serde(default = "EnergyGuard::gain")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub gain: f64,
+    /// Largest energy that the integration may lose without a warning, by the numerical damping of the scheme.
+    #[unit(number)]
+    #[serde(default = "EnergyGuard::loss")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub loss: f64,
+}
+
+impl EnergyGuard {
+    pub(crate) const DEFAULT: Self = Self { gain: Self::gain(), loss: Self::loss() };
+
+    const fn gain() -> f64 {
+        0.05
+    }
+
+    const fn loss() -> f64 {
+        0.05
+    }
+}
+
+impl Default for EnergyGuard {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}

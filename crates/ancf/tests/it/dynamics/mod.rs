@@ -3,6 +3,7 @@
 mod adaptive;
 mod convergence;
 mod dissipation;
+mod energy;
 mod initial_conditions;
 mod newton_methods;
 mod pendulum;

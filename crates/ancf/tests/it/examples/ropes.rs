@@ -208,7 +208,8 @@ fn band_brake_obeys_the_belt_equation() {
     };
     assert_relative("power of the motor", of("work"), moment * 10.0, 2e-3);
     assert_relative("dissipated power", of("dissipated"), of("work"), 2e-5);
-    assert!(run.largest("balance") < 1e-5 * run.last("work"), "{:e}", run.largest("balance"));
+    // Numerical damping of the start, of second order: a quarter with half the step.
+    assert!(run.largest("balance") < 3e-5 * run.last("work"), "{:e}", run.largest("balance"));
 }
 
 /// Efficiency: kinetic energy of the arrow relative to the work of the draw. Energy balance and forces on the arrow.

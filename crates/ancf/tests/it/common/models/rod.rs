@@ -4,7 +4,7 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, Formulation, Joint, Material,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint, Material,
     NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical,
     Start, Step, Stop,
 };
@@ -41,6 +41,7 @@ pub(crate) fn free(elements: u32) -> Model {
             newton: NewtonMethod::Modified,
             max_iterations: 50,
             max_halvings: 0,
+            energy_guard: EnergyGuard::default(),
         }),
         probes: vec![Probe::of_motion("tip", end())],
         output: Output::default(),

@@ -1,11 +1,11 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, Power, State, Term, Weights};
+use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
 use crate::functions::{Function, FunctionValue};
-use crate::kinematics::{Marker, SectionFrame};
+use crate::kinematics::{Marker, SectionFrame, relative_driven_rotation};
 
 /// Three equations that prescribe the frame of a section by rotation of its reference axes about an axis.
 ///
@@ -184,9 +184,14 @@ impl Term for SectionDrive {
     /// The equations are linear in the coordinates.
     fn stress_stiffness(&self, _: &Local<'_>, _: &Local<'_>, _: &mut LocalMatrix<'_>) {}
 
-    fn power(&self, at: &Local<'_>) -> Power {
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        let angle = |at: &Local<'_>| at.load * self.angle * self.function.value(at.t);
+        relative_driven_rotation(angle(to) - angle(from))
+    }
+
+    fn supplied_power(&self, at: &Local<'_>) -> f64 {
         let (directors, [rates, _]) = self.motion(at);
         let rate = self.products(&rates, &directors);
-        Power { work: (0..3).map(|k| at.lambda[k] * rate[k]).sum(), dissipation: 0.0 }
+        (0..3).map(|k| at.lambda[k] * rate[k]).sum()
     }
 }

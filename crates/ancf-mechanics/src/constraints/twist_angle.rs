@@ -71,6 +71,14 @@ impl Term for TwistAngle {
         self.parts[0].massless()
     }
 
+    fn counted_angle(&self) -> Option<usize> {
+        self.parts[0].counted_angle()
+    }
+
+    fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
+        self.parts[0].rotation(from, to)
+    }
+
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         self.parts.iter().map(|part| part.along(at)).sum::<f64>() > 0.0
     }

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, Power, State, Term, Weights};
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
 
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 
@@ -214,12 +214,6 @@ impl Term for SwingSpring {
         let components = self.now(at);
         let strain = (0..2).map(|k| 0.5 * self.stiffness[k] * components[k].value.powi(2)).sum();
         Energy { strain, ..Energy::default() }
-    }
-
-    fn power(&self, at: &Local<'_>) -> Power {
-        let components = self.now(at);
-        let dissipation = (0..2).map(|k| self.damping[k] * components[k].rate.powi(2)).sum();
-        Power { work: 0.0, dissipation }
     }
 }
 

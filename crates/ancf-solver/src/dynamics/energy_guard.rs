@@ -49,13 +49,16 @@ const SETTLED: f64 = 0.5;
 /// Gain that counts as rounding, relative to the largest energy.
 const ROUNDING: f64 = 1e-9;
 
+/// Energy that counts as zero, in units of the solver. Bodies at rest have such energies by rounding.
+const NEGLIGIBLE: f64 = 1e-30;
+
 impl EnergyGuard {
     /// Default of the gain.
     pub const GAIN: f64 = 0.05;
 
     /// Returns true if a step to the record `now` is permitted.
     pub(crate) fn permits(&self, now: &EnergyRecord) -> bool {
-        now.made - now.least <= self.gain * now.reference() + ROUNDING * now.magnitude
+        now.gain() <= self.gain * now.reference() + ROUNDING * now.magnitude + NEGLIGIBLE
     }
 }
 
@@ -67,7 +70,12 @@ impl EnergyRecord {
 
     /// Returns the exchanged energy, to which gain and loss are relative.
     pub fn reference(&self) -> f64 {
-        (self.largest + self.exchanged - (self.made - self.least)).max(0.0)
+        (self.largest + self.exchanged - self.gain()).max(0.0)
+    }
+
+    /// Returns the energy made since the smallest value.
+    fn gain(&self) -> f64 {
+        self.made - self.least
     }
 
     /// Returns the energy lost by the integration since the start; negative if energy was made.
@@ -92,7 +100,7 @@ impl EnergyRecord {
             ..self
         };
         let reference = next.reference();
-        let least = if self.delayed < SETTLED * reference { made } else { next.least };
+        let least = if self.delayed <= SETTLED * reference { made } else { next.least };
         Self { least, delayed: self.delayed + DELAY * (reference - self.delayed), ..next }
     }
 

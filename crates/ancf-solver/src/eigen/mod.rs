@@ -10,3 +10,4 @@ pub use buckling::{CriticalLoad, LoadDirection, buckling};
 pub use krylov::EigenError;
 pub use modes::{EigenModes, Mode, modes};
 pub use nonconservative::{ComplexMode, nonconservative_modes};
+pub use skew_operator::skew_ratio;

@@ -139,8 +139,9 @@ impl ArnoldiSpace {
     fn insert(&mut self, op: &SkewOperator<'_>, mut x: DVector<f64>) -> Vec<f64> {
         let (mut coefficients, before) = (vec![0.0; self.basis.len()], op.norm(&x));
         for _ in 0..2 {
+            let image = op.mass_times(&x);
             for (sum, v) in coefficients.iter_mut().zip(&self.basis) {
-                let dot = op.product(v, &x);
+                let dot = v.dot(&image);
                 x.axpy(-dot, v, 1.0);
                 *sum += dot;
             }

@@ -1,4 +1,4 @@
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use nalgebra::{DMatrix, DVector, Dyn, LU, Schur};
 
 use super::krylov::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -97,7 +97,7 @@ impl<'a> SkewOperator<'a> {
     }
 
     /// Computes M x.
-    fn mass_times(&self, x: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn mass_times(&self, x: &DVector<f64>) -> DVector<f64> {
         let mut whole = x.as_slice().to_vec();
         whole.resize(self.mass.pattern().size(), 0.0);
         let mut product = self.mass.times(&whole);
@@ -105,13 +105,25 @@ impl<'a> SkewOperator<'a> {
         product.into()
     }
 
-    /// Computes xᵀ M y.
-    pub(super) fn product(&self, x: &DVector<f64>, y: &DVector<f64>) -> f64 {
-        x.dot(&self.mass_times(y))
-    }
-
     /// Computes √(xᵀ M x).
     pub(super) fn norm(&self, x: &DVector<f64>) -> f64 {
-        self.product(x, x).max(0.0).sqrt()
+        x.dot(&self.mass_times(x)).max(0.0).sqrt()
     }
+}
+
+/// Computes the largest ratio |x̄ᵀ A x| / x̄ᵀ K x over complex x with Φ_q x = 0, for a K that is positive definite there.
+///
+/// It bounds |Im ω²|/Re ω² of all modes of K + A (Bendixson 1902). With K⁻¹ on the coordinates of A, A = E S Eᵀ, the ratio is
+/// the spectral radius of S Eᵀ K⁻¹ E.
+///
+/// # Errors
+/// If K is singular or A has too many coordinates.
+pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) -> Result<f64, EigenError> {
+    let interrupt = Interrupt::default();
+    let skew = SkewOperator::new(eom, matrix, s, 0.0, &interrupt)?;
+    let count = skew.places.len();
+    let picked = DMatrix::from_fn(count, count, |i, j| skew.correction[(skew.places[i], j)]);
+    let product: DMatrix<f64> = &skew.skew * picked;
+    let schur = Schur::try_new(product, f64::EPSILON, 100 * count.max(10)).ok_or(EigenError::NotConverged)?;
+    Ok(schur.complex_eigenvalues().iter().map(|value| value.norm()).fold(0.0, f64::max))
 }

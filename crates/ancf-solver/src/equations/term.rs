@@ -203,9 +203,11 @@ pub trait Term: Send + Sync {
     fn flow_power(&self, _at: &Local<'_>) -> f64 {
         0.0
     }
+}
 
+impl dyn Term + '_ {
     /// Returns the power supplied without a potential, and the dissipated power.
-    fn power(&self, at: &Local<'_>) -> Power {
+    pub fn power(&self, at: &Local<'_>) -> Power {
         let mut forces = [0.0; LOCAL];
         self.damping_forces(at, &mut forces[..at.q.len() + at.lambda.len()]);
         let (damping, flow): (f64, _) =

@@ -14,6 +14,7 @@ __all__ = [
     "Analysis",
     "Buckling",
     "Dynamics",
+    "EnergyGuard",
     "EnergyStop",
     "GeneralizedAlpha",
     "IncrementStop",
@@ -30,6 +31,31 @@ __all__ = [
     "Stop",
     "Unstable",
 ]
+
+
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EnergyGuard(Part):
+    """Limits of the error of the energy balance in dynamics.
+
+    The error is relative to the exchanged energy: the largest sum of kinetic and strain energy, plus the
+    magnitudes of the work and of the dissipation of all steps.
+
+    Attributes
+    ----------
+    gain
+        Largest energy that the integration may make. Steps above it are halved, finally rejected (> 0).
+        Default: ``0.05``.
+    loss
+        Largest energy that the integration may lose without a warning, by the numerical damping of the scheme
+        (> 0). Default: ``0.05``.
+
+    """
+
+    _form = "EnergyGuard"
+
+    gain: float | None = None
+    loss: float | None = None
+
 
 NewtonMethod: TypeAlias = Literal["modified", "full"]
 """Update of the tangent in Newton's method.
@@ -66,8 +92,8 @@ class GeneralizedAlpha(Part):
     Attributes
     ----------
     spectral_radius
-        Spectral radius at infinite frequency, from 0 (maximum damping) to 1 (no damping). Recommended: 0.8
-        (>= 0, <= 1).
+        Spectral radius ρ at infinite frequency, from 0 (maximum damping) to 1 (no damping). Rotations of ω h
+        radians per step are stable up to 0.7 (1 − ρ) (>= 0, <= 1).
 
     """
 
@@ -240,6 +266,8 @@ class Dynamics(Part):
         Duration, time (> 0).
     step
         Step size, time; in the units of the model with any ``scales``.
+    energy_guard
+        Limits of the error of the energy balance. Default: ``EnergyGuard(gain=0.05, loss=0.05)``.
     max_halvings
         Maximum number of successive halvings of a failed step of fixed size (>= 0, <= 30). Default: ``10``.
     max_iterations
@@ -248,7 +276,7 @@ class Dynamics(Part):
         Newton's method with a new tangent in each iteration, or with reused tangents. One of ``"modified"``,
         ``"full"``. Default: ``"modified"``.
     scheme
-        Time integration scheme. Default: ``"adams"``.
+        Time integration scheme. Default: ``Newmark()``.
     start
         Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
         ``"consistent"``.
@@ -263,6 +291,7 @@ class Dynamics(Part):
 
     duration: float
     step: StepSize
+    energy_guard: EnergyGuard | None = None
     max_halvings: int | None = None
     max_iterations: int | None = None
     newton: NewtonMethod | None = None

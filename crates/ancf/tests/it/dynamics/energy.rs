@@ -48,16 +48,23 @@ fn unresolved_rotations_are_reported() {
     }
 }
 
+/// Resolved rotations make no energy. A loss by numerical damping above 5 % has a warning.
 #[test]
-fn resolved_rotations_have_no_warning() {
+fn resolved_rotations_make_no_energy() {
     for (radius, steps) in [(0.8, 63.0), (0.9, 128.0), (0.6, 31.0), (0.5, 20.0)] {
         let (summary, series) = run(&spinning(radius, steps, 60.0, ""));
+        let warnings = summary.warnings.join(" ");
         assert!(
-            summary.outcome.is_finished() && summary.warnings.is_empty(),
+            summary.outcome.is_finished() && !warnings.contains("rotates by"),
             "{radius}, {steps}: {summary:?}"
         );
         let kinetic = series.column("kinetic").unwrap();
-        assert!(kinetic.iter().all(|now| (now / kinetic[0] - 1.0).abs() < 0.01), "{radius}, {steps}");
+        assert!(kinetic.iter().all(|now| now / kinetic[0] < 1.001), "{radius}, {steps}");
+        let lost = 1.0 - kinetic.last().unwrap() / kinetic[0];
+        assert!(
+            (lost > 0.05) == warnings.contains("numerical damping"),
+            "{radius}, {steps}: {lost}: {warnings}"
+        );
     }
 }
 

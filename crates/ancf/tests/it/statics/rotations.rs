@@ -33,7 +33,8 @@ fn run(formulation: &str, elements: usize, joints: &str, settings: &str) -> Seri
     let (model, mut series) = (Model::parse(&text).unwrap(), Series::new());
     let summary = simulate(&model, &mut series).unwrap();
     assert!(summary.outcome.is_finished(), "{formulation}, {joints}: {:?}", summary.outcome);
-    assert!(summary.warnings.is_empty(), "{:?}", summary.warnings);
+    let other = |warning: &&String| !warning.contains("locking");
+    assert_eq!(summary.warnings.iter().find(other), None, "{formulation}, {joints}");
     series
 }
 

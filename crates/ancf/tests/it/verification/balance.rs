@@ -178,16 +178,19 @@ fn joints_constrain_the_relative_rotation() {
         let (assembly, states) = instants(&model);
         let [rod, branch] = ["rod", "branch"].map(|body| {
             let (mesh, s) = (assembly.mesh(body).unwrap(), states.last().unwrap());
-            move |x: Vector3<f64>| mesh.direction(if body == "rod" { FORK } else { 0.0 }, x).value(s)
+            let at = if body == "rod" { FORK } else { 0.0 };
+            let frame = mesh.frame(at).unwrap().at(&s.q);
+            // Rotation of the section, and the material direction, which also contains strain.
+            move |x: Vector3<f64>| [frame.turned(&x), mesh.direction(at, x).value(s)]
         });
         let axis = Vector3::from(AXIS);
-        let (first, second) = (axis.cross(&Vector3::x()), axis.cross(&Vector3::y()));
-        let off_axis = angle(branch(axis), rod(first).cross(&rod(second)));
-        let turned = angle(branch(first), rod(first));
+        let first = axis.cross(&Vector3::x());
+        let between = |x| [0, 1].map(|k| angle(branch(x)[k], rod(x)[k]));
+        let ([off_axis, _], [turned, strained]) = (between(axis), between(first));
         match name {
             "spherical" => assert!(off_axis > 0.01 && turned > 0.01, "{off_axis:e}, {turned:e}"),
             "revolute" => assert!(off_axis < 1e-9 && turned > 0.01, "{off_axis:e}, {turned:e}"),
-            "clamp" => assert!(turned < 1e-9, "{name}: {turned:e}"),
+            "clamp" => assert!(strained < 1e-9, "{name}: {strained:e}"),
             // Sections at an angle rotate together and change their shapes independently.
             _ => assert!(difference(&assembly, states.last().unwrap()) < 1e-9, "{name}"),
         }
@@ -314,6 +317,7 @@ fn long_steps_end_at_the_equilibrium() {
         model.loads.push(model::Load::force(on, [0.0, -10.0, 0.0]));
         let settings = rod::settings(&mut model);
         *settings = model::Dynamics::new(duration, step); // consistent start, halved steps where needed
+        settings.scheme = model::Scheme::Adams; // damps vibrations that the steps do not resolve
         model
     };
     let (assembly, state) = equilibrium(&with_force(1e-3, 1.0), 1);
@@ -321,7 +325,7 @@ fn long_steps_end_at_the_equilibrium() {
     for step in [0.02, 0.05, 0.1] {
         let mut series = ancf::record::Series::new();
         let summary = ancf::simulate(&with_force(step, 20.0), &mut series).unwrap();
-        assert!(summary.outcome.is_finished());
+        assert!(summary.outcome.is_finished(), "{step}: {:?}", summary.outcome);
         let tip = series.columns().find(|(name, _)| name.ends_with(".y")).unwrap().1;
         assert_near("tip", *tip.last().unwrap(), exact, 1e-7);
     }

@@ -53,14 +53,14 @@ impl LoadKind for DistributedForce {
             for (s, force) in span.points(mesh) {
                 let Some(frame) = mesh.frame(s) else { return };
                 let force = BodyVector::turned(&frame, frame.composed(&force));
-                builder.add(FollowerForce::new(&mesh.point(s), force, function.clone()));
+                builder.add(FollowerForce::new(mesh.point(s), force, function.clone()));
             }
             return;
         }
         let ([from, to], [first, last]) = (span.ends, span.loads);
         for element in mesh.element_spans(from..to) {
             let mut add = |weight: &dyn Fn(f64) -> f64, force| {
-                builder.force(&mesh.distributed_marker(&element, weight), force, function.clone());
+                builder.force(mesh.distributed_marker(&element, weight), force, function.clone());
             };
             if first == last {
                 add(&|_| 1.0, first);

@@ -94,13 +94,13 @@ fn statics_closes_a_gap_in_proportion_to_the_load() {
     for (i, direction) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().enumerate() {
         let ground = Marker::fixed(direction);
         terms.push(Box::new(CoincidenceConstraint::directions(
-            &mesh.direction(0.0, direction),
+            mesh.direction(0.0, direction),
             &ground,
             3 + 3 * i,
         )));
     }
     let start = mesh.point(0.0);
-    terms.push(Box::new(CoincidenceConstraint::points(&start, &Marker::fixed(start.reference()), 0)));
+    terms.push(Box::new(CoincidenceConstraint::points(&start, Marker::fixed(start.reference()), 0)));
     terms.push(Box::new(CoincidenceConstraint::toward(&end, target, multipliers)));
     let system = System::new(assembly.system.coordinates(), multipliers + 3, terms);
     let mut state = State::rest(system.coordinates(), system.multipliers());

@@ -56,7 +56,7 @@ fn followers() -> impl Iterator<Item = TermCase> {
     let (_, mesh) = meshes().swap_remove(0);
     let (frame, vector) = (mesh.frame(1.3).expect("a beam"), Vector3::new(0.3, -2.0, 0.7));
     let along = BodyVector::turned(&frame, frame.composed(&vector));
-    let force = FollowerForce::new(&mesh.point(1.3), along, Function::ONE);
+    let force = FollowerForce::new(mesh.point(1.3), along, Function::ONE);
     let terms: [(&str, Box<dyn Term>); 3] = [
         ("follower force", Box::new(force)),
         ("follower moment", Box::new(Moment::in_section(&frame, vector, Function::ONE))),
@@ -75,7 +75,7 @@ fn external() -> TermCase {
         let field = Vector3::new(0.3 * t, -2.0, 0.7);
         (field - x * 3.0 - v * 0.4 + field.cross(&v) + x * x.dot(&v) * 0.2 - v * x.y * 0.1).into()
     };
-    let term = ExternalForce::new(&bodies()[1].point(0.31), ForceFunction::new(law), 1e6);
+    let term = ExternalForce::new(bodies()[1].point(0.31), ForceFunction::new(law), 1e6);
     TermCase { name: "external force".into(), term: Box::new(term), kind: TermKind::NonConservative }
 }
 

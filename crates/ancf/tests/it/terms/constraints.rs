@@ -58,7 +58,7 @@ pub(super) fn constraints_and_loads() -> Vec<(&'static str, Box<dyn Term>)> {
     vec![
         ("points", Box::new(CoincidenceConstraint::points(&point_a, &point_b, 5))),
         ("point and ground", Box::new(CoincidenceConstraint::points(&point_a, &ground, 5))),
-        ("points of one body", Box::new(CoincidenceConstraint::points(&point_a, &a.point(0.0), 5))),
+        ("points of one body", Box::new(CoincidenceConstraint::points(&point_a, a.point(0.0), 5))),
         ("directions", Box::new(CoincidenceConstraint::directions(&direction_a, &direction_b, 5))),
         ("gap to a point", Box::new(CoincidenceConstraint::toward(&point_a, across, 5))),
         (

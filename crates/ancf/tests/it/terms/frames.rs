@@ -58,9 +58,8 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
     };
     let sine = || Function::Sine { frequency: 0.4, phase: 0.3 };
     let slide = SlideConstraint::along(a.element_axes(), &other, OWN, 0.31, 5).swap_remove(0);
-    let force = Vector3::new(0.3, -2.0, 0.7);
     let ramp = Function::Ramp { start: 0.0, end: 2.0 };
-    vec![
+    let constraints: Vec<Case> = vec![
         (
             "frames: row of a clamp",
             Box::new(MeasureConstraint::new(row, 5).where_positive(&positive)),
@@ -91,16 +90,24 @@ pub(super) fn frame_terms(a: &BeamMesh, b: &BeamMesh) -> Vec<Case> {
             TermKind::Damped,
         ),
         ("frames: slide", Box::new(slide), TermKind::Smooth),
-        ("frames: force", Box::new(Force::new(&point, force)), TermKind::Smooth),
-        ("frames: moment", Box::new(Moment::new(&fa, force, Function::ONE)), TermKind::NonConservative),
+    ];
+    [constraints, frame_loads(&fa, &point, &p)].into_iter().flatten().collect()
+}
+
+/// Returns loads on the frame of a section, on a point at an arm and along a direction of the section.
+fn frame_loads(frame: &SectionFrame, point: &BodyVector, along: &BodyVector) -> Vec<Case> {
+    let force = Vector3::new(0.3, -2.0, 0.7);
+    vec![
+        ("frames: force", Box::new(Force::new(point, force)), TermKind::Smooth),
+        ("frames: moment", Box::new(Moment::new(frame, force, Function::ONE)), TermKind::NonConservative),
         (
             "frames: follower",
-            Box::new(FollowerForce::new(&point, &p, Function::ONE)),
+            Box::new(FollowerForce::new(point, along, Function::ONE)),
             TermKind::NonConservative,
         ),
         (
             "frames: external force",
-            Box::new(ExternalForce::new(&point, ForceFunction::new(external), 1e6)),
+            Box::new(ExternalForce::new(point, ForceFunction::new(external), 1e6)),
             TermKind::NonConservative,
         ),
     ]

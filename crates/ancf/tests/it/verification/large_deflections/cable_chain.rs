@@ -40,12 +40,12 @@ impl CableCantilever {
         let along = Marker::new([(3, 1.0 / slope)], Vector3::x());
         let ground = Marker::fixed(Vector3::zeros());
         terms.push(Box::new(CoincidenceConstraint::points(
-            &Marker::new([(0, 1.0)], Vector3::zeros()),
+            Marker::new([(0, 1.0)], Vector3::zeros()),
             &ground,
             0,
         )));
         let multipliers = if root == Root::Gradient {
-            terms.push(Box::new(CoincidenceConstraint::directions(&along, &Marker::fixed(Vector3::x()), 3)));
+            terms.push(Box::new(CoincidenceConstraint::directions(&along, Marker::fixed(Vector3::x()), 3)));
             6
         } else {
             for (axis, multiplier) in [(Vector3::y(), 3), (Vector3::z(), 4)] {

@@ -3,7 +3,9 @@
 mod buckling;
 mod krylov;
 mod modes;
+mod pencil;
+mod refinement;
 
-pub use buckling::{CriticalLoad, LoadDirection, buckling};
+pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
 pub use krylov::EigenError;
-pub use modes::{EigenModes, Mode, modes};
+pub use modes::{EigenModes, Mode, SturmCount, modes};

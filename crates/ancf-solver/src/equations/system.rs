@@ -2,6 +2,8 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
+use nalgebra::DVector;
+
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
 use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
@@ -9,6 +11,7 @@ use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
 use super::state::{State, Weights};
+use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
@@ -48,7 +51,7 @@ impl fmt::Debug for System {
 const INCLUSION_DISTANCE: f64 = 0.5;
 
 /// State variables of one term, gathered from a global state.
-struct LocalState {
+pub(super) struct LocalState {
     q: [f64; LOCAL],
     v: [f64; LOCAL],
     a: [f64; LOCAL],
@@ -56,9 +59,10 @@ struct LocalState {
 }
 
 impl LocalState {
-    const EMPTY: Self = Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+    pub(super) const EMPTY: Self =
+        Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
 
-    fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+    pub(super) fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
         let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
         for (i, &c) in coordinates.iter().enumerate() {
             self.q[i] = s.q[c];
@@ -175,6 +179,11 @@ impl System {
         let unknowns = multipliers.into_iter().map(|multiplier| coordinates + multiplier);
         Arc::make_mut(&mut self.pattern).share(unknowns);
         self
+    }
+
+    /// Returns the searches for terms that are active in some states only.
+    pub fn searches(&self) -> &[Arc<dyn ContactSearch>] {
+        &self.searches
     }
 
     /// Returns the terms.
@@ -311,6 +320,10 @@ impl EquationsOfMotion for System {
         let mut gathered = LocalState::EMPTY;
         let unbatched = self.unbatched.iter().copied();
         self.add_matrix(unbatched, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts {
+        stiffness_products(&self.terms, s, x)
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {

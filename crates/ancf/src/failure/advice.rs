@@ -54,7 +54,11 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
         EigenError::Indefinite => {
             "smaller loads, for which the reference state of the modes is stable, or `about = \"reference\"`"
         }
-        EigenError::NotConverged => "a smaller `analysis.count`, or more elements",
+        EigenError::NotConverged => {
+            "a smaller `analysis.count`; more elements, or fewer if the elements are thousands, since the rounding error \
+             of the stiffness grows with the fourth power of their number"
+        }
+        EigenError::Missed => "another `analysis.count`; fewer elements if the elements are thousands",
         EigenError::Interrupted => "nothing: the analysis was interrupted on request",
     }
 }

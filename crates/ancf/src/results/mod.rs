@@ -2,6 +2,7 @@
 
 mod fields;
 mod rows;
+mod section_forces;
 
 pub use fields::{Field, Fields, Station};
 pub use rows::{Column, Rows};

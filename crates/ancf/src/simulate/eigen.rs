@@ -1,12 +1,13 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf_solver::eigen::{CriticalLoad, EigenError, Mode, buckling, modes};
+use ancf_solver::eigen::{CriticalLoad, EigenError, Mode, SturmCount, buckling, modes};
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::SolveFailure;
 
 use super::equilibria::{equilibrium, regularised_equilibrium};
 use super::run::{AnalysisRun, RunFailure, RunResult};
+use super::summary::EigenvalueCount;
 use crate::assembly::Assembly;
 use crate::failure::unloaded;
 use crate::model::{About, Buckling, Model, Modes};
@@ -19,7 +20,7 @@ const MAX_RESIDUAL: f64 = 1e-3;
 /// Columns of the solver for modes.
 pub(crate) const MODE_COLUMNS: [&str; 3] = ["frequency", "squared", "residual"];
 /// Columns of the solver for buckling.
-pub(crate) const BUCKLING_COLUMNS: [&str; 1] = ["factor"];
+pub(crate) const BUCKLING_COLUMNS: [&str; 2] = ["factor", "residual"];
 
 /// Columns of shapes: number, columns of the solver, displacements of the probes.
 pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
@@ -68,22 +69,26 @@ impl AnalysisRun<'_> {
                 Some((complete, matrix)) => modes(&complete, matrix, &s, count, self.interrupt)?,
                 None => modes(system, system.matrix(), &s, count, self.interrupt)?,
             };
-            Ok((s, found.modes))
+            Ok((s, found))
         });
         let rate = self.summary.scales.time.recip();
         match found {
             // Large residuals indicate an undetected motion without stiffness.
-            Ok((_, found)) if found.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
+            Ok((_, found)) if found.modes.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
                 Ok(Err(EigenError::NotConverged.into()))
             }
-            Ok((about, found)) => self.shapes(
-                about,
-                found.iter().map(|mode| {
-                    let Mode { omega_squared: squared, shape, residual } = mode;
-                    let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
-                    (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
-                }),
-            ),
+            Ok((about, found)) => {
+                let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);
+                self.summary.eigenvalues = found.sturm.map(counted);
+                self.shapes(
+                    about,
+                    found.modes.iter().map(|mode| {
+                        let Mode { omega_squared: squared, shape, residual } = mode;
+                        let frequency = mode.frequency().map_or(f64::NAN, |frequency| frequency * rate);
+                        (vec![frequency, squared * rate * rate, *residual], shape.as_slice())
+                    }),
+                )
+            }
             Err(reason) => Ok(Err(reason)),
         }
     }
@@ -100,10 +105,14 @@ impl AnalysisRun<'_> {
             })
         });
         match found {
-            Ok(found) => self.shapes(
-                s,
-                found.iter().map(|CriticalLoad { factor, shape }| (vec![*factor], shape.as_slice())),
-            ),
+            Ok(found) if found.loads.iter().any(|load| load.residual > MAX_RESIDUAL) => {
+                Ok(Err(EigenError::NotConverged.into()))
+            }
+            Ok(found) => {
+                self.summary.eigenvalues = found.sturm.map(|sturm| EigenvalueCount::new(sturm, 1.0));
+                let row = |load: &'_ CriticalLoad| vec![load.factor, load.residual];
+                self.shapes(s, found.loads.iter().map(|load| (row(load), load.shape.as_slice())))
+            }
             Err(reason) => Ok(Err(reason)),
         }
     }

@@ -5,4 +5,5 @@ mod directors;
 mod elasticity;
 mod neo_hookean;
 mod resultants;
+mod section_forces;
 mod tapered;

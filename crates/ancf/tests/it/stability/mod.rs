@@ -1,4 +1,5 @@
 //! Natural modes.
 
+mod fine_meshes;
 mod loaded_equilibria;
 mod modes;

@@ -60,6 +60,9 @@ const PASSES: usize = 8;
 /// Smallest gap between ω² at which eigenvalues are counted, relative to the distance to the shift.
 const MIN_GAP: f64 = 1e-3;
 
+/// Size of ω², relative to the highest, below which it does not determine the shift.
+const NEGLIGIBLE: f64 = 1e-22;
+
 /// Computes the `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state, or fewer if there are no more.
 ///
 /// K is the tangent of f + Φ_qᵀ λ in that state, including the stiffness of stresses, loads and multipliers. Gyroscopic
@@ -105,7 +108,8 @@ pub fn modes(
         let found = krylov(&mut pencil.operator(), start, &search)?;
         let next = better_shift(&pencil, &found, shift);
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
-        if pass > 0 && found.converged {
+        let is_complete = found.converged && found.requested == count;
+        if pass > 0 && is_complete {
             let modes = finish(&mut pencil, &found, shift)?;
             if let Some(modes) = counted(&mut pencil, modes, shift)? {
                 return Ok(modes);
@@ -120,12 +124,17 @@ pub fn modes(
     Err(failure)
 }
 
-/// Returns a shift below the lowest ω², at the distance of the smallest nonzero |ω²|.
+/// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix.
+///
+/// Pairs may be rough here, so the bounds of their rounding errors do not apply.
 fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f64 {
     let pairs = found.pairs.iter().take(found.requested.max(1));
     let vectors: Vec<DVector<f64>> = pairs.map(|pair| pair.vector.clone()).collect();
+    let squared = pencil.stiffness_products(&vectors).values();
+    let negligible = NEGLIGIBLE * pencil.highest();
+    let is_sure = |(value, x): &(f64, &DVector<f64>)| value.abs() > pencil.rounding(x).max(negligible);
     let squared: Vec<f64> =
-        pencil.stiffness_products(&vectors).values().into_iter().filter(|&value| value != 0.0).collect();
+        squared.into_iter().zip(&vectors).filter(is_sure).map(|(value, _)| value).collect();
     let lowest = squared.iter().copied().fold(0.0, f64::min);
     let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
     if nearest.is_finite() { lowest - nearest } else { shift }

@@ -66,6 +66,11 @@ impl<'a> Pencil<'a> {
         self.eom.stiffness_products(self.s, x)
     }
 
+    /// Returns eight times the rounding error of xᵀ K x with the assembled matrix.
+    pub(super) fn rounding(&self, x: &DVector<f64>) -> f64 {
+        8.0 * f64::EPSILON * self.stiffness.magnitude(x.as_slice())
+    }
+
     /// Computes M x.
     pub(super) fn mass_times(&self, x: &DVector<f64>) -> DVector<f64> {
         DVector::from(self.mass.times(x.as_slice()))

@@ -10,13 +10,18 @@ pub(super) const ACCURATE: f64 = 1e-9;
 /// Reduction of the residual below which further corrections have no effect.
 pub(super) const PROGRESS: f64 = 0.9;
 
+/// Multiple of the energy zᵀ (K − σM) z of the correction z of a mode up to which its ω² is zero. The error of x = x₀ + z
+/// adds zᵀ K z to ω² = 0.
+const ENERGIES: f64 = 4.0;
+
 /// Approximate modes, M-orthonormal, in ascending order of ω².
 pub(super) struct Refinement {
     /// Values of ω², zero within the rounding error of xᵀ K x.
     pub(super) squared: Vec<f64>,
     /// Mode shapes.
     pub(super) vectors: Vec<DVector<f64>>,
-    /// Relative residuals |(K − σM)⁻¹ (K x − ω² M x)| (ω² − σ)/|ω²|, without the last factor for ω² = 0.
+    /// Relative residuals |z| (ω² − σ)/|ω²| with z = (K − σM)⁻¹ (K x − ω² M x). For ω² = 0 without the last factor, and at
+    /// least √(zᵀ (K − σM) z/|σ|).
     pub(super) residuals: Vec<f64>,
     corrections: Vec<DVector<f64>>,
     forms: DMatrix<f64>,
@@ -68,13 +73,23 @@ impl Refinement {
     ) -> Result<Self, EigenError> {
         vectors.iter_mut().for_each(|x| *x /= pencil.size(x));
         let found = pencil.stiffness_products(&vectors);
-        let (squared, mut residuals, mut corrections) = (found.values(), Vec::new(), Vec::new());
-        for ((x, product), &value) in vectors.iter().zip(&found.products).zip(&squared) {
-            let rest = product - pencil.mass_times(x) * value;
-            let correction = pencil.operator().solve(rest)?;
-            let scale = if value == 0.0 { 1.0 } else { (value - shift) / value.abs() };
-            residuals.push(pencil.size(&correction) * scale);
-            corrections.push(correction);
+        let (mut squared, mut corrections) = (found.values(), Vec::new());
+        for ((x, product), value) in vectors.iter().zip(&found.products).zip(&squared) {
+            let rest = product - pencil.mass_times(x) * *value;
+            corrections.push(pencil.operator().solve(rest)?);
+        }
+        let energies = pencil.stiffness_products(&corrections).forms.diagonal();
+        let mut residuals = Vec::new();
+        for ((z, value), energy) in corrections.iter().zip(&mut squared).zip(&energies) {
+            let size = pencil.size(z);
+            let energy = energy.abs() + shift.abs() * size.powi(2);
+            if value.abs() <= ENERGIES * energy {
+                *value = 0.0;
+            }
+            residuals.push(match *value {
+                0.0 => size.max((energy / shift.abs()).sqrt()),
+                value => size * (value - shift) / value.abs(),
+            });
         }
         Ok(Self { squared, vectors, residuals, corrections, forms: found.forms })
     }

@@ -78,6 +78,7 @@ impl AnalysisRun<'_> {
                 Ok(Err(EigenError::NotConverged.into()))
             }
             Ok((about, found)) => {
+                self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
                 let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);
                 self.summary.eigenvalues = found.sturm.map(counted);
                 self.shapes(
@@ -91,6 +92,17 @@ impl AnalysisRun<'_> {
             }
             Err(reason) => Ok(Err(reason)),
         }
+    }
+
+    /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
+    fn held_but_zero(&self, s: &State, zeros: usize) -> Option<String> {
+        let free = self.assembly.free_motions(s).len();
+        (zeros > free).then(|| {
+            format!(
+                "{zeros} frequencies are zero, but the rigid bodies and joints leave {free} motions free: \
+                the others have no stiffness beyond the rounding error"
+            )
+        })
     }
 
     /// Computes critical loads, one row per load.

@@ -110,13 +110,15 @@ pub fn buckling(
     eom.tangent(s, Weights::MASS, &mut mass);
     let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
     let mut start = pencil.operator().start(count + GUARD, 0)?;
-    let mut failure = EigenError::NotConverged;
+    let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
         let found = krylov(&mut pencil.operator(), start, &sense.search(count))?;
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
-            let shapes: Result<Vec<_>, _> = start.iter().map(|x| pencil.operator().apply(x)).collect();
+            // Vectors beyond the number of degrees of freedom are rounding errors.
+            let shapes: Result<Vec<_>, _> =
+                start.iter().take(degrees).map(|x| pencil.operator().apply(x)).collect();
             let loads = pencil.refined(shapes?, found.requested, sense)?;
             if let Some(loads) = pencil.counted(loads, sense)? {
                 return Ok(loads);

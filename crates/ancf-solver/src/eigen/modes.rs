@@ -90,7 +90,8 @@ pub fn modes(
     count: usize,
     interrupt: &Interrupt,
 ) -> Result<EigenModes, EigenError> {
-    let count = count.min(eom.degrees_of_freedom(s));
+    let degrees = eom.degrees_of_freedom(s);
+    let count = count.min(degrees);
     if count == 0 {
         return Ok(EigenModes { modes: Vec::new(), rigid: 0, sturm: None });
     }
@@ -110,7 +111,7 @@ pub fn modes(
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         let is_complete = found.converged && found.requested == count;
         if pass > 0 && is_complete {
-            let modes = finish(&mut pencil, &found, shift)?;
+            let modes = finish(&mut pencil, &found, shift, degrees)?;
             if let Some(modes) = counted(&mut pencil, modes, shift)? {
                 return Ok(modes);
             }
@@ -140,11 +141,16 @@ fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f
     if nearest.is_finite() { lowest - nearest } else { shift }
 }
 
-/// Computes the modes of converged pairs.
-fn finish(pencil: &mut Pencil<'_>, found: &EigenSearchResult, shift: f64) -> Result<EigenModes, EigenError> {
+/// Computes the modes of converged pairs. Vectors beyond the number of degrees of freedom are rounding errors.
+fn finish(
+    pencil: &mut Pencil<'_>,
+    found: &EigenSearchResult,
+    shift: f64,
+    degrees: usize,
+) -> Result<EigenModes, EigenError> {
     // T makes x satisfy the constraints to the accuracy of the linear solver.
     let images: Result<Vec<_>, _> =
-        found.pairs.iter().map(|pair| pencil.operator().apply(&pair.vector)).collect();
+        found.pairs.iter().take(degrees).map(|pair| pencil.operator().apply(&pair.vector)).collect();
     let refined = Refinement::new(pencil, images?, found.requested, shift)?;
     let n = pencil.coordinates();
     let mode = |k: usize| {

@@ -61,17 +61,44 @@ impl Operator<'_> {
 
     /// Computes S⁻¹ f.
     pub(crate) fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
+        let n = self.coordinates;
+        f.as_mut_slice()[n..].fill(0.0);
+        self.solve_whole(&mut f)?;
+        f.as_mut_slice()[n..].fill(0.0);
+        Ok(f)
+    }
+
+    /// Computes the z with Φ_q z = Φ_q x and S z = r up to reactions. The vector x − z satisfies the constraints.
+    ///
+    /// The second solution has the force r less the reactions, whose rounding error may exceed z.
+    pub(crate) fn correction(
+        &mut self,
+        x: &DVector<f64>,
+        mut r: DVector<f64>,
+    ) -> Result<DVector<f64>, EigenError> {
+        let (n, size) = (self.coordinates, r.len());
+        if n == size {
+            return self.solve(r);
+        }
+        r.rows_mut(n, size - n).copy_from_slice(&self.left.times(x.as_slice())[n..]);
+        let mut reaction = r.clone();
+        self.solve_whole(&mut reaction)?;
+        reaction.rows_mut(0, n).fill(0.0);
+        r -= DVector::from(self.left.times(reaction.as_slice()));
+        self.solve_whole(&mut r)?;
+        r.rows_mut(n, size - n).fill(0.0);
+        Ok(r)
+    }
+
+    /// Solves with all equations. The relative error of a solution is undefined for zero.
+    fn solve_whole(&mut self, f: &mut DVector<f64>) -> Result<(), EigenError> {
         if self.interrupt.is_set() {
             return Err(EigenError::Interrupted);
         }
-        let clear = |x: &mut DVector<f64>| x.as_mut_slice()[self.coordinates..].fill(0.0);
-        clear(&mut f);
-        // The relative error of a solution is undefined for zero.
         if f.iter().any(|&x| x != 0.0) {
             self.factor.solve(self.left, f.as_mut_slice())?;
-            clear(&mut f);
         }
-        Ok(f)
+        Ok(())
     }
 
     /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run and different for each `variant`.

@@ -76,7 +76,7 @@ impl Refinement {
         let (mut squared, mut corrections) = (found.values(), Vec::new());
         for ((x, product), value) in vectors.iter().zip(&found.products).zip(&squared) {
             let rest = product - pencil.mass_times(x) * *value;
-            corrections.push(pencil.operator().solve(rest)?);
+            corrections.push(pencil.operator().correction(x, rest)?);
         }
         let energies = pencil.stiffness_products(&corrections).forms.diagonal();
         let mut residuals = Vec::new();

@@ -133,7 +133,7 @@ pub(super) fn independent(
     let mut kept: Vec<(DVector<f64>, DVector<f64>)> = Vec::new();
     for (k, mut x) in vectors.into_iter().enumerate() {
         let whole = size(&x);
-        if k >= count && !(whole > SMALL * largest) {
+        if k >= count && whole <= SMALL * largest {
             continue;
         }
         x /= whole;

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::state::{State, Weights};
-use super::system::LocalState;
-use super::term::{LOCAL, LocalMatrix, Term};
+use super::term::{LOCAL, LocalMatrix, LocalState, Term};
 
 /// Products of the stiffness matrix K with the columns of X.
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
 use super::state::{State, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
-use super::term::{LOCAL, Local, LocalMatrix, Term};
+use super::term::{LOCAL, Local, LocalMatrix, LocalState, Term};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
@@ -49,38 +49,6 @@ impl fmt::Debug for System {
 
 /// Distance, relative to the search margin, below which pairs are included before they become active.
 const INCLUSION_DISTANCE: f64 = 0.5;
-
-/// State variables of one term, gathered from a global state.
-pub(super) struct LocalState {
-    q: [f64; LOCAL],
-    v: [f64; LOCAL],
-    a: [f64; LOCAL],
-    lambda: [f64; LOCAL],
-}
-
-impl LocalState {
-    pub(super) const EMPTY: Self =
-        Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
-
-    pub(super) fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
-        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
-        for (i, &c) in coordinates.iter().enumerate() {
-            self.q[i] = s.q[c];
-            self.v[i] = s.v[c];
-            self.a[i] = s.a[c];
-        }
-        let (n, m) = (coordinates.len(), multipliers.len());
-        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
-        Local {
-            q: &self.q[..n],
-            v: &self.v[..n],
-            a: &self.a[..n],
-            lambda: &self.lambda[..m],
-            t: s.t,
-            load: s.load,
-        }
-    }
-}
 
 impl System {
     /// Creates the sum of `terms` over the given numbers of coordinates and multipliers.

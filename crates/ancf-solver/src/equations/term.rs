@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use super::energy::{Energy, Level, Power};
-use super::state::Weights;
+use super::state::{State, Weights};
 
 /// Maximum number of unknowns (coordinates and multipliers) of one term. Local arrays are kept on the stack.
 pub const LOCAL: usize = 64;
@@ -237,4 +237,36 @@ fn shifted_constraints<T: Term + ?Sized>(term: &T, at: &Local<'_>, sign: f64) ->
     term.residual(&Local { q: &q[..n], ..*at }, &mut rows[..n + m]);
     rows.copy_within(n..n + m, 0);
     rows
+}
+
+/// State variables of one term, gathered from a global state.
+pub(super) struct LocalState {
+    q: [f64; LOCAL],
+    v: [f64; LOCAL],
+    a: [f64; LOCAL],
+    lambda: [f64; LOCAL],
+}
+
+impl LocalState {
+    pub(super) const EMPTY: Self =
+        Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+
+    pub(super) fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
+        for (i, &c) in coordinates.iter().enumerate() {
+            self.q[i] = s.q[c];
+            self.v[i] = s.v[c];
+            self.a[i] = s.a[c];
+        }
+        let (n, m) = (coordinates.len(), multipliers.len());
+        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
+        Local {
+            q: &self.q[..n],
+            v: &self.v[..n],
+            a: &self.a[..n],
+            lambda: &self.lambda[..m],
+            t: s.t,
+            load: s.load,
+        }
+    }
 }

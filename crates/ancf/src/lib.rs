@@ -96,7 +96,7 @@ pub use model::Model;
 pub use nalgebra;
 pub use results::{Column, Field, Fields, Rows, Station};
 pub use simulate::{
-    Checkpoint, Error, Extension, Observer, Outcome, ResumeError, Simulation, SimulationBuilder, Summary,
-    simulate,
+    Checkpoint, EigenvalueCount, Error, Extension, Observer, Outcome, ResumeError, Simulation,
+    SimulationBuilder, Summary, simulate,
 };
 pub use units::Scales;

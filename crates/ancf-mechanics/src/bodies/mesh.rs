@@ -181,6 +181,11 @@ impl BeamMesh {
         3 * self.reference.len()
     }
 
+    /// Returns the first coordinate.
+    pub fn first_coordinate(&self) -> usize {
+        self.first
+    }
+
     /// Returns the number of elements.
     pub fn count(&self) -> usize {
         self.elements.count()

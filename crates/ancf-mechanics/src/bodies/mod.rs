@@ -6,8 +6,10 @@ mod element_axes;
 mod mesh;
 mod mesh_element;
 mod resultants;
+mod section_frames;
+mod strains;
 
 pub use body_terms::BodyTerms;
 pub use distributed::ElementSpan;
 pub use mesh::{BeamMesh, MeshParameters};
-pub use resultants::normals_to;
+pub use section_frames::{CarriedFrame, normals_to};

@@ -14,6 +14,15 @@ pub struct Wrench {
     pub moment: Vector3<f64>,
 }
 
+impl Wrench {
+    /// Returns the components along three orthonormal axes.
+    #[must_use]
+    pub fn seen_from(&self, axes: &[Vector3<f64>; 3]) -> Self {
+        let seen = |x: &Vector3<f64>| Vector3::from(axes.map(|axis| axis.dot(x)));
+        Self { force: seen(&self.force), moment: seen(&self.moment) }
+    }
+}
+
 /// Names of the global axes.
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 

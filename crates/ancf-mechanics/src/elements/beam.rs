@@ -109,6 +109,10 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
         &self.coordinates
     }
 
+    fn positions(&self) -> &[usize] {
+        S::POSITIONS
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let profile = &self.profile;
         let mut force = self.mass_times(&vectors(at.a));

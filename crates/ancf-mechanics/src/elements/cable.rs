@@ -118,6 +118,10 @@ impl Term for Cable12 {
         &self.coordinates
     }
 
+    fn positions(&self) -> &[usize] {
+        &[0, 6]
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
         let a = vectors(at.a);

@@ -83,6 +83,9 @@ pub trait Interpolation<const N: usize> {
     /// Kind of each vector.
     const KINDS: [VectorKind; N];
 
+    /// First coordinates of the vectors of kind [`VectorKind::Position`].
+    const POSITIONS: &'static [usize];
+
     /// Returns the length of the element.
     fn length(&self) -> f64;
 
@@ -104,6 +107,7 @@ impl Interpolation<8> for BeamShape {
         VectorKind::Y,
         VectorKind::Z,
     ];
+    const POSITIONS: &'static [usize] = &[0, 12];
 
     fn length(&self) -> f64 {
         self.length
@@ -162,6 +166,7 @@ impl Interpolation<9> for QuadraticShape {
         VectorKind::Y,
         VectorKind::Z,
     ];
+    const POSITIONS: &'static [usize] = &[0, 9, 18];
 
     fn length(&self) -> f64 {
         self.length

@@ -1,7 +1,8 @@
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::krylov::{EigenError, EigenSearch, Operator, krylov};
-use super::modes::modes;
+use super::modes::{SturmCount, modes};
+use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::Factor;
 use crate::newton::Interrupt;
@@ -14,6 +15,18 @@ pub struct CriticalLoad {
     pub factor: f64,
     /// Buckling shape x over the coordinates with xᵀ M x = 1.
     pub shape: Vec<f64>,
+    /// Residual |K₀⁻¹ (K₀ x + s K_g x)| in the norm of M. It bounds the distance to the next 1/s, relative to 1/s.
+    pub residual: f64,
+}
+
+/// Lowest critical loads of a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalLoads {
+    /// Critical loads by increasing magnitude.
+    pub loads: Vec<CriticalLoad>,
+    /// Verified number of critical loads, `None` if K₀ + s K_g has no symmetric factorisation or the loads have both
+    /// directions.
+    pub sturm: Option<SturmCount>,
 }
 
 /// Direction of the loads.
@@ -38,6 +51,8 @@ const DEPTH: usize = 16;
 const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
 const MIN_EIGENVALUE: f64 = 1e-6;
+/// Smallest gap between factors at which they are counted, relative to the larger factor.
+const MIN_GAP: f64 = 1e-3;
 /// Smallest significant work of the loads, relative to the sum of their work on isolated coordinates.
 const MIN_WORK: f64 = 1e-12;
 
@@ -57,7 +72,8 @@ const MIN_WORK: f64 = 1e-12;
 /// path is critical. [`ArcLength`](crate::statics::ArcLength) finds that point by the negative pivots of K.
 ///
 /// Returns fewer than `count` factors if the loads have no more in this direction. `matrix` is any matrix of the
-/// pattern of `eom`.
+/// pattern of `eom`. The number of factors below the last gap is compared with the number of negative eigenvalues of
+/// K₀ + s K_g.
 ///
 /// Source: Bathe (2014), section 6.8.2, with stresses of first order only; Timoshenko & Gere (1961), chapters 2, 6;
 /// Trahair & Woolcock (1973). The largest 1/s of −K₀⁻¹ K_g, self-adjoint in the inner product of K₀, are found by block
@@ -73,10 +89,10 @@ pub fn buckling(
     count: usize,
     sense: LoadDirection,
     interrupt: &Interrupt,
-) -> Result<Vec<CriticalLoad>, EigenError> {
+) -> Result<CriticalLoads, EigenError> {
     let lowest = modes(eom, matrix.clone(), s, 1, interrupt)?.modes;
     match lowest.first().map(|mode| mode.omega_squared) {
-        None => return Ok(Vec::new()),
+        None => return Ok(CriticalLoads { loads: Vec::new(), sturm: None }),
         Some(0.0) => return Err(EigenError::Singular),
         Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
         Some(_) => {}
@@ -84,51 +100,183 @@ pub fn buckling(
     if !eom.skew_stiffness(&State { load: 1.0, ..s.clone() }).is_empty() {
         return Err(EigenError::Nonconservative);
     }
-    let (mut stiffness, n) = (matrix.clone(), eom.coordinates());
+    let mut stiffness = matrix.clone();
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
-    let Some(increment) = first_order(eom, s, &stiffness, &mut factor)? else { return Ok(Vec::new()) };
+    let Some(increment) = first_order(eom, s, &stiffness, &mut factor)? else {
+        return Ok(CriticalLoads { loads: Vec::new(), sturm: None });
+    };
     let mut softening = matrix.clone();
     eom.stress_stiffness(s, &increment, &mut softening);
     softening.values_mut().iter_mut().for_each(|value| *value = -*value);
-    let inner = &stiffness;
-    let factor = &mut factor;
-    let mut op = Operator { factor, left: inner, right: &softening, inner, coordinates: n, interrupt };
-    let key: fn(f64) -> f64 = match sense {
-        LoadDirection::Stated => |theta| theta,
-        LoadDirection::Reversed => |theta| -theta,
-        LoadDirection::Either => f64::abs,
-    };
-    let search = EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH };
-    let mut start = op.start(count + GUARD)?;
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
-    for _ in 0..PASSES {
-        let found = krylov(&mut op, start, &search)?;
+    let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
+    let mut start = pencil.operator().start(count + GUARD, 0)?;
+    let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
+    for pass in 0..PASSES {
+        let found = krylov(&mut pencil.operator(), start, &sense.search(count))?;
+        start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
+            // Vectors beyond the number of degrees of freedom are rounding errors.
             let shapes: Result<Vec<_>, _> =
-                found.pairs[..found.requested].iter().map(|pair| op.apply(&pair.vector)).collect();
-            return Ok(shapes?.iter().map(|x| critical(x, &stiffness, &softening, &mass, n)).collect());
+                start.iter().take(degrees).map(|x| pencil.operator().apply(x)).collect();
+            let loads = pencil.refined(shapes?, found.requested, sense)?;
+            if let Some(loads) = pencil.counted(loads, sense)? {
+                return Ok(loads);
+            }
+            failure = EigenError::Missed;
+            start.extend(pencil.restored()?.start(GUARD, 1 + pass as u64)?);
         }
-        start = found.pairs.into_iter().map(|pair| pair.vector).collect();
     }
-    Err(EigenError::NotConverged)
+    Err(failure)
 }
 
-/// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, and x with xᵀ M x = 1.
-fn critical(
-    x: &DVector<f64>,
-    stiffness: &SparseMatrix,
-    softening: &SparseMatrix,
-    mass: &SparseMatrix,
-    n: usize,
-) -> CriticalLoad {
-    let product = |matrix: &SparseMatrix| x.dot(&DVector::from(matrix.times(x.as_slice())));
-    let size = product(mass).max(0.0).sqrt();
-    let shape = x.iter().take(n).map(|x| x / size).collect();
-    CriticalLoad { factor: product(stiffness) / product(softening), shape }
+impl LoadDirection {
+    /// Selection of the eigenvalues 1/s.
+    fn search(self, count: usize) -> EigenSearch {
+        let key: fn(f64) -> f64 = match self {
+            Self::Stated => |theta| theta,
+            Self::Reversed => |theta| -theta,
+            Self::Either => f64::abs,
+        };
+        EigenSearch { count, key, least: MIN_EIGENVALUE, tolerance: TOLERANCE, depth: DEPTH }
+    }
+}
+
+/// Critical loads, the matrix of all xᵀ K₀ x, and the corrections of the shapes.
+type Measured = (Vec<CriticalLoad>, DMatrix<f64>, Vec<DVector<f64>>);
+
+/// Matrices K₀, −K_g and M of a state, and the factors of K₀.
+struct BucklingPencil<'a> {
+    eom: &'a dyn EquationsOfMotion,
+    s: &'a State,
+    stiffness: SparseMatrix,
+    softening: SparseMatrix,
+    mass: SparseMatrix,
+    factor: Factor,
+    interrupt: &'a Interrupt,
+}
+
+impl BucklingPencil<'_> {
+    /// Operator T = −K₀⁻¹ K_g.
+    fn operator(&mut self) -> Operator<'_> {
+        let Self { eom, stiffness, softening, factor, interrupt, .. } = self;
+        let coordinates = eom.coordinates();
+        Operator { factor, left: stiffness, right: softening, inner: stiffness, coordinates, interrupt }
+    }
+
+    /// Factorises K₀ again.
+    fn restored(&mut self) -> Result<Operator<'_>, EigenError> {
+        self.factor.factorise(&self.stiffness)?;
+        Ok(self.operator())
+    }
+
+    /// Corrects shapes by x − K₀⁻¹ (K₀ x + s K_g x) and the Rayleigh-Ritz method, until the residuals of the first `count` are
+    /// small or no longer decrease. Products with K₀ are summed term by term, as for modes.
+    fn refined(
+        &mut self,
+        shapes: Vec<DVector<f64>>,
+        count: usize,
+        sense: LoadDirection,
+    ) -> Result<Vec<CriticalLoad>, EigenError> {
+        let worst =
+            |loads: &[CriticalLoad]| loads.iter().take(count).map(|load| load.residual).fold(0.0, f64::max);
+        let shapes = independent(shapes, count, |x| DVector::from(self.mass.times(x.as_slice())));
+        let (mut loads, _, mut corrections) = self.measured(shapes)?;
+        for _ in 0..CORRECTIONS {
+            let before = worst(&loads);
+            if before <= ACCURATE {
+                break;
+            }
+            let corrected = loads.iter().zip(&corrections).map(|(load, z)| &self.extended(load) - z);
+            let corrected = corrected.collect();
+            let (rough, of_rough, _) = self.measured(corrected)?;
+            let Some(shapes) = self.ritz(&rough, &of_rough, sense) else { break };
+            let (next, _, rest) = self.measured(shapes)?;
+            let after = worst(&next);
+            if after < before {
+                (loads, corrections) = (next, rest);
+            }
+            if after > PROGRESS * before {
+                break;
+            }
+        }
+        loads.truncate(count);
+        Ok(loads)
+    }
+
+    /// Shape of a load as a vector over all unknowns.
+    fn extended(&self, load: &CriticalLoad) -> DVector<f64> {
+        let mut x = DVector::zeros(self.stiffness.pattern().size());
+        x.as_mut_slice()[..load.shape.len()].copy_from_slice(&load.shape);
+        x
+    }
+
+    /// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, for x with xᵀ M x = 1, the matrix of all xᵀ K₀ x,
+    /// and the corrections of x.
+    fn measured(&mut self, shapes: Vec<DVector<f64>>) -> Result<Measured, EigenError> {
+        let size = |mass: &SparseMatrix, x: &DVector<f64>| {
+            x.dot(&DVector::from(mass.times(x.as_slice()))).max(0.0).sqrt()
+        };
+        let shapes: Vec<_> = shapes.into_iter().map(|x| &x / size(&self.mass, &x)).collect();
+        let of_terms = self.eom.stiffness_products(self.s, &shapes);
+        let (mut loads, mut corrections) = (Vec::new(), Vec::new());
+        for (k, (x, product)) in shapes.iter().zip(&of_terms.products).enumerate() {
+            let softened = DVector::from(self.softening.times(x.as_slice()));
+            let factor = of_terms.forms[(k, k)] / x.dot(&softened);
+            let correction = self.operator().solve(product - softened * factor)?;
+            let residual = size(&self.mass, &correction);
+            let shape = x.as_slice()[..self.eom.coordinates()].to_vec();
+            loads.push(CriticalLoad { factor, shape, residual });
+            corrections.push(correction);
+        }
+        Ok((loads, of_terms.forms, corrections))
+    }
+
+    /// Returns the Ritz vectors of the span of the shapes, by descending keys of 1/s.
+    fn ritz(
+        &self,
+        loads: &[CriticalLoad],
+        forms: &DMatrix<f64>,
+        sense: LoadDirection,
+    ) -> Option<Vec<DVector<f64>>> {
+        let shapes: Vec<_> = loads.iter().map(|load| self.extended(load)).collect();
+        let images: Vec<_> =
+            shapes.iter().map(|x| DVector::from(self.softening.times(x.as_slice()))).collect();
+        let count = shapes.len();
+        let softened = DMatrix::from_fn(count, count, |i, j| {
+            0.5 * (shapes[i].dot(&images[j]) + shapes[j].dot(&images[i]))
+        });
+        let (values, weights) = projected(&softened, &(0.5 * (forms + forms.transpose())))?;
+        let key = sense.search(count).key;
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by(|&a, &b| key(values[b]).total_cmp(&key(values[a])));
+        Some(order.iter().map(|&k| combined(&shapes, weights.column(k).as_slice())).collect())
+    }
+
+    /// Verifies the number of factors below the last gap. Returns `None` if it differs from the number of loads there.
+    fn counted(
+        &mut self,
+        loads: Vec<CriticalLoad>,
+        sense: LoadDirection,
+    ) -> Result<Option<CriticalLoads>, EigenError> {
+        let factors: Vec<f64> = loads.iter().map(|load| load.factor).collect();
+        let has_gap = |k: &usize| (factors[*k] - factors[*k - 1]).abs() > MIN_GAP * factors[*k].abs();
+        let gap = (1..factors.len()).rev().find(has_gap).filter(|_| sense != LoadDirection::Either);
+        let Some(gap) = gap else { return Ok(Some(CriticalLoads { loads, sturm: None })) };
+        let below = 0.5 * (factors[gap - 1] + factors[gap]);
+        let mut loaded = self.stiffness.clone();
+        let softening = self.softening.values();
+        loaded.values_mut().iter_mut().zip(softening).for_each(|(value, k)| *value -= below * k);
+        self.factor.factorise(&loaded)?;
+        let negative = self.factor.negative_pivots();
+        let count = negative.map(|negative| negative.saturating_sub(self.eom.multipliers()));
+        let sturm = count.map(|count| SturmCount { below, count });
+        Ok(count.is_none_or(|count| count == gap).then_some(CriticalLoads { loads, sturm }))
+    }
 }
 
 /// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Returns `None` for loads without effect.

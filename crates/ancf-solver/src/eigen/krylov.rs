@@ -20,6 +20,11 @@ pub enum EigenError {
     /// The limit of restarts was reached.
     #[error("the eigenvalues did not converge")]
     NotConverged,
+    /// The inertia of the shifted matrix contradicts the computed eigenvalues.
+    #[error(
+        "the number of computed eigenvalues differs from their number by the inertia of the shifted matrix"
+    )]
+    Missed,
     /// The interrupt flag was set.
     #[error("the eigenvalue search was interrupted")]
     Interrupted,
@@ -58,22 +63,52 @@ impl Operator<'_> {
     }
 
     /// Computes S⁻¹ f.
-    fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
-        if self.interrupt.is_set() {
-            return Err(EigenError::Interrupted);
-        }
-        let clear = |x: &mut DVector<f64>| x.as_mut_slice()[self.coordinates..].fill(0.0);
-        clear(&mut f);
-        self.factor.solve(self.left, f.as_mut_slice())?;
-        clear(&mut f);
+    pub(crate) fn solve(&mut self, mut f: DVector<f64>) -> Result<DVector<f64>, EigenError> {
+        let n = self.coordinates;
+        f.as_mut_slice()[n..].fill(0.0);
+        self.solve_whole(&mut f)?;
+        f.as_mut_slice()[n..].fill(0.0);
         Ok(f)
     }
 
-    /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run.
+    /// Computes the z with Φ_q z = Φ_q x and S z = r up to reactions. The vector x − z satisfies the constraints.
+    ///
+    /// The second solution has the force r less the reactions, whose rounding error may exceed z.
+    pub(crate) fn correction(
+        &mut self,
+        x: &DVector<f64>,
+        mut r: DVector<f64>,
+    ) -> Result<DVector<f64>, EigenError> {
+        let (n, size) = (self.coordinates, r.len());
+        if n == size {
+            return self.solve(r);
+        }
+        r.rows_mut(n, size - n).copy_from_slice(&self.left.times(x.as_slice())[n..]);
+        let mut reaction = r.clone();
+        self.solve_whole(&mut reaction)?;
+        reaction.rows_mut(0, n).fill(0.0);
+        r -= DVector::from(self.left.times(reaction.as_slice()));
+        self.solve_whole(&mut r)?;
+        r.rows_mut(n, size - n).fill(0.0);
+        Ok(r)
+    }
+
+    /// Solves with all equations. The relative error of a solution is undefined for zero.
+    fn solve_whole(&mut self, f: &mut DVector<f64>) -> Result<(), EigenError> {
+        if self.interrupt.is_set() {
+            return Err(EigenError::Interrupted);
+        }
+        if f.iter().any(|&x| x != 0.0) {
+            self.factor.solve(self.left, f.as_mut_slice())?;
+        }
+        Ok(())
+    }
+
+    /// Applies S⁻¹ to `count` pseudo-random forces, the same in every run and different for each `variant`.
     ///
     /// The forces are scaled by the root of the diagonal of B, which makes them independent of units.
-    pub(crate) fn start(&mut self, count: usize) -> Result<Vec<DVector<f64>>, EigenError> {
-        let (mut random, n) = (PseudoRandom(24), self.left.pattern().size());
+    pub(crate) fn start(&mut self, count: usize, variant: u64) -> Result<Vec<DVector<f64>>, EigenError> {
+        let (mut random, n) = (PseudoRandom(24 + variant), self.left.pattern().size());
         let size: Vec<f64> = (0..n).map(|i| self.inner.diagonal_of(i).abs().sqrt()).collect();
         (0..count).map(|_| self.solve(DVector::from_fn(n, |i, _| size[i] * random.number()))).collect()
     }
@@ -92,11 +127,9 @@ impl PseudoRandom {
     }
 }
 
-/// Approximate eigenpair T x = θ x.
+/// Approximate eigenvector T x = θ x.
 #[derive(Clone, Debug)]
 pub(crate) struct EigenPair {
-    /// Eigenvalue θ.
-    pub(crate) value: f64,
     /// Eigenvector x with xᵀ B x = 1.
     pub(crate) vector: DVector<f64>,
 }
@@ -179,7 +212,6 @@ struct KrylovSpace<'a> {
 
 /// Eigenpairs of the projected matrix, best first.
 struct Ritz {
-    values: Vec<f64>,
     vectors: DMatrix<f64>,
     order: Vec<usize>,
     requested: usize,
@@ -250,7 +282,7 @@ impl KrylovSpace<'_> {
         let small =
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
         let converged = order[..requested].iter().all(small);
-        Ritz { values, vectors, order, requested, converged }
+        Ritz { vectors, order, requested, converged }
     }
 
     /// Returns the k-th best pair.
@@ -260,6 +292,6 @@ impl KrylovSpace<'_> {
         for (v, &weight) in self.basis.iter().zip(&ritz.vectors.column(at)) {
             vector.axpy(weight, v, 1.0);
         }
-        EigenPair { value: ritz.values[at], vector }
+        EigenPair { vector }
     }
 }

@@ -4,10 +4,12 @@ mod buckling;
 mod krylov;
 mod modes;
 mod nonconservative;
+mod pencil;
+mod refinement;
 mod skew_operator;
 
-pub use buckling::{CriticalLoad, LoadDirection, buckling};
+pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
 pub use krylov::EigenError;
-pub use modes::{EigenModes, Mode, modes};
+pub use modes::{EigenModes, Mode, SturmCount, modes};
 pub use nonconservative::{ComplexMode, nonconservative_modes};
 pub use skew_operator::skew_ratio;

@@ -2,9 +2,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
-use super::krylov::{EigenError, EigenSearch, EigenSearchResult, Operator, krylov};
-use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
+use super::krylov::{EigenError, EigenSearch, EigenSearchResult, krylov};
+use super::pencil::Pencil;
+use super::refinement::Refinement;
+use crate::equations::{EquationsOfMotion, State};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -16,8 +17,18 @@ pub struct Mode {
     /// Mode shape x over the coordinates with xᵀ M x = 1. Its largest entry, weighted by the root of the mass, is
     /// positive.
     pub shape: Vec<f64>,
-    /// Residual |T x − θ x| / θ in the norm of M, with T = (K − σM)⁻¹ M and θ = 1/(ω² − σ).
+    /// Residual |(K − σM)⁻¹ (K x − ω² M x)| (ω² − σ)/|ω²| in the norm of M; for ω² = 0 without the last factor. It bounds
+    /// the distance to the next eigenvalue, relative to ω².
     pub residual: f64,
+}
+
+/// Number of eigenvalues in an interval by Sylvester's law of inertia, independent of the computed modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SturmCount {
+    /// Upper end of the interval: all ω² below it are counted.
+    pub below: f64,
+    /// Number of negative eigenvalues of K − below · M, equal to the number of computed ω² in the interval.
+    pub count: usize,
 }
 
 impl Mode {
@@ -32,8 +43,10 @@ impl Mode {
 pub struct EigenModes {
     /// Modes in ascending order of ω².
     pub modes: Vec<Mode>,
-    /// Number of rigid modes, whose ω² is within the rounding error of K.
+    /// Number of rigid modes, whose ω² is within the rounding error of xᵀ K x.
     pub rigid: usize,
+    /// Verified number of modes, `None` if K − σM has no symmetric factorisation.
+    pub sturm: Option<SturmCount>,
 }
 
 /// Residual tolerance of converged eigenpairs.
@@ -44,8 +57,11 @@ const GUARD: usize = 4;
 const DEPTH: [usize; 2] = [4, 16];
 /// Maximum number of restarts, each with a better shift and better vectors.
 const PASSES: usize = 8;
-/// Multiple of the rounding error of xᵀ K x below which ω² is zero.
-const ZERO: f64 = 8.0;
+/// Smallest gap between ω² at which eigenvalues are counted, relative to the distance to the shift.
+const MIN_GAP: f64 = 1e-3;
+
+/// Size of ω², relative to the highest, below which it does not determine the shift.
+const NEGLIGIBLE: f64 = 1e-22;
 
 /// Computes the `count` lowest modes K x + Φ_qᵀ μ = ω² M x, Φ_q x = 0 about a state, or fewer if there are no more.
 ///
@@ -56,12 +72,17 @@ const ZERO: f64 = 8.0;
 /// which the inertia of K − σM verifies. Its distance to the lowest ω² is that of the smallest nonzero |ω²| to zero.
 /// Free bodies with singular K are therefore admissible. Units and slope lengths have no effect.
 ///
+/// The modes are corrected and ω² is computed with products K x term by term, which have less rounding error than the
+/// assembled matrix ([`EquationsOfMotion::stiffness_products`]). The modes are complete: the number of ω² below the last
+/// gap is compared with the inertia of K − σM, and the search is repeated with other vectors if it differs.
+///
 /// `matrix` is any matrix of the pattern of `eom`.
 ///
 /// Source: Ericsson & Ruhe (1980), the spectral transformation; Grimes, Lewis & Simon (1994).
 ///
 /// # Errors
-/// If constraints are redundant, the mass is negative, the iteration does not converge, or it is interrupted.
+/// If constraints are redundant, the mass is negative, the iteration does not converge, a mode is missing, or the search is
+/// interrupted.
 pub fn modes(
     eom: &dyn EquationsOfMotion,
     matrix: SparseMatrix,
@@ -69,9 +90,10 @@ pub fn modes(
     count: usize,
     interrupt: &Interrupt,
 ) -> Result<EigenModes, EigenError> {
-    let count = count.min(eom.degrees_of_freedom(s));
+    let degrees = eom.degrees_of_freedom(s);
+    let count = count.min(degrees);
     if count == 0 {
-        return Ok(EigenModes { modes: Vec::new(), rigid: 0 });
+        return Ok(EigenModes { modes: Vec::new(), rigid: 0, sturm: None });
     }
     let mut pencil = Pencil::new(eom, matrix, s, interrupt)?;
     let mut search =
@@ -79,123 +101,76 @@ pub fn modes(
     // A shift far below all ω² prefers no mode, so the start vectors are independent even for a poor first shift.
     let highest = pencil.highest();
     pencil.factorise(-highest)?;
-    let mut start = pencil.operator().start(count + GUARD)?;
+    let mut start = pencil.operator().start(count + GUARD, 0)?;
+    let mut failure = EigenError::NotConverged;
     let mut shift = -100.0 * f64::EPSILON * highest;
     for pass in 0..PASSES {
         shift = pencil.factorise(shift)?;
         let found = krylov(&mut pencil.operator(), start, &search)?;
-        if pass > 0 && found.converged {
-            return pencil.finish(found);
+        let next = better_shift(&pencil, &found, shift);
+        start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
+        let is_complete = found.converged && found.requested == count;
+        if pass > 0 && is_complete {
+            let modes = finish(&mut pencil, &found, shift, degrees)?;
+            if let Some(modes) = counted(&mut pencil, modes, shift)? {
+                return Ok(modes);
+            }
+            failure = EigenError::Missed;
+            pencil.factorise(shift)?;
+            start.extend(pencil.operator().start(GUARD, pass as u64)?);
         }
-        shift = pencil.better_shift(&found, shift);
-        start = found.pairs.into_iter().map(|pair| pair.vector).collect();
+        shift = next;
         search.depth = DEPTH[1];
     }
-    Err(EigenError::NotConverged)
+    Err(failure)
 }
 
-/// Matrices K and M of a state, and K − σM with its factors.
-struct Pencil<'a> {
-    eom: &'a dyn EquationsOfMotion,
-    s: &'a State,
-    stiffness: SparseMatrix,
-    mass: SparseMatrix,
-    shifted: SparseMatrix,
-    factor: Factor,
-    interrupt: &'a Interrupt,
+/// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix.
+///
+/// Pairs may be rough here, so the bounds of their rounding errors do not apply.
+fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f64 {
+    let pairs = found.pairs.iter().take(found.requested.max(1));
+    let vectors: Vec<DVector<f64>> = pairs.map(|pair| pair.vector.clone()).collect();
+    let squared = pencil.stiffness_products(&vectors).values();
+    let negligible = NEGLIGIBLE * pencil.highest();
+    let is_sure = |(value, x): &(f64, &DVector<f64>)| value.abs() > pencil.rounding(x).max(negligible);
+    let squared: Vec<f64> =
+        squared.into_iter().zip(&vectors).filter(is_sure).map(|(value, _)| value).collect();
+    let lowest = squared.iter().copied().fold(0.0, f64::min);
+    let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
+    if nearest.is_finite() { lowest - nearest } else { shift }
 }
 
-impl<'a> Pencil<'a> {
-    fn new(
-        eom: &'a dyn EquationsOfMotion,
-        matrix: SparseMatrix,
-        s: &'a State,
-        interrupt: &'a Interrupt,
-    ) -> Result<Self, EigenError> {
-        let (mut stiffness, mut mass) = (matrix.clone(), matrix.clone());
-        eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
-        eom.tangent(s, Weights::MASS, &mut mass);
-        let factor = Factor::new(matrix.pattern())?;
-        Ok(Self { eom, s, stiffness, mass, shifted: matrix, factor, interrupt })
-    }
+/// Computes the modes of converged pairs. Vectors beyond the number of degrees of freedom are rounding errors.
+fn finish(
+    pencil: &mut Pencil<'_>,
+    found: &EigenSearchResult,
+    shift: f64,
+    degrees: usize,
+) -> Result<EigenModes, EigenError> {
+    // T makes x satisfy the constraints to the accuracy of the linear solver.
+    let images: Result<Vec<_>, _> =
+        found.pairs.iter().take(degrees).map(|pair| pencil.operator().apply(&pair.vector)).collect();
+    let refined = Refinement::new(pencil, images?, found.requested, shift)?;
+    let n = pencil.coordinates();
+    let mode = |k: usize| {
+        let x = &refined.vectors[k];
+        let sign = pencil.sign(x);
+        let shape = x.as_slice()[..n].iter().map(|x| sign * x).collect();
+        Mode { omega_squared: refined.squared[k], shape, residual: refined.residuals[k] }
+    };
+    let modes: Vec<Mode> = (0..found.requested).map(mode).collect();
+    let rigid = modes.iter().filter(|mode| mode.omega_squared == 0.0).count();
+    Ok(EigenModes { modes, rigid, sturm: None })
+}
 
-    /// Estimates the highest ω² by the largest K_ii / M_ii. Returns one without stiffness.
-    fn highest(&self) -> f64 {
-        let ratio = |i| match self.mass.diagonal_of(i) {
-            mass if mass > 0.0 => self.stiffness.diagonal_of(i).abs() / mass,
-            _ => 0.0,
-        };
-        let highest = (0..self.eom.coordinates()).map(ratio).fold(0.0, f64::max);
-        if highest > 0.0 { highest } else { 1.0 }
-    }
-
-    /// Factorises K − σM for the first of σ, 4σ, 16σ, ... below all ω². Returns this shift.
-    fn factorise(&mut self, mut shift: f64) -> Result<f64, EigenError> {
-        // 4¹⁰⁰ exceeds any spectrum.
-        for _ in 0..100 {
-            self.eom.tangent(self.s, Weights { q: 1.0, v: 0.0, a: -shift }, &mut self.shifted);
-            self.factor.factorise(&self.shifted)?;
-            match self.factor.negative_pivots() {
-                Some(negative) if negative > self.eom.multipliers() => shift *= 4.0,
-                _ => return Ok(shift),
-            }
-        }
-        Err(EigenError::Singular)
-    }
-
-    fn operator(&mut self) -> Operator<'_> {
-        let Self { eom, mass, shifted, factor, interrupt, .. } = self;
-        let coordinates = eom.coordinates();
-        Operator { factor, left: shifted, right: mass, inner: mass, coordinates, interrupt }
-    }
-
-    /// Computes ω² = xᵀ K x for xᵀ M x = 1, and zero within the rounding error.
-    fn squared(&self, x: &DVector<f64>) -> f64 {
-        let squared = x.dot(&DVector::from(self.stiffness.times(x.as_slice())));
-        let rounding = f64::EPSILON * self.stiffness.magnitude(x.as_slice());
-        if squared.abs() > ZERO * rounding { squared } else { 0.0 }
-    }
-
-    /// Returns a shift below the lowest ω², at the distance of the smallest nonzero |ω²|.
-    fn better_shift(&self, found: &EigenSearchResult, shift: f64) -> f64 {
-        let squared = found.pairs.iter().take(found.requested.max(1)).map(|pair| self.squared(&pair.vector));
-        let squared: Vec<f64> = squared.filter(|&squared| squared != 0.0).collect();
-        let lowest = squared.iter().copied().fold(0.0, f64::min);
-        let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
-        if nearest.is_finite() { lowest - nearest } else { shift }
-    }
-
-    /// Computes the modes of converged pairs, with one more iteration each.
-    fn finish(&mut self, found: EigenSearchResult) -> Result<EigenModes, EigenError> {
-        let mut modes = Vec::with_capacity(found.requested);
-        for pair in &found.pairs[..found.requested] {
-            let image = self.operator().apply(&pair.vector)?;
-            let rest = &image - &pair.vector * pair.value;
-            let residual = self.size(&rest) / pair.value;
-            let x = &image * (self.sign(&image) / self.size(&image));
-            let squared = self.squared(&x);
-            modes.push(Mode {
-                omega_squared: squared,
-                shape: x.as_slice()[..self.eom.coordinates()].to_vec(),
-                residual,
-            });
-        }
-        modes.sort_by(|a, b| a.omega_squared.total_cmp(&b.omega_squared));
-        let rigid = modes.iter().filter(|mode| mode.omega_squared == 0.0).count();
-        Ok(EigenModes { modes, rigid })
-    }
-
-    /// Computes √(xᵀ M x).
-    fn size(&self, x: &DVector<f64>) -> f64 {
-        x.dot(&DVector::from(self.mass.times(x.as_slice()))).max(0.0).sqrt()
-    }
-
-    /// Returns the sign of the first of the largest entries. Entries within a relative 10⁻⁶ count as equal.
-    fn sign(&self, x: &DVector<f64>) -> f64 {
-        let weighed = |i: usize| x[i] * self.mass.diagonal_of(i).abs().sqrt();
-        let all = 0..self.eom.coordinates();
-        let largest = all.clone().map(|i| weighed(i).abs()).fold(0.0, f64::max);
-        let first = all.clone().find(|&i| weighed(i).abs() >= (1.0 - 1e-6) * largest);
-        first.map_or(1.0, |i| x[i].signum())
-    }
+/// Verifies the number of ω² below the last gap. Returns `None` if it differs from the number of modes there.
+fn counted(pencil: &mut Pencil<'_>, modes: EigenModes, shift: f64) -> Result<Option<EigenModes>, EigenError> {
+    let squared: Vec<f64> = modes.modes.iter().map(|mode| mode.omega_squared).collect();
+    let has_gap = |k: &usize| squared[*k] - squared[*k - 1] > MIN_GAP * (squared[*k] - shift);
+    let gap = (1..squared.len()).rev().find(has_gap);
+    let (below, expected) = gap.map_or((shift, 0), |k| (0.5 * (squared[k - 1] + squared[k]), k));
+    let Some(count) = pencil.count_below(below)? else { return Ok(Some(modes)) };
+    let sturm = Some(SturmCount { below, count });
+    Ok((count == expected).then_some(EigenModes { sturm, ..modes }))
 }

@@ -42,6 +42,12 @@ pub(crate) fn near_pairs(searches: &[Arc<dyn ContactSearch>], s: &State) -> Vec<
     searches.iter().enumerate().flat_map(of).collect()
 }
 
+/// Returns the terms of the active pairs of several searches.
+pub fn active_terms(searches: &[Arc<dyn ContactSearch>], s: &State) -> Vec<Arc<dyn Term>> {
+    let near = near_pairs(searches, s).into_iter();
+    near.filter(|(_, distance)| *distance <= 0.0).map(|((i, pair), _)| searches[i].term(pair)).collect()
+}
+
 /// Returns true if a pair within a distance is missing from the sorted active pairs.
 pub(crate) fn is_missing(active: &[ActivePair], near: &[(ActivePair, f64)], within: f64) -> bool {
     near.iter().any(|(pair, distance)| *distance <= within && active.binary_search(pair).is_err())

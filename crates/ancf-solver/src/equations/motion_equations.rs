@@ -1,6 +1,9 @@
+use nalgebra::DVector;
+
 use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
 use super::state::{State, Weights};
+use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
 
@@ -31,6 +34,10 @@ pub trait EquationsOfMotion {
 
     /// Assembles the symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
+
+    /// Computes K X and Xᵀ K X for columns X over the coordinates, K = ∂(f + Φ_qᵀ λ)/∂q, with less rounding error than
+    /// products with the assembled matrix.
+    fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts;
 
     /// Assembles the initial stress stiffness at the configuration of a state.
     ///

@@ -2,6 +2,8 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
+use nalgebra::DVector;
+
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
 use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
@@ -10,6 +12,7 @@ use super::local_state::LocalState;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
 use super::state::{State, Weights};
+use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
 use super::term_sums::{Rotation, largest_rotation, skew_stiffness};
 use super::thread_parts::{ThreadParts, enclosing_range};
@@ -152,6 +155,11 @@ impl System {
         self
     }
 
+    /// Returns the searches for terms that are active in some states only.
+    pub fn searches(&self) -> &[Arc<dyn ContactSearch>] {
+        &self.searches
+    }
+
     /// Returns the terms.
     pub fn terms(&self) -> &[Arc<dyn Term>] {
         &self.terms
@@ -286,6 +294,10 @@ impl EquationsOfMotion for System {
         let mut gathered = LocalState::EMPTY;
         let unbatched = self.unbatched.iter().copied();
         self.add_matrix(unbatched, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts {
+        stiffness_products(&self.terms, s, x)
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {

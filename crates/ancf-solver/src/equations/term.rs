@@ -115,6 +115,14 @@ pub trait Term: Send + Sync {
     /// Adds the lower triangle of the tangent.
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>);
 
+    /// Returns the first coordinate, in local order, of each position vector.
+    ///
+    /// A common translation of these vectors must not change the elastic forces. Products with the stiffness use this to
+    /// avoid cancellation.
+    fn positions(&self) -> &[usize] {
+        &[]
+    }
+
     /// Returns the massless coordinates that the multipliers determine, such as the position of a slider.
     ///
     /// They are eliminated after these multipliers. The other coordinates of the multipliers must have mass or

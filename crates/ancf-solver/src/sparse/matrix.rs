@@ -99,6 +99,21 @@ impl SparseMatrix {
         sums
     }
 
+    /// Returns the nonzero entries of each row, for products with sparse vectors.
+    pub fn rows(&self) -> Vec<Vec<(usize, f64)>> {
+        let mut rows = vec![Vec::new(); self.pattern.size()];
+        self.visit(|i, j, value| {
+            let (i, j) = (self.pattern.unknown(i), self.pattern.unknown(j));
+            if value != 0.0 {
+                rows[i].push((j, value));
+                if i != j {
+                    rows[j].push((i, value));
+                }
+            }
+        });
+        rows
+    }
+
     /// Returns |x|ᵀ |A| |x|. ε times this bounds the rounding error of xᵀ A x.
     pub fn magnitude(&self, x: &[f64]) -> f64 {
         self.magnitudes(x).iter().zip(x).map(|(sum, x)| sum * x.abs()).sum()

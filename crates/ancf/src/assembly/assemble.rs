@@ -5,8 +5,8 @@ use ancf_mechanics::kinematics::{Attachment, BodyVector, Marker};
 use ancf_solver::equations::{System, Term};
 
 use super::assembled::{Assembly, RecordedQuantity};
+use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
-use crate::joints::JointEquations;
 use crate::model::{Model, Probe, TimeMode};
 
 impl Model {
@@ -23,9 +23,16 @@ impl Model {
             batches.extend(body.batches().into_iter().map(|(at, batch)| (first + at, batch)));
             terms.extend(body.terms());
         }
-        terms.extend(joints.iter().flat_map(JointEquations::terms));
+        let first_joint = terms.len();
+        let mut nodal = Vec::new();
+        for (joint, equations) in self.joints.iter().zip(&joints) {
+            terms.extend(equations.terms());
+            nodal.resize(terms.len() - first_joint, self.connects_nodes(&bodies, joint));
+        }
         terms.extend(self.coupling_terms(&bodies, &joints));
         terms.extend(self.load_terms(&bodies, time_mode));
+        let is_nodal = |index: usize| nodal.get(index - first_joint).copied().unwrap_or(false);
+        let inner_loads = InnerLoads::new(&bodies, &terms, first_joint, is_nodal);
         let probes = self
             .probes
             .iter()
@@ -58,6 +65,7 @@ impl Model {
             closed,
             breaks,
             inputs,
+            inner_loads,
         };
         let assembly = assembly.sharing();
         let closed = if self.assemble { Some(self.close(&assembly)?) } else { None };

@@ -7,6 +7,7 @@ use ancf_solver::equations::{EquationsOfMotion, State, System};
 use ancf_solver::newton::SolveError;
 
 use super::inputs::{Inputs, NoNumber};
+use super::loads::InnerLoads;
 use super::redundant::Redundant;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::Quantity;
@@ -30,6 +31,7 @@ pub struct Assembly {
     pub(crate) closed: Option<GapClosure>,
     pub(crate) breaks: Vec<f64>,
     pub(crate) inputs: Inputs,
+    pub(crate) inner_loads: InnerLoads,
 }
 
 /// One quantity that a probe records.

@@ -3,38 +3,19 @@
 use std::sync::Arc;
 
 use ancf_mechanics::bodies::BodyTerms;
-use ancf_mechanics::contact::{
-    BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts, ObstacleShape,
-};
+use ancf_mechanics::contact::{BeamContacts, ContactLaw, ContactTube, Obstacle, ObstacleContacts};
 use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
-use crate::model::{Contact, Model, ObstacleKind};
+use crate::model::{Contact, Model};
 
 /// Depth of the transition, relative to the smallest radius.
 const TRANSITION: f64 = 0.02;
 /// Default slip speed, relative to length divided by duration.
 const SLIP: f64 = 1e-3;
-/// Smallest and largest default number of contact points per element.
-const POINTS: [f64; 2] = [4.0, 1e4];
 
 impl Contact {
-    /// Number of contact points per element of a body with a radius.
-    fn points(&self, length: f64, radius: f64) -> usize {
-        let spacing = match self.with.obstacle().map(ObstacleKind::shape) {
-            Some(ObstacleShape::Plane) => f64::INFINITY,
-            Some(ObstacleShape::Sphere { radius: r, .. } | ObstacleShape::Cylinder { radius: r, .. }) => {
-                0.25 * (r + radius)
-            }
-            None => 0.5 * radius,
-        };
-        self.points.map_or_else(
-            || (length / spacing).ceil().clamp(POINTS[0], POINTS[1]) as usize,
-            |points| points as usize,
-        )
-    }
-
     /// Contact law. `radius` is the smallest radius of the bodies.
     fn law(&self, model: &Model, radius: f64) -> ContactLaw {
         let creep = model.analysis.dynamics().map_or(1.0, |d| SLIP * model.length() / d.duration);

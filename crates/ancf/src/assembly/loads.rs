@@ -1,10 +1,52 @@
-//! Loads of a model as terms.
+//! Loads of a model as terms, and loads and reactions between the nodes of elements, for section forces.
 
-use ancf_mechanics::bodies::BodyTerms;
+use std::collections::HashMap;
+
+use ancf_mechanics::bodies::{BeamMesh, BodyTerms};
 use ancf_solver::equations::Term;
 
+use crate::joints::{End, Joint};
 use crate::loads::{Load, LoadBuilder};
 use crate::model::{Model, Place, TimeMode};
+
+/// Indices of the terms that act between the nodes of an element, by body and element.
+#[derive(Debug, Default)]
+pub(crate) struct InnerLoads(HashMap<(usize, usize), Vec<usize>>);
+
+impl InnerLoads {
+    /// Creates the index of the terms from `first`, which are those of joints and loads. `is_nodal` are terms that connect
+    /// the nodes of an element with each other.
+    pub(super) fn new(
+        bodies: &[(String, BodyTerms)],
+        terms: &[Box<dyn Term>],
+        first: usize,
+        is_nodal: impl Fn(usize) -> bool,
+    ) -> Self {
+        let mut inner: HashMap<(usize, usize), Vec<usize>> = HashMap::new();
+        let meshes: Vec<(usize, &BeamMesh)> =
+            bodies.iter().enumerate().filter_map(|(k, (_, body))| Some((k, body.mesh()?))).collect();
+        for (index, term) in terms.iter().enumerate().skip(first).filter(|(index, _)| !is_nodal(*index)) {
+            let coordinates = term.coordinates();
+            for &c in coordinates {
+                // The meshes are in the order of their coordinates.
+                let after = meshes.partition_point(|(_, mesh)| mesh.first_coordinate() <= c);
+                let Some(&(body, mesh)) = after.checked_sub(1).map(|at| &meshes[at]) else { continue };
+                for element in mesh.elements_near(&[c]) {
+                    let known = inner.get(&(body, element)).and_then(|list| list.last());
+                    if known != Some(&index) && mesh.acts_within(coordinates, element) {
+                        inner.entry((body, element)).or_default().push(index);
+                    }
+                }
+            }
+        }
+        Self(inner)
+    }
+
+    /// Indices of the terms within an element.
+    pub(crate) fn of(&self, body: usize, element: usize) -> &[usize] {
+        self.0.get(&(body, element)).map_or(&[], Vec::as_slice)
+    }
+}
 
 impl Model {
     /// Terms of all loads, in the order of the model.
@@ -20,5 +62,16 @@ impl Model {
             builder.finish()
         };
         self.loads.iter().flat_map(terms).collect()
+    }
+
+    /// True if a joint connects two nodes of one body. It does not act between the nodes of an element.
+    pub(super) fn connects_nodes(&self, bodies: &[(String, BodyTerms)], joint: &Joint) -> bool {
+        let (a, End::Place(b)) = joint.ends() else { return false };
+        let body = self.body_of(a);
+        let is_node = |place: &Place| {
+            let mesh = bodies[body].1.mesh();
+            mesh.is_some_and(|mesh| mesh.is_node(self.bodies[body].arc_length(place.at)))
+        };
+        body == self.body_of(b) && is_node(a) && is_node(b)
     }
 }

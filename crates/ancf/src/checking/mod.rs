@@ -7,8 +7,10 @@ mod findings;
 mod friction;
 mod joints;
 mod loads;
+mod memory;
 mod rules;
 mod scheme;
 mod time_functions;
 
-pub(crate) use rules::{broken_rules, with_memory};
+pub(crate) use memory::with_memory;
+pub(crate) use rules::broken_rules;

@@ -9,17 +9,13 @@ use super::bodies::{bodies, cables, formulations};
 use super::capabilities::capabilities;
 use super::contacts::contacts;
 use super::findings::{COINCIDENT, body, places_of, rule_of_place};
+use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{scheme, time};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{Model, ON_AXIS, Place, bodies_of, joints_of};
 use crate::schema::join;
 use crate::units::ScaleChoice;
-
-/// Upper limit on the number of elements. Larger values are assumed to be typing errors.
-const MAX_ELEMENTS: u64 = 10_000_000;
-/// Memory of a run per element.
-const BYTES_PER_ELEMENT: f64 = 12e3;
 
 /// Findings of all checks.
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
@@ -91,32 +87,19 @@ fn sections(model: &Model) -> Vec<Finding> {
     sections.flat_map(|(name, section)| section.shape().check(&join("sections", name))).collect()
 }
 
-/// Checks the number of elements.
+/// Checks the number of elements and the memory of the model.
 fn size(model: &Model) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
     let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
     let error = largest.map(|(path, _)| {
         let wanted = format!("at most {MAX_ELEMENTS} over all bodies");
         finding(format!("{path}.elements"), format!("{total} elements in all"), wanted)
-            .hint(memory(total as f64))
+            .hint(memory_of(total as f64))
             .rests_on(bodies_of(model).map(|(path, _)| format!("{path}.elements")))
     });
-    error.into_iter().collect()
-}
-
-/// Hint with the memory of a number of elements.
-pub(crate) fn memory(elements: f64) -> String {
-    format!("they would need about {} GB of memory", number((elements * BYTES_PER_ELEMENT / 1e9).round()))
-}
-
-/// Adds a hint on memory to a finding about a number of elements that the schema rejects.
-pub(crate) fn with_memory(finding: Finding) -> Finding {
-    let elements = finding.error.path.ends_with(".elements").then(|| finding.error.found.parse::<f64>());
-    match elements {
-        Some(Ok(elements)) if elements > MAX_ELEMENTS as f64 && finding.error.hint.is_none() => {
-            finding.hint(memory(elements))
-        }
-        _ => finding,
+    match error {
+        Some(error) => vec![error],
+        None => super::memory::memory(model, super::memory::available()).into_iter().collect(),
     }
 }
 

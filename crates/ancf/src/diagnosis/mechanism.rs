@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::fmt;
 
 use ancf_mechanics::kinematics::NodalVector;
@@ -79,17 +80,26 @@ impl Assembly {
             rigid.displacements(y).into_iter().for_each(|(c, x)| movers[c].push((i, x)));
         }
         let mut scale = Vec::with_capacity(motions.len());
+        let stiffness = stiffness.rows();
         for (j, (_, y)) in motions.iter().enumerate() {
-            let mut full = vec![0.0; size];
-            rigid.displacements(y).into_iter().for_each(|(c, x)| full[c] = x);
-            let (force, sizes) = (stiffness.times(&full), stiffness.magnitudes(&full));
-            let rounding = |c: usize| STIFFNESS_TOLERANCE * f64::EPSILON * sizes[c];
-            let of_all: f64 = (0..size).map(|c| rounding(c) * full[c].abs()).sum();
+            let displacements = rigid.displacements(y);
+            // Forces and the sums of the magnitudes of their parts.
+            let mut forces: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
+            for &(c, x) in &displacements {
+                for &(i, k) in &stiffness[c] {
+                    let sums = forces.entry(i).or_default();
+                    *sums = [sums[0] + k * x, sums[1] + (k * x).abs()];
+                }
+            }
+            let rounding = |size: f64| STIFFNESS_TOLERANCE * f64::EPSILON * size;
+            let size_at = |c: usize| forces.get(&c).map_or(0.0, |sums| sums[1]);
+            let of_all: f64 = displacements.iter().map(|&(c, x)| rounding(size_at(c)) * x.abs()).sum();
             scale.push(if of_all > 0.0 { 1.0 / of_all.sqrt() } else { 0.0 });
             // Rotations without stress have rounding errors only, which are excluded from the products.
-            for c in (0..size).filter(|&c| force[c].abs() > rounding(c)) {
+            for (&c, &[force, _]) in forces.iter().filter(|(_, [force, size])| force.abs() > rounding(*size))
+            {
                 for &(i, x) in &movers[c] {
-                    *rows[i].entry(j).or_default() += x * force[c];
+                    *rows[i].entry(j).or_default() += x * force;
                 }
             }
         }
@@ -218,9 +228,12 @@ impl RigidModel {
     /// Coordinates that a motion changes, with their displacements.
     fn displacements(&self, motion: &SparseVector) -> Vec<(usize, f64)> {
         let mut moved = Vec::new();
-        for (b, body) in self.bodies.iter().enumerate() {
+        let mut bodies: Vec<usize> = motion.range(..6 * self.bodies.len()).map(|(j, _)| j / 6).collect();
+        bodies.dedup();
+        for b in bodies {
+            let body = &self.bodies[b];
             let part: Vec<(usize, f64)> = motion.range(6 * b..6 * b + 6).map(|(j, y)| (j % 6, *y)).collect();
-            for vector in body.vectors.iter().filter(|_| !part.is_empty()) {
+            for vector in &body.vectors {
                 let motions = body.motions(vector);
                 let sum: Vector3<f64> = part.iter().map(|&(j, y)| motions[j] * y).sum();
                 moved.extend((0..3).map(|k| (vector.first + k, sum[k])));

@@ -72,7 +72,11 @@ pub(crate) const fn advice_for_eigen(error: EigenError) -> &'static str {
             "modes with `about = \"equilibrium\"` under several loads: flutter begins where two frequencies meet; loads of \
              fixed direction have critical loads; fewer loads without a potential if this is an analysis of modes"
         }
-        EigenError::NotConverged => "a smaller `analysis.count`, or more elements",
+        EigenError::NotConverged => {
+            "a smaller `analysis.count`; more elements, or fewer if the elements are thousands, since the rounding error \
+             of the stiffness grows with the fourth power of their number"
+        }
+        EigenError::Missed => "another `analysis.count`; fewer elements if the elements are thousands",
         EigenError::Interrupted => "nothing: the analysis was interrupted on request",
     }
 }

@@ -1,12 +1,13 @@
 //! Queries on a model: derived quantities, and components with the paths of their keys.
 
+use ancf_mechanics::contact::ObstacleShape;
 use nalgebra::Vector3;
 
 use crate::joints::{Coupled, Joint, JointContext, JointCoordinate};
 use crate::loads::{Load, LoadContext};
 use crate::model::Model;
 use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
-use crate::model::contacts::Contact;
+use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
 
@@ -163,6 +164,9 @@ impl LoadContext for Model {
     }
 }
 
+/// Smallest and largest default number of contact points per element.
+const POINTS: [f64; 2] = [4.0, 1e4];
+
 impl Contact {
     /// Numbers of the bodies in contact.
     pub(crate) fn bodies(&self, model: &Model) -> Vec<usize> {
@@ -188,6 +192,21 @@ impl Contact {
             model.sections.get(body.section_and_material()?.0).filter(|_| !tapered)?.shape().outer_radius()
         };
         self.radius.or_else(own)
+    }
+
+    /// Number of contact points per element of a body with a radius.
+    pub(crate) fn points(&self, length: f64, radius: f64) -> usize {
+        let spacing = match self.with.obstacle().map(ObstacleKind::shape) {
+            Some(ObstacleShape::Plane) => f64::INFINITY,
+            Some(ObstacleShape::Sphere { radius: r, .. } | ObstacleShape::Cylinder { radius: r, .. }) => {
+                0.25 * (r + radius)
+            }
+            None => 0.5 * radius,
+        };
+        self.points.map_or_else(
+            || (length / spacing).ceil().clamp(POINTS[0], POINTS[1]) as usize,
+            |points| points as usize,
+        )
     }
 }
 

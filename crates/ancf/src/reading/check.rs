@@ -15,7 +15,7 @@ impl Model {
     /// # Errors
     /// All errors of the model, without positions.
     pub fn from_value(data: &Value) -> Result<Self, ModelErrors> {
-        let (model, findings) = check_data(data);
+        let (model, findings) = check_data(data.clone());
         model.filter(|_| findings.is_empty()).ok_or_else(|| ModelErrors(errors(findings)))
     }
 
@@ -102,8 +102,9 @@ fn rule_findings(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks data against the schema, and against those rules that depend on valid data only.
-pub(super) fn check_data(data: &Value) -> (Option<Model>, Vec<Finding>) {
-    let (mut check, corrected) = SchemaCheck::of(&SCHEMA, data);
+pub(super) fn check_data(data: Value) -> (Option<Model>, Vec<Finding>) {
+    let (mut check, corrected) = SchemaCheck::of(&SCHEMA, &data);
+    drop(data);
     let mut findings = std::mem::take(&mut check.findings);
     let model = Model::deserialize(corrected);
     let violations = model.as_ref().map(broken_rules).unwrap_or_default();

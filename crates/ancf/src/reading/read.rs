@@ -61,7 +61,7 @@ pub fn parse_as<T: DeserializeOwned>(
     rules: impl FnOnce(&T) -> Vec<ModelError>,
 ) -> Result<T, ModelErrors> {
     parse_checked(text, |data| {
-        let (check, corrected) = SchemaCheck::of(schema, data);
+        let (check, corrected) = SchemaCheck::of(schema, &data);
         let mut findings = check.findings;
         match T::deserialize(corrected) {
             Ok(value) if findings.is_empty() => {
@@ -79,10 +79,10 @@ pub fn parse_as<T: DeserializeOwned>(
 /// Parses a text, checks its data, and locates the findings in the text.
 fn parse_checked<T>(
     text: &str,
-    check: impl FnOnce(&Value) -> (Option<T>, Vec<Finding>),
+    check: impl FnOnce(Value) -> (Option<T>, Vec<Finding>),
 ) -> Result<T, ModelErrors> {
     let mut document = Document::parse(text);
-    let (value, findings) = check(&Value::Table(std::mem::take(&mut document.data)));
+    let (value, findings) = check(Value::Table(std::mem::take(&mut document.data)));
     let is_hidden = |finding: &Finding| finding.absence || document.has_syntax_error(&finding.error.path);
     let findings = findings.into_iter().filter(|finding| document.errors.is_empty() || !is_hidden(finding));
     let mut errors: Vec<_> = findings.map(|finding| located(finding, &document, text)).collect();

@@ -1,7 +1,9 @@
-use ancf_mechanics::bodies::BodyTerms;
+use std::sync::Arc;
+
+use ancf_mechanics::bodies::{BodyTerms, CarriedFrame};
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::kinematics::Attachment;
-use ancf_solver::equations::State;
+use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 
 use crate::assembly::Assembly;
@@ -19,7 +21,7 @@ pub enum Field {
     /// Acceleration x, y, z.
     Acceleration,
     /// Orthonormal frame, three axes with three global components each. Beams: normal, y and z of the section. Cables: tangent
-    /// and two arbitrary transverse directions. Rigid bodies: body axes. Point masses: global axes.
+    /// and two transverse directions, carried along the cable without twist. Rigid bodies: body axes. Point masses: global axes.
     Directors,
     /// N, Qy, Qz, T, My, Mz in the section frame: forces of the part at larger arc lengths on the part at smaller ones. NaN for
     /// rigid bodies.
@@ -88,12 +90,27 @@ impl<'a> Fields<'a> {
 
     /// Appends the values of a field in a state, station by station, in the user's units.
     pub fn fill(&self, field: Field, s: &State, to: &mut Vec<f64>) {
+        let contacts = match field {
+            Field::SectionForces => self.assembly.contact_terms(s),
+            _ => Vec::new(),
+        };
+        let (mut body, mut carried) = (None, CarriedFrame::default());
         for station in &self.stations {
-            self.read(field, station, s, to);
+            if body.replace(station.body) != Some(station.body) {
+                carried = CarriedFrame::default();
+            }
+            self.read(field, station, s, (&contacts, &mut carried), to);
         }
     }
 
-    fn read(&self, field: Field, station: &Station, s: &State, to: &mut Vec<f64>) {
+    fn read(
+        &self,
+        field: Field,
+        station: &Station,
+        s: &State,
+        (contacts, carried): (&[Arc<dyn Term>], &mut CarriedFrame),
+        to: &mut Vec<f64>,
+    ) {
         let point = &station.place.point;
         let mut push = |x: Vector3<f64>, of| to.extend((x * self.scales.unit(of)).iter());
         match field {
@@ -102,24 +119,26 @@ impl<'a> Fields<'a> {
             Field::Velocity => push(point.velocity(s), Dimension::VELOCITY),
             Field::Acceleration => push(point.acceleration(s), Dimension::ACCELERATION),
             Field::Directors => {
-                for axis in self.frame(station, s) {
+                for axis in self.frame(station, s, carried) {
                     push(axis, Dimension::NUMBER);
                 }
             }
-            Field::SectionForces => match self.assembly.body_of(station.body).mesh() {
-                Some(mesh) => {
-                    let Wrench { force, moment } = mesh.section_forces(s, station.arc_length);
-                    push(force, Dimension::FORCE);
-                    push(moment, Dimension::ENERGY);
+            Field::SectionForces => {
+                let (body, at) = (station.body, station.arc_length);
+                match self.assembly.section_forces(body, at, s, contacts, carried) {
+                    Some(Wrench { force, moment }) => {
+                        push(force, Dimension::FORCE);
+                        push(moment, Dimension::ENERGY);
+                    }
+                    None => to.extend([f64::NAN; 6]),
                 }
-                None => to.extend([f64::NAN; 6]),
-            },
+            }
         }
     }
 
-    fn frame(&self, station: &Station, s: &State) -> [Vector3<f64>; 3] {
+    fn frame(&self, station: &Station, s: &State, carried: &mut CarriedFrame) -> [Vector3<f64>; 3] {
         match (self.assembly.body_of(station.body).mesh(), station.place.axes()) {
-            (Some(mesh), _) => mesh.section_frame(s, station.arc_length),
+            (Some(mesh), _) => mesh.carried_frame(s, station.arc_length, carried),
             (None, Some(axes)) => axes.each_ref().map(|axis| axis.value(s)),
             (None, None) => [Vector3::x(), Vector3::y(), Vector3::z()],
         }

@@ -3,6 +3,7 @@
 mod angle_counter;
 mod fields;
 mod rows;
+mod section_forces;
 
 pub(crate) use angle_counter::AngleRates;
 pub use fields::{Field, Fields, Station};

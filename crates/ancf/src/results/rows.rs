@@ -1,3 +1,4 @@
+use ancf_mechanics::bodies::CarriedFrame;
 use ancf_mechanics::constraints::Wrench;
 use ancf_mechanics::elements::StrainEnergy;
 use ancf_solver::equations::{Energy, Power, State};
@@ -221,6 +222,7 @@ impl Rows {
     }
 
     fn push_probes(&mut self, assembly: &Assembly, s: &State) {
+        let mut contacts = None;
         for probe in &assembly.recorded_quantities {
             match probe.quantity {
                 Quantity::Motion => {
@@ -235,8 +237,10 @@ impl Rows {
                     }
                 }
                 Quantity::SectionForces => {
-                    let Some(mesh) = assembly.body_of(probe.body).mesh() else { continue };
-                    let Wrench { force, moment } = mesh.section_forces(s, probe.s);
+                    let contacts = contacts.get_or_insert_with(|| assembly.contact_terms(s));
+                    let mut frame = CarriedFrame::default();
+                    let found = assembly.section_forces(probe.body, probe.s, s, contacts, &mut frame);
+                    let Some(Wrench { force, moment }) = found else { continue };
                     self.extend(force, Dimension::FORCE);
                     self.extend(moment, Dimension::ENERGY);
                 }

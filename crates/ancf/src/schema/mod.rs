@@ -2,6 +2,7 @@
 
 mod address;
 mod generate;
+mod number_arrays;
 mod schema_check;
 mod syntax;
 mod units;

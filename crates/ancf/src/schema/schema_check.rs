@@ -99,6 +99,9 @@ impl SchemaCheck {
     fn array(&mut self, form: &'static Json, items: &[Value], path: &str) -> Value {
         let count = |key: &str| form[key].as_u64().and_then(|count| usize::try_from(count).ok());
         let (min, max) = (count("minItems").unwrap_or(0), count("maxItems").unwrap_or(usize::MAX));
+        if (min..=max).contains(&items.len()) && are_valid_numbers(&form["items"], items) {
+            return Value::Array(items.to_vec());
+        }
         let before = self.replaced.len();
         let item = |(i, item)| self.value(&form["items"], item, &format!("{path}[{i}]"));
         let mut corrected: Vec<_> = items.iter().enumerate().map(item).collect();
@@ -243,6 +246,18 @@ impl SchemaCheck {
         error.hint = error.hint.filter(|hint| !hint.is_empty());
         self.findings.push(Finding { absence: true, ..error.into() });
     }
+}
+
+/// True if all items are valid numbers. Long arrays are checked without a path for each item.
+fn are_valid_numbers(schema: &'static Json, items: &[Value]) -> bool {
+    let forms = forms(schema);
+    let [form] = forms[..] else { return false };
+    let is_valid = |item: &Value| match *item {
+        Value::Float(x) => x.is_finite() && allows(form, x),
+        Value::Integer(n) => allows(form, n as f64),
+        _ => false,
+    };
+    kind(form) == "number" && !is_free(form) && items.iter().all(is_valid)
 }
 
 /// Form with the largest number of keys of a table; the first of equals.

@@ -1,11 +1,13 @@
 //! Parsing of a TOML text into data with positions, with recovery from syntax errors.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use toml::de::{DeInteger, DeString, DeTable, DeValue};
+use toml::de::{DeInteger, DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
+use super::number_arrays::NumberArrays;
 use super::schema_check::join;
 use crate::errors::{ModelError, Position};
 
@@ -19,11 +21,16 @@ pub(crate) struct Document {
     pub(crate) data: Table,
     /// Syntax errors, in the order of the text.
     pub(crate) errors: Vec<ModelError>,
-    /// Positions of keys and values, by path.
-    entries: BTreeMap<String, EntrySpan>,
+    /// Text with blanked statements.
+    rest: String,
+    /// Positions of keys and values, by path. Created for the first error, since they need many times the memory of the text.
+    entries: OnceCell<Entries>,
     /// Ranges of bytes that were blanked out.
     blank: Vec<Range<usize>>,
 }
+
+/// Positions by path.
+type Entries = BTreeMap<String, EntrySpan>;
 
 /// Positions of a key and its value, in bytes.
 #[derive(Clone, Debug)]
@@ -38,9 +45,12 @@ impl Document {
     /// After a syntax error the statement is blanked out and the text is parsed again. Without this step, one unclosed bracket
     /// would hide all following errors.
     pub(crate) fn parse(text: &str) -> Self {
+        if let Some(document) = NumberArrays::of(text).and_then(|arrays| Self::with_arrays(text, &arrays)) {
+            return document;
+        }
         let mut rest = text.to_owned();
         let mut document = Self::default();
-        while let Some((error, blank)) = document.read(text, &rest) {
+        while let Some((error, blank)) = document.read_data(text, &rest) {
             document.errors.push(error);
             if document.errors.len() == MAX_SYNTAX_ERRORS || rest[blank.clone()].trim().is_empty() {
                 document.data = Table::new();
@@ -51,17 +61,25 @@ impl Document {
             rest.replace_range(blank.clone(), &blanks.collect::<String>());
             document.blank.push(blank);
         }
+        document.rest = rest;
         document
     }
 
+    /// Parses a text with long arrays of numbers; `None` if it has errors.
+    fn with_arrays(text: &str, arrays: &NumberArrays<'_>) -> Option<Self> {
+        let (table, errors) = DeTable::parse_recoverable(&arrays.marked);
+        let data = errors.is_empty().then(|| data_of_table(table.get_ref(), Some(arrays)))?;
+        Some(Self { data, rest: text.to_owned(), ..Self::default() })
+    }
+
     /// Stores the data of a text; returns the first syntax error, if there is one, and the lines of its statement.
-    fn read(&mut self, text: &str, rest: &str) -> Option<(ModelError, Range<usize>)> {
+    fn read_data(&mut self, text: &str, rest: &str) -> Option<(ModelError, Range<usize>)> {
         let (table, errors) = DeTable::parse_recoverable(rest);
-        self.entries.clear();
-        self.data = self.table(table.get_ref(), "");
+        self.data = data_of_table(table.get_ref(), None);
         let first = errors.into_iter().min_by_key(|error| error.span().map_or(0, |span| span.start))?;
         let span = first.span().unwrap_or(0..0);
-        let unclosed = self.entries.values().filter(|entry| is_unclosed(&entry.value, span.start, rest));
+        let entries = entries_of(table.get_ref());
+        let unclosed = entries.values().filter(|entry| is_unclosed(&entry.value, span.start, rest));
         Some(match unclosed.min_by_key(|entry| entry.value.start) {
             Some(EntrySpan { key, value }) => {
                 (unclosed_error(text, value.start), lines(rest, key.start, is_statement))
@@ -73,34 +91,14 @@ impl Document {
         })
     }
 
-    fn table(&mut self, table: &DeTable<'_>, path: &str) -> Table {
-        let entry = |(key, value): (&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)| {
-            (key.get_ref().to_string(), self.value(value, key.span(), join(path, key.get_ref())))
-        };
-        table.iter().map(entry).collect()
-    }
-
-    fn value(&mut self, value: &Spanned<DeValue<'_>>, key: Range<usize>, path: String) -> Value {
-        let data = match value.get_ref() {
-            DeValue::String(text) => text.to_string().into(),
-            DeValue::Integer(n) => integer(n),
-            DeValue::Float(x) => x.as_str().parse().map_or(Value::Float(f64::NAN), Value::Float),
-            DeValue::Boolean(yes) => Value::Boolean(*yes),
-            DeValue::Datetime(date) => Value::Datetime(*date),
-            DeValue::Array(items) => {
-                let item =
-                    |(i, item): (_, &Spanned<_>)| self.value(item, item.span(), format!("{path}[{i}]"));
-                Value::Array(items.iter().enumerate().map(item).collect())
-            }
-            DeValue::Table(table) => Value::Table(self.table(table, &path)),
-        };
-        self.entries.insert(path, EntrySpan { key, value: value.span() });
-        data
+    /// Positions of all keys and values.
+    fn entries(&self) -> &Entries {
+        self.entries.get_or_init(|| entries_of(DeTable::parse_recoverable(&self.rest).0.get_ref()))
     }
 
     /// Position of the value of a path, or of its key; position of the nearest parent if the path is missing.
     pub(crate) fn find(&self, path: &str, at_key: bool) -> Range<usize> {
-        match self.entries.get(path) {
+        match self.entries().get(path) {
             Some(entry) if at_key => entry.key.clone(),
             Some(entry) => entry.value.clone(),
             None => path.rfind(['.', '[']).map_or(0..0, |end| self.find(&path[..end], false)),
@@ -112,6 +110,54 @@ impl Document {
         let value = self.find(path, false);
         self.blank.iter().any(|blank| value.start <= blank.start && blank.start < value.end)
     }
+}
+
+/// Converts a table without positions.
+fn data_of_table(table: &DeTable<'_>, arrays: Option<&NumberArrays<'_>>) -> Table {
+    table.iter().map(|(key, value)| (key.get_ref().to_string(), data_of(value.get_ref(), arrays))).collect()
+}
+
+fn data_of(value: &DeValue<'_>, arrays: Option<&NumberArrays<'_>>) -> Value {
+    match value {
+        DeValue::String(text) => text.to_string().into(),
+        DeValue::Integer(n) => integer(n),
+        DeValue::Float(x) => x.as_str().parse().map_or(Value::Float(f64::NAN), Value::Float),
+        DeValue::Boolean(yes) => Value::Boolean(*yes),
+        DeValue::Datetime(date) => Value::Datetime(*date),
+        DeValue::Array(items) => {
+            let mark = items.first().and_then(|item| item.get_ref().as_str());
+            let long = arrays.zip(mark).and_then(|(arrays, mark)| arrays.numbers(mark));
+            let each = || items.iter().map(|item| data_of(item.get_ref(), arrays)).collect();
+            Value::Array(long.unwrap_or_else(each))
+        }
+        DeValue::Table(table) => Value::Table(data_of_table(table, arrays)),
+    }
+}
+
+/// Collects the positions of a table.
+fn entries_of(table: &DeTable<'_>) -> Entries {
+    let mut entries = Entries::new();
+    add_table(&mut entries, table, "");
+    entries
+}
+
+fn add_table(entries: &mut Entries, table: &DeTable<'_>, path: &str) {
+    for (key, value) in table {
+        add_value(entries, value, key.span(), join(path, key.get_ref()));
+    }
+}
+
+fn add_value(entries: &mut Entries, value: &Spanned<DeValue<'_>>, key: Range<usize>, path: String) {
+    match value.get_ref() {
+        DeValue::Array(items) => {
+            for (i, item) in items.iter().enumerate() {
+                add_value(entries, item, item.span(), format!("{path}[{i}]"));
+            }
+        }
+        DeValue::Table(table) => add_table(entries, table, &path),
+        _ => {}
+    }
+    entries.insert(path, EntrySpan { key, value: value.span() });
 }
 
 /// Converts integers of more than 64 bits to numbers with a decimal point.

@@ -2,13 +2,14 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::eigen::{
-    ComplexMode, CriticalLoad, EigenError, Mode, buckling, modes, nonconservative_modes,
+    ComplexMode, CriticalLoad, EigenError, Mode, SturmCount, buckling, modes, nonconservative_modes,
 };
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::SolveFailure;
 
 use super::equilibria::{equilibrium, regularised_equilibrium};
 use super::run::{AnalysisRun, RunFailure, RunResult};
+use super::summary::EigenvalueCount;
 use crate::assembly::Assembly;
 use crate::failure::unloaded;
 use crate::model::{About, Buckling, Model, Modes};
@@ -21,7 +22,7 @@ const MAX_RESIDUAL: f64 = 1e-3;
 /// Columns of the solver for modes.
 pub(crate) const MODE_COLUMNS: [&str; 3] = ["frequency", "squared", "residual"];
 /// Columns of the solver for buckling.
-pub(crate) const BUCKLING_COLUMNS: [&str; 1] = ["factor"];
+pub(crate) const BUCKLING_COLUMNS: [&str; 2] = ["factor", "residual"];
 
 /// Columns of shapes: number, columns of the solver, displacements of the probes.
 pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
@@ -48,6 +49,14 @@ struct FoundMode {
     flutter: Option<[f64; 2]>,
     shape: Vec<f64>,
     residual: f64,
+}
+
+/// Modes of a state.
+struct FoundModes {
+    modes: Vec<FoundMode>,
+    /// Number of zero frequencies.
+    rigid: usize,
+    sturm: Option<SturmCount>,
 }
 
 impl From<Mode> for FoundMode {
@@ -118,25 +127,40 @@ impl AnalysisRun<'_> {
                 .map_or((system, system.matrix()), |(system, matrix)| (system, matrix.clone()));
             if !system.skew_stiffness(&s).is_empty() {
                 let found = nonconservative_modes(system, matrix, &s, count, self.interrupt)?;
-                return Ok((s, found.into_iter().map(FoundMode::from).collect()));
+                let modes = found.into_iter().map(FoundMode::from).collect();
+                return Ok((s, FoundModes { modes, rigid: 0, sturm: None }));
             }
-            let found = modes(system, matrix, &s, count, self.interrupt)?.modes;
-            Ok((s, found.into_iter().map(FoundMode::from).collect::<Vec<_>>()))
+            let found = modes(system, matrix, &s, count, self.interrupt)?;
+            let modes = found.modes.into_iter().map(FoundMode::from).collect();
+            Ok((s, FoundModes { modes, rigid: found.rigid, sturm: found.sturm }))
         });
         let rate = self.summary.scales.time.recip();
         match found {
             // Large residuals indicate an undetected motion without stiffness.
-            Ok((_, found)) if found.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
+            Ok((_, found)) if found.modes.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
                 Ok(Err(EigenError::NotConverged.into()))
             }
             Ok((about, found)) => {
-                let warnings =
-                    found.iter().enumerate().filter_map(|(k, mode)| mode.flutter_text(k + 1, rate));
-                self.summary.warnings.extend(warnings);
-                self.shapes(about, found.iter().map(|mode| (mode.values(rate), mode.shape.as_slice())))
+                self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
+                let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);
+                self.summary.eigenvalues = found.sturm.map(counted);
+                let flutter = |(k, mode): (usize, &FoundMode)| mode.flutter_text(k + 1, rate);
+                self.summary.warnings.extend(found.modes.iter().enumerate().filter_map(flutter));
+                self.shapes(about, found.modes.iter().map(|mode| (mode.values(rate), mode.shape.as_slice())))
             }
             Err(reason) => Ok(Err(reason)),
         }
+    }
+
+    /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
+    fn held_but_zero(&self, s: &State, zeros: usize) -> Option<String> {
+        let free = self.assembly.free_motions(s).len();
+        (zeros > free).then(|| {
+            format!(
+                "{zeros} frequencies are zero, but the rigid bodies and joints leave {free} motions free: \
+                the others have no stiffness beyond the rounding error"
+            )
+        })
     }
 
     /// Computes critical loads, one row per load.
@@ -151,10 +175,14 @@ impl AnalysisRun<'_> {
             })
         });
         match found {
-            Ok(found) => self.shapes(
-                s,
-                found.iter().map(|CriticalLoad { factor, shape }| (vec![*factor], shape.as_slice())),
-            ),
+            Ok(found) if found.loads.iter().any(|load| load.residual > MAX_RESIDUAL) => {
+                Ok(Err(EigenError::NotConverged.into()))
+            }
+            Ok(found) => {
+                self.summary.eigenvalues = found.sturm.map(|sturm| EigenvalueCount::new(sturm, 1.0));
+                let row = |load: &'_ CriticalLoad| vec![load.factor, load.residual];
+                self.shapes(s, found.loads.iter().map(|load| (row(load), load.shape.as_slice())))
+            }
             Err(reason) => Ok(Err(reason)),
         }
     }

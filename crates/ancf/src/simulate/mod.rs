@@ -18,4 +18,4 @@ pub use error::Error;
 pub use execute::simulate;
 pub use observer::Observer;
 pub use simulation::{Extension, Simulation, SimulationBuilder};
-pub use summary::{Outcome, Summary};
+pub use summary::{EigenvalueCount, Outcome, Summary};

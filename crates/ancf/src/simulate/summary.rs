@@ -1,4 +1,5 @@
 use ancf_solver::dynamics::StepReport;
+use ancf_solver::eigen::SturmCount;
 use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +47,23 @@ impl Outcome {
     }
 }
 
+/// Number of eigenvalues below a limit by the inertia of the shifted stiffness matrix (Sylvester's law), equal to the number
+/// of computed eigenvalues below it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EigenvalueCount {
+    /// Limit: ω² in the user's unit of 1/time², or a load factor.
+    pub below: f64,
+    /// Number of eigenvalues.
+    pub count: usize,
+}
+
+impl EigenvalueCount {
+    /// Converts the unit of the limit.
+    pub(crate) fn new(sturm: SturmCount, unit: f64) -> Self {
+        Self { below: sturm.below * unit, count: sturm.count }
+    }
+}
+
 /// Number with at most six digits, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
@@ -81,6 +99,9 @@ pub struct Summary {
     pub scales_reason: String,
     /// Descriptions of redundant joint equations.
     pub redundant: Vec<String>,
+    /// Modes and buckling: verified number of eigenvalues.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub eigenvalues: Option<EigenvalueCount>,
     /// Warnings, such as loss of stability during the run.
     pub warnings: Vec<String>,
 }
@@ -101,6 +122,7 @@ impl Summary {
             scales: chosen.scales,
             scales_reason: chosen.reason,
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
+            eigenvalues: None,
             warnings: Vec::new(),
         }
     }

@@ -7,7 +7,7 @@ use ancf::solver::eigen::modes;
 use ancf::solver::equations::State;
 use ancf::solver::newton::Interrupt;
 
-use crate::common::models::rod;
+use crate::common::models::{parse, rod};
 use crate::common::solutions::equilibrium;
 
 /// Free motions of a model in its reference state, in words. Asserts that modes without stiffness are as many.
@@ -200,4 +200,18 @@ fn long_chain_has_one_motion_per_hinge() {
     let motions = assembly.free_motions(&assembly.rest());
     let moving: Vec<usize> = motions.iter().map(|motion| motion.moves.len()).collect();
     assert_eq!(moving, (1..=100).rev().collect::<Vec<_>>());
+}
+
+/// The search for free motions is linear in the number of free bodies.
+#[test]
+fn each_of_many_free_bodies_has_six_motions() {
+    let body = |i: usize| {
+        format!(
+            "[[bodies]]\nkind = \"rigid\"\nname = \"b{i}\"\ncenter = [{i}, 0.5, 0]\nmass = 2\ninertia = [0.1, 0.2, 0.25]\n"
+        )
+    };
+    let bodies: String = (0..700).map(body).collect();
+    let model = parse(&format!("analysis = {{ kind = \"statics\" }}\n{bodies}"));
+    let assembly = model.assemble().unwrap();
+    assert_eq!(assembly.free_motions(&assembly.rest()).len(), 6 * 700);
 }

@@ -5,5 +5,6 @@ mod directors;
 mod elasticity;
 mod neo_hookean;
 mod resultants;
+mod section_forces;
 mod section_frames;
 mod tapered;

@@ -55,13 +55,13 @@ fn tip_force_determines_the_section_forces() {
         assert!((tip - assembly.probes[0].1.reference()).norm() > 0.1, "{name}: small displacement");
         for part in [0.0, 0.5, 1.0] {
             let s = part * mesh.length();
-            let wrench = mesh.resultants(&state, s);
+            let wrench = mesh.resultants(&state, s, &[]);
             let lever = tip - mesh.point(s).value(&state);
             assert!((wrench.force - force).norm() < 1e-9 * force.norm(), "{name}, {part}: {wrench:?}");
             assert!((wrench.moment - lever.cross(&force)).norm() < 1e-9 * force.norm(), "{name}: {wrench:?}");
         }
         let reaction = assembly.reactions(&state).next().unwrap();
-        let root = mesh.resultants(&state, 0.0);
+        let root = mesh.resultants(&state, 0.0, &[]);
         assert!((reaction.force + root.force).norm() < 1e-9 * force.norm(), "{name}");
         assert!((reaction.moment + root.moment).norm() < 1e-9 * force.norm(), "{name}");
     }
@@ -86,7 +86,7 @@ fn own_weight_determines_the_section_forces() {
             let points = halves.flat_map(|k| gauss().map(|(x, w)| (0.5 * (f64::from(k) + x), 0.5 * w)));
             let lever: Vector3<f64> =
                 points.map(|(x, w)| (mesh.point(x * length).value(&state) - at) * w).sum();
-            let wrench = mesh.resultants(&state, s);
+            let wrench = mesh.resultants(&state, s, &[]);
             let (force, moment) = (weight * (1.0 - 0.5 * half), lever.cross(&weight));
             assert!((wrench.force - force).norm() < 1e-9 * weight.norm(), "{name}, {s}: {wrench:?}, {force}");
             assert!((wrench.moment - moment).norm() < 1e-9 * weight.norm(), "{name}, {s}: {wrench:?}");
@@ -105,7 +105,7 @@ fn section_forces_have_the_signs_of_the_part_beyond() {
     model.loads = vec![Load::force(rod::end(), [tension, push, 0.0])];
     let (assembly, state) = equilibrium(&model, 1);
     let mesh = mesh(&assembly);
-    let wrench = mesh.resultants(&state, 0.5);
+    let wrench = mesh.resultants(&state, 0.5, &[]);
     let frame = mesh.section_frame(&state, 0.5);
     let [force, moment] = [wrench.force, wrench.moment].map(|v| frame.map(|axis| axis.dot(&v)));
     assert!((force[0] / tension - 1.0).abs() < 1e-3 && (force[1] / push - 1.0).abs() < 0.2, "{force:?}");

@@ -44,7 +44,9 @@ fn under(assembly: &Assembly, load: f64, steps: u32) -> State {
 }
 
 fn critical(assembly: &Assembly, s: &State, sense: LoadDirection) -> Result<Vec<CriticalLoad>, EigenError> {
-    buckling(&assembly.system, assembly.system.matrix(), s, 2, sense, &Interrupt::default())
+    let found = buckling(&assembly.system, assembly.system.matrix(), s, 2, sense, &Interrupt::default())?;
+    assert!(found.loads.first().is_none_or(|load| load.residual < 1e-5));
+    Ok(found.loads)
 }
 
 /// Lowest critical load factor.

@@ -1,0 +1,78 @@
+use ancf_solver::equations::State;
+use nalgebra::{Matrix3, Vector3};
+
+use super::mesh::{BeamMesh, StressLaw};
+use crate::kinematics::VectorKind;
+use crate::sections::{DIRECTORS, Directors, all_strains, linked_strain_terms, local_strains};
+
+impl BeamMesh {
+    /// Returns the Green-Lagrange strain and the second Piola-Kirchhoff stress at (y, z) of the section at an arc
+    /// length.
+    ///
+    /// The components refer to the frame of the reference section. The stress follows the formulation. A rod has normal
+    /// stresses E times normal strains, plus the stress of lateral contraction on the axis. Shear stresses are G times
+    /// shear strains, without torsion and shear correction factors, which are averages over a section. A cable has
+    /// stretch ε and stress E ε.
+    pub fn strain_and_stress(&self, state: &State, s: f64, [y, z]: [f64; 2]) -> [Matrix3<f64>; 2] {
+        let (g0, u, xi) = self.directors(state, s);
+        if self.elasticity == StressLaw::Line {
+            let (length, moved) = (g0[0].norm(), (g0[0] + u[0]).norm());
+            let stretch = moved / length - 1.0;
+            let along = Matrix3::from_diagonal(&Vector3::new(stretch, 0.0, 0.0));
+            return [along, along * self.lame.young()];
+        }
+        let mut products = all_strains(&g0, &u);
+        if self.elasticity == (StressLaw::Rod { linked: true }) {
+            for (strain, added, factor) in linked_strain_terms(xi, self.length) {
+                products[strain] += factor * products[added];
+            }
+        }
+        let at = |y: f64, z: f64| {
+            let (rows, _) = local_strains(&g0, y, z);
+            let [xx, yy, zz, xy, xz, yz] =
+                rows.map(|row| row.iter().zip(&products).map(|(row, product)| row * product).sum::<f64>());
+            Matrix3::new(xx, 0.5 * xy, 0.5 * xz, 0.5 * xy, yy, 0.5 * yz, 0.5 * xz, 0.5 * yz, zz)
+        };
+        let strain = at(y, z);
+        [strain, self.stress(&strain, &at(0.0, 0.0))]
+    }
+
+    /// Returns the stress of a strain. The rod law also depends on the strain on the axis.
+    fn stress(&self, strain: &Matrix3<f64>, on_axis: &Matrix3<f64>) -> Matrix3<f64> {
+        let (lambda, shear, identity) = (self.lame.lambda, self.lame.shear, Matrix3::identity());
+        let hooke = |e: &Matrix3<f64>| identity * (lambda * e.trace()) + e * (2.0 * shear);
+        match self.elasticity {
+            StressLaw::Continuum => hooke(strain),
+            StressLaw::NeoHookean => {
+                let c = identity + strain * 2.0;
+                let inverse = c.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+                (identity - inverse) * shear + inverse * (0.5 * lambda * c.determinant().ln())
+            }
+            StressLaw::Rod { .. } | StressLaw::Line => {
+                let young = self.lame.young();
+                let normal = |e: &Matrix3<f64>| Matrix3::from_diagonal(&e.diagonal());
+                let rod = normal(strain) * young + (strain - normal(strain)) * (2.0 * shear);
+                rod + normal(&hooke(on_axis)) - normal(on_axis) * young
+            }
+        }
+    }
+
+    /// Returns the reference directors at an arc length, their increments, and ξ.
+    fn directors(&self, state: &State, s: f64) -> (Directors, Directors, f64) {
+        let (element, xi) = self.locate(s);
+        let offset = element * self.stride();
+        let base = [self.reference[offset], self.displacement(state, offset)];
+        let (mut g0, mut u) = ([Vector3::zeros(); DIRECTORS], [Vector3::zeros(); DIRECTORS]);
+        for (i, (kind, _, weights)) in self.weights(xi).into_iter().enumerate() {
+            let mut vectors = [self.reference[offset + i], self.displacement(state, offset + i)];
+            if kind == VectorKind::Position {
+                vectors = [vectors[0] - base[0], vectors[1] - base[1]];
+            }
+            for (director, weight) in kind.directors().into_iter().zip(weights) {
+                g0[director] += vectors[0] * weight;
+                u[director] += vectors[1] * weight;
+            }
+        }
+        (g0, u, xi)
+    }
+}

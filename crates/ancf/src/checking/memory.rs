@@ -1,0 +1,159 @@
+//! Estimate of the memory of a model, compared with the available memory before anything large is allocated.
+
+use std::fs;
+use std::path::Path;
+
+use crate::errors::{Finding, finding, number};
+use crate::model::{Analysis, Body, Model};
+
+/// Upper limit on the number of elements. Larger values are assumed to be typing errors.
+pub(super) const MAX_ELEMENTS: u64 = 10_000_000;
+/// Memory of a run in bytes, measured: per element, rigid body, joint, probe and contact point.
+const PER_ELEMENT: f64 = 12e3;
+const PER_RIGID_BODY: f64 = 6e3;
+const PER_JOINT: f64 = 10e3;
+const PER_PROBE: f64 = 110e3;
+const PER_CONTACT_POINT: f64 = 0.9e3;
+/// Coordinates of an element, without those of its first node.
+const COORDINATES: f64 = 18.0;
+/// Vectors per requested mode: Krylov spaces of up to 16 blocks with their images.
+const VECTORS_PER_MODE: f64 = 20.0;
+/// Required memory below which the available memory is not read.
+const SMALL: f64 = 0.2e9;
+
+/// Memory of a part of the model.
+struct Part {
+    path: &'static str,
+    what: String,
+    bytes: f64,
+}
+
+/// Checks that the model fits into the available memory.
+pub(super) fn memory(model: &Model, available: Option<f64>) -> Option<Finding> {
+    let parts = parts(model);
+    let total: f64 = parts.iter().map(|part| part.bytes).sum();
+    let available = available.filter(|&available| total > SMALL && total > available)?;
+    let largest = parts.iter().max_by(|a, b| a.bytes.total_cmp(&b.bytes))?;
+    let found = format!("{}, in all about {} of memory", largest.what, size(total));
+    let wanted = format!("at most {}, the available memory of this machine", size(available));
+    let rests_on = ["bodies", "contacts", "probes", "joints", "analysis"].map(str::to_owned);
+    Some(finding(largest.path.to_owned(), found, wanted).rests_on(rests_on))
+}
+
+/// Memory of the parts of a model.
+fn parts(model: &Model) -> Vec<Part> {
+    let flexible = model.bodies.iter().filter(|body| body.is_flexible());
+    let elements: f64 = flexible.map(|body| f64::from(body.elements())).sum();
+    let rigid = model.bodies.iter().filter(|body| !body.is_flexible()).count() as f64;
+    let points: f64 = (0..model.contacts.len()).map(|i| contact_points(model, i)).sum();
+    let modes = match &model.analysis {
+        Analysis::Modes(modes) => f64::from(modes.count),
+        Analysis::Buckling(buckling) => f64::from(buckling.count),
+        _ => 0.0,
+    };
+    let count = |n: f64, what: &str| format!("{} {what}", number(n));
+    let (joints, probes) = (model.joints.len() as f64, model.probes.len() as f64);
+    let vectors = modes.min(COORDINATES * elements) * VECTORS_PER_MODE * 8.0 * COORDINATES * elements;
+    vec![
+        Part { path: "bodies", what: count(elements, "elements"), bytes: elements * PER_ELEMENT },
+        Part { path: "bodies", what: count(rigid, "rigid bodies"), bytes: rigid * PER_RIGID_BODY },
+        Part { path: "joints", what: count(joints, "joints"), bytes: joints * PER_JOINT },
+        Part { path: "probes", what: count(probes, "probes"), bytes: probes * PER_PROBE },
+        Part { path: "contacts", what: count(points, "contact points"), bytes: points * PER_CONTACT_POINT },
+        Part { path: "analysis.count", what: count(modes, "shapes"), bytes: vectors },
+    ]
+}
+
+/// Number of contact points of a contact.
+fn contact_points(model: &Model, number: usize) -> f64 {
+    let contact = &model.contacts[number];
+    let points = |body: &Body| {
+        let radius = contact.radius(model, body)?;
+        let elements = f64::from(body.elements());
+        Some(elements * contact.points(body.length() / elements, radius) as f64)
+    };
+    contact.bodies(model).into_iter().filter_map(|i| points(&model.bodies[i])).sum()
+}
+
+/// Memory in words.
+fn size(bytes: f64) -> String {
+    format!("{} GB", number((bytes / 1e8).round() / 10.0))
+}
+
+/// Hint with the memory of a number of elements.
+pub(super) fn memory_of(elements: f64) -> String {
+    format!("they would need about {} GB of memory", number((elements * PER_ELEMENT / 1e9).round()))
+}
+
+/// Adds a hint on memory to a finding about a number of elements that the schema rejects.
+pub(crate) fn with_memory(finding: Finding) -> Finding {
+    let elements = finding.error.path.ends_with(".elements").then(|| finding.error.found.parse::<f64>());
+    match elements {
+        Some(Ok(elements)) if elements > MAX_ELEMENTS as f64 && finding.error.hint.is_none() => {
+            finding.hint(memory_of(elements))
+        }
+        _ => finding,
+    }
+}
+
+/// Available memory in bytes: of the machine, or of the control group of the process. `None` if the system does not state it.
+pub(super) fn available() -> Option<f64> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
+    let machine = from_meminfo(&text)?;
+    let group = Path::new("/sys/fs/cgroup");
+    let read = |name: &str| fs::read_to_string(group.join(name)).ok()?.trim().parse::<f64>().ok();
+    let left = read("memory.max").zip(read("memory.current")).map(|(most, used)| most - used);
+    Some(left.map_or(machine, |left| machine.min(left)))
+}
+
+/// Available memory and free swap space in the text of `/proc/meminfo`, whose unit is 1024 bytes.
+fn from_meminfo(text: &str) -> Option<f64> {
+    let value = |key: &str| {
+        let line = text.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(':'))?;
+        line.split_whitespace().next()?.parse::<f64>().ok()
+    };
+    Some(1024.0 * (value("MemAvailable")? + value("SwapFree").unwrap_or(0.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn available_memory_is_that_of_the_system() {
+        let text = "MemTotal:       24683428 kB\nMemAvailable:   2000 kB\nSwapFree: 500 kB\n";
+        assert_eq!(from_meminfo(text), Some(2_560_000.0));
+        assert_eq!(from_meminfo("MemTotal: 5 kB\n"), None);
+    }
+
+    /// Parts that do not fit are named, with their memory.
+    #[test]
+    fn models_that_do_not_fit_are_rejected() {
+        let text = |elements: u32, points: u32, count: u32| {
+            format!(
+                "materials.m = {{ density = 1000, young = 1e7 }}
+                sections.s = {{ kind = \"circle\", diameter = 0.02 }}
+                bodies = [{{ kind = \"cable\", name = \"rope\", from = [0, 0, 0], to = [1, 0, 0],
+                    elements = {elements}, section = \"s\", material = \"m\" }}]
+                contacts = [{{ with = {{ kind = \"plane\", point = [0, 0, -1], normal = [0, 0, 1] }},
+                    stiffness = 1e6, points = {points} }}]
+                analysis = {{ kind = \"modes\", count = {count} }}"
+            )
+        };
+        for (elements, points, count, path, what) in [
+            (50_000, 1, 1, "bodies", "50000 elements"),
+            (1000, 5000, 1, "contacts", "5000000 contact points"),
+            (2000, 1, 2000, "analysis.count", "2000 shapes"),
+        ] {
+            let data: toml::Value = toml::Value::Table(text(elements, points, count).parse().unwrap());
+            let model: Model = data.try_into().unwrap();
+            let found = memory(&model, Some(0.3e9)).expect("the model does not fit");
+            assert_eq!(found.error.path, path);
+            assert!(found.error.found.starts_with(what), "{}", found.error.found);
+            assert!(found.error.wanted.contains("0.3 GB"), "{}", found.error.wanted);
+            assert!(memory(&model, Some(20e9)).is_none() && memory(&model, None).is_none());
+        }
+        let data: toml::Value = toml::Value::Table(text(100, 5, 3).parse().unwrap());
+        assert!(memory(&data.try_into().unwrap(), Some(1e6)).is_none());
+    }
+}

@@ -196,7 +196,7 @@ fn bad_input_is_rejected() {
         ("elements = 20", "elements = 0", ":24:12: bodies[0].elements: found 0, wanted an integer >= 1"),
         ("to = [1.0, 0.0, 0.0]", "to = [0, 0, 0]", ":23:6: bodies[0].to: found a beam of length 0"),
         ("section = \"rod\"", "", "bodies[0].section: found no key `section`"),
-        ("{ body = \"beam\"", "{ body = \"bean\"", ":31:14: joints[0].a.body: found \"bean\""),
+        ("{ body = \"beam\"", "{ body = \"bean\"", ":32:14: joints[0].a.body: found \"bean\""),
     ];
     for (line, by, message) in cases {
         let folder = RunFolder::new();

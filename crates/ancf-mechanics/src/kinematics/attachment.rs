@@ -110,7 +110,14 @@ impl Attachment {
         let turned = Rotation3::from_matrix_unchecked(values.rotation());
         let [i, j, k, w]: [f64; 4] = UnitQuaternion::from_rotation_matrix(&turned).coords.into();
         let sign = if w < 0.0 { -1.0 } else { 1.0 };
-        Some(([w, i, j, k].map(|x| sign * x), values.spin(frame.rates(&s.v))))
+        let spin = match &self.directions {
+            // All three directors alike: their rates violate the constraints by the error of a step.
+            Directions::Rigid(axes) => {
+                axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum::<Vector3<f64>>() * 0.5
+            }
+            _ => values.spin(frame.rates(&s.v)),
+        };
+        Some(([w, i, j, k].map(|x| sign * x), spin))
     }
 
     /// Moves the point by a rigid arm, given in the reference state.

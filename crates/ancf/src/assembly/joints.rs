@@ -54,7 +54,12 @@ impl Model {
             }
             End::Ground | End::Point(_) => (Attachment::ground(a.point.reference()), None),
         };
-        let ends = JointEnds { a: &a, b: &b, stated, beam, on_continuum: self.is_continuum(place) };
+        let other = match stated {
+            End::Place(place) => self.is_continuum(place),
+            End::Ground | End::Point(_) => false,
+        };
+        let on_continuum = self.is_continuum(place) || other;
+        let ends = JointEnds { a: &a, b: &b, stated, beam, on_continuum };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()

@@ -28,7 +28,7 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
-    /// True if the first end is on a beam of the continuum formulation.
+    /// True if an end is on a beam of the continuum formulation.
     pub(crate) on_continuum: bool,
 }
 

@@ -48,17 +48,22 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
             if fix == ClampedGradients::All {
                 return builder.coincide_directions(&[tangent.reference()]);
             }
-            keep_normal(builder, [here, there], tangent);
+            keep_normal(builder, here, there, true);
         }
-        (Section(..) | Rigid(_), Line(tangent)) => keep_normal(builder, [there, here], tangent),
+        (Section(..) | Rigid(_), Line(_)) => keep_normal(builder, there, here, false),
     }
 }
 
 /// Constrains the tangent of a line to stay normal to two directions of the other end.
-fn keep_normal(builder: &mut JointBuilder<'_>, [line, other]: [&Attachment; 2], tangent: &Marker) {
+///
+/// The order of the ends decides the sign of the reaction. `first` is true if the line is the first end.
+fn keep_normal(builder: &mut JointBuilder<'_>, line: &Attachment, other: &Attachment, first: bool) {
+    let Line(tangent) = &line.directions else { return };
     let tangent = tangent.reference().normalize();
     for normal in normals_to(tangent) {
-        builder.keep_angle(line.direction(tangent), other.direction(normal), Option::None);
+        let (along, across) = (line.direction(tangent), other.direction(normal));
+        let [a, b] = if first { [along, across] } else { [across, along] };
+        builder.keep_angle(a, b, Option::None);
     }
 }
 

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity_forces};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces};
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
@@ -95,12 +95,29 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+    pub(super) fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
         AxialStretch::new(&self.direction, &station.first(q))
     }
 
-    fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
+    pub(super) fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
         Bend::new(self.direction + station.first(q), station.second(q))
+    }
+
+    /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
+    pub(super) fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; 4] {
+        let (profile, a, v) = (&*self.profile, vectors(at.a), vectors(at.v));
+        let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
+        for (force, first) in force.iter_mut().zip(profile.first_moments()) {
+            *force -= profile.gravity() * (at.load * first);
+        }
+        force
+    }
+
+    /// Adds the tangent of [`inertia`](Self::inertia) to the lower blocks.
+    fn add_inertia(&self, w: Weights, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+        let inertia = w.a + w.v * self.profile.damping().mass;
+        let mass = self.profile.mass();
+        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * mass[i][j]));
     }
 
     /// Computes the sum of M_ab x_b over b.
@@ -109,7 +126,7 @@ impl Cable12 {
     }
 }
 
-fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
+pub(super) fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
     std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
@@ -120,11 +137,7 @@ impl Term for Cable12 {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
-        let a = vectors(at.a);
-        let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
-        for (force, first) in force.iter_mut().zip(profile.first_moments()) {
-            *force -= profile.gravity() * (at.load * first);
-        }
+        let mut force = self.inertia(at);
         for station in profile.axial() {
             let stretch = self.stretch(station, &q);
             let n = profile.axial_force(&stretch, &station.first(&v));
@@ -180,8 +193,28 @@ impl Term for Cable12 {
         for station in profile.bending() {
             add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
         }
-        let inertia = w.a + w.v * profile.damping().mass;
-        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * profile.mass()[i][j]));
+        self.add_inertia(w, &mut blocks);
+        add_blocks(&blocks, k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let force = self.average_forces(step);
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (q, v) = (vectors(step.middle.q), vectors(step.middle.v));
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        for station in self.profile.axial() {
+            let h = self.average_axial_stiffness(station, step, w) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        for station in self.profile.bending() {
+            add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
+        }
+        self.add_inertia(w, &mut blocks);
         add_blocks(&blocks, k);
     }
 

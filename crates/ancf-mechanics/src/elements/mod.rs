@@ -3,6 +3,7 @@
 mod beam;
 mod cable;
 mod cable_profile;
+mod cable_step;
 mod profile;
 mod rigid;
 mod station;

@@ -266,6 +266,50 @@ impl<const N: usize> BeamStation<N> {
         p
     }
 
+    /// Computes elastic and viscous forces of the directors per length in the middle of a step.
+    pub(crate) fn average_forces<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        [from, middle, to]: [&Directors; 3],
+        shares: [f64; 2],
+        v: Option<&RelativeVectors<N>>,
+    ) -> Directors {
+        let g = sum(g0, middle);
+        let mut p = match &self.law {
+            StationLaw::Quadratic(law) => law.of_resultants(&law.average_resultants(g0, [from, to], shares), &g),
+            StationLaw::Hyperelastic(law) => law.average_forces(g0, [from, to]),
+        };
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            let viscous = law.of_resultants(&law.viscous(&g, &self.directors::<S>(v)), &g);
+            p.iter_mut().zip(viscous).for_each(|(p, viscous)| *p += viscous);
+        }
+        p
+    }
+
+    /// Computes all blocks of a symmetric tangent of [`average_forces`](Self::average_forces): stresses of the step, and
+    /// derivatives of strains of the middle.
+    pub(crate) fn average_stiffness<S: Interpolation<N>>(
+        &self,
+        g0: &Directors,
+        [from, middle, to]: [&Directors; 3],
+        shares: [f64; 2],
+        v: Option<&RelativeVectors<N>>,
+        [wq, wv]: [f64; 2],
+        h: &mut Stiffness,
+    ) {
+        let StationLaw::Quadratic(law) = &self.law else {
+            return self.stiffness::<S>(g0, middle, v, [wq, wv], h);
+        };
+        self.stiffness::<S>(g0, middle, v, [0.0, wv], h);
+        let g = sum(g0, middle);
+        law.add_geometric(&law.average_resultants(g0, [from, to], shares), wq, h);
+        law.add_squares(&g, 2.0 * shares[1] * wq, h);
+        if let (Some(law), Some(v)) = (&self.viscosity, v) {
+            law.add_geometric(&law.viscous(&g, &self.directors::<S>(v)), wq, h);
+        }
+        mirror(h, self.law.reach());
+    }
+
     /// Bounds the rounding errors of the forces for each component, given the norms of the vectors.
     pub(crate) fn rounding<S: Interpolation<N>>(
         &self,
@@ -308,11 +352,7 @@ impl<const N: usize> BeamStation<N> {
             law.add_geometric(&law.viscous(&g, &v), wq, h);
             law.add_squares(&g, wv, h);
         }
-        for i in 0..reach {
-            for j in 0..i {
-                h[j][i] = h[i][j].transpose();
-            }
-        }
+        mirror(h, reach);
     }
 
     /// Computes all blocks of the initial stress stiffness, for first-order stresses of the increment `du` of the
@@ -320,11 +360,7 @@ impl<const N: usize> BeamStation<N> {
     pub(crate) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
         let mut h = NO_STIFFNESS;
         self.law.add_stress_stiffness(g0, u, du, &mut h);
-        for i in 0..DIRECTORS {
-            for j in 0..i {
-                h[j][i] = h[i][j].transpose();
-            }
-        }
+        mirror(&mut h, DIRECTORS);
         h
     }
 
@@ -361,6 +397,15 @@ impl<const N: usize> BeamStation<N> {
                     add(&mut k[a][b], &row[director], weight);
                 }
             }
+        }
+    }
+}
+
+/// Sets the upper blocks of the first `reach` directors from the lower ones.
+fn mirror(h: &mut Stiffness, reach: usize) {
+    for i in 0..reach {
+        for j in 0..i {
+            h[j][i] = h[i][j].transpose();
         }
     }
 }

@@ -116,6 +116,24 @@ pub(crate) struct EnergyAttempt {
 impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Computes energies, work and dissipation at the end of an attempt. Reverts it if it made too much energy.
     pub(crate) fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
+        let (integral, exchange) = match self.scheme.averaging {
+            None => self.exchange_of_step(),
+            Some(_) => self.exchange_in_middle(),
+        };
+        let energy = self.eom.energy(&self.motion.state);
+        let record = self.motion.record.after((self.motion.energy, energy), exchange);
+        self.energies = EnergyAttempt { energy, power: integral, exchange, record };
+        if self.guard.permits(&record) {
+            return Ok(done);
+        }
+        self.motion.record.refused = self.motion.record.refused.saturating_add(1);
+        let worst = self.fastest_change();
+        self.revert();
+        Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
+    }
+
+    /// Computes powers at the end of an attempt, and the work and dissipation with the impulses of the scheme.
+    fn exchange_of_step(&mut self) -> (PowerIntegral, Power) {
         let Self { motion, scheme, damping, before, .. } = self;
         let h = motion.state.t - before.t;
         let power = self.eom.exchange(&motion.state, &mut damping.force);
@@ -126,16 +144,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
         let start = is_first.then_some(self.start_damping.as_slice());
         exchange.dissipation +=
             motion.damping.work(*scheme, (before, &motion.state), (start, ratio), damping);
-        let energy = self.eom.energy(&motion.state);
-        let record = motion.record.after((motion.energy, energy), exchange);
-        self.energies = EnergyAttempt { energy, power: integral, exchange, record };
-        if self.guard.permits(&record) {
-            return Ok(done);
-        }
-        self.motion.record.refused = self.motion.record.refused.saturating_add(1);
-        let worst = self.fastest_change();
-        self.revert();
-        Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
+        (integral, exchange)
     }
 
     /// Returns the coordinate with the largest change of velocity in the attempt, measured as energy.

@@ -2,6 +2,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::damping_work::{DampingAttempt, PowerIntegral};
 use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord};
+use super::energy_momentum::StepMiddle;
 use super::first_step::{StartValues, start_values};
 use super::initial_conditions::{accelerations, velocities};
 use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
@@ -21,8 +22,9 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) motion: IntegrationState,
     /// Pairs at the last accepted step, if they have changed since.
     active: Option<Vec<ActivePair>>,
-    /// State before the current attempt.
+    /// State before the current attempt, and the middle of a step.
     pub(crate) before: State,
+    pub(crate) middle: StepMiddle,
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
@@ -45,6 +47,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         start: State,
     ) -> Self {
         newton.permit_reuse(&start);
+        newton.tangent.set_exact(scheme.averaging.is_none());
         let auxiliary = start.a.clone();
         Self {
             eom: ActiveSet::new(eom),
@@ -53,6 +56,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             max_halvings,
             active: None,
             before: start.clone(),
+            middle: StepMiddle::new(&start),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
             start_damping: vec![0.0; start.q.len() + start.lambda.len()],
@@ -262,7 +266,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     }
 
     fn solve(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
-        let [auxiliary, next] = &mut self.attempted;
+        let [auxiliary, _] = &mut self.attempted;
         if self.motion.at_start && !self.scheme.is_newmark() {
             let start = StartValues { auxiliary, damping: &mut self.start_damping };
             start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, start, h)?;
@@ -280,7 +284,11 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if self.newton.tangent.is_reusable() {
             self.motion.predictor.add_to(&mut self.motion.state, weights, h);
         }
-        let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
+        let done = match self.scheme.averaging {
+            None => self.newton.solve(&*self.eom, &mut self.motion.state, weights)?,
+            Some(damping) => self.solve_step(damping, weights)?,
+        };
+        let [auxiliary, next] = &mut self.attempted;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
             return Err(SolveError::after(done, to, SolveFailure::Inverted, worst));
         }
@@ -314,6 +322,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             &self.newton.tangent.factor,
         );
         self.motion.at_start = false;
+        if self.scheme.averaging.is_some() {
+            // A tangent belongs to both ends of its step.
+            self.newton.tangent.renew();
+        }
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.newton.record_energy(self.motion.energy.largest());
         report.iterations += done.iterations;

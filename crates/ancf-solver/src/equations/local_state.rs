@@ -1,5 +1,5 @@
-use super::state::State;
-use super::term::{LOCAL, Local, Term};
+use super::state::{State, StepStates};
+use super::term::{LOCAL, Local, LocalStep, Term};
 
 /// State variables of one term, gathered from a global state.
 pub(super) struct LocalState {
@@ -29,6 +29,28 @@ impl LocalState {
             lambda: &self.lambda[..m],
             t: s.t,
             load: s.load,
+        }
+    }
+}
+
+/// State variables of one term at both ends of a step.
+pub(super) struct LocalEnds([LocalState; 2]);
+
+impl LocalEnds {
+    pub(super) const EMPTY: Self = Self([LocalState::EMPTY, LocalState::EMPTY]);
+
+    pub(super) fn gather<'a>(
+        &'a mut self,
+        step: &StepStates<'_>,
+        middle: Local<'a>,
+        term: &dyn Term,
+    ) -> LocalStep<'a> {
+        let [from, to] = &mut self.0;
+        LocalStep {
+            from: from.gather(step.from, term),
+            middle,
+            to: to.gather(step.to, term),
+            damping: step.damping,
         }
     }
 }

@@ -1,6 +1,6 @@
 use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
-use super::state::{State, Weights};
+use super::state::{State, StepStates, Weights};
 use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
 
@@ -31,6 +31,21 @@ pub trait EquationsOfMotion {
 
     /// Assembles the symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
+
+    /// Assembles the residual of a step of the energy-momentum scheme ([`Term::average_residual`]).
+    ///
+    /// [`Term::average_residual`]: super::term::Term::average_residual
+    fn average_residual(&self, step: &StepStates<'_>, r: &mut [f64]) {
+        self.residual(step.middle, r);
+        self.constraints(step.to, Level::Position, &mut r[step.to.q.len()..]);
+    }
+
+    /// Assembles a symmetric tangent of the step for weights of its end ([`Term::average_tangent`]).
+    ///
+    /// [`Term::average_tangent`]: super::term::Term::average_tangent
+    fn average_tangent(&self, step: &StepStates<'_>, w: Weights, k: &mut SparseMatrix) {
+        self.tangent(step.middle, w.of_middle(), k);
+    }
 
     /// Assembles the initial stress stiffness at the configuration of a state.
     ///

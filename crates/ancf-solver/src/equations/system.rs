@@ -1,3 +1,4 @@
+use std::cell::RefCell;
 use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
@@ -6,12 +7,12 @@ use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
 use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
 use super::energy::{Energy, Level, Power};
-use super::local_state::LocalState;
+use super::local_state::{LocalEnds, LocalState};
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
-use super::state::{State, Weights};
+use super::state::{State, StepStates, Weights};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::term_sums::{Rotation, largest_rotation, skew_stiffness};
+use super::term_sums::{Rotation, largest_rotation, skew_stiffness, unknowns};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
@@ -30,21 +31,17 @@ pub struct System {
     angles: Vec<usize>,
     /// Scatter map of each term.
     scatters: Vec<Scatter>,
-    /// Batches, and the indices of the terms that are evaluated one by one.
+    /// Batches, indices of the terms that are evaluated one by one, and batches by residual rows and by matrix entries.
     batches: Arc<[PlacedBatch]>,
     unbatched: Vec<usize>,
-    /// Batches, grouped by residual rows and by matrix entries.
     by_rows: ThreadParts,
     by_entries: ThreadParts,
 }
 
 impl fmt::Debug for System {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("System")
-            .field("coordinates", &self.coordinates)
-            .field("multipliers", &self.multipliers)
-            .field("terms", &self.terms.len())
-            .finish_non_exhaustive()
+        let sizes = [self.coordinates, self.multipliers, self.terms.len()];
+        f.debug_struct("System").field("sizes", &sizes).finish_non_exhaustive()
     }
 }
 
@@ -231,12 +228,6 @@ impl System {
     }
 }
 
-/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
-fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
-    let multipliers = term.multipliers().map(move |m| coordinates + m);
-    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
-}
-
 impl EquationsOfMotion for System {
     fn coordinates(&self) -> usize {
         self.coordinates
@@ -286,6 +277,24 @@ impl EquationsOfMotion for System {
         let mut gathered = LocalState::EMPTY;
         let unbatched = self.unbatched.iter().copied();
         self.add_matrix(unbatched, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+    }
+
+    fn average_residual(&self, step: &StepStates<'_>, r: &mut [f64]) {
+        r.fill(0.0);
+        let ends = RefCell::new(LocalEnds::EMPTY);
+        self.add(self.terms.iter(), step.middle, r, |term, middle, rows| {
+            term.average_residual(&ends.borrow_mut().gather(step, *middle, term), rows);
+        });
+    }
+
+    fn average_tangent(&self, step: &StepStates<'_>, w: Weights, k: &mut SparseMatrix) {
+        let (values, w) = (k.values_mut(), w.of_middle());
+        values.fill(0.0);
+        let (mut gathered, mut ends) = (LocalState::EMPTY, LocalEnds::EMPTY);
+        self.add_matrix(0..self.terms.len(), values, |term, block| {
+            let middle = gathered.gather(step.middle, term);
+            term.average_tangent(&ends.gather(step, middle, term), w, block);
+        });
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {

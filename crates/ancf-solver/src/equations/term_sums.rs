@@ -54,3 +54,9 @@ pub(super) fn skew_stiffness(terms: &[Arc<dyn Term>], s: &State) -> Vec<(usize, 
     entries.retain(|(.., value)| value.abs() > NEGLIGIBLE * largest);
     entries
 }
+
+/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
+pub(super) fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
+    let multipliers = term.multipliers().map(move |m| coordinates + m);
+    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
+}

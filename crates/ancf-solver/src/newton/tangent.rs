@@ -26,6 +26,8 @@ pub(crate) struct NewtonTangent {
     saved: TangentUsage,
     /// States of the computed tangents, if reuse is permitted.
     made: Option<Box<TangentStates>>,
+    /// False if new tangents are approximations, so that iterations converge linearly.
+    exact: bool,
 }
 
 /// Usage of a tangent so far.
@@ -101,7 +103,7 @@ impl NewtonTangent {
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, SolveFailure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
         let usage = TangentUsage::new();
-        Ok(Self { matrix, factor, usage, saved: usage, made: None })
+        Ok(Self { matrix, factor, usage, saved: usage, made: None, exact: true })
     }
 
     /// Replaces the matrix by one of another pattern.
@@ -120,6 +122,11 @@ impl NewtonTangent {
             self.usage.policy = TangentPolicy::WhenDue;
             self.made = Some(Box::new(TangentStates { now: s.clone(), saved: s.clone(), is_new: false }));
         }
+    }
+
+    /// States whether new tangents are exact.
+    pub(crate) fn set_exact(&mut self, exact: bool) {
+        self.exact = exact;
     }
 
     /// Returns true if the reuse of tangents is permitted.
@@ -203,7 +210,7 @@ impl NewtonTangent {
 
     /// Records the rate θ of the last two increments of a solution.
     pub(crate) fn record(&mut self, rate: Option<f64>) {
-        if self.usage.age != TangentAge::Iteration && rate.is_some() {
+        if (self.usage.age != TangentAge::Iteration || !self.exact) && rate.is_some() {
             (self.usage.rate, self.usage.rated) = (rate, self.usage.solutions);
         }
     }
@@ -217,7 +224,7 @@ impl NewtonTangent {
     /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
     pub(crate) fn remainder(&self, size: f64) -> f64 {
         match self.rate() {
-            _ if self.usage.age == TangentAge::Iteration => 0.0,
+            _ if self.exact && self.usage.age == TangentAge::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
         }

@@ -1,0 +1,105 @@
+use std::cell::RefCell;
+
+use super::damping_work::PowerIntegral;
+use super::time_stepper::TimeStepper;
+use crate::equations::{Energy, EquationsOfMotion, Level, Power, State, StepStates, Weights};
+use crate::newton::{NewtonReport, SolveError};
+use crate::sparse::{Pattern, SparseMatrix};
+
+/// Working storage of steps of the energy-momentum scheme.
+#[derive(Debug)]
+pub(crate) struct StepMiddle {
+    state: State,
+    floor: Vec<f64>,
+}
+
+impl StepMiddle {
+    pub(crate) fn new(start: &State) -> Self {
+        Self { state: start.clone(), floor: vec![0.0; start.q.len() + start.lambda.len()] }
+    }
+}
+
+/// Equations of one step of the energy-momentum scheme, as equations of motion of its end.
+///
+/// M (v₁ − v₀)/h + f̄(q₀, q₁) + Φ_q(q_m)ᵀ λ = 0,  Φ(q₁) = 0. The discrete forces f̄ do exactly the work of their potential.
+struct StepEquations<'a, E: ?Sized> {
+    eom: &'a E,
+    from: &'a State,
+    damping: f64,
+    middle: RefCell<&'a mut StepMiddle>,
+}
+
+impl<E: EquationsOfMotion + ?Sized> StepEquations<'_, E> {
+    /// Calls `work` with the step to a state.
+    fn with_step(&self, to: &State, work: impl FnOnce(&StepStates<'_>)) {
+        let middle = &mut self.middle.borrow_mut().state;
+        middle.set_middle(self.from, to);
+        work(&StepStates { from: self.from, middle, to, damping: self.damping });
+    }
+}
+
+impl<E: EquationsOfMotion + ?Sized> EquationsOfMotion for StepEquations<'_, E> {
+    fn coordinates(&self) -> usize {
+        self.eom.coordinates()
+    }
+
+    fn multipliers(&self) -> usize {
+        self.eom.multipliers()
+    }
+
+    fn residual(&self, s: &State, r: &mut [f64]) {
+        self.with_step(s, |step| self.eom.average_residual(step, r));
+    }
+
+    fn constraints(&self, s: &State, level: Level, phi: &mut [f64]) {
+        self.eom.constraints(s, level, phi);
+    }
+
+    /// Bounds the errors by those of the middle and of the end.
+    fn rounding(&self, s: &State, floor: &mut [f64]) {
+        self.eom.rounding(s, floor);
+        let StepMiddle { state, floor: of_middle } = &mut **self.middle.borrow_mut();
+        state.set_middle(self.from, s);
+        self.eom.rounding(state, of_middle);
+        floor.iter_mut().zip(of_middle).for_each(|(floor, of_middle)| *floor += *of_middle);
+    }
+
+    fn pattern(&self) -> &Pattern {
+        self.eom.pattern()
+    }
+
+    fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
+        self.with_step(s, |step| self.eom.average_tangent(step, w, k));
+    }
+
+    fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
+        self.eom.stress_stiffness(s, by, k);
+    }
+
+    fn energy(&self, s: &State) -> Energy {
+        self.eom.energy(s)
+    }
+}
+
+impl<E: EquationsOfMotion> TimeStepper<'_, E> {
+    /// Iterates the end of a step of the energy-momentum scheme from its prediction.
+    pub(crate) fn solve_step(&mut self, damping: f64, w: Weights) -> Result<NewtonReport, SolveError> {
+        let middle = RefCell::new(&mut self.middle);
+        let eom = StepEquations { eom: &*self.eom, from: &self.before, damping, middle };
+        self.newton.solve(&eom, &mut self.motion.state, w)
+    }
+
+    /// Computes powers at the end of an attempt, and the work and dissipation of the forces in the middle of the step.
+    ///
+    /// With the mean velocity v_m, the damping forces F do exactly the work h v_m·F.
+    pub(crate) fn exchange_in_middle(&mut self) -> (PowerIntegral, Power) {
+        let Self { motion, damping, before, middle, .. } = self;
+        let h = motion.state.t - before.t;
+        let at_end = self.eom.exchange(&motion.state, &mut damping.force);
+        let middle = &mut middle.state;
+        middle.set_middle(before, &motion.state);
+        let Power { work, dissipation } = self.eom.exchange(middle, &mut damping.force);
+        let damped: f64 = middle.v.iter().zip(&damping.force).map(|(v, force)| v * force).sum();
+        (PowerIntegral::new(at_end), Power { work: h * work, dissipation: h * (dissipation + damped) })
+    }
+}

@@ -1,4 +1,4 @@
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use super::damping_work::PowerIntegral;
 use super::time_stepper::TimeStepper;
@@ -27,6 +27,8 @@ struct StepEquations<'a, E: ?Sized> {
     from: &'a State,
     damping: f64,
     middle: RefCell<&'a mut StepMiddle>,
+    /// True until the first tangent. The end is then a prediction, and its stresses are those of the error of rotations.
+    predicted: Cell<bool>,
 }
 
 impl<E: EquationsOfMotion + ?Sized> StepEquations<'_, E> {
@@ -68,8 +70,13 @@ impl<E: EquationsOfMotion + ?Sized> EquationsOfMotion for StepEquations<'_, E> {
         self.eom.pattern()
     }
 
+    /// Assembles the tangent, first with the stresses of the start.
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix) {
-        self.with_step(s, |step| self.eom.average_tangent(step, w, k));
+        let predicted = self.predicted.replace(false);
+        self.with_step(s, |step| {
+            let to = if predicted { step.from } else { step.to };
+            self.eom.average_tangent(&StepStates { to, ..*step }, w, k);
+        });
     }
 
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
@@ -85,7 +92,7 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     /// Iterates the end of a step of the energy-momentum scheme from its prediction.
     pub(crate) fn solve_step(&mut self, damping: f64, w: Weights) -> Result<NewtonReport, SolveError> {
         let middle = RefCell::new(&mut self.middle);
-        let eom = StepEquations { eom: &*self.eom, from: &self.before, damping, middle };
+        let eom = StepEquations { eom: &*self.eom, from: &self.before, damping, middle, predicted: Cell::new(true) };
         self.newton.solve(&eom, &mut self.motion.state, w)
     }
 

@@ -47,7 +47,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         start: State,
     ) -> Self {
         newton.permit_reuse(&start);
-        newton.tangent.set_exact(scheme.averaging.is_none());
+        if scheme.averaging.is_some() {
+            newton.expect_linear_convergence();
+        }
         let auxiliary = start.a.clone();
         Self {
             eom: ActiveSet::new(eom),

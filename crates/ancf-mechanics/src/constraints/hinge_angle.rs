@@ -1,8 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{
-    Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual,
-};
+use ancf_solver::equations::{Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;

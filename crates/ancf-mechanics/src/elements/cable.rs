@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
+use super::cable_step::{CableStep, vectors};
 use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
 
 /// Value of |r′| up to which a line counts as collapsed to a point.
@@ -95,16 +96,16 @@ impl Cable12 {
         [0.5 * section.axial * axial.sum::<f64>(), 0.5 * section.bending * bending.sum::<f64>()]
     }
 
-    pub(super) fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
+    fn stretch(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> AxialStretch {
         AxialStretch::new(&self.direction, &station.first(q))
     }
 
-    pub(super) fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
+    fn bend(&self, station: &CableStation, q: &[Vector3<f64>; 4]) -> Bend {
         Bend::new(self.direction + station.first(q), station.second(q))
     }
 
     /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
-    pub(super) fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; 4] {
+    fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; 4] {
         let (profile, a, v) = (&*self.profile, vectors(at.a), vectors(at.v));
         let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
         for (force, first) in force.iter_mut().zip(profile.first_moments()) {
@@ -124,10 +125,6 @@ impl Cable12 {
     fn mass_times(&self, x: &[Vector3<f64>; 4]) -> [Vector3<f64>; 4] {
         self.profile.mass().map(|row| row.iter().zip(x).map(|(m, x)| x * *m).sum())
     }
-}
-
-pub(super) fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
-    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
 impl Term for Cable12 {
@@ -198,7 +195,8 @@ impl Term for Cable12 {
     }
 
     fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
-        let force = self.average_forces(step);
+        let mut force = self.inertia(&step.middle);
+        CableStep { profile: &self.profile, direction: &self.direction, step }.add_forces(&mut force);
         for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
             *row += force;
         }
@@ -207,8 +205,9 @@ impl Term for Cable12 {
     fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         let (q, v) = (vectors(step.middle.q), vectors(step.middle.v));
         let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        let cable = CableStep { profile: &self.profile, direction: &self.direction, step };
         for station in self.profile.axial() {
-            let h = self.average_axial_stiffness(station, step, w) * station.weight;
+            let h = cable.axial_stiffness(station, w) * station.weight;
             each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
         }
         for station in self.profile.bending() {

@@ -2,7 +2,9 @@ use ancf_solver::equations::{Energy, Local, LocalMatrix, State, Term, Weights};
 use nalgebra::{Matrix3, Matrix4, SymmetricEigen, Vector3};
 
 use crate::constraints::ConstantAngle;
-use crate::kinematics::{Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind, relative_rotation};
+use crate::kinematics::{
+    Attachment, BodyVector, Directions, Marker, NodalVector, VectorKind, relative_rotation,
+};
 
 /// Rigid body in natural coordinates: centre of mass r and three directors d₁, d₂, d₃, initially the global axes.
 ///

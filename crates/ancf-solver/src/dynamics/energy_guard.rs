@@ -118,7 +118,10 @@ impl<E: EquationsOfMotion> TimeStepper<'_, E> {
     pub(crate) fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
         let (integral, exchange) = match self.scheme.averaging {
             None => self.exchange_of_step(),
-            Some(_) => self.exchange_in_middle(),
+            Some(_) => {
+                let Self { eom, motion, before, damping, .. } = self;
+                self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force)
+            }
         };
         let energy = self.eom.energy(&self.motion.state);
         let record = self.motion.record.after((self.motion.energy, energy), exchange);

@@ -1,9 +1,8 @@
 use std::cell::{Cell, RefCell};
 
 use super::damping_work::PowerIntegral;
-use super::time_stepper::TimeStepper;
 use crate::equations::{Energy, EquationsOfMotion, Level, Power, State, StepStates, Weights};
-use crate::newton::{NewtonReport, SolveError};
+use crate::newton::{Newton, NewtonReport, SolveError};
 use crate::sparse::{Pattern, SparseMatrix};
 
 /// Working storage of steps of the energy-momentum scheme.
@@ -88,25 +87,33 @@ impl<E: EquationsOfMotion + ?Sized> EquationsOfMotion for StepEquations<'_, E> {
     }
 }
 
-impl<E: EquationsOfMotion> TimeStepper<'_, E> {
+impl StepMiddle {
     /// Iterates the end of a step of the energy-momentum scheme from its prediction.
-    pub(crate) fn solve_step(&mut self, damping: f64, w: Weights) -> Result<NewtonReport, SolveError> {
-        let middle = RefCell::new(&mut self.middle);
-        let eom = StepEquations { eom: &*self.eom, from: &self.before, damping, middle, predicted: Cell::new(true) };
-        self.newton.solve(&eom, &mut self.motion.state, w)
+    pub(crate) fn solve<E: EquationsOfMotion>(
+        &mut self,
+        eom: &E,
+        newton: &mut Newton,
+        (from, to): (&State, &mut State),
+        damping: f64,
+        w: Weights,
+    ) -> Result<NewtonReport, SolveError> {
+        let (middle, predicted) = (RefCell::new(self), Cell::new(true));
+        newton.solve(&StepEquations { eom, from, damping, middle, predicted }, to, w)
     }
 
-    /// Computes powers at the end of an attempt, and the work and dissipation of the forces in the middle of the step.
+    /// Computes powers at the end of a step, and the work and dissipation of the forces in its middle, which are set.
     ///
     /// With the mean velocity v_m, the damping forces F do exactly the work h v_m·F.
-    pub(crate) fn exchange_in_middle(&mut self) -> (PowerIntegral, Power) {
-        let Self { motion, damping, before, middle, .. } = self;
-        let h = motion.state.t - before.t;
-        let at_end = self.eom.exchange(&motion.state, &mut damping.force);
-        let middle = &mut middle.state;
-        middle.set_middle(before, &motion.state);
-        let Power { work, dissipation } = self.eom.exchange(middle, &mut damping.force);
-        let damped: f64 = middle.v.iter().zip(&damping.force).map(|(v, force)| v * force).sum();
+    pub(crate) fn exchange<E: EquationsOfMotion>(
+        &mut self,
+        eom: &E,
+        (from, to): (&State, &State),
+        force: &mut [f64],
+    ) -> (PowerIntegral, Power) {
+        let (h, at_end) = (to.t - from.t, eom.exchange(to, force));
+        self.state.set_middle(from, to);
+        let Power { work, dissipation } = eom.exchange(&self.state, force);
+        let damped: f64 = self.state.v.iter().zip(force).map(|(v, force)| v * *force).sum();
         (PowerIntegral::new(at_end), Power { work: h * work, dissipation: h * (dissipation + damped) })
     }
 }

@@ -288,7 +288,10 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         }
         let done = match self.scheme.averaging {
             None => self.newton.solve(&*self.eom, &mut self.motion.state, weights)?,
-            Some(damping) => self.solve_step(damping, weights)?,
+            Some(damping) => {
+                let (newton, ends) = (&mut self.newton, (&self.before, &mut self.motion.state));
+                self.middle.solve(&*self.eom, newton, ends, damping, weights)?
+            }
         };
         let [auxiliary, next] = &mut self.attempted;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {

@@ -22,7 +22,7 @@ pub use scatter::Scatter;
 pub use state::{State, StepStates, Weights};
 pub use system::System;
 pub use term::{
-    LOCAL, Local, LocalMatrix, LocalStep, Term, correct_work, discrete_residual, load_power, middle_residual, quadratic_constraints,
-    velocity_forces,
+    LOCAL, Local, LocalMatrix, LocalStep, Term, correct_work, discrete_residual, load_power, middle_residual,
+    quadratic_constraints, velocity_forces,
 };
 pub use term_sums::Rotation;

@@ -53,8 +53,12 @@ pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
         error(found("2β < γ"), "2β ≥ γ in a model with joints", reason).rests_on(["joints".into()])
     } else if step.fixed().is_none() && numbers.averaging.is_some() {
         let wanted = "a generalized-α scheme, such as { spectral_radius = 0.6 }, or a fixed `step`";
-        error(key, wanted, "the energy-momentum scheme does not damp the disturbance that each change of the step makes")
-            .rests_on(["analysis.step".into()])
+        error(
+            key,
+            wanted,
+            "the energy-momentum scheme does not damp the disturbance that each change of the step makes",
+        )
+        .rests_on(["analysis.step".into()])
     } else if step.fixed().is_none() && !numbers.is_second_order() {
         let wanted = "a scheme of second order, such as { spectral_radius = 0.8 }";
         error(key, wanted, "adaptive steps go by an error that is of third order in the step")

@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::units::Scaled;
 
 pub use analyses::{
-    About, Analysis, Buckling, Dynamics, EnergyGuard, Modes, NewtonMethod, Output, Path, Probe, Quantity, Scheme, Sense,
-    Start, Statics, Step, Stop, Unstable,
+    About, Analysis, Buckling, Dynamics, EnergyGuard, Modes, NewtonMethod, Output, Path, Probe, Quantity,
+    Scheme, Sense, Start, Statics, Step, Stop, Unstable,
 };
 pub use bodies::{
     At, Beam, Body, BodySurface, Cable, Capability, Formulation, InitialMotion, NamedPosition, Place,

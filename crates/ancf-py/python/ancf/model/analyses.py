@@ -14,6 +14,8 @@ __all__ = [
     "Analysis",
     "Buckling",
     "Dynamics",
+    "EnergyDamping",
+    "EnergyGuard",
     "EnergyStop",
     "GeneralizedAlpha",
     "IncrementStop",
@@ -30,6 +32,31 @@ __all__ = [
     "Stop",
     "Unstable",
 ]
+
+
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EnergyGuard(Part):
+    """Limits of the error of the energy balance in dynamics.
+
+    The error is relative to the exchanged energy: the largest sum of kinetic and strain energy, plus the
+    magnitudes of the work and of the dissipation of all steps.
+
+    Attributes
+    ----------
+    gain
+        Largest energy that the integration may make. Steps above it are halved, finally rejected (> 0).
+        Default: ``0.05``.
+    loss
+        Largest energy that the integration may lose without a warning, by the numerical damping of the scheme
+        (> 0). Default: ``0.05``.
+
+    """
+
+    _form = "EnergyGuard"
+
+    gain: float | None = None
+    loss: float | None = None
+
 
 NewtonMethod: TypeAlias = Literal["modified", "full"]
 """Update of the tangent in Newton's method.
@@ -66,8 +93,8 @@ class GeneralizedAlpha(Part):
     Attributes
     ----------
     spectral_radius
-        Spectral radius at infinite frequency, from 0 (maximum damping) to 1 (no damping). Recommended: 0.8
-        (>= 0, <= 1).
+        Spectral radius ρ at infinite frequency, from 0 (maximum damping) to 1 (no damping). Rotations of ω h
+        radians per step are stable up to 0.7 (1 − ρ) (>= 0, <= 1).
 
     """
 
@@ -92,11 +119,29 @@ class HHT(Part):
     alpha: float
 
 
+@dataclass(kw_only=True, slots=True, eq=False, repr=False)
+class EnergyDamping(Part):
+    """Energy-momentum scheme with numerical damping of the strains of beams, cables and springs.
+
+    Attributes
+    ----------
+    energy_damping
+        χ ≥ 0: strains have the weights ½ − χ at the start and ½ + χ at the end of a step. Resolved vibrations
+        lose little for χ far below 0.05 (>= 0, <= 0.5).
+
+    """
+
+    _form = "Scheme"
+
+    energy_damping: float
+
+
 Scheme: TypeAlias = (
-    Literal["adams", "average_acceleration", "linear_acceleration", "central_difference"]
+    Literal["adams", "average_acceleration", "linear_acceleration", "central_difference", "energy"]
     | Newmark
     | GeneralizedAlpha
     | HHT
+    | EnergyDamping
 )
 """Time integration scheme, by name or by parameters.
 
@@ -109,6 +154,8 @@ Source: Kim et al. (2017), table of the appendix; Hilber, Hughes & Taylor (1977)
 * ``"linear_acceleration"``: Newmark with γ = 1/2, β = 1/6: second order, conditionally stable. Rejected with
   joints, where it is unstable.
 * ``"central_difference"``: Newmark with γ = 1/2, β = 0: explicit. Rejected for equations with constraints.
+* ``"energy"``: Energy-momentum scheme: second order, conserves energy and momentum exactly in steps of any
+  size. No numerical damping.
 """
 
 Start: TypeAlias = Literal["consistent", "zero"]
@@ -240,6 +287,8 @@ class Dynamics(Part):
         Duration, time (> 0).
     step
         Step size, time; in the units of the model with any ``scales``.
+    energy_guard
+        Limits of the error of the energy balance. Default: ``EnergyGuard(gain=0.05, loss=0.05)``.
     max_halvings
         Maximum number of successive halvings of a failed step of fixed size (>= 0, <= 30). Default: ``10``.
     max_iterations
@@ -248,7 +297,7 @@ class Dynamics(Part):
         Newton's method with a new tangent in each iteration, or with reused tangents. One of ``"modified"``,
         ``"full"``. Default: ``"modified"``.
     scheme
-        Time integration scheme. Default: ``"adams"``.
+        Time integration scheme. Default: ``Newmark()``.
     start
         Accelerations and multipliers at the start. One of ``"consistent"``, ``"zero"``. Default:
         ``"consistent"``.
@@ -263,6 +312,7 @@ class Dynamics(Part):
 
     duration: float
     step: StepSize
+    energy_guard: EnergyGuard | None = None
     max_halvings: int | None = None
     max_iterations: int | None = None
     newton: NewtonMethod | None = None

@@ -53,7 +53,9 @@ class Bushing(Part):
     a
         First end, on which the reaction acts.
     stiffness
-        Stiffnesses along x, y, z, force/length, and about x, y, z, force length.
+        Stiffnesses along x, y, z, force/length, and about x, y, z, force length. The rotation is a twist
+        about the axis of least stiffness, of any number of turns, and a swing of this axis. The moments are
+        linear in it.
     b
         Second end, to which the axes are fixed; the ground by default. The axes are initially parallel to the
         global axes.

@@ -39,8 +39,8 @@ ClampedGradients: TypeAlias = Literal["all", "section"]
 * ``"all"``: r_x, r_y and r_z: all twelve coordinates of the node, as in Kim et al. (2017). Stretch and shear
   of the axis are zero at the clamp, which stiffens coarse meshes: one element has 8/9 of the exact
   elongation.
-* ``"section"``: r_y and r_z: the section is fixed and the axis stretches freely, exact in tension. For a
-  cable, the direction of the tangent.
+* ``"section"``: The rotation of the section: it may change its size and shape, and the axis stretches freely,
+  exact in tension. For a cable, the direction of the tangent.
 """
 
 

@@ -23,7 +23,8 @@ fn ends(case: &TermCase, size: f64, random: &mut Random) -> [Sample; 2] {
     let term = case.term.as_ref();
     let (n, m) = sizes(term);
     let mut from = Sample { v: DVector::zeros(n), a: DVector::zeros(n), ..Sample::random(term, random) };
-    from.q *= if case.name.starts_with("contact") { 0.5 * case.kind.amplitude() } else { case.kind.amplitude() };
+    from.q *=
+        if case.name.starts_with("contact") { 0.5 * case.kind.amplitude() } else { case.kind.amplitude() };
     let to = Sample { q: &from.q + random.vector(n) * size, lambda: random.vector(m), ..from.clone() };
     [from, to]
 }
@@ -43,9 +44,13 @@ fn forces_of_steps_do_the_work_of_their_potential() {
                 let work = r.rows(0, n).dot(&(&to.q - &from.q));
                 let potential = [&from, &to].map(|s| energy(term, s)).map(|e| e.strain + e.potential);
                 let expected = potential[1] - potential[0] + to.lambda.dot(&(&rows[1] - &rows[0]));
-                let scale = potential.iter().map(|x| x.abs()).sum::<f64>() + r.rows(0, n).norm() * size + 1e-3;
+                let scale =
+                    potential.iter().map(|x| x.abs()).sum::<f64>() + r.rows(0, n).norm() * size + 1e-3;
                 let error = (work - expected).abs() / scale;
-                assert!(error < 1e-12, "{name}, {size}: work {work:e}, expected {expected:e}, scale {scale:e}");
+                assert!(
+                    error < 1e-12,
+                    "{name}, {size}: work {work:e}, expected {expected:e}, scale {scale:e}"
+                );
                 let error = (r.rows(n, rows[1].len()) - &rows[1]).amax();
                 assert!(error <= 1e-15 * rows[1].amax(), "{name}: constraints of the end");
             }

@@ -4,9 +4,9 @@
 
 use ancf::Model;
 use ancf::model::{
-    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint, Material,
-    NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section, Spherical,
-    Start, Step, Stop,
+    Analysis, At, Beam, Body, Clamp, ClampedGradients, Dynamics, End, EnergyGuard, Formulation, Joint,
+    Material, NamedPosition, NewtonMethod, Output, Place, Probe, Revolute, ScaleChoice, Scheme, Section,
+    Spherical, Start, Step, Stop,
 };
 
 /// Length L.

@@ -1,6 +1,9 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints};
+use ancf_solver::equations::{
+    Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual, middle_residual,
+    quadratic_constraints,
+};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::kinematics::{BodyVector, Marker};
@@ -188,6 +191,13 @@ impl Term for CoincidenceConstraint {
             });
             vector.add_curvature(at.q, Vector3::from_column_slice(at.lambda) * (sign * weights.q), k);
         }
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        if self.a.is_linear() && self.b.is_linear() {
+            return middle_residual(self, step, r);
+        }
+        discrete_residual(self, step, r);
     }
 
     fn constraints(&self, at: &Local<'_>, level: Level, phi: &mut [f64]) {

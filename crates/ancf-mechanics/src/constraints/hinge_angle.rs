@@ -1,6 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual};
 use nalgebra::Vector3;
 
 use super::coincidence::Wrench;
@@ -145,6 +145,10 @@ impl Term for HingeAngle {
         for (vector, factor) in [(of_u, -sin), (of_v, cos)] {
             of_p.add_product(vector, at.q, f * factor, k);
         }
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        discrete_residual(self, step, r);
     }
 
     fn massless(&self) -> &[usize] {

@@ -1,6 +1,9 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{LOCAL, Level, Local, LocalMatrix, State, Term, Weights, quadratic_constraints};
+use ancf_solver::equations::{
+    LOCAL, Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual, middle_residual,
+    quadratic_constraints,
+};
 
 use super::bilinear_measure::BilinearMeasure;
 use super::coincidence::Wrench;
@@ -92,6 +95,13 @@ impl Term for MeasureConstraint {
         self.measure.add_gradient(at.q, 1.0, &mut gradient[..n]);
         gradient[..n].iter().enumerate().for_each(|(i, x)| k.add(n, i, *x));
         self.measure.add_curvature(at.q, w.q * at.lambda[0], k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        if self.measure.is_quadratic() {
+            return middle_residual(self, step, r);
+        }
+        discrete_residual(self, step, r);
     }
 
     fn constraint_name(&self, _: usize) -> String {

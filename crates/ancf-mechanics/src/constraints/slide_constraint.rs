@@ -1,6 +1,8 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual, middle_residual,
+};
 use nalgebra::Vector3;
 
 use super::coincidence::{AXES, Wrench};
@@ -156,6 +158,14 @@ impl Term for SlideConstraint {
             }
         });
         self.point.add_curvature(at.q, lambda * w.q, k);
+    }
+
+    /// In a step between two elements, forces are those of the middle.
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        if [step.from, step.middle, step.to].iter().all(|at| self.local_arc_length(at.q).is_some()) {
+            return discrete_residual(self, step, r);
+        }
+        middle_residual(self, step, r);
     }
 
     fn massless(&self) -> &[usize] {

@@ -1,6 +1,6 @@
 use std::ops::Range;
 
-use ancf_solver::equations::{Level, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{Level, Local, LocalMatrix, LocalStep, State, Term, Weights, discrete_residual};
 
 use super::coincidence::Wrench;
 use super::hinge_angle::HingeAngle;
@@ -65,6 +65,10 @@ impl Term for TwistAngle {
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
         self.parts.iter().for_each(|part| part.tangent(at, w, k));
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        discrete_residual(self, step, r);
     }
 
     fn massless(&self) -> &[usize] {

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights};
 use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 
@@ -233,6 +233,28 @@ impl Term for BeamContact {
     fn is_admissible(&self, at: &Local<'_>) -> bool {
         let contact_point = self.contact_point(at.q);
         contact_point.is_none_or(|(_, [d, ..])| d.norm() > SMALLEST_DISTANCE * self.radius)
+    }
+
+    /// The normal force does the work of the potential between both ends. Damping and friction are those of the middle.
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        self.residual(&step.middle, r);
+        let energies = [step.from, step.to].map(|at| self.energy(&at).strain);
+        let Some(foot) = self.closest_point(step.middle.q).filter(|_| energies != [0.0; 2]) else { return };
+        let [d, ..] = self.distance_vector(step.middle.q, foot.s);
+        let force = |q: &[f64]| {
+            self.contact_point(q).map_or(0.0, |(foot, [d, ..])| {
+                self.length * foot.share * self.law.pressure(d.norm() - self.radius)
+            })
+        };
+        let forces = [step.from, step.middle, step.to].map(|at| force(at.q));
+        let (mut moved, n) = ([0.0; LOCAL], d.normalize());
+        (0..step.to.q.len()).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
+        let weights = self.weights(foot.s);
+        let apart: f64 = weights.clone().map(|(first, [w, _])| w * n.dot(&vector(&moved, first))).sum();
+        let excess = ContactLaw::discrete_force(energies, apart, forces) - forces[1];
+        for (first, [w, _]) in weights {
+            (0..3).for_each(|k| r[first + k] -= excess * w * n[k]);
+        }
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

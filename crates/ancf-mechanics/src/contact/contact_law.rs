@@ -59,6 +59,16 @@ impl ContactLaw {
         }
     }
 
+    /// Returns the normal force −ΔU/Δg of a step between two energies, for a change of the gap along the normal of its middle.
+    ///
+    /// `forces` are the forces at the start, in the middle and at the end. The result is at most twice the largest one.
+    /// The limit applies to grazing motion only, where the direction of the normal changes more than the gap.
+    pub(crate) fn discrete_force([before, now]: [f64; 2], moved: f64, forces: [f64; 3]) -> f64 {
+        let largest = forces.into_iter().fold(0.0, f64::max);
+        let force = (before - now) / moved;
+        if force.is_finite() { force.clamp(0.0, 2.0 * largest) } else { forces[1] }
+    }
+
     /// Returns dp/d(depth), at most k.
     pub fn slope(&self, gap: f64) -> f64 {
         (-gap / self.transition).clamp(0.0, 1.0) * self.stiffness

@@ -1,4 +1,4 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights};
+use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, LocalStep, Term, Weights};
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::contact_law::ContactLaw;
@@ -279,6 +279,29 @@ impl Term for ObstacleContact {
         let [x, v] = self.values(at);
         if self.gap(&x) < 0.0 {
             add_symmetric(&self.markers.each_ref(), &self.slope(&x, &v, w), -1.0, k);
+        }
+    }
+
+    /// The normal force does the work of the potential between both ends. Damping and friction are those of the middle.
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        self.residual(&step.middle, r);
+        let gaps = [step.from, step.middle, step.to].map(|at| self.gap(&self.values(&at)[0]));
+        if gaps[0] >= 0.0 && gaps[2] >= 0.0 {
+            return;
+        }
+        let mut moved = [0.0; LOCAL];
+        let n = step.to.q.len();
+        (0..n).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
+        let [x, moved] = self.values(&Local { v: &moved[..n], ..step.middle });
+        let ([d, axes @ ..], [apart, turned @ ..]) = (parts(&x), parts(&moved));
+        let (_, normal, b) = self.shape.gap(&d, &combine(&axes, &self.axis));
+        let change = normal.dot(&apart) + b.dot(&combine(&turned, &self.axis));
+        let energies = [gaps[0], gaps[2]].map(|gap| self.law.energy(gap));
+        let pressures = gaps.map(|gap| self.law.pressure(gap));
+        let excess = (ContactLaw::discrete_force(energies, change, pressures) - pressures[1]) * self.length;
+        self.markers[0].add(-normal * excess, r);
+        for (marker, component) in self.markers[1..].iter().zip(&self.axis) {
+            marker.add(-b * (excess * component), r);
         }
     }
 

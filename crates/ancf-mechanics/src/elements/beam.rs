@@ -1,7 +1,7 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity_forces};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces};
 use nalgebra::{Matrix3, Vector3};
 
 use super::station::{BeamStation, RelativeVectors, StrainEnergy};
@@ -81,6 +81,35 @@ impl<const N: usize, S: Interpolation<N>> BeamElement<N, S> {
         })
     }
 
+    /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
+    fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; N] {
+        let profile = &self.profile;
+        let mut force = self.mass_times(&vectors(at.a));
+        if profile.mass_damping != 0.0 {
+            let momentum = self.mass_times(&vectors(at.v));
+            force.iter_mut().zip(momentum).for_each(|(force, p)| *force += p * profile.mass_damping);
+        }
+        for (force, first) in force.iter_mut().zip(&profile.first) {
+            *force -= profile.gravity * (at.load * first);
+        }
+        force
+    }
+
+    /// Adds the tangent of [`inertia`](Self::inertia) to the lower blocks.
+    fn add_inertia(&self, w: Weights, blocks: &mut [[Matrix3<f64>; N]; N]) {
+        let inertia = w.a + self.profile.mass_damping * w.v;
+        for a in 0..N {
+            for b in 0..=a {
+                blocks[a][b] += Matrix3::from_diagonal_element(inertia * self.profile.mass[a][b]);
+            }
+        }
+    }
+
+    /// Returns the vectors at the start, in the middle and at the end of a step.
+    fn directors_of_step(&self, step: &LocalStep<'_>) -> [RelativeVectors<N>; 3] {
+        [step.from, step.middle, step.to].map(|at| RelativeVectors::new::<S>(&vectors(at.q)))
+    }
+
     /// Returns the strain energy by part, from the coordinates of the element.
     pub fn parts(&self, q: &[f64]) -> StrainEnergy {
         let q = RelativeVectors::new::<S>(&vectors(q));
@@ -114,15 +143,7 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
     }
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
-        let profile = &self.profile;
-        let mut force = self.mass_times(&vectors(at.a));
-        if profile.mass_damping != 0.0 {
-            let momentum = self.mass_times(&vectors(at.v));
-            force.iter_mut().zip(momentum).for_each(|(force, p)| *force += p * profile.mass_damping);
-        }
-        for (force, first) in force.iter_mut().zip(&profile.first) {
-            *force -= profile.gravity * (at.load * first);
-        }
+        let (profile, mut force) = (&self.profile, self.inertia(at));
         let (q, v) = (RelativeVectors::new::<S>(&vectors(at.q)), self.moving(at));
         for station in &profile.stations {
             let g0 = station.reference(&self.frame);
@@ -173,12 +194,34 @@ impl<const N: usize, S: Interpolation<N> + Send + Sync> Term for BeamElement<N, 
                 station.distribute_stiffness(&h, &mut blocks);
             }
         }
-        let inertia = w.a + self.profile.mass_damping * w.v;
-        for a in 0..N {
-            for b in 0..=a {
-                blocks[a][b] += Matrix3::from_diagonal_element(inertia * self.profile.mass[a][b]);
-            }
+        self.add_inertia(w, &mut blocks);
+        add_blocks(&blocks, k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let (mut force, v) = (self.inertia(&step.middle), self.moving(&step.middle));
+        let ends = self.directors_of_step(step);
+        for station in &self.profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = ends.each_ref().map(|q| station.directors::<S>(q));
+            let p = station.average_forces::<S>(&g0, u.each_ref(), step.shares(), v.as_ref());
+            station.distribute(&p, &mut force);
         }
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (mut blocks, mut h) = ([[Matrix3::zeros(); N]; N], NO_STIFFNESS);
+        let (ends, v) = (self.directors_of_step(step), self.moving(&step.middle));
+        for station in &self.profile.stations {
+            let g0 = station.reference(&self.frame);
+            let u = ends.each_ref().map(|q| station.directors::<S>(q));
+            station.average_stiffness::<S>(&g0, u.each_ref(), step.shares(), v.as_ref(), [w.q, w.v], &mut h);
+            station.distribute_stiffness(&h, &mut blocks);
+        }
+        self.add_inertia(w, &mut blocks);
         add_blocks(&blocks, k);
     }
 

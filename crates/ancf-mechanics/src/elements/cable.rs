@@ -1,10 +1,11 @@
 use std::sync::Arc;
 
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, velocity_forces};
+use ancf_solver::equations::{Energy, Local, LocalMatrix, LocalStep, Term, Weights, velocity_forces};
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam::add_blocks;
 use super::cable_profile::{CableDamping, CableProfile, CableStation};
+use super::cable_step::{CableStep, vectors};
 use crate::kinematics::{AxialStretch, Bend, BendBlocks, relative_rotation};
 
 /// Value of |r′| up to which a line counts as collapsed to a point.
@@ -103,14 +104,27 @@ impl Cable12 {
         Bend::new(self.direction + station.first(q), station.second(q))
     }
 
+    /// Computes the forces of inertia, of the mass-proportional damping and of gravity.
+    fn inertia(&self, at: &Local<'_>) -> [Vector3<f64>; 4] {
+        let (profile, a, v) = (&*self.profile, vectors(at.a), vectors(at.v));
+        let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
+        for (force, first) in force.iter_mut().zip(profile.first_moments()) {
+            *force -= profile.gravity() * (at.load * first);
+        }
+        force
+    }
+
+    /// Adds the tangent of [`inertia`](Self::inertia) to the lower blocks.
+    fn add_inertia(&self, w: Weights, blocks: &mut [[Matrix3<f64>; 4]; 4]) {
+        let inertia = w.a + w.v * self.profile.damping().mass;
+        let mass = self.profile.mass();
+        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * mass[i][j]));
+    }
+
     /// Computes the sum of M_ab x_b over b.
     fn mass_times(&self, x: &[Vector3<f64>; 4]) -> [Vector3<f64>; 4] {
         self.profile.mass().map(|row| row.iter().zip(x).map(|(m, x)| x * *m).sum())
     }
-}
-
-fn vectors(x: &[f64]) -> [Vector3<f64>; 4] {
-    std::array::from_fn(|i| Vector3::new(x[3 * i], x[3 * i + 1], x[3 * i + 2]))
 }
 
 impl Term for Cable12 {
@@ -124,11 +138,7 @@ impl Term for Cable12 {
 
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let (profile, q, v) = (&*self.profile, vectors(at.q), vectors(at.v));
-        let a = vectors(at.a);
-        let mut force = self.mass_times(&std::array::from_fn(|i| a[i] + v[i] * profile.damping().mass));
-        for (force, first) in force.iter_mut().zip(profile.first_moments()) {
-            *force -= profile.gravity() * (at.load * first);
-        }
+        let mut force = self.inertia(at);
         for station in profile.axial() {
             let stretch = self.stretch(station, &q);
             let n = profile.axial_force(&stretch, &station.first(&v));
@@ -184,8 +194,30 @@ impl Term for Cable12 {
         for station in profile.bending() {
             add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
         }
-        let inertia = w.a + w.v * profile.damping().mass;
-        each_pair(|i, j| blocks[i][j] += Matrix3::from_diagonal_element(inertia * profile.mass()[i][j]));
+        self.add_inertia(w, &mut blocks);
+        add_blocks(&blocks, k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let mut force = self.inertia(&step.middle);
+        CableStep { profile: &self.profile, direction: &self.direction, step }.add_forces(&mut force);
+        for (row, force) in r.iter_mut().zip(force.iter().flatten()) {
+            *row += force;
+        }
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (q, v) = (vectors(step.middle.q), vectors(step.middle.v));
+        let mut blocks = [[Matrix3::zeros(); 4]; 4];
+        let cable = CableStep { profile: &self.profile, direction: &self.direction, step };
+        for station in self.profile.axial() {
+            let h = cable.axial_stiffness(station, w) * station.weight;
+            each_pair(|i, j| blocks[i][j] += h * (station.first[i] * station.first[j]));
+        }
+        for station in self.profile.bending() {
+            add_bending(station, &self.bending_stiffness(station, &q, &v, w), &mut blocks);
+        }
+        self.add_inertia(w, &mut blocks);
         add_blocks(&blocks, k);
     }
 

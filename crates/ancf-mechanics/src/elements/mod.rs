@@ -3,9 +3,11 @@
 mod beam;
 mod cable;
 mod cable_profile;
+mod cable_step;
 mod profile;
 mod rigid;
 mod station;
+mod station_step;
 
 pub use beam::{Beam24, Beam27, BeamElement, Profile};
 pub(crate) use cable::CRUSHED;

@@ -54,7 +54,7 @@ impl StationLaw {
     }
 
     /// Returns the number of directors that the law depends on.
-    fn reach(&self) -> usize {
+    pub(super) fn reach(&self) -> usize {
         match self {
             Self::Quadratic(law) => law.reach(),
             Self::Hyperelastic(_) => 5,
@@ -308,11 +308,7 @@ impl<const N: usize> BeamStation<N> {
             law.add_geometric(&law.viscous(&g, &v), wq, h);
             law.add_squares(&g, wv, h);
         }
-        for i in 0..reach {
-            for j in 0..i {
-                h[j][i] = h[i][j].transpose();
-            }
-        }
+        mirror(h, reach);
     }
 
     /// Computes all blocks of the initial stress stiffness, for first-order stresses of the increment `du` of the
@@ -320,11 +316,7 @@ impl<const N: usize> BeamStation<N> {
     pub(crate) fn stress_stiffness(&self, g0: &Directors, u: &Directors, du: &Directors) -> Stiffness {
         let mut h = NO_STIFFNESS;
         self.law.add_stress_stiffness(g0, u, du, &mut h);
-        for i in 0..DIRECTORS {
-            for j in 0..i {
-                h[j][i] = h[i][j].transpose();
-            }
-        }
+        mirror(&mut h, DIRECTORS);
         h
     }
 
@@ -361,6 +353,15 @@ impl<const N: usize> BeamStation<N> {
                     add(&mut k[a][b], &row[director], weight);
                 }
             }
+        }
+    }
+}
+
+/// Sets the upper blocks of the first `reach` directors from the lower ones.
+pub(super) fn mirror(h: &mut Stiffness, reach: usize) {
+    for i in 0..reach {
+        for j in 0..i {
+            h[j][i] = h[i][j].transpose();
         }
     }
 }

@@ -1,4 +1,6 @@
-use ancf_solver::equations::{Energy, Local, LocalMatrix, Term, Weights, load_power};
+use ancf_solver::equations::{
+    Energy, Local, LocalMatrix, LocalStep, Term, Weights, discrete_residual, load_power, middle_residual,
+};
 use nalgebra::Vector3;
 
 use crate::functions::Function;
@@ -59,6 +61,13 @@ impl Term for Force {
         if !self.point.is_linear() {
             self.point.add_curvature(at.q, self.now(at) * -w.q, k);
         }
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        if self.point.is_linear() || !self.function.is_constant() {
+            return middle_residual(self, step, r);
+        }
+        discrete_residual(self, step, r);
     }
 
     fn energy(&self, at: &Local<'_>) -> Energy {

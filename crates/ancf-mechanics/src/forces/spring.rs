@@ -1,4 +1,6 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
+};
 
 use crate::constraints::{BilinearMeasure, MeasureTarget, Wrench, add_outer};
 
@@ -51,6 +53,24 @@ impl Spring {
         self.global.wrench(s, -force)
     }
 
+    /// Returns the elastic force of a step: that of the weighted stretches of both ends at the set point of the middle.
+    fn elastic_force(&self, step: &LocalStep<'_>) -> f64 {
+        let [start, end] = step.shares();
+        let stretch = start * self.measure.change(step.from.q) + end * self.measure.change(step.to.q);
+        self.stiffness * (stretch - self.rest.value(&step.middle))
+    }
+
+    /// Adds the tangent of a force on the measure with the given stiffness.
+    fn add_tangent(&self, at: &Local<'_>, w: Weights, [stiffness, force]: [f64; 2], k: &mut LocalMatrix<'_>) {
+        let (n, gradient, mut turned) = (at.q.len(), self.gradient(at), [0.0; LOCAL]);
+        add_outer(&gradient, &gradient, stiffness, n, k);
+        self.measure.add_curvature(at.q, w.q * force, k);
+        if self.damping > 0.0 {
+            self.measure.add_gradient_slope(at.q, at.v, 1.0, &mut turned[..n]);
+            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+        }
+    }
+
     fn gradient(&self, at: &Local<'_>) -> [f64; LOCAL] {
         let mut gradient = [0.0; LOCAL];
         self.measure.add_gradient(at.q, 1.0, &mut gradient[..at.q.len()]);
@@ -85,14 +105,31 @@ impl Term for Spring {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let (n, gradient, mut turned) = (at.q.len(), self.gradient(at), [0.0; LOCAL]);
-        let stiffness = w.q * self.stiffness + w.v * self.damping;
-        add_outer(&gradient, &gradient, stiffness, n, k);
-        self.measure.add_curvature(at.q, w.q * self.force(at), k);
-        if self.damping > 0.0 {
-            self.measure.add_gradient_slope(at.q, at.v, 1.0, &mut turned[..n]);
-            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+        self.add_tangent(at, w, [w.q * self.stiffness + w.v * self.damping, self.force(at)], k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let middle = &step.middle;
+        let damping = self.damping * self.measure.slope(middle.q, middle.v);
+        let force = self.elastic_force(step);
+        self.measure.add_gradient(middle.q, force + damping, r);
+        if !self.measure.is_quadratic() {
+            let (mut moved, mut floor) = ([0.0; LOCAL], [0.0; LOCAL]);
+            let n = middle.q.len();
+            (0..n).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
+            let change = self.measure.change(step.to.q) - self.measure.change(step.from.q);
+            let missed = force * (change - self.measure.slope(middle.q, &moved[..n]));
+            let of_change = self.measure.add_rounding(middle.q, force, &mut floor[..n]);
+            let of_force: f64 = floor.iter().zip(moved).map(|(floor, moved)| floor * moved.abs()).sum();
+            correct_work(step, [missed, 2.0 * (force * of_change).abs() + of_force], r);
         }
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let middle = &step.middle;
+        let force = self.elastic_force(step) + self.damping * self.measure.slope(middle.q, middle.v);
+        let stiffness = 2.0 * step.shares()[1] * w.q * self.stiffness + w.v * self.damping;
+        self.add_tangent(middle, w, [stiffness, force], k);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {

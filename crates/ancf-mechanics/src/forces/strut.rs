@@ -1,4 +1,6 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work,
+};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::constraints::{Wrench, add_outer};
@@ -134,24 +136,40 @@ impl Term for Strut {
     }
 
     fn tangent(&self, at: &Local<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
-        let StrutLength { length, change, unit } = self.distance(&self.distance_vector, at.q);
-        let speed = self.distance_vector.rate(at.q, at.v);
-        let (force, acts) = self.force(change, at.load, unit.dot(&speed));
-        if !acts {
-            return;
+        let distance = self.distance(&self.distance_vector, at.q);
+        let rate = distance.unit.dot(&self.distance_vector.rate(at.q, at.v));
+        let (force, acts) = self.force(distance.change, at.load, rate);
+        if acts {
+            self.add_tangent(at, &distance, w, force, k);
         }
-        let along = unit * unit.transpose();
-        let transverse = (Matrix3::identity() - along) / length;
-        // ∂(dl/dt)/∂d is the transverse velocity over l.
-        let turning = unit * (transverse * speed).transpose() * (0.5 * self.damping);
-        let stiffness = along * self.stiffness + transverse * force + turning + turning.transpose();
-        self.distance_vector.add_quadratic(at.q, &(stiffness * w.q + along * (w.v * self.damping)), k);
-        if !self.distance_vector.is_linear() {
-            let (n, mut gradient, mut turned) = (at.q.len(), [0.0; LOCAL], [0.0; LOCAL]);
-            self.distance_vector.add_curvature(at.q, unit * (force * w.q), k);
-            self.distance_vector.add(at.q, unit, &mut gradient[..n]);
-            self.distance_vector.add_slope(at.q, at.v, unit, &mut turned[..n]);
-            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+    }
+
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        let (force, mean) = self.of_step(step);
+        let (vector, middle) = (&self.distance_vector, &step.middle);
+        vector.add(middle.q, mean.unit * force, r);
+        if self.damping > 0.0 {
+            let StrutLength { change, unit, .. } = self.distance(vector, middle.q);
+            let rate = unit.dot(&vector.rate(middle.q, middle.v));
+            let [moving, still] = [rate, 0.0].map(|rate| self.force(change, middle.load, rate).0);
+            vector.add(middle.q, unit * (moving - still), r);
+        }
+        if !vector.is_linear() {
+            let (n, mut moved) = (middle.q.len(), [0.0; LOCAL]);
+            (0..n).for_each(|i| moved[i] = step.to.q[i] - step.from.q[i]);
+            let changed = vector.change(step.to.q) - vector.change(step.from.q);
+            let missed = changed - vector.rate(middle.q, &moved[..n]);
+            let [error, turned] = vector.errors(middle.q);
+            let bound = force.abs() * (2.0 * turned + error * vector.rate_size(middle.q, &moved[..n]));
+            correct_work(step, [force * mean.unit.dot(&missed), bound], r);
+        }
+    }
+
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        let (force, mean) = self.of_step(step);
+        if force != 0.0 || !self.rope {
+            let mean = StrutLength { unit: mean.unit.normalize(), ..mean };
+            self.add_tangent(&step.middle, &mean, w, force, k);
         }
     }
 
@@ -176,5 +194,57 @@ impl Term for Strut {
         let change = self.distance(&self.distance_vector, at.q).change;
         let [now, first] = [change, 0.0].map(|change| self.stretch(change, at.load));
         Energy { strain: 0.5 * self.stiffness * (now - first) * (now + first), ..Energy::default() }
+    }
+}
+
+impl Strut {
+    /// Returns the elastic force of a step, ΔU/Δl for χ = 0, and the distance with the mean length and the direction
+    /// (d₀ + d₁)/(l₀ + l₁), which gives exactly Δl for Δd.
+    fn of_step(&self, step: &LocalStep<'_>) -> (f64, StrutLength) {
+        let vector = &self.distance_vector;
+        let [from, to] = [step.from.q, step.to.q].map(|q| self.distance(vector, q));
+        let [before, now] = [&from, &to].map(|end| self.stretch(end.change, step.middle.load));
+        let moved = to.change - from.change;
+        // Part of the step in which a rope is tight.
+        let tight = if before > 0.0 && now > 0.0 || !self.rope {
+            1.0
+        } else {
+            ((now - before) / moved).clamp(0.0, 1.0)
+        };
+        let [start, end] = step.shares();
+        let force = if before == 0.0 && now == 0.0 {
+            0.0
+        } else {
+            self.stiffness * tight * (start * before + end * now).max(if self.rope { 0.0 } else { f64::MIN })
+        };
+        let length = 0.5 * (from.length + to.length);
+        let unit = (from.unit * from.length + to.unit * to.length) / (2.0 * length);
+        (force, StrutLength { length, change: 0.5 * (from.change + to.change), unit })
+    }
+
+    /// Adds the tangent at a distance for a given force.
+    fn add_tangent(
+        &self,
+        at: &Local<'_>,
+        StrutLength { length, unit, .. }: &StrutLength,
+        w: Weights,
+        force: f64,
+        k: &mut LocalMatrix<'_>,
+    ) {
+        let speed = self.distance_vector.rate(at.q, at.v);
+        let (unit, length) = (*unit, *length);
+        let along = unit * unit.transpose();
+        let transverse = (Matrix3::identity() - along) / length;
+        // ∂(dl/dt)/∂d is the transverse velocity over l.
+        let turning = unit * (transverse * speed).transpose() * (0.5 * self.damping);
+        let stiffness = along * self.stiffness + transverse * force + turning + turning.transpose();
+        self.distance_vector.add_quadratic(at.q, &(stiffness * w.q + along * (w.v * self.damping)), k);
+        if !self.distance_vector.is_linear() {
+            let (n, mut gradient, mut turned) = (at.q.len(), [0.0; LOCAL], [0.0; LOCAL]);
+            self.distance_vector.add_curvature(at.q, unit * (force * w.q), k);
+            self.distance_vector.add(at.q, unit, &mut gradient[..n]);
+            self.distance_vector.add_slope(at.q, at.v, unit, &mut turned[..n]);
+            add_outer(&gradient, &turned, w.q * self.damping, n, k);
+        }
     }
 }

@@ -1,4 +1,6 @@
-use ancf_solver::equations::{Energy, LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{
+    Energy, LOCAL, Local, LocalMatrix, LocalStep, State, Term, Weights, correct_work, middle_residual,
+};
 
 use crate::constraints::{BilinearMeasure, Wrench, add_outer};
 
@@ -87,6 +89,19 @@ impl SwingSpring {
             let force = self.stiffness[k] * value + self.damping[k] * rate;
             Component { part, value, by, second: [sign * curvature * m, sign * slope], rate, force }
         })
+    }
+
+    /// Returns the potential and the elastic forces on the products, from the changes of the products.
+    fn elastic(&self, products: [f64; 3]) -> (f64, [f64; 3]) {
+        let [f, slope, _] = ratio(-products[0]);
+        let (mut energy, mut forces) = (0.0, [0.0; 3]);
+        for (k, (part, sign)) in PARTS.into_iter().enumerate() {
+            let (value, stiffness) = (sign * f * products[part], self.stiffness[k]);
+            energy += 0.5 * stiffness * value * value;
+            forces[0] += stiffness * value * sign * slope * products[part];
+            forces[part] += stiffness * value * sign * f;
+        }
+        (energy, forces)
     }
 
     fn now(&self, at: &Local<'_>) -> [Component; 2] {
@@ -195,6 +210,38 @@ impl Term for SwingSpring {
                 add_outer(&slope, &turned, w.q * self.damping[i], n, k);
             }
         }
+    }
+
+    /// The elastic forces on the products do exactly the work of the potential: those of the mean products, corrected along
+    /// the change of the products.
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        middle_residual(self, step, r);
+        let products = |q: &[f64]| self.measures.each_ref().map(|measure| measure.change(q));
+        let [from, middle, to] = [step.from.q, step.middle.q, step.to.q].map(products);
+        let mean = [0, 1, 2].map(|i| 0.5 * (from[i] + to[i]));
+        let moved = [0, 1, 2].map(|i| to[i] - from[i]);
+        let (_, of_middle) = self.elastic(middle);
+        let (_, mut forces) = self.elastic(mean);
+        let work = self.elastic(to).0 - self.elastic(from).0;
+        let missed = work - (0..3).map(|i| forces[i] * moved[i]).sum::<f64>();
+        let square: f64 = moved.iter().map(|x| x * x).sum();
+        if square > 1e-20 {
+            (0..3).for_each(|i| forces[i] += missed / square * moved[i]);
+        }
+        let (n, mut change) = (step.to.q.len(), [0.0; LOCAL]);
+        (0..n).for_each(|i| change[i] = step.to.q[i] - step.from.q[i]);
+        let (mut rest, mut bound) = (0.0, 0.0);
+        for (i, measure) in self.measures.iter().enumerate() {
+            measure.add_gradient(step.middle.q, forces[i] - of_middle[i], r);
+            if !measure.is_quadratic() {
+                let mut floor = [0.0; LOCAL];
+                let of_change = measure.add_rounding(step.middle.q, forces[i], &mut floor[..n]);
+                rest += forces[i] * (moved[i] - measure.slope(step.middle.q, &change[..n]));
+                bound += 2.0 * (forces[i] * of_change).abs();
+                bound += floor.iter().zip(change).map(|(floor, change)| floor * change.abs()).sum::<f64>();
+            }
+        }
+        correct_work(step, [rest, bound], r);
     }
 
     fn stress_stiffness(&self, at: &Local<'_>, by: &Local<'_>, k: &mut LocalMatrix<'_>) {

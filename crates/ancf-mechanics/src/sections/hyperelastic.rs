@@ -95,8 +95,16 @@ impl Deformation {
     fn stress(&self, lame: Lame) -> Matrix3<f64> {
         self.strain * (2.0 * lame.shear) + Matrix3::from_diagonal_element(lame.lambda * self.log)
     }
+
+    /// Returns J₀⁻¹ S J₀⁻ᵀ times the volume, with S = C⁻¹ (C S).
+    fn material_stress(&self, lame: Lame) -> Matrix3<f64> {
+        let stress = self.inverse * (self.dual.transpose() * self.dual * self.stress(lame));
+        stress * self.inverse.transpose() * self.volume
+    }
 }
 
+/// Square of the change of JᵀJ below which the work of the mean stress is exact to rounding.
+const SMALLEST_CHANGE: f64 = 1e-14;
 /// Size of E up to which logarithms are computed from E instead of det F.
 const NEAR: f64 = 0.0625;
 
@@ -136,9 +144,7 @@ impl NeoHookean {
 
     /// Returns the strain energy per length of the increment u from the reference directors g0, infinite for det F ≤ 0.
     pub fn energy(&self, g0: &Directors, u: &Directors) -> f64 {
-        let Lame { lambda, shear } = self.lame;
-        let density = |d: &Deformation| shear * d.distortion + 0.5 * lambda * d.log * d.log;
-        let energy = |point| Deformation::new(point, g0, u).map(|d| d.volume * density(&d));
+        let energy = |point| Deformation::new(point, g0, u).map(|d| d.volume * self.density(&d));
         self.points.iter().map(energy).sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
@@ -157,6 +163,39 @@ impl NeoHookean {
             }
         }
         p
+    }
+
+    /// Returns forces of the directors in the middle of a step, which do the work of the energy between its ends.
+    ///
+    /// ∂W/∂J = J T with T = J₀⁻¹ S J₀⁻ᵀ and the second Piola-Kirchhoff stress S. The mean of T of both ends is corrected
+    /// along the change of JᵀJ: T̄ + α Δ(JᵀJ), with the work ½ (T̄ + α Δ(JᵀJ)) : Δ(JᵀJ) = ΔW. Rotations do no work.
+    pub(crate) fn average_forces(&self, g0: &Directors, [from, to]: [&Directors; 2]) -> Directors {
+        let mut p = [Vector3::zeros(); DIRECTORS];
+        let middle: Directors = std::array::from_fn(|i| g0[i] + (from[i] + to[i]) * 0.5);
+        for point in &self.points {
+            let ends = [from, to].map(|u| Deformation::new(point, g0, u));
+            let [Some(a), Some(b)] = &ends else { return [Vector3::repeat(f64::NAN); DIRECTORS] };
+            let [of_a, of_b] = [a, b].map(|d| d.material_stress(self.lame));
+            let mut stress = (of_a + of_b) * 0.5;
+            let gradient = point.gradient(&middle);
+            let product = gradient.transpose() * point.gradient(&std::array::from_fn(|i| to[i] - from[i]));
+            let change = product + product.transpose();
+            let square = change.norm_squared();
+            if square > SMALLEST_CHANGE {
+                let work = b.volume * (self.density(b) - self.density(a)) - 0.5 * stress.dot(&change);
+                stress += change * (2.0 * work / square);
+            }
+            let stress = gradient * stress;
+            for ((p, column), factor) in p.iter_mut().zip(COLUMN).zip(point.factors()) {
+                *p += stress.column(column) * factor;
+            }
+        }
+        p
+    }
+
+    /// Returns the energy density W at a point.
+    fn density(&self, d: &Deformation) -> f64 {
+        self.lame.shear * d.distortion + 0.5 * self.lame.lambda * d.log * d.log
     }
 
     /// Adds `factor` times the second derivative of the energy by the directors, in blocks H_αβ with α ≥ β.

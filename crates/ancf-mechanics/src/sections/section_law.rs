@@ -163,6 +163,17 @@ impl SectionLaw {
         n
     }
 
+    /// Computes the resultants of weighted strains of two increments.
+    pub(crate) fn average_resultants(
+        &self,
+        g0: &Directors,
+        ends: [&Directors; 2],
+        shares: [f64; 2],
+    ) -> Strains {
+        let [from, to] = ends.map(|u| self.strains(g0, u));
+        self.resultants(&std::array::from_fn(|k| shares[0] * from[k] + shares[1] * to[k]))
+    }
+
     /// Computes the viscous resultants of the strain rates.
     pub(crate) fn viscous(&self, g: &Directors, v: &Directors) -> Strains {
         self.resultants(&self.rates(g, v))

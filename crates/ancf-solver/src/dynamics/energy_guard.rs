@@ -1,9 +1,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::damping_work::PowerIntegral;
-use super::time_stepper::TimeStepper;
-use crate::equations::{Energy, EquationsOfMotion, Power};
-use crate::newton::{NewtonReport, SolveError, SolveFailure};
+use crate::equations::{Energy, Power, State};
+use crate::factor::Factor;
 
 /// Limits of the error of the energy balance, relative to the exchanged energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +38,7 @@ pub struct EnergyRecord {
     /// Delayed reference.
     delayed: f64,
     /// Number of attempted steps that made too much energy.
-    refused: u32,
+    pub(crate) refused: u32,
 }
 
 /// Share of a step in the delayed reference.
@@ -121,36 +120,8 @@ pub(crate) struct EnergyAttempt {
     pub(crate) record: EnergyRecord,
 }
 
-impl<E: EquationsOfMotion> TimeStepper<'_, E> {
-    /// Computes energies, work and dissipation at the end of an attempt. Reverts it if it made too much energy.
-    pub(crate) fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
-        let Self { motion, scheme, damping, before, .. } = self;
-        let h = motion.state.t - before.t;
-        let power = self.eom.exchange(&motion.state, &mut damping.force);
-        let is_first = motion.at_start && !scheme.is_newmark();
-        let ratio = if motion.h > 0.0 { h / motion.h } else { 1.0 };
-        let mut integral = motion.power;
-        let mut exchange = integral.advance(*scheme, (!is_first).then_some(ratio), h, power);
-        let start = is_first.then_some(self.start_damping.as_slice());
-        exchange.dissipation +=
-            motion.damping.work(*scheme, (before, &motion.state), (start, ratio), damping);
-        let energy = self.eom.energy(&motion.state);
-        let record = motion.record.after((motion.energy, energy), exchange);
-        self.energies = EnergyAttempt { energy, power: integral, exchange, record };
-        if self.guard.permits(&record) {
-            return Ok(done);
-        }
-        self.motion.record.refused = self.motion.record.refused.saturating_add(1);
-        let worst = self.fastest_change();
-        self.revert();
-        Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
-    }
-
-    /// Returns the coordinate with the largest change of velocity in the attempt, measured as energy.
-    fn fastest_change(&self) -> usize {
-        let (now, before) = (&self.motion.state.v, &self.before.v);
-        let factor = &self.newton.tangent.factor;
-        let change = |i: usize| ((now[i] - before[i]) / factor.scale(i)).abs();
-        (0..now.len()).max_by(|i, j| change(*i).total_cmp(&change(*j))).unwrap_or(0)
-    }
+/// Returns the coordinate with the largest change of velocity, measured as energy.
+pub(crate) fn fastest_change(now: &State, before: &State, factor: &Factor) -> usize {
+    let change = |i: usize| ((now.v[i] - before.v[i]) / factor.scale(i)).abs();
+    (0..now.v.len()).max_by(|i, j| change(*i).total_cmp(&change(*j))).unwrap_or(0)
 }

@@ -1,9 +1,12 @@
+use std::f64::consts::FRAC_PI_2;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::damping_work::{DampingForces, PowerIntegral};
+use super::damping_work::{DampingAttempt, DampingForces, PowerIntegral};
 use super::energy_guard::EnergyRecord;
 use super::predictor::Predictor;
+use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
 use crate::equations::{ActivePair, Energy, EquationsOfMotion, Power, State};
 use crate::newton::NewtonCheckpoint;
@@ -77,6 +80,42 @@ impl IntegrationState {
             damping,
             exchanged: Power::default(),
             state: start,
+        }
+    }
+
+    /// Computes powers at the end of an attempt, and the work and dissipation with the impulses of the scheme.
+    ///
+    /// `start` are the auxiliary damping forces of a first step.
+    pub(crate) fn exchange_of_step(
+        &self,
+        eom: &impl EquationsOfMotion,
+        scheme: SchemeCoefficients,
+        before: &State,
+        start: &[f64],
+        damping: &mut DampingAttempt,
+    ) -> (PowerIntegral, Power) {
+        let h = self.state.t - before.t;
+        let power = eom.exchange(&self.state, &mut damping.force);
+        let is_first = self.at_start && !scheme.is_newmark();
+        let ratio = if self.h > 0.0 { h / self.h } else { 1.0 };
+        let mut integral = self.power;
+        let mut exchange = integral.advance(scheme, (!is_first).then_some(ratio), h, power);
+        let start = is_first.then_some(start);
+        exchange.dissipation += self.damping.work(scheme, (before, &self.state), (start, ratio), damping);
+        (integral, exchange)
+    }
+
+    /// Returns an angle whose number of turns is ambiguous: its prediction from the state before is off by a quarter.
+    pub(crate) fn ambiguous_angle(&self, before: &State, angles: &[usize]) -> Option<usize> {
+        let (s, h) = (&self.state, self.state.t - before.t);
+        angles.iter().copied().find(|&c| (s.q[c] - before.q[c] - h * before.v[c]).abs() > FRAC_PI_2)
+    }
+
+    /// Scales a − v̇ of the auxiliary accelerations for a step h, to which it is proportional (Brüls & Arnold 2008).
+    pub(crate) fn scale_auxiliary(&self, h: f64, scaled: &mut [f64]) {
+        let ratio = if self.h == 0.0 { 1.0 } else { h / self.h };
+        for ((scaled, auxiliary), a) in scaled.iter_mut().zip(&self.auxiliary).zip(&self.state.a) {
+            *scaled = a + ratio * (auxiliary - a);
         }
     }
 

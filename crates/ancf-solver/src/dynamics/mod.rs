@@ -3,6 +3,7 @@
 mod adaptive;
 mod damping_work;
 mod energy_guard;
+mod energy_momentum;
 mod error_estimate;
 mod first_step;
 mod initial_conditions;

@@ -23,6 +23,8 @@ pub struct SchemeCoefficients {
     pub beta: f64,
     /// Coefficient γ.
     pub gamma: f64,
+    /// Numerical damping χ of the energy-momentum scheme; `None` for the other schemes.
+    pub averaging: Option<f64>,
 }
 
 impl SchemeCoefficients {
@@ -35,7 +37,19 @@ impl SchemeCoefficients {
 
     /// Creates Newmark's scheme.
     pub const fn newmark(gamma: f64, beta: f64) -> Self {
-        Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma }
+        Self { alpha_m: 0.0, alpha_f: 0.0, beta, gamma, averaging: None }
+    }
+
+    /// Creates the energy-momentum scheme with the numerical damping χ ≥ 0.
+    ///
+    /// q₁ = q₀ + ½ h (v₀ + v₁) with the unknown mean acceleration v̇ = (v₁ − v₀)/h: Newmark's formulas with β = ½, γ = 1.
+    /// The equations of motion are those of the step ([`Term::average_residual`]), of second order.
+    ///
+    /// Source: Simo & Tarnow (1992); Gonzalez (1996); Armero & Romero (2001) for χ.
+    ///
+    /// [`Term::average_residual`]: crate::equations::Term::average_residual
+    pub const fn energy_momentum(damping: f64) -> Self {
+        Self { averaging: Some(damping), ..Self::newmark(1.0, 0.5) }
     }
 
     /// Creates the scheme of Hilber, Hughes and Taylor: αf = −α, γ = ½ − α, β = (1 − α)²/4 for −1/3 ≤ α ≤ 0.
@@ -62,7 +76,8 @@ impl SchemeCoefficients {
     /// Sets γ = ½ + αf − αm for second order and β = ¼ (1 + αf − αm)² for maximum damping of high frequencies.
     const fn second_order(alpha_m: f64, alpha_f: f64) -> Self {
         let damping = alpha_f - alpha_m;
-        Self { alpha_m, alpha_f, beta: 0.25 * (1.0 + damping) * (1.0 + damping), gamma: 0.5 + damping }
+        let beta = 0.25 * (1.0 + damping) * (1.0 + damping);
+        Self { alpha_m, alpha_f, beta, gamma: 0.5 + damping, averaging: None }
     }
 
     /// Returns true if the auxiliary acceleration equals the true one.
@@ -70,9 +85,9 @@ impl SchemeCoefficients {
         self.alpha_m == 0.0 && self.alpha_f == 0.0
     }
 
-    /// Returns true if γ = ½ + αf − αm.
+    /// Returns true if γ = ½ + αf − αm, and for the energy-momentum scheme.
     pub const fn is_second_order(&self) -> bool {
-        (self.gamma - 0.5 - self.alpha_f + self.alpha_m).abs() < 1e-12
+        self.averaging.is_some() || (self.gamma - 0.5 - self.alpha_f + self.alpha_m).abs() < 1e-12
     }
 
     /// Returns αm − αf, the lead of the auxiliary over the true acceleration, in steps.

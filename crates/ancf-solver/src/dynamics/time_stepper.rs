@@ -1,7 +1,6 @@
-use std::f64::consts::FRAC_PI_2;
-
 use super::damping_work::{DampingAttempt, PowerIntegral};
-use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord};
+use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, fastest_change};
+use super::energy_momentum::StepMiddle;
 use super::first_step::{StartValues, start_values};
 use super::initial_conditions::{accelerations, velocities};
 use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
@@ -21,8 +20,9 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) motion: IntegrationState,
     /// Pairs at the last accepted step, if they have changed since.
     active: Option<Vec<ActivePair>>,
-    /// State before the current attempt.
+    /// State before the current attempt, and the middle of a step.
     pub(crate) before: State,
+    pub(crate) middle: StepMiddle,
     /// Auxiliary accelerations aₙ and aₙ₊₁ of the current attempt.
     pub(crate) attempted: [Vec<f64>; 2],
     phi: Vec<f64>,
@@ -45,6 +45,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         start: State,
     ) -> Self {
         newton.permit_reuse(&start);
+        if scheme.averaging.is_some() {
+            newton.expect_linear_convergence();
+        }
         let auxiliary = start.a.clone();
         Self {
             eom: ActiveSet::new(eom),
@@ -53,6 +56,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             max_halvings,
             active: None,
             before: start.clone(),
+            middle: StepMiddle::new(&start),
             attempted: [auxiliary.clone(), auxiliary],
             phi: vec![0.0; start.lambda.len()],
             start_damping: vec![0.0; start.q.len() + start.lambda.len()],
@@ -262,17 +266,12 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     }
 
     fn solve(&mut self, h: f64, to: f64) -> Result<NewtonReport, SolveError> {
-        let [auxiliary, next] = &mut self.attempted;
+        let [auxiliary, _] = &mut self.attempted;
         if self.motion.at_start && !self.scheme.is_newmark() {
             let start = StartValues { auxiliary, damping: &mut self.start_damping };
             start_values(&*self.eom, self.scheme, &mut self.newton, &mut self.motion.state, start, h)?;
         } else {
-            // a − v̇ is proportional to h (Brüls & Arnold 2008).
-            let ratio = if self.motion.h == 0.0 { 1.0 } else { h / self.motion.h };
-            for i in 0..auxiliary.len() {
-                auxiliary[i] =
-                    self.motion.state.a[i] + ratio * (self.motion.auxiliary[i] - self.motion.state.a[i]);
-            }
+            self.motion.scale_auxiliary(h, auxiliary);
         }
         self.scheme.predict(&mut self.motion.state, auxiliary, h);
         self.motion.state.t = to;
@@ -280,19 +279,43 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         if self.newton.tangent.is_reusable() {
             self.motion.predictor.add_to(&mut self.motion.state, weights, h);
         }
-        let done = self.newton.solve(&*self.eom, &mut self.motion.state, weights)?;
+        let done = match self.scheme.averaging {
+            None => self.newton.solve(&*self.eom, &mut self.motion.state, weights)?,
+            Some(damping) => {
+                let (newton, ends) = (&mut self.newton, (&self.before, &mut self.motion.state));
+                self.middle.solve(&*self.eom, newton, ends, damping, weights)?
+            }
+        };
+        let [auxiliary, next] = &mut self.attempted;
         if let Some(worst) = self.eom.inadmissible(&self.motion.state) {
             return Err(SolveError::after(done, to, SolveFailure::Inverted, worst));
         }
-        let (s, before) = (&self.motion.state, &self.before);
-        let is_far = |&&c: &&usize| (s.q[c] - before.q[c] - h * before.v[c]).abs() > FRAC_PI_2;
-        if let Some(&angle) = self.eom.counted_angles().iter().find(is_far) {
+        if let Some(angle) = self.motion.ambiguous_angle(&self.before, self.eom.counted_angles()) {
             return Err(SolveError::after(done, to, SolveFailure::AmbiguousTurns, angle));
         }
         for i in 0..next.len() {
             next[i] = self.scheme.auxiliary(auxiliary[i], self.before.a[i], self.motion.state.a[i]);
         }
         Ok(done)
+    }
+
+    /// Computes energies, work and dissipation at the end of an attempt. Reverts it if it made too much energy.
+    fn check_energy(&mut self, done: NewtonReport, to: f64) -> Result<NewtonReport, SolveError> {
+        let Self { eom, motion, before, damping, start_damping, scheme, .. } = self;
+        let (power, exchange) = match scheme.averaging {
+            None => motion.exchange_of_step(&**eom, *scheme, before, start_damping, damping),
+            Some(_) => self.middle.exchange(&**eom, (before, &motion.state), &mut damping.force),
+        };
+        let energy = eom.energy(&motion.state);
+        let record = motion.record.after((motion.energy, energy), exchange);
+        self.energies = EnergyAttempt { energy, power, exchange, record };
+        if self.guard.permits(&record) {
+            return Ok(done);
+        }
+        motion.record.refused = motion.record.refused.saturating_add(1);
+        let worst = fastest_change(&motion.state, before, &self.newton.tangent.factor);
+        self.revert();
+        Err(SolveError::after(done, to, SolveFailure::EnergyMade, worst))
     }
 
     /// Reverts to the state before the attempt.
@@ -314,14 +337,15 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             &self.newton.tangent.factor,
         );
         self.motion.at_start = false;
+        if self.scheme.averaging.is_some() {
+            // A tangent belongs to both ends of its step.
+            self.newton.tangent.renew();
+        }
         std::mem::swap(&mut self.motion.auxiliary, &mut self.attempted[1]);
         self.newton.record_energy(self.motion.energy.largest());
-        report.iterations += done.iterations;
-        report.substeps += 1;
-        report.residual = done.residual;
-        report.increment = done.increment;
-        report.drift = self.largest(Level::Velocity);
-        report.violation = self.largest(Level::Position);
+        (report.iterations, report.substeps) = (report.iterations + done.iterations, report.substeps + 1);
+        (report.residual, report.increment) = (done.residual, done.increment);
+        (report.drift, report.violation) = (self.largest(Level::Velocity), self.largest(Level::Position));
         report.floor |= done.floor;
         self.save_restart_point();
     }

@@ -215,6 +215,15 @@ pub fn constraint_rows(term: &dyn Term, s: &State) -> Vec<SparseVector> {
     (0..m).map(row).collect()
 }
 
+/// Returns the number of linearly dependent rows of Φ_q in a state.
+pub(super) fn redundant_rows<'a>(
+    terms: impl IntoIterator<Item = &'a dyn Term>,
+    multipliers: usize,
+    s: &State,
+) -> usize {
+    dependences(all_constraint_rows(terms, multipliers, s), REDUNDANCY_TOLERANCE).len()
+}
+
 /// Returns the rows of Φ_q of several terms in a state, indexed by multiplier.
 pub fn all_constraint_rows<'a>(
     terms: impl IntoIterator<Item = &'a dyn Term>,

@@ -4,7 +4,6 @@ mod batch;
 mod contact_pairs;
 mod dependence;
 mod energy;
-mod local_state;
 mod motion_equations;
 mod scatter;
 mod state;
@@ -20,8 +19,11 @@ pub use dependence::{Dependence, REDUNDANCY_TOLERANCE, all_constraint_rows, cons
 pub use energy::{Energy, Level, Power};
 pub use motion_equations::EquationsOfMotion;
 pub use scatter::Scatter;
-pub use state::{State, Weights};
+pub use state::{State, StepStates, Weights};
 pub use stiffness_products::StiffnessProducts;
 pub use system::System;
-pub use term::{LOCAL, Local, LocalMatrix, Term, load_power, quadratic_constraints, velocity_forces};
+pub use term::{
+    LOCAL, Local, LocalMatrix, LocalStep, Term, correct_work, discrete_residual, load_power, middle_residual,
+    quadratic_constraints, velocity_forces,
+};
 pub use term_sums::Rotation;

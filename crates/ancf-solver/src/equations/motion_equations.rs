@@ -2,7 +2,7 @@ use nalgebra::DVector;
 
 use super::contact_pairs::ActivePair;
 use super::energy::{Energy, Level, Power};
-use super::state::{State, Weights};
+use super::state::{State, StepStates, Weights};
 use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
@@ -38,6 +38,21 @@ pub trait EquationsOfMotion {
     /// Computes K X and Xᵀ K X for columns X over the coordinates, K = ∂(f + Φ_qᵀ λ)/∂q, with less rounding error than
     /// products with the assembled matrix.
     fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts;
+
+    /// Assembles the residual of a step of the energy-momentum scheme ([`Term::average_residual`]).
+    ///
+    /// [`Term::average_residual`]: super::term::Term::average_residual
+    fn average_residual(&self, step: &StepStates<'_>, r: &mut [f64]) {
+        self.residual(step.middle, r);
+        self.constraints(step.to, Level::Position, &mut r[step.to.q.len()..]);
+    }
+
+    /// Assembles a symmetric tangent of the step for weights of its end ([`Term::average_tangent`]).
+    ///
+    /// [`Term::average_tangent`]: super::term::Term::average_tangent
+    fn average_tangent(&self, step: &StepStates<'_>, w: Weights, k: &mut SparseMatrix) {
+        self.tangent(step.middle, w.of_middle(), k);
+    }
 
     /// Assembles the initial stress stiffness at the configuration of a state.
     ///

@@ -66,6 +66,35 @@ impl State {
     }
 }
 
+/// Step of the energy-momentum scheme: its ends, its middle and its numerical damping
+/// ([`LocalStep`](super::term::LocalStep)).
+#[derive(Clone, Copy, Debug)]
+pub struct StepStates<'a> {
+    /// Start of the step.
+    pub from: &'a State,
+    /// Middle of the step.
+    pub middle: &'a State,
+    /// End of the step.
+    pub to: &'a State,
+    /// Numerical damping χ.
+    pub damping: f64,
+}
+
+impl State {
+    /// Sets the middle of a step: means of the ends, with the accelerations and multipliers of the end.
+    pub fn set_middle(&mut self, from: &Self, to: &Self) {
+        let mean = |x: &mut [f64], from: &[f64], to: &[f64]| {
+            x.iter_mut().zip(from.iter().zip(to)).for_each(|(x, (a, b))| *x = 0.5 * (a + b));
+        };
+        mean(&mut self.q, &from.q, &to.q);
+        mean(&mut self.v, &from.v, &to.v);
+        self.t = 0.5 * (from.t + to.t);
+        self.a.copy_from_slice(&to.a);
+        self.lambda.copy_from_slice(&to.lambda);
+        self.load = to.load;
+    }
+}
+
 /// Weights dq : dv : da of an increment dz, which are also the weights of stiffness, damping and mass in the tangent.
 ///
 /// Every one-step scheme for second-order equations is such an affine map; (1, 0, 0) gives statics.
@@ -85,4 +114,10 @@ impl Weights {
     pub const STIFFNESS: Self = Self { q: 1.0, v: 0.0, a: 0.0 };
     /// Weights for unknown accelerations at fixed q and v: the tangent is the mass matrix.
     pub const MASS: Self = Self { q: 0.0, v: 0.0, a: 1.0 };
+
+    /// Returns the weights of the middle of a step, whose start is fixed.
+    #[must_use]
+    pub const fn of_middle(self) -> Self {
+        Self { q: 0.5 * self.q, v: 0.5 * self.v, a: self.a }
+    }
 }

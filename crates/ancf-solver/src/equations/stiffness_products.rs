@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::local_state::LocalState;
 use super::state::{State, Weights};
 use super::term::{LOCAL, LocalMatrix, Term};
+use super::term_sums::LocalState;
 
 /// Products of the stiffness matrix K with the columns of X.
 #[derive(Clone, Debug)]

@@ -1,3 +1,4 @@
+use std::cell::RefCell;
 use std::fmt;
 use std::ops::AddAssign;
 use std::sync::Arc;
@@ -6,15 +7,14 @@ use nalgebra::DVector;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
-use super::dependence::{REDUNDANCY_TOLERANCE, all_constraint_rows, dependences};
+use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
-use super::local_state::LocalState;
 use super::motion_equations::EquationsOfMotion;
 use super::scatter::Scatter;
-use super::state::{State, Weights};
+use super::state::{State, StepStates, Weights};
 use super::stiffness_products::{StiffnessProducts, stiffness_products};
 use super::term::{LOCAL, Local, LocalMatrix, Term};
-use super::term_sums::{Rotation, largest_rotation, skew_stiffness};
+use super::term_sums::{LocalEnds, LocalState, Rotation, largest_rotation, powers, skew_stiffness, unknowns};
 use super::thread_parts::{ThreadParts, enclosing_range};
 use crate::sparse::{IndexLists, Pattern, SparseMatrix};
 
@@ -33,21 +33,17 @@ pub struct System {
     angles: Vec<usize>,
     /// Scatter map of each term.
     scatters: Vec<Scatter>,
-    /// Batches, and the indices of the terms that are evaluated one by one.
+    /// Batches, indices of the terms that are evaluated one by one, and batches by residual rows and by matrix entries.
     batches: Arc<[PlacedBatch]>,
     unbatched: Vec<usize>,
-    /// Batches, grouped by residual rows and by matrix entries.
     by_rows: ThreadParts,
     by_entries: ThreadParts,
 }
 
 impl fmt::Debug for System {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("System")
-            .field("coordinates", &self.coordinates)
-            .field("multipliers", &self.multipliers)
-            .field("terms", &self.terms.len())
-            .finish_non_exhaustive()
+        let sizes = [self.coordinates, self.multipliers, self.terms.len()];
+        f.debug_struct("System").field("sizes", &sizes).finish_non_exhaustive()
     }
 }
 
@@ -239,12 +235,6 @@ impl System {
     }
 }
 
-/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
-fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
-    let multipliers = term.multipliers().map(move |m| coordinates + m);
-    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
-}
-
 impl EquationsOfMotion for System {
     fn coordinates(&self) -> usize {
         self.coordinates
@@ -300,11 +290,27 @@ impl EquationsOfMotion for System {
         stiffness_products(&self.terms, s, x)
     }
 
+    fn average_residual(&self, step: &StepStates<'_>, r: &mut [f64]) {
+        r.fill(0.0);
+        let ends = RefCell::new(LocalEnds::EMPTY);
+        self.add(self.terms.iter(), step.middle, r, |term, middle, rows| {
+            term.average_residual(&ends.borrow_mut().gather(step, *middle, term), rows);
+        });
+    }
+
+    fn average_tangent(&self, step: &StepStates<'_>, w: Weights, k: &mut SparseMatrix) {
+        k.values_mut().fill(0.0);
+        let (mut gathered, mut ends, w) = (LocalState::EMPTY, LocalEnds::EMPTY, w.of_middle());
+        self.add_matrix(0..self.terms.len(), k.values_mut(), |term, block| {
+            let middle = gathered.gather(step.middle, term);
+            term.average_tangent(&ends.gather(step, middle, term), w, block);
+        });
+    }
+
     fn stress_stiffness(&self, s: &State, by: &State, k: &mut SparseMatrix) {
-        let values = k.values_mut();
-        values.fill(0.0);
+        k.values_mut().fill(0.0);
         let (mut at, mut increment) = (LocalState::EMPTY, LocalState::EMPTY);
-        self.add_matrix(0..self.terms.len(), values, |term, block| {
+        self.add_matrix(0..self.terms.len(), k.values_mut(), |term, block| {
             term.stress_stiffness(&at.gather(s, term), &increment.gather(by, term), block);
         });
     }
@@ -318,9 +324,8 @@ impl EquationsOfMotion for System {
             })
         });
         let mut gathered = LocalState::EMPTY;
-        let wrong = batched.or_else(|| {
-            self.unbatched().find(|term| !term.is_admissible(&gathered.gather(s, term.as_ref())))
-        });
+        let mut is_wrong = |term: &&Arc<dyn Term>| !term.is_admissible(&gathered.gather(s, term.as_ref()));
+        let wrong = batched.or_else(|| self.unbatched().find(|term| is_wrong(term)));
         wrong.and_then(|term| term.coordinates().first().copied())
     }
 
@@ -367,10 +372,8 @@ impl EquationsOfMotion for System {
     fn degrees_of_freedom(&self, s: &State) -> usize {
         let terms = self.constraints.iter().map(|&i| self.terms[i].as_ref());
         // Constraints are redundant only where multipliers are shared.
-        let excess = match self.pattern.shared() {
-            [] => 0,
-            _ => dependences(all_constraint_rows(terms, self.multipliers, s), REDUNDANCY_TOLERANCE).len(),
-        };
+        let shared = !self.pattern.shared().is_empty();
+        let excess = if shared { redundant_rows(terms, self.multipliers, s) } else { 0 };
         (self.coordinates + excess).saturating_sub(self.multipliers)
     }
 
@@ -391,13 +394,7 @@ impl EquationsOfMotion for System {
             let mut lanes = GatheredLanes::EMPTY;
             self.of(batches).for_each(|batched| lanes.add_damping(s, batched, sum, first));
         });
-        let (mut power, mut gathered) = (Power::default(), LocalState::EMPTY);
-        for term in self.unbatched() {
-            let at = gathered.gather(s, term.as_ref());
-            let flow = term.flow_power(&at);
-            power += Power { work: term.supplied_power(&at) + flow, dissipation: flow };
-        }
         self.add(self.unbatched(), s, damping, |term, at, rows| term.damping_forces(at, rows));
-        power
+        powers(self.unbatched(), s)
     }
 }

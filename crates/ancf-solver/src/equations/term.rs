@@ -23,6 +23,29 @@ pub struct Local<'a> {
     pub load: f64,
 }
 
+/// State variables of a term at both ends and in the middle of a step of the energy-momentum scheme.
+///
+/// The middle has the mean coordinates, velocities and time of both ends. Its accelerations are the mean ones of the step,
+/// its multipliers those of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalStep<'a> {
+    /// Start of the step.
+    pub from: Local<'a>,
+    /// Middle of the step.
+    pub middle: Local<'a>,
+    /// End of the step.
+    pub to: Local<'a>,
+    /// Numerical damping χ: strains have the weights ½ − χ at the start and ½ + χ at the end.
+    pub damping: f64,
+}
+
+impl LocalStep<'_> {
+    /// Returns the weights ½ − χ and ½ + χ of both ends.
+    pub const fn shares(&self) -> [f64; 2] {
+        [0.5 - self.damping, 0.5 + self.damping]
+    }
+}
+
 /// Symmetric matrix over the coordinates and then the multipliers of a term, stored as the lower triangle by columns.
 #[derive(Debug)]
 pub struct LocalMatrix<'a> {
@@ -121,6 +144,23 @@ pub trait Term: Send + Sync {
     /// avoid cancellation.
     fn positions(&self) -> &[usize] {
         &[]
+    }
+
+    /// Adds the residual of a step of the energy-momentum scheme: forces of the step, and the constraints at its end.
+    ///
+    /// By default the forces and Φ_qᵀ λ are those of the middle. They do the work Φ(q₁) − Φ(q₀) of constraints that are at
+    /// most quadratic, and that of potentials that are quadratic in q. Terms with other potentials or constraints override
+    /// this method, at least by [`discrete_residual`].
+    fn average_residual(&self, step: &LocalStep<'_>, r: &mut [f64]) {
+        middle_residual(self, step, r);
+    }
+
+    /// Adds the lower triangle of a symmetric tangent of [`average_residual`](Self::average_residual).
+    ///
+    /// `w` are the weights of the middle, half of those of the end for q and v. The tangent determines the convergence
+    /// only. Stresses are those of the step, and derivatives of strains those of the middle.
+    fn average_tangent(&self, step: &LocalStep<'_>, w: Weights, k: &mut LocalMatrix<'_>) {
+        self.tangent(&step.middle, w, k);
     }
 
     /// Returns the massless coordinates that the multipliers determine, such as the position of a slider.
@@ -223,6 +263,69 @@ impl dyn Term + '_ {
         Power { work: self.supplied_power(at) + flow, dissipation: damping + flow }
     }
 }
+
+/// Adds forces of the middle and constraints of the end of a step: the default of [`Term::average_residual`].
+pub fn middle_residual<T: Term + ?Sized>(term: &T, step: &LocalStep<'_>, r: &mut [f64]) {
+    let (n, m) = (step.to.q.len(), step.to.lambda.len());
+    if m == 0 {
+        return term.residual(&step.middle, r);
+    }
+    for (at, own) in [(&step.middle, 0..n), (&step.to, n..n + m)] {
+        let mut rows = [0.0; LOCAL];
+        term.residual(at, &mut rows[..n + m]);
+        own.for_each(|i| r[i] += rows[i]);
+    }
+}
+
+/// Adds the residual of a step with the discrete derivative of the potential and of the constraints of a term.
+///
+/// The forces of the middle are corrected along Δq = q₁ − q₀ so that they do exactly the work ΔU + λ·ΔΦ:
+/// [ΔU + λ·ΔΦ − (∂U/∂q + Φ_qᵀ λ)·Δq] Δq/|Δq|². Potential and constraints are those at the time of the middle. Forces at
+/// zero velocity must be those of the potential.
+///
+/// Source: Gonzalez (1996), discrete derivatives.
+pub fn discrete_residual<T: Term + ?Sized>(term: &T, step: &LocalStep<'_>, r: &mut [f64]) {
+    middle_residual(term, step, r);
+    let LocalStep { from, middle, to, .. } = step;
+    let (n, m, zeros) = (to.q.len(), to.lambda.len(), [0.0; LOCAL]);
+    let middle = Local { v: &zeros[..n], a: &zeros[..n], ..*middle };
+    let (mut missed, mut bound) = (0.0, 0.0);
+    for (at, sign) in [(from, -1.0), (to, 1.0)] {
+        let (mut rows, mut floor) = ([0.0; LOCAL], [0.0; LOCAL]);
+        let at = Local { q: at.q, ..middle };
+        term.residual(&at, &mut rows[..n + m]);
+        term.rounding(&at, &mut floor[..n + m]);
+        let Energy { strain, potential, .. } = term.energy(&at);
+        missed += sign * (strain + potential);
+        bound += f64::EPSILON * (strain.abs() + potential.abs());
+        for (k, lambda) in at.lambda.iter().enumerate() {
+            missed += sign * lambda * rows[n + k];
+            bound += lambda.abs() * floor[n + k];
+        }
+    }
+    let (mut forces, mut floor) = ([0.0; LOCAL], [0.0; LOCAL]);
+    term.residual(&middle, &mut forces[..n + m]);
+    term.rounding(&middle, &mut floor[..n + m]);
+    for i in 0..n {
+        let moved = to.q[i] - from.q[i];
+        missed -= forces[i] * moved;
+        bound += (floor[i] + f64::EPSILON * forces[i].abs()) * moved.abs();
+    }
+    correct_work(step, [missed, bound], r);
+}
+
+/// Adds the force along Δq = q₁ − q₀ with a given work. Nothing is added up to the rounding error of this work.
+pub fn correct_work(step: &LocalStep<'_>, [work, bound]: [f64; 2], r: &mut [f64]) {
+    let moved = |i: usize| step.to.q[i] - step.from.q[i];
+    let n = step.to.q.len();
+    if work.abs() > DISCRETE_ROUNDING * bound {
+        let square: f64 = (0..n).map(|i| moved(i).powi(2)).sum();
+        (0..n).for_each(|i| r[i] += work / square * moved(i));
+    }
+}
+
+/// Multiple of the rounding bound below which a discrete derivative equals that of the middle.
+const DISCRETE_ROUNDING: f64 = 4.0;
 
 /// Returns the power of prescribed motions: Φ_qᵀ λ does the work −λ·Φ_q v = λ·ċ on the bodies.
 fn driving_power<T: Term + ?Sized>(term: &T, at: &Local<'_>) -> f64 {

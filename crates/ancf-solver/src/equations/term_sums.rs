@@ -1,10 +1,10 @@
-//! Sums over terms that are needed once per increment or analysis.
+//! State variables of single terms, and sums over terms that are needed once per step, increment or analysis.
 
 use std::sync::Arc;
 
-use super::local_state::LocalState;
-use super::state::State;
-use super::term::Term;
+use super::energy::Power;
+use super::state::{State, StepStates};
+use super::term::{LOCAL, Local, LocalStep, Term};
 
 /// Skew entries below this part of the largest one are zero.
 const NEGLIGIBLE: f64 = 1e-14;
@@ -53,4 +53,77 @@ pub(super) fn skew_stiffness(terms: &[Arc<dyn Term>], s: &State) -> Vec<(usize, 
     let largest = entries.iter().fold(0.0_f64, |largest, (.., value)| largest.max(value.abs()));
     entries.retain(|(.., value)| value.abs() > NEGLIGIBLE * largest);
     entries
+}
+
+/// Returns the global unknowns of a term: its coordinates, then its multipliers numbered after all coordinates.
+pub(super) fn unknowns(term: &dyn Term, coordinates: usize) -> impl Iterator<Item = u32> {
+    let multipliers = term.multipliers().map(move |m| coordinates + m);
+    term.coordinates().iter().copied().chain(multipliers).map(|unknown| unknown as u32)
+}
+
+/// Returns the powers of terms without batches, except those of damping forces.
+pub(super) fn powers<'a>(terms: impl Iterator<Item = &'a Arc<dyn Term>>, s: &State) -> Power {
+    let mut gathered = LocalState::EMPTY;
+    let power = |term: &Arc<dyn Term>| {
+        let at = gathered.gather(s, term.as_ref());
+        let flow = term.flow_power(&at);
+        Power { work: term.supplied_power(&at) + flow, dissipation: flow }
+    };
+    let mut sum = Power::default();
+    terms.map(power).for_each(|power| sum += power);
+    sum
+}
+
+/// State variables of one term, gathered from a global state.
+pub(super) struct LocalState {
+    q: [f64; LOCAL],
+    v: [f64; LOCAL],
+    a: [f64; LOCAL],
+    lambda: [f64; LOCAL],
+}
+
+impl LocalState {
+    pub(super) const EMPTY: Self =
+        Self { q: [0.0; LOCAL], v: [0.0; LOCAL], a: [0.0; LOCAL], lambda: [0.0; LOCAL] };
+
+    pub(super) fn gather<'a>(&'a mut self, s: &State, term: &dyn Term) -> Local<'a> {
+        let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
+        for (i, &c) in coordinates.iter().enumerate() {
+            self.q[i] = s.q[c];
+            self.v[i] = s.v[c];
+            self.a[i] = s.a[c];
+        }
+        let (n, m) = (coordinates.len(), multipliers.len());
+        self.lambda[..m].copy_from_slice(&s.lambda[multipliers]);
+        Local {
+            q: &self.q[..n],
+            v: &self.v[..n],
+            a: &self.a[..n],
+            lambda: &self.lambda[..m],
+            t: s.t,
+            load: s.load,
+        }
+    }
+}
+
+/// State variables of one term at both ends of a step.
+pub(super) struct LocalEnds([LocalState; 2]);
+
+impl LocalEnds {
+    pub(super) const EMPTY: Self = Self([LocalState::EMPTY, LocalState::EMPTY]);
+
+    pub(super) fn gather<'a>(
+        &'a mut self,
+        step: &StepStates<'_>,
+        middle: Local<'a>,
+        term: &dyn Term,
+    ) -> LocalStep<'a> {
+        let [from, to] = &mut self.0;
+        LocalStep {
+            from: from.gather(step.from, term),
+            middle,
+            to: to.gather(step.to, term),
+            damping: step.damping,
+        }
+    }
 }

@@ -121,6 +121,12 @@ impl Newton {
         }
     }
 
+    /// States that new tangents are approximations: increments are first irregular and then decrease linearly.
+    pub(crate) fn expect_linear_convergence(&mut self) {
+        self.tangent.set_inexact();
+        self.stagnation_limit = 2 * STAGNATION_LIMIT;
+    }
+
     /// Adds the energy of a converged state to the reference energy of the energy rule.
     ///
     /// Before the first call the rule uses the energy of the current iterate.

@@ -26,6 +26,10 @@ pub(crate) struct NewtonTangent {
     saved: TangentUsage,
     /// States of the computed tangents, if reuse is permitted.
     made: Option<Box<TangentStates>>,
+    /// False if new tangents are approximations, so that iterations converge linearly.
+    exact: bool,
+    /// Number of tangents of the current solution.
+    computed: u32,
 }
 
 /// Usage of a tangent so far.
@@ -91,6 +95,11 @@ enum TangentAge {
 
 /// Cost of a new factorised tangent, in iterations with an old one.
 const RENEWAL_COST: u32 = 3;
+/// Rate of an approximate tangent below which it is kept, and above which it is renewed.
+const FAST: f64 = 0.05;
+const SLOW: f64 = 0.6;
+/// Number of approximate tangents of a solution after which they are renewed only if they converge slowly.
+const APPROXIMATIONS: u32 = 3;
 /// Relative difference of weights up to which a tangent is reusable.
 const WEIGHT_TOLERANCE: f64 = 1e-2;
 /// Longest pause of the reuse.
@@ -101,7 +110,7 @@ impl NewtonTangent {
     pub(crate) fn new(matrix: SparseMatrix) -> Result<Self, SolveFailure> {
         let factor = Factor::new(matrix.pattern()).map_err(|_| SolveFailure::Memory)?;
         let usage = TangentUsage::new();
-        Ok(Self { matrix, factor, usage, saved: usage, made: None })
+        Ok(Self { matrix, factor, usage, saved: usage, made: None, exact: true, computed: 0 })
     }
 
     /// Replaces the matrix by one of another pattern.
@@ -120,6 +129,11 @@ impl NewtonTangent {
             self.usage.policy = TangentPolicy::WhenDue;
             self.made = Some(Box::new(TangentStates { now: s.clone(), saved: s.clone(), is_new: false }));
         }
+    }
+
+    /// States that new tangents are approximations.
+    pub(crate) fn set_inexact(&mut self) {
+        self.exact = false;
     }
 
     /// Returns true if the reuse of tangents is permitted.
@@ -157,6 +171,7 @@ impl NewtonTangent {
         self.usage.pause = self.usage.pause.saturating_sub(1);
         self.usage.weights = self.usage.weights.filter(|own| fits(*own) && !due);
         self.usage.age = TangentAge::Old;
+        self.computed = 0;
         self.usage.solutions += 1;
         self.usage.reused = false;
     }
@@ -192,6 +207,7 @@ impl NewtonTangent {
             return Ok(());
         }
         eom.tangent(s, w, &mut self.matrix);
+        self.computed += 1;
         self.made.iter_mut().for_each(|made| made.record(s));
         self.factor.factorise(&self.matrix).map_err(|_| SolveFailure::Singular)?;
         self.usage.weights = Some(w).filter(|_| self.usage.policy == TangentPolicy::WhenDue);
@@ -203,7 +219,7 @@ impl NewtonTangent {
 
     /// Records the rate θ of the last two increments of a solution.
     pub(crate) fn record(&mut self, rate: Option<f64>) {
-        if self.usage.age != TangentAge::Iteration && rate.is_some() {
+        if (self.usage.age != TangentAge::Iteration || !self.exact) && rate.is_some() {
             (self.usage.rate, self.usage.rated) = (rate, self.usage.solutions);
         }
     }
@@ -217,7 +233,7 @@ impl NewtonTangent {
     /// Estimates the remainder θ/(1 − θ) × the size of the last increment. It is zero for a new tangent.
     pub(crate) fn remainder(&self, size: f64) -> f64 {
         match self.rate() {
-            _ if self.usage.age == TangentAge::Iteration => 0.0,
+            _ if self.exact && self.usage.age == TangentAge::Iteration => 0.0,
             Some(rate) if rate < 1.0 => rate / (1.0 - rate) * size,
             _ => f64::INFINITY,
         }
@@ -228,6 +244,13 @@ impl NewtonTangent {
     /// Returns false if the current solution should be restarted.
     pub(crate) fn plan_iteration(&mut self, part: f64) -> bool {
         let Some(rate) = self.rate() else { return true };
+        if !self.exact {
+            // The first tangents are those of predictions. Later ones converge at the same rate.
+            if rate > SLOW || rate > FAST && self.computed < APPROXIMATIONS {
+                self.renew();
+            }
+            return true;
+        }
         let left = (part * (1.0 - rate)).ln() / rate.ln();
         if rate < 1.0 && left <= f64::from(RENEWAL_COST) {
             return true;

@@ -51,6 +51,14 @@ pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
         let reason = "with less, the reactions of joints grow from step to step, by a factor of \
                       3.7 for γ = 1/2, β = 1/6";
         error(found("2β < γ"), "2β ≥ γ in a model with joints", reason).rests_on(["joints".into()])
+    } else if step.fixed().is_none() && numbers.averaging.is_some() {
+        let wanted = "a generalized-α scheme, such as { spectral_radius = 0.6 }, or a fixed `step`";
+        error(
+            key,
+            wanted,
+            "the energy-momentum scheme does not damp the disturbance that each change of the step makes",
+        )
+        .rests_on(["analysis.step".into()])
     } else if step.fixed().is_none() && !numbers.is_second_order() {
         let wanted = "a scheme of second order, such as { spectral_radius = 0.8 }";
         error(key, wanted, "adaptive steps go by an error that is of third order in the step")
@@ -62,7 +70,7 @@ pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
     } else {
         return Vec::new();
     };
-    let numbers = ["alpha", "beta", "gamma", "spectral_radius"];
+    let numbers = ["alpha", "beta", "energy_damping", "gamma", "spectral_radius"];
     let numbers = numbers.map(|key| format!("analysis.scheme.{key}"));
     let rests_on = [rule.rests_on.clone(), numbers.to_vec()].concat();
     vec![rule.rests_on(rests_on)]
@@ -84,5 +92,9 @@ fn path_and_found(scheme: Scheme) -> (&'static str, String) {
             ("analysis.scheme", format!("a spectral radius of {}", number(spectral_radius)))
         }
         Scheme::Hht { alpha } => ("analysis.scheme", format!("α = {}", number(alpha))),
+        Scheme::Energy => name("energy"),
+        Scheme::DampedEnergy { energy_damping } => {
+            ("analysis.scheme", format!("an energy-momentum scheme with χ = {}", number(energy_damping)))
+        }
     }
 }

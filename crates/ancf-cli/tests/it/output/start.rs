@@ -23,7 +23,8 @@ fn every_template_runs_with_the_suggested_commands() {
             assert_eq!(output.code, Some(0), "{kind}: {line}: {}", output.messages);
             // The arch of the path snaps through.
             let unstable = kind == "path" && line.starts_with("run");
-            let warnings: Vec<&str> = output.messages.lines().filter(|line| line.contains("warning")).collect();
+            let warnings: Vec<&str> =
+                output.messages.lines().filter(|line| line.contains("warning")).collect();
             assert_eq!(warnings.len(), usize::from(unstable), "{kind}: {line}: {}", output.messages);
             assert!(!unstable || warnings[0].contains("the path lost its stability"), "{}", output.messages);
         }

@@ -57,8 +57,8 @@ class Clamp(Part):
     b
         Second end; the ground by default.
     fix
-        Gradients that are constrained in addition to the position. By default ``"all"`` for beams of the
-        continuum formulation, ``"section"`` for other bodies. One of ``"all"``, ``"section"``.
+        Gradients that are constrained in addition to the position. By default ``"all"`` if an end is on a
+        beam of the continuum formulation, otherwise ``"section"``. One of ``"all"``, ``"section"``.
 
     """
 

@@ -4,6 +4,7 @@ mod adaptive;
 mod convergence;
 mod dissipation;
 mod energy;
+mod energy_momentum;
 mod initial_conditions;
 mod newton_methods;
 mod pendulum;

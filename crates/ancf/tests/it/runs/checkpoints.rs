@@ -93,6 +93,13 @@ fn short_runs() -> Vec<(&'static str, Model)> {
                 "duration = 0.1\nstep = {{ tolerance = 1e-5 }}\n{HALF}\n[output]\ninterval = 0.01"
             )),
         ),
+        ("energy, tumbling", velocity_jumps("duration = 0.1\nstep = 3e-3\nscheme = \"energy\"")),
+        ("energy, beam", beam("", PULSE, "duration = 0.1\nstep = 4e-3\nscheme = { energy_damping = 1e-3 }")),
+        (
+            "energy, divided",
+            beam("", "", "duration = 0.5\nstep = 0.1\nmax_iterations = 7\nscheme = \"energy\""),
+        ),
+        ("energy, falling", falling("duration = 0.16\nstep = 2e-3\nscheme = \"energy\"")),
         ("band brake", file("belt", "duration = 0.03\nstep = 1e-3\nscheme = { spectral_radius = 0.8 }")),
         ("falling", falling(&format!("duration = 0.16\nstep = 2e-3\n{HALF}"))),
         (

@@ -9,4 +9,5 @@ mod joint_terms;
 mod kind;
 mod laws;
 mod magnet;
+mod steps;
 mod stress_stiffness;

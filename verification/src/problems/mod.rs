@@ -2,7 +2,9 @@
 
 mod dynamics;
 mod elements;
+mod joints;
 mod models;
+mod rigid_bodies;
 mod stability;
 mod statics;
 
@@ -17,8 +19,8 @@ use statics::{
     bathe_bolourchi, catenary, elastica, gerstmayr_irschik, heavy_elastica, invariance, princeton, roll_up,
 };
 
-/// All problems, in the order of the report.
-pub const ALL: &[Problem] = &[
+/// Problems of one file each.
+const SINGLE: &[Problem] = &[
     elastica::PROBLEM,
     euler_column::PROBLEM,
     princeton::PROBLEM,
@@ -42,3 +44,23 @@ pub const ALL: &[Problem] = &[
     spinning_rod::PROBLEM,
     integrators::PROBLEM,
 ];
+
+/// Returns all problems, in the order of the report.
+pub fn all() -> impl Iterator<Item = &'static Problem> {
+    let families = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
+    SINGLE.iter().chain(families.flatten())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    /// Names are unique, and there are at least 60 problems.
+    #[test]
+    fn problems_have_distinct_names() {
+        let names: Vec<&str> = super::all().map(|problem| problem.name).collect();
+        let distinct: HashSet<&str> = names.iter().copied().collect();
+        assert_eq!(distinct.len(), names.len());
+        assert!(names.len() >= 60, "{}", names.len());
+    }
+}

@@ -2,11 +2,13 @@
 
 mod dynamics;
 mod elements;
+mod forces;
 mod joints;
 mod models;
 mod rigid_bodies;
 mod stability;
 mod statics;
+mod vibrations;
 
 use crate::Problem;
 use dynamics::{
@@ -47,7 +49,9 @@ const SINGLE: &[Problem] = &[
 
 /// Returns all problems, in the order of the report.
 pub fn all() -> impl Iterator<Item = &'static Problem> {
-    let families = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
+    let bodies = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
+    let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
+    let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
     SINGLE.iter().chain(families.flatten())
 }
 

@@ -1,0 +1,199 @@
+//! Critical loads of columns and strips.
+
+use std::f64::consts::PI;
+
+use crate::reference::{root, runge_kutta};
+use crate::{Findings, Plot, PlotCurve, Problem, Study, VerificationError, solve};
+
+/// Problems of this file.
+pub(in crate::problems) const PROBLEMS: &[Problem] = &[
+    Problem {
+        name: "column_pinned",
+        title: "Buckling of a column with two hinges",
+        source: "Euler (1744): π² EI/L²",
+        sketch: r"
+      o================o <- P    L = 1 m, L/d = 10 000",
+        goal: "Critical load within 1e-4 with 8 elements. Fourth order",
+        run: || column(HINGE, LINE, PI * PI),
+    },
+    Problem {
+        name: "column_propped",
+        title: "Buckling of a column with a clamp and a hinge",
+        source: "Euler: x² EI/L² with tan x = x, 20.1907 EI/L²",
+        sketch: r"
+    |/|================o <- P    L = 1 m, L/d = 10 000",
+        goal: "Critical load within 1e-4 with 8 elements. Fourth order",
+        run: || column(CLAMP, LINE, root(|x| x.sin() - x * x.cos(), 4.0, 4.6).powi(2)),
+    },
+    Problem {
+        name: "column_clamped",
+        title: "Buckling of a column with two clamps",
+        source: "Euler: 4π² EI/L²",
+        sketch: r"
+    |/|================|/| <- P   L = 1 m, L/d = 10 000, the right clamp slides",
+        goal: "Critical load within 1e-3 with 8 elements. Fourth order",
+        run: || column(CLAMP, SLIDER, 4.0 * PI * PI),
+    },
+    Problem {
+        name: "heavy_column",
+        title: "Buckling of a column under its own weight",
+        source: "Greenhill (1881): q L³/EI = 7.8373, by a Runge-Kutta integration of EI θ'' + q s θ = 0",
+        sketch: r"
+      |
+      |  g |    L = 1 m, L/d = 10 000
+      |
+     ---",
+        goal: "Critical weight within 1e-3 with 16 elements. Fourth order",
+        run: heavy_column,
+    },
+    Problem {
+        name: "becks_column",
+        title: "Flutter of a column under a follower force",
+        source: "Beck (1952): P = 20.05 EI/L²",
+        sketch: r"
+    |/|================ <- P follows the tip",
+        goal: "Load at which the two lowest frequencies meet, by bisection of loads, within 2e-3 with 16 elements",
+        run: becks_column,
+    },
+    Problem {
+        name: "lateral_uniform",
+        title: "Lateral buckling of a cantilever strip under a uniform load",
+        source: "Prandtl (1899): q L³ = 12.8538 √(EI GJ)",
+        sketch: r"
+  |/|===========================   L = 1 m, 50 × 5 mm on edge, E = 71.7 GPa, ν = .31
+  |/| | | | | | | | | | | | | | q",
+        goal: "Critical load within 1e-3 with 64 elements. Second order",
+        run: || strip("", UNIFORM, 12.853_763_321_383_32),
+    },
+    Problem {
+        name: "lateral_middle",
+        title: "Lateral buckling of a simply supported strip under a force in the middle",
+        source: "Timoshenko & Gere (1961): P L² = 16.9361 √(EI GJ), ends without torsion",
+        sketch: r"
+                | P
+                v
+      +==================+   L = 1 m, 50 × 5 mm on edge, E = 71.7 GPa, ν = .31
+      ^                  ^",
+        goal: "Critical load within 1e-3 with 64 elements. Second order. Joints `universal` to the ground at both ends",
+        run: || strip(FORKS, MIDDLE, 16.936_132_150_465_91),
+    },
+];
+
+const HINGE: &str =
+    r#"{ kind = "revolute", name = "left", a = { body = "rod", at = "start" }, axis = [0, 0, 1] },"#;
+const CLAMP: &str = r#"{ kind = "clamp", name = "left", a = { body = "rod", at = "start" } },"#;
+const LINE: &str =
+    r#"{ kind = "point_on_line", name = "right", a = { body = "rod", at = "end" }, axis = [1, 0, 0] },"#;
+const SLIDER: &str =
+    r#"{ kind = "prismatic", name = "right", a = { body = "rod", at = "end" }, axis = [1, 0, 0] },"#;
+const UNIFORM: &str = r#"{ kind = "distributed_force", body = "rod", force = [0, -1, 0] }"#;
+const MIDDLE: &str = r#"{ kind = "force", on = { body = "rod", at = 0.5 }, force = [0, -1, 0] }"#;
+const FORKS: &str = r#"
+    { kind = "universal", name = "left", a = { body = "rod", at = "start" }, axis_a = [0, 0, 1], axis_b = [0, 1, 0] },
+    { kind = "universal", name = "right", a = { body = "rod", at = "end" }, axis_a = [0, 0, 1], axis_b = [0, 1, 0] },
+"#;
+
+/// Bending stiffness of the columns: E = 210 GPa, d = 0.1 mm.
+const BENDING: f64 = 210e9 * PI * 1e-16 / 64.0;
+
+/// Column of one metre along x.
+const COLUMN: &str = r#"
+    materials.steel = { density = 7850, young = 210e9 }
+    sections.round = { kind = "circle", diameter = 1e-4 }
+    bodies = [{ kind = "beam", name = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = ELEMENTS, section = "round", material = "steel" }]
+"#;
+
+fn column(left: &str, right: &str, factor: f64) -> Result<Findings, VerificationError> {
+    let model = format!(
+        r#"{COLUMN}
+        joints = [{left} {right}]
+        loads = [{{ kind = "force", on = {{ body = "rod", at = "end" }}, force = [{:?}, 0, 0] }}]
+        analysis = {{ kind = "buckling" }}
+        "#,
+        -BENDING
+    );
+    Study::elements(&model, &[2, 4, 8])
+        .last("critical load, EI/L²", "factor", factor, if factor > 30.0 { 1e-3 } else { 1e-4 })
+        .order(4.0)
+        .run()
+}
+
+fn heavy_column() -> Result<Findings, VerificationError> {
+    let line = 7850.0 * PI * 0.25e-8;
+    let model = format!(
+        r#"{COLUMN}
+        gravity = [{:?}, 0, 0]
+        joints = [{CLAMP}]
+        analysis = {{ kind = "buckling" }}
+        "#,
+        -BENDING / line
+    );
+    // From the free end, θ(0) = 1, θ'(0) = 0; the clamp has θ(1) = 0.
+    let end = |q: f64| runge_kutta(|s, y: &[f64; 2]| [y[1], -q * s * y[0]], [1.0, 0.0], 1.0, 2000)[0];
+    Study::elements(&model, &[4, 8, 16])
+        .last("critical weight, q L³/EI", "factor", root(end, 5.0, 10.0), 1e-3)
+        .order(4.0)
+        .run()
+}
+
+/// Returns the load of flutter in EI/L² by bisection.
+fn flutter(elements: u32) -> Result<f64, VerificationError> {
+    let (mut low, mut high) = (15.0, 25.0);
+    for _ in 0..14 {
+        let load = 0.5 * (low + high);
+        let model = format!(
+            r#"{COLUMN}
+            joints = [{CLAMP}]
+            loads = [{{ kind = "force", on = {{ body = "rod", at = "end" }}, force = [{:?}, 0, 0], follower = true }}]
+            analysis = {{ kind = "modes", count = 4, about = "equilibrium" }}
+            "#,
+            -load * 1e4 * BENDING
+        );
+        let thick = model.replace("ELEMENTS", &elements.to_string()).replace("diameter = 1e-4", "diameter = 1e-3");
+        let is_stable = solve(&thick)?.column("frequency")?.iter().all(|f| f.is_finite());
+        if is_stable { low = load } else { high = load }
+    }
+    Ok(0.5 * (low + high))
+}
+
+fn becks_column() -> Result<Findings, VerificationError> {
+    let mut findings = Findings::default();
+    let mut points = Vec::new();
+    for (elements, tolerance) in [(8, 1e-2), (16, 2e-3)] {
+        let load = flutter(elements)?;
+        findings.compare(format!("flutter load, EI/L², {elements} elements"), load, 20.0509, 20.0509, tolerance);
+        points.push([f64::from(elements), load]);
+    }
+    let curves = vec![
+        PlotCurve::line("ours", points),
+        PlotCurve::points("Beck", vec![[8.0, 20.0509], [16.0, 20.0509]]),
+    ];
+    findings.plot(Plot::new("Flutter load", ["elements", "P L²/EI"], curves));
+    Ok(findings)
+}
+
+fn strip(supports: &str, load: &str, factor: f64) -> Result<Findings, VerificationError> {
+    let joints = if supports.is_empty() { CLAMP } else { supports };
+    let model = format!(
+        r#"
+        materials.alloy = {{ density = 2700, young = 71.7e9, poisson = 0.31 }}
+        sections.strip = {{ kind = "rectangle", height = 0.05, width = 0.005 }}
+        bodies = [{{ kind = "beam", name = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = ELEMENTS, section = "strip", material = "alloy" }}]
+        joints = [{joints}]
+        loads = [{load}]
+        analysis = {{ kind = "buckling" }}
+        "#
+    );
+    let bending = 71.7e9 * 0.05 * 0.005f64.powi(3) / 12.0;
+    let torsion = 71.7e9 / 2.62 * 1.952_031_484_506_2e-9;
+    let critical = factor * (bending * torsion).sqrt();
+    Study::elements(&model, &[16, 32, 64]).last("critical load, N", "factor", critical, 1e-3).order(2.0).run()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn hold() {
+        crate::assert_all_hold(super::PROBLEMS);
+    }
+}

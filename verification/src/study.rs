@@ -130,7 +130,8 @@ impl<'a> Study<'a> {
         for quantity in &self.quantities {
             let measured: Vec<[f64; 2]> =
                 solved.iter().map(|solved| quantity.measure.of(solved)).collect::<Result<_, _>>()?;
-            let errors: Vec<f64> = measured.iter().map(|[ours, reference]| (ours - reference).abs()).collect();
+            let errors: Vec<f64> =
+                measured.iter().map(|[ours, reference]| (ours - reference).abs()).collect();
             if let Some([ours, reference]) = measured.last() {
                 findings.compare(quantity.what, *ours, *reference, quantity.scale, quantity.tolerance);
             }

@@ -60,9 +60,7 @@ fn ball_at_rest() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = 1, step = 2e-4 }
     "#;
     let depth = 2.0 * 9.81 / (0.2 * 1e6) + 1e-5;
-    Study::single(MODEL.to_owned())
-        .value("penetration, m", |s| Ok(0.1 - s.last("p.z")?), depth, 1e-4)
-        .run()
+    Study::single(MODEL.to_owned()).value("penetration, m", |s| Ok(0.1 - s.last("p.z")?), depth, 1e-4).run()
 }
 
 fn bouncing_ball() -> Result<Findings, VerificationError> {

@@ -2,8 +2,8 @@
 
 mod elastic;
 mod rotation;
-mod transmission;
 mod translation;
+mod transmission;
 
 use crate::Problem;
 

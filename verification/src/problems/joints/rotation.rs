@@ -153,7 +153,13 @@ fn cardan_shaft() -> Result<Findings, VerificationError> {
     let angle = |t: f64| f64::atan2(cos * (t * t).sin(), (t * t).cos());
     let rate = |t: f64| 2.0 * t * cos / (1.0 - (sin * (t * t).sin()).powi(2));
     Study::steps(&model, 2.5, &[500, 1000])
-        .curve("z of a mark at 0.1 m on the second shaft, m", ["t", "mark.z"], |t| 0.1 * angle(t).cos(), 0.1, 1e-7)
+        .curve(
+            "z of a mark at 0.1 m on the second shaft, m",
+            ["t", "mark.z"],
+            |t| 0.1 * angle(t).cos(),
+            0.1,
+            1e-7,
+        )
         .curve("angular velocity about x, 1/s", ["t", "second shaft.wx"], |t| rate(t) * cos, 5.0, 1e-3)
         .order(2.0)
         .run()

@@ -89,13 +89,13 @@ fn damped_slider() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let (rate, omega) = (2.0f64, (400.0f64 - 4.0).sqrt());
-    let law = move |t: f64| {
-        0.1 - 0.1 * (-rate * t).exp() * ((omega * t).cos() + rate / omega * (omega * t).sin())
-    };
+    let law =
+        move |t: f64| 0.1 - 0.1 * (-rate * t).exp() * ((omega * t).cos() + rate / omega * (omega * t).sin());
     // Overshoots half a period apart: the decrement of half a period.
     let overshoot = |s: &crate::SolvedModel| -> Result<f64, VerificationError> {
         let all = s.column("guide.displacement")?;
-        let extreme = |from: usize, to: usize| all[from..to].iter().fold(0.0, |m: f64, x| m.max((x - 0.1).abs()));
+        let extreme =
+            |from: usize, to: usize| all[from..to].iter().fold(0.0, |m: f64, x| m.max((x - 0.1).abs()));
         let n = all.len() - 1;
         Ok(2.0 * (extreme(n / 4, n / 2) / extreme(3 * n / 4, n)).ln())
     };

@@ -145,8 +145,20 @@ fn atwood() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = 1, step = 0.01 }
     "#;
     Study::single(MODEL.to_owned())
-        .curve("displacement of the heavy mass, m", ["t", "first.displacement"], |t| -0.981 * t * t, 1.0, 1e-8)
-        .curve("displacement of the light mass, m", ["t", "second.displacement"], |t| 0.981 * t * t, 1.0, 1e-8)
+        .curve(
+            "displacement of the heavy mass, m",
+            ["t", "first.displacement"],
+            |t| -0.981 * t * t,
+            1.0,
+            1e-8,
+        )
+        .curve(
+            "displacement of the light mass, m",
+            ["t", "second.displacement"],
+            |t| 0.981 * t * t,
+            1.0,
+            1e-8,
+        )
         .run()
 }
 

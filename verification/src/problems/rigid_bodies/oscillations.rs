@@ -97,7 +97,8 @@ fn bifilar() -> Result<Findings, VerificationError> {
     let swing = (9.81 / 1.2f64).sqrt() / TAU;
     let turn = (2.0 * 9.81 * 0.16 / (0.3 * 1.2f64)).sqrt() / TAU;
     // Double pendulum of the rods' plane and the body: M = m [L², L h; L h, h² + J/m], K = m g [L, 0; 0, h].
-    let (a, b, c) = (1.44 * (0.01 + 0.025) - 0.0144, 9.81 * (1.2 * 0.035 + 0.1 * 1.44), 9.81f64.powi(2) * 0.12);
+    let (a, b, c) =
+        (1.44 * (0.01 + 0.025) - 0.0144, 9.81 * (1.2 * 0.035 + 0.1 * 1.44), 9.81f64.powi(2) * 0.12);
     let across = |sign: f64| ((b + sign * (b * b - 4.0 * a * c).sqrt()) / (2.0 * a)).sqrt() / TAU;
     Study::single(MODEL.to_owned())
         .value("swinging across, Hz", frequency(0), across(-1.0), 1e-7)
@@ -147,8 +148,7 @@ fn hinged_body() -> Result<Findings, VerificationError> {
         )
     };
     let exact = |sign: f64| ((30.0 + sign * 2.0 * 9.81 * 0.5) / 0.7f64).sqrt() / TAU;
-    let hanging =
-        Study::single(model(-9.81)).value("hanging, Hz", frequency(0), exact(1.0), 1e-9).run()?;
+    let hanging = Study::single(model(-9.81)).value("hanging, Hz", frequency(0), exact(1.0), 1e-9).run()?;
     let mut findings =
         Study::single(model(9.81)).value("standing, Hz", frequency(0), exact(-1.0), 1e-9).run()?;
     findings.comparisons.extend(hanging.comparisons);

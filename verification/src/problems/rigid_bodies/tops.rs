@@ -160,7 +160,13 @@ fn flapping_blade() -> Result<Findings, VerificationError> {
     "#;
     let omega = 10.0 * (1.0f64 + 3.0 * 0.2 / (2.0 * 1.5)).sqrt();
     Study::steps(MODEL, std::f64::consts::TAU / omega, &[200, 400])
-        .curve("flapping angle, rad", ["t", "flap.angle"], |t| 0.01 / omega * (omega * t).sin(), 0.01 / omega, 1e-3)
+        .curve(
+            "flapping angle, rad",
+            ["t", "flap.angle"],
+            |t| 0.01 / omega * (omega * t).sin(),
+            0.01 / omega,
+            1e-3,
+        )
         .order(2.0)
         .run()
 }

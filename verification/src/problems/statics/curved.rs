@@ -89,7 +89,12 @@ fn pinched_ring() -> Result<Findings, VerificationError> {
     );
     let bending = 2e11 * PI * 1e-12 / 64.0;
     Study::elements(&model, &[8, 16, 32])
-        .last("displacement of a force, m", "top.displacement", -1e-6 / bending * (FRAC_PI_4 - 2.0 / PI), 1e-3)
+        .last(
+            "displacement of a force, m",
+            "top.displacement",
+            -1e-6 / bending * (FRAC_PI_4 - 2.0 / PI),
+            1e-3,
+        )
         .order(2.0)
         .last("displacement of the side, m", "side.displacement", 1e-6 / bending * (2.0 / PI - 0.5), 1e-3)
         .order(2.0)

@@ -130,9 +130,7 @@ fn tip_mass() -> Result<Findings, VerificationError> {
         { kind = "clamp", name = "left", a = { body = "rod", at = "start" } },
         { kind = "spherical", name = "eye", a = { body = "tip", at = "center" }, b = { body = "rod", at = "end" } },
     "#;
-    let characteristic = |x: f64| {
-        1.0 / x.cosh() + x.cos() - 2.0 * x * (x.sin() - x.cos() * x.tanh())
-    };
+    let characteristic = |x: f64| 1.0 / x.cosh() + x.cos() - 2.0 * x * (x.sin() - x.cos() * x.tanh());
     study(&MODEL.replace("SUPPORTS", supports).replace("EXTRA", &body), exact(characteristic))
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::reference::integral;
 use crate::{Findings, Problem, Study, VerificationError};
 
 /// Problems of this file.
@@ -36,6 +37,17 @@ pub(super) const PROBLEMS: &[Problem] = &[
       o=============o     L = 1 m, slender; observed over the first period",
         goal: "Deflection of the middle over the first period within 1e-2 of its maximum",
         run: sudden_load,
+    },
+    Problem {
+        name: "moving_load",
+        title: "Force that moves along a beam: joint `slide` with a driven speed",
+        source: "Timoshenko, Krylov: modal series of a force of constant speed, Duhamel's integral by quadrature",
+        sketch: r"
+          P v -> c
+      o===========o     L = 1 m, c = 0.3 L f₁, from 0.1 m to 0.9 m,
+                        mass 1e-7 of that of the beam",
+        goal: "Deflection of the middle at the end of the motion, within 1e-2",
+        run: moving_load,
     },
 ];
 
@@ -111,6 +123,45 @@ fn sudden_load() -> Result<Findings, VerificationError> {
     };
     Study::new("elements", &[8, 16, 32], model)
         .curve("deflection of the middle, m", ["t", "p.y"], law, 1e-3 / (24.0 * bending), 1e-2)
+        .run()
+}
+
+fn moving_load() -> Result<Findings, VerificationError> {
+    let (line, bending) = (1000.0 * PI * 0.005f64.powi(2), 1e9 * PI * 0.01f64.powi(4) / 64.0);
+    let first = PI * PI * (bending / line).sqrt();
+    let speed = 0.3 * first / TAU;
+    let duration = 0.8 / speed;
+    let mass = 1e-7 * line;
+    let model = format!(
+        r#"
+        materials.m = {{ density = 1000, young = 1e9 }}
+        sections.s = {{ kind = "circle", diameter = 0.01 }}
+        bodies = [
+          {{ kind = "beam", name = "beam", from = [0, 0, 0], to = [1, 0, 0], elements = ELEMENTS, section = "s", material = "m" }},
+          {{ kind = "mass", name = "load", center = [0.1, 0, 0], mass = {mass:?}, motion = {{ velocity = [{speed:?}, 0, 0] }} }},
+        ]
+        joints = [
+          {{ kind = "revolute", name = "left", a = {{ body = "beam", at = "start" }}, axis = [0, 0, 1] }},
+          {{ kind = "point_on_line", name = "right", a = {{ body = "beam", at = "end" }}, axis = [1, 0, 0] }},
+          {{ kind = "slide", name = "slide", a = {{ body = "load", at = "center" }}, b = {{ body = "beam", at = 0.1 }}, drive = {{ speed = {speed:?} }} }},
+        ]
+        loads = [{{ kind = "force", on = {{ body = "load", at = "center" }}, force = [0, -1e-3, 0] }}]
+        probes = [{{ name = "p", on = {{ body = "beam", at = 0.5 }} }}]
+        analysis = {{ kind = "dynamics", duration = {duration:?}, step = {:?} }}
+        "#,
+        duration / 1000.0
+    );
+    let term = |k: u32| {
+        let wave = f64::from(2 * k + 1) * PI;
+        let omega = first * f64::from((2 * k + 1).pow(2));
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let force = |t: f64| (wave * (0.1 + speed * t)).sin() * (omega * (duration - t)).sin() / omega;
+        sign * integral(force, 0.0, duration)
+    };
+    let deflection = -2e-3 / line * (0..6).map(term).sum::<f64>();
+    Study::elements(&model, &[4, 8, 16])
+        .last("deflection of the middle, m", "p.y", deflection, 1e-2)
+        .last("position of the load, m", "slide.position", 0.9, 1e-9)
         .run()
 }
 

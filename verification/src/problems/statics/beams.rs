@@ -76,6 +76,17 @@ pub(in crate::problems) const PROBLEMS: &[Problem] = &[
         goal: "Both deflections within 2 % of the published numbers, and within 1e-3 of the rod. Fourth order",
         run: twisted,
     },
+    Problem {
+        name: "portal_frame",
+        title: "Portal frame under a lateral force",
+        source: "Kleinlogel (1914): moment of a foot H h (3k + 1)/(2 (6k + 1)), k = h/l for equal sections",
+        sketch: r"
+     H ->+========+
+         ||      ||    h = 1 m, l = 1.5 m, d = 2 mm
+        -++-    -++-",
+        goal: "Moments of both feet within 1e-4, which is the extension, with one linked element per leg",
+        run: portal_frame,
+    },
 ];
 
 /// Slender round beam of two metres along x: EI = 49.087 N m².
@@ -217,6 +228,32 @@ fn twisted() -> Result<Findings, VerificationError> {
         .run()?;
     findings.comparisons.extend(flat.comparisons);
     Ok(findings)
+}
+
+fn portal_frame() -> Result<Findings, VerificationError> {
+    const MODEL: &str = r#"
+        materials.m = { density = 1000, young = 1e11 }
+        sections.s = { kind = "circle", diameter = 2e-3 }
+        bodies = [
+          { kind = "beam", name = "left", from = [0, 0, 0], to = [0, 1, 0], elements = 1, section = "s", material = "m", up = [1, 0, 0] },
+          { kind = "beam", name = "beam", from = [0, 1, 0], to = [1.5, 1, 0], elements = 1, section = "s", material = "m" },
+          { kind = "beam", name = "right", from = [1.5, 0, 0], to = [1.5, 1, 0], elements = 1, section = "s", material = "m", up = [1, 0, 0] },
+        ]
+        joints = [
+          { kind = "clamp", name = "first", a = { body = "left", at = "start" } },
+          { kind = "clamp", name = "second", a = { body = "right", at = "start" } },
+          { kind = "clamp", name = "corner", a = { body = "beam", at = "start" }, b = { body = "left", at = "end" } },
+          { kind = "clamp", name = "other corner", a = { body = "beam", at = "end" }, b = { body = "right", at = "end" } },
+        ]
+        loads = [{ kind = "force", on = { body = "left", at = "end" }, force = [1e-6, 0, 0] }]
+        analysis = { kind = "statics", stop = { rule = "energy", tolerance = 1e-10 } }
+    "#;
+    let ratio = 1.0 / 1.5;
+    let moment = 0.5e-6 * (3.0 * ratio + 1.0) / (6.0 * ratio + 1.0);
+    Study::single(MODEL.to_owned())
+        .last("moment of the left foot, N m", "first.mz", moment, 1e-4)
+        .last("moment of the right foot, N m", "second.mz", moment, 1e-4)
+        .run()
 }
 
 #[cfg(test)]

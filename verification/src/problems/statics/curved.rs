@@ -1,8 +1,9 @@
-//! Curved beams: arc, ring, helix.
+//! Curved and bent beams: arc, ring, helix, follower force.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::reference::runge_kutta;
+use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
 
 /// Problems of this file.
 pub(in crate::problems) const PROBLEMS: &[Problem] = &[
@@ -40,6 +41,16 @@ pub(in crate::problems) const PROBLEMS: &[Problem] = &[
        (   )",
         goal: "Elongation with 128 elements within 1e-2. Second order",
         run: helical_spring,
+    },
+    Problem {
+        name: "follower_elastica",
+        title: "Cantilever under a transverse follower force",
+        source: "Elastica from its tip, where the force has a given direction, by a Runge-Kutta integration",
+        sketch: r"
+                     _/ ^ P follows the tip
+    |/|=========---''       P L²/EI = 3, L/d = 1000",
+        goal: "Tip with 32 elements within 1e-3 of the length. Second order",
+        run: follower_elastica,
     },
 ];
 
@@ -120,6 +131,34 @@ fn helical_spring() -> Result<Findings, VerificationError> {
     Study::elements(MODEL, &[32, 64, 128])
         .value("elongation, m", |s| Ok(s.last("eye.z")? - 0.4), elongation, 1e-2)
         .order(2.0)
+        .run()
+}
+
+fn follower_elastica() -> Result<Findings, VerificationError> {
+    let bending = 2e11 * PI * 1e-12 / 64.0;
+    let model = format!(
+        r#"
+        materials.m = {{ density = 1000, young = 2e11 }}
+        sections.s = {{ kind = "circle", diameter = 1e-3 }}
+        bodies = [{{ kind = "beam", name = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = ELEMENTS, section = "s", material = "m" }}]
+        joints = [{{ kind = "clamp", name = "root", a = {{ body = "rod", at = "start" }} }}]
+        loads = [{{ kind = "force", on = {{ body = "rod", at = "end" }}, force = [0, {:?}, 0], follower = true }}]
+        probes = [{{ name = "tip", on = {{ body = "rod", at = "end" }} }}]
+        analysis = {{ kind = "statics", first = 0.25 }}
+        "#,
+        3.0 * bending
+    );
+    // Rotation relative to the tip, and distance from the tip along its tangent and normal.
+    let rates = |_: f64, y: &[f64; 3]| [3.0 * y[1], y[0].cos(), y[0].sin()];
+    let [angle, along, across] = runge_kutta(rates, [0.0; 3], 1.0, 2000);
+    let (sin, cos) = angle.sin_cos();
+    let exact = [cos * along + sin * across, sin * along - cos * across];
+    let error = move |s: &SolvedModel| Ok((s.last("tip.x")? - exact[0]).hypot(s.last("tip.y")? - exact[1]));
+    Study::elements(&model, &[8, 16, 32])
+        .value("distance of the tip from the elastica, m", error, 0.0, 1e-3)
+        .scaled(1.0)
+        .order(2.0)
+        .last("y of the tip, m", "tip.y", exact[1], 1e-3)
         .run()
 }
 

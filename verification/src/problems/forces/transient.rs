@@ -154,7 +154,7 @@ fn moving_load() -> Result<Findings, VerificationError> {
     let term = |k: u32| {
         let wave = f64::from(2 * k + 1) * PI;
         let omega = first * f64::from((2 * k + 1).pow(2));
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let force = |t: f64| (wave * (0.1 + speed * t)).sin() * (omega * (duration - t)).sin() / omega;
         sign * integral(force, 0.0, duration)
     };

@@ -56,6 +56,16 @@ pub(in crate::problems) const PROBLEMS: &[Problem] = &[
         run: becks_column,
     },
     Problem {
+        name: "ziegler_pendulum",
+        title: "Flutter of Ziegler's double pendulum under a follower force",
+        source: "Ziegler (1952), Herrmann & Bungay (1964): P = (7/2 − √2) k/l for the masses 2m and m",
+        sketch: r"
+      ~o=======~O=======O <- P follows the tip     l = 1 m, k = 10 N m/rad
+       k       k 2m     m",
+        goal: "Load at which both frequencies meet, by bisection of loads, within 1e-4",
+        run: ziegler_pendulum,
+    },
+    Problem {
         name: "lateral_uniform",
         title: "Lateral buckling of a cantilever strip under a uniform load",
         source: "Prandtl (1899): q L³ = 12.8538 √(EI GJ)",
@@ -136,32 +146,68 @@ fn heavy_column() -> Result<Findings, VerificationError> {
         .run()
 }
 
-/// Returns the load of flutter in EI/L² by bisection.
-fn flutter(elements: u32) -> Result<f64, VerificationError> {
-    let (mut low, mut high) = (15.0, 25.0);
-    for _ in 0..14 {
+/// Returns the load between `low` and `high` beyond which frequencies are complex, by bisection.
+fn flutter(model: impl Fn(f64) -> String, mut low: f64, mut high: f64) -> Result<f64, VerificationError> {
+    for _ in 0..18 {
         let load = 0.5 * (low + high);
-        let model = format!(
-            r#"{COLUMN}
-            joints = [{CLAMP}]
-            loads = [{{ kind = "force", on = {{ body = "rod", at = "end" }}, force = [{:?}, 0, 0], follower = true }}]
-            analysis = {{ kind = "modes", count = 4, about = "equilibrium" }}
-            "#,
-            -load * 1e4 * BENDING
-        );
-        let thick =
-            model.replace("ELEMENTS", &elements.to_string()).replace("diameter = 1e-4", "diameter = 1e-3");
-        let is_stable = solve(&thick)?.column("frequency")?.iter().all(|f| f.is_finite());
+        let is_stable = solve(&model(load))?.column("frequency")?.iter().all(|f| f.is_finite());
         if is_stable { low = load } else { high = load }
     }
     Ok(0.5 * (low + high))
+}
+
+/// Returns a column of the diameter 1 mm under a follower force in EI/L².
+fn follower(elements: u32, load: f64) -> String {
+    let model = format!(
+        r#"{COLUMN}
+        joints = [{CLAMP}]
+        loads = [{{ kind = "force", on = {{ body = "rod", at = "end" }}, force = [{:?}, 0, 0], follower = true }}]
+        analysis = {{ kind = "modes", count = 4, about = "equilibrium" }}
+        "#,
+        -load * 1e4 * BENDING
+    );
+    model.replace("ELEMENTS", &elements.to_string()).replace("diameter = 1e-4", "diameter = 1e-3")
+}
+
+fn ziegler_pendulum() -> Result<Findings, VerificationError> {
+    let model = |load: f64| {
+        format!(
+            r#"
+            bodies = [
+              {{ kind = "rigid", name = "first", center = [1, 0, 0], mass = 2, inertia = [1e-6, 1e-6, 1e-6] }},
+              {{ kind = "rigid", name = "second", center = [2, 0, 0], mass = 1, inertia = [1e-6, 1e-6, 1e-6] }},
+            ]
+            joints = [
+              {{ kind = "revolute", name = "foot", a = {{ body = "first", at = [0, 0, 0] }}, axis = [0, 0, 1], spring = {{ stiffness = 10 }} }},
+              {{ kind = "revolute", name = "knee", a = {{ body = "second", at = [1, 0, 0] }}, b = {{ body = "first", at = [1, 0, 0] }}, axis = [0, 0, 1], spring = {{ stiffness = 10 }} }},
+            ]
+            loads = [{{ kind = "force", on = {{ body = "second", at = [2, 0, 0] }}, force = [{:?}, 0, 0], follower = true }}]
+            analysis = {{ kind = "modes", count = 2, about = "equilibrium" }}
+            "#,
+            -load
+        )
+    };
+    let (load, exact) = (flutter(model, 11.0, 30.0)?, 10.0 * (3.5 - 2f64.sqrt()));
+    let mut findings = Findings::default();
+    findings.compare("flutter load, N", load, exact, exact, 1e-4);
+    let mut points = Vec::new();
+    for k in 0..=20 {
+        let load = 0.05 * f64::from(k) * exact * 0.999;
+        points.extend(solve(&model(load))?.column("frequency")?.iter().map(|&f| [load, f]));
+    }
+    findings.plot(Plot::new(
+        "Frequencies against the load",
+        ["P, N", "frequency, Hz"],
+        vec![PlotCurve::points("both modes", points)],
+    ));
+    Ok(findings)
 }
 
 fn becks_column() -> Result<Findings, VerificationError> {
     let mut findings = Findings::default();
     let mut points = Vec::new();
     for (elements, tolerance) in [(8, 1e-2), (16, 2e-3)] {
-        let load = flutter(elements)?;
+        let load = flutter(|load| follower(elements, load), 15.0, 25.0)?;
         findings.compare(
             format!("flutter load, EI/L², {elements} elements"),
             load,

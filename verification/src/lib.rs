@@ -6,12 +6,12 @@
 mod problem;
 pub mod problems;
 mod reference;
-mod study;
+mod refinement;
 
 pub use problem::{
     Comparison, Findings, Mark, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve,
 };
-use study::Study;
+use refinement::Refinement;
 
 /// Asserts that a problem holds, for its test.
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -72,7 +72,9 @@ fn ball_at_rest() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = 1, step = 2e-4 }
     "#;
     let depth = 2.0 * 9.81 / (0.2 * 1e6) + 1e-5;
-    Study::single(MODEL.to_owned()).value("penetration, m", |s| Ok(0.1 - s.last("p.z")?), depth, 1e-4).run()
+    Refinement::single(MODEL.to_owned())
+        .value("penetration, m", |s| Ok(0.1 - s.last("p.z")?), depth, 1e-4)
+        .run()
 }
 
 fn bouncing_ball() -> Result<Findings, VerificationError> {
@@ -100,7 +102,7 @@ fn bouncing_ball() -> Result<Findings, VerificationError> {
         let flight = inside - contact;
         0.1 + speed * flight - 0.5 * 9.81 * flight * flight
     };
-    Study::steps(MODEL, 2.0 * fall + contact, &[4000, 8000])
+    Refinement::steps(MODEL, 2.0 * fall + contact, &[4000, 8000])
         .curve("height, m", ["t", "p.z"], law, 0.05, 1e-3)
         .last("second apex, m", "p.z", 0.15, 1e-3)
         .run()
@@ -123,7 +125,7 @@ fn incline(friction: f64, slip: f64) -> Result<Findings, VerificationError> {
         -9.81 * cos,
         radius - depth
     );
-    let study = Study::single(model);
+    let study = Refinement::single(model);
     if sin < friction * cos {
         let speed = slip * sin / ((friction * cos).powi(2) - sin * sin).sqrt();
         return study.last("creep speed, m/s", "p.vx", speed, 1e-3).run();
@@ -153,7 +155,7 @@ fn capstan() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = 0.2, step = 5e-4 }
     "#;
     let tension = (0.3 * PI).exp();
-    Study::elements(MODEL, &[20, 40])
+    Refinement::elements(MODEL, &[20, 40])
         .last("tension at the hook, N", "hook.fy", -tension, 3e-2)
         .last("torque of the drum, N m", "drive.mz", -0.1 * (tension - 1.0), 3e-2)
         .run()

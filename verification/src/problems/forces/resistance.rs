@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -71,7 +71,7 @@ fn sinking_rod() -> Result<Findings, VerificationError> {
     let weight = 2000.0 * area * 9.81;
     let terminal = (2.0 * weight / (1000.0 * 0.05 * 1.2)).sqrt();
     let time = 4000.0 * area * terminal / weight;
-    Study::steps(MODEL, 2.0 * time, &[50, 100])
+    Refinement::steps(MODEL, 2.0 * time, &[50, 100])
         .curve("velocity, m/s", ["t", "p.vz"], |t| -terminal * (t / time).tanh(), terminal, 1e-3)
         .order(2.0)
         .run()
@@ -87,7 +87,7 @@ fn mass_damping() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let law = |t: f64| -9.81 / 3.0 * (1.0 - (-3.0 * t).exp());
-    Study::steps(MODEL, 2.0 / 3.0, &[50, 100])
+    Refinement::steps(MODEL, 2.0 / 3.0, &[50, 100])
         .curve("velocity, m/s", ["t", "p.vz"], law, 3.27, 1e-3)
         .order(2.0)
         .run()
@@ -118,7 +118,7 @@ fn strain_damping() -> Result<Findings, VerificationError> {
         let (sin, cos) = (damped * t).sin_cos();
         1.0 + 1e-6 * (1.0 - (-rate * t).exp() * (cos + rate / damped * sin))
     };
-    Study::steps(&model, 2.0 * TAU / omega, &[200, 400])
+    Refinement::steps(&model, 2.0 * TAU / omega, &[200, 400])
         .curve("position, m", ["t", "p.x"], law, 1e-6, 1e-3)
         .order(2.0)
         .run()
@@ -144,7 +144,7 @@ fn submerged_modes() -> Result<Findings, VerificationError> {
         move |s: &SolvedModel| Ok(s.column("frequency")?[k] / air)
     };
     let exact = 1.0 / 1.5f64.sqrt();
-    Study::single(model(water))
+    Refinement::single(model(water))
         .value("ratio of the first frequencies", ratio(0), exact, 1e-5)
         .value("ratio of the second frequencies", ratio(2), exact, 1e-5)
         .run()
@@ -163,7 +163,7 @@ fn rod_in_current() -> Result<Findings, VerificationError> {
     let load = 0.5 * 1000.0 * 0.05 * 1.2 * 0.0025;
     let (bending, shear) = (1e9 * PI * 0.05f64.powi(4) / 64.0, 6.0 / 7.0 * 0.5e9 * PI * 0.025f64.powi(2));
     let deflection = load * (16.0 / (8.0 * bending) + 4.0 / (2.0 * shear));
-    Study::elements(MODEL, &[4, 8, 16])
+    Refinement::elements(MODEL, &[4, 8, 16])
         .last("deflection, m", "tip.y", deflection, 1e-6)
         .last("force of the clamp, N", "root.fy", -2.0 * load, 1e-6)
         .run()

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::reference::integral;
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -70,7 +70,7 @@ fn bar_wave() -> Result<Findings, VerificationError> {
     let model = |n: u32| {
         MODEL.replace("ELEMENTS", &n.to_string()).replace("STEP", &format!("{:?}", 0.0032 / f64::from(n)))
     };
-    Study::new("elements", &[16, 32, 64], model)
+    Refinement::new("elements", &[16, 32, 64], model)
         .curve("position of the end, m", ["t", "p.x"], moved, 5e-9, 1e-2)
         .order(2.0)
         .curve("velocity of the end, m/s", ["t", "p.vx"], velocity, 1e-6, 2e-2)
@@ -86,7 +86,7 @@ fn shaken_oscillator() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let law = |t: f64| -3.0 * ((TAU * t).sin() - TAU / 10.0 * (10.0 * t).sin()) / (100.0 - TAU * TAU);
-    Study::steps(MODEL, 3.0, &[600, 1200])
+    Refinement::steps(MODEL, 3.0, &[600, 1200])
         .curve("displacement, m", ["t", "guide.displacement"], law, 0.08, 1e-3)
         .order(2.0)
         .run()
@@ -121,7 +121,7 @@ fn sudden_load() -> Result<Findings, VerificationError> {
             .replace("STEP00", &format!("{period:?}"))
             .replace("STEP", &format!("{:?}", period / 400.0))
     };
-    Study::new("elements", &[8, 16, 32], model)
+    Refinement::new("elements", &[8, 16, 32], model)
         .curve("deflection of the middle, m", ["t", "p.y"], law, 1e-3 / (24.0 * bending), 1e-2)
         .run()
 }
@@ -159,7 +159,7 @@ fn moving_load() -> Result<Findings, VerificationError> {
         sign * integral(force, 0.0, duration)
     };
     let deflection = -2e-3 / line * (0..6).map(term).sum::<f64>();
-    Study::elements(&model, &[4, 8, 16])
+    Refinement::elements(&model, &[4, 8, 16])
         .last("deflection of the middle, m", "p.y", deflection, 1e-2)
         .last("position of the load, m", "slide.position", 0.9, 1e-9)
         .run()

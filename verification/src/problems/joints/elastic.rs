@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -92,7 +92,7 @@ fn bushing_twist() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let angle = |t: f64| 2.5 * (5.0 * t).sin();
-    Study::steps(MODEL, 0.4 * PI, &[800, 1600])
+    Refinement::steps(MODEL, 0.4 * PI, &[800, 1600])
         .curve("x of the point, m", ["t", "p.x"], |t| 0.3 * angle(t).cos(), 0.3, 1e-3)
         .order(2.0)
         .curve("y of the point, m", ["t", "p.y"], |t| 0.3 * angle(t).sin(), 0.3, 1e-3)
@@ -117,7 +117,7 @@ fn shaken_base() -> Result<Findings, VerificationError> {
     "#;
     let relative = |t: f64| -0.1 * 9.0 / 16.0 * ((3.0 * t).cos() - (5.0 * t).cos());
     let law = |t: f64| 0.1 * (1.0 - (3.0 * t).cos()) + relative(t);
-    Study::steps(MODEL, 4.0, &[500, 1000])
+    Refinement::steps(MODEL, 4.0, &[500, 1000])
         .curve("displacement, m", ["t", "p.x"], law, 0.1, 1e-3)
         .order(2.0)
         .curve("force of the bushing, N", ["t", "bush.fx"], |t| -100.0 * relative(t), 10.0, 1e-3)
@@ -132,7 +132,7 @@ fn elliptic_orbit() -> Result<Findings, VerificationError> {
         probes = [{ name = "p", on = { body = "ball", at = "center" } }]
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
-    Study::steps(MODEL, 2.0 * PI / 3.0, &[200, 400])
+    Refinement::steps(MODEL, 2.0 * PI / 3.0, &[200, 400])
         .curve("x, m", ["t", "p.x"], |t| (3.0 * t).cos(), 1.0, 5e-4)
         .order(2.0)
         .curve("y, m", ["t", "p.y"], |t| 0.4 * (3.0 * t).sin(), 1.0, 5e-4)
@@ -158,7 +158,7 @@ fn rope_catch() -> Result<Findings, VerificationError> {
     };
     let lowest = -1.5 - sag * (1.0 + (1.0 + 1.0 / sag).sqrt());
     let least = |s: &crate::SolvedModel| Ok(s.column("p.z")?.iter().copied().fold(0.0, f64::min));
-    Study::steps(MODEL, fall + PI / omega, &[1000, 2000])
+    Refinement::steps(MODEL, fall + PI / omega, &[1000, 2000])
         .curve("height, m", ["t", "p.z"], law, 0.1, 1e-3)
         .value("lowest point, m", least, lowest, 1e-5)
         .run()
@@ -174,7 +174,7 @@ fn shortened_rod() -> Result<Findings, VerificationError> {
     let (a, root) = (0.75f64, 0.75f64.sqrt());
     let radius = move |t: f64| 1.0 - a * t * t;
     let angle = move |t: f64| t / (2.0 * radius(t)) + (root * t).atanh() / (2.0 * root);
-    Study::steps(MODEL, 1.0, &[400, 800])
+    Refinement::steps(MODEL, 1.0, &[400, 800])
         .curve("x, m", ["t", "p.x"], move |t| radius(t) * angle(t).cos(), 1.0, 3e-4)
         .order(2.0)
         .curve("y, m", ["t", "p.y"], move |t| radius(t) * angle(t).sin(), 1.0, 3e-4)
@@ -197,7 +197,7 @@ fn three_bars() -> Result<Findings, VerificationError> {
     "#;
     let guide = r#"{ kind = "point_on_line", name = "guide", a = { body = "knot", at = "center" }, axis = [0, 1, 0] }"#;
     let share = 1.0 + 2.0 * 0.125;
-    Study::single(MODEL.replace(r#"{ kind = "planar guide" }"#, guide))
+    Refinement::single(MODEL.replace(r#"{ kind = "planar guide" }"#, guide))
         .last("displacement, m", "p.y", -1e-6 / share, 1e-5)
         .last("force of the middle bar, N", "middle.fy", 1.0 / share, 1e-5)
         .last("force of the left bar along y, N", "left.fy", 0.25 / share * 0.5, 1e-5)
@@ -227,7 +227,7 @@ fn von_mises_truss() -> Result<Findings, VerificationError> {
         row.and_then(|row| s.column("load").ok()?.get(row).copied())
             .ok_or_else(|| VerificationError::Missing("limit point".into()))
     };
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .curve("load factor", ["p.y", "load"], law, peak, 1e-6)
         .value("maximum of the load factor", move |s| first(s, 1.0), peak, 1e-3)
         .value("minimum of the load factor", move |s| first(s, -1.0), -peak, 1e-3)

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_3, PI};
 
 use crate::reference::elliptic_k;
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -98,7 +98,7 @@ fn physical_pendulum() -> Result<Findings, VerificationError> {
         0.5 * alpha.sin(),
         -0.5 * alpha.cos()
     );
-    Study::steps(&model, duration, &[2000, 4000])
+    Refinement::steps(&model, duration, &[2000, 4000])
         .last("angle, rad", "hinge.angle", -alpha, 1e-4)
         .order(2.0)
         .last("angular velocity, 1/s", "hinge.rate", -2.0 * omega * (0.5 * alpha).sin(), 1e-4)
@@ -117,7 +117,7 @@ fn conical_pendulum() -> Result<Findings, VerificationError> {
         analysis = {{ kind = "dynamics", duration = DURATION, step = STEP }}
         "#
     );
-    Study::steps(&model, 2.0 * PI / omega, &[200, 400])
+    Refinement::steps(&model, 2.0 * PI / omega, &[200, 400])
         .curve("x of the centre, m", ["t", "p.x"], |t| sin * (omega * t).cos(), 1.0, 3e-4)
         .order(2.0)
         .curve("height of the centre, m", ["t", "p.z"], |_| -0.5, 1.0, 3e-4)
@@ -152,7 +152,7 @@ fn cardan_shaft() -> Result<Findings, VerificationError> {
     );
     let angle = |t: f64| f64::atan2(cos * (t * t).sin(), (t * t).cos());
     let rate = |t: f64| 2.0 * t * cos / (1.0 - (sin * (t * t).sin()).powi(2));
-    Study::steps(&model, 2.5, &[500, 1000])
+    Refinement::steps(&model, 2.5, &[500, 1000])
         .curve(
             "z of a mark at 0.1 m on the second shaft, m",
             ["t", "mark.z"],
@@ -172,7 +172,7 @@ fn hinge_brake() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let law = |t: f64| 0.5 * ((2.0f64 / 0.5).sinh() * (-0.3 * t / (0.4 * 0.5)).exp()).asinh();
-    Study::steps(MODEL, 4.0, &[400, 800])
+    Refinement::steps(MODEL, 4.0, &[400, 800])
         .curve("angular velocity, 1/s", ["t", "hinge.rate"], law, 2.0, 1e-4)
         .order(2.0)
         .run()
@@ -201,7 +201,7 @@ fn knee() -> Result<Findings, VerificationError> {
     );
     let bending = (a.powi(3) + b.powi(3)) / (3.0 * young * second);
     let deflection = load * (bending + a * b * b / (shear * 2.0 * second) + (a + b) / (shear * area));
-    Study::single(model)
+    Refinement::single(model)
         .last("deflection, m", "tip.z", deflection, 1e-7)
         .last("force of the knee, N", "knee.fz", -load, 1e-9)
         .last("torque of the root, N m", "root.mx", load * b, 1e-6)
@@ -214,7 +214,7 @@ fn plastic_impact() -> Result<Findings, VerificationError> {
         joints = [{ kind = "revolute", name = "hinge", a = { body = "rod", at = [0.8, 0, 0] }, axis = [0, 0, 1] }]
         analysis = { kind = "dynamics", duration = 0.1, step = 0.01 }
     "#;
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .value("angular velocity at the start, 1/s", |s| Ok(s.column("hinge.rate")?[0]), 3.75, 1e-9)
         .value("kinetic energy at the start, J", |s| Ok(s.column("kinetic")?[0]), 4.5, 1e-9)
         .last("angular velocity at the end, 1/s", "hinge.rate", 3.75, 1e-3)
@@ -229,7 +229,7 @@ fn hinged_link() -> Result<Findings, VerificationError> {
         analysis = { kind = "path", load = 1.5, largest = 0.05 }
     "#;
     let load = |theta: f64| 50.0 * theta / (2.0 * (25.0 * theta.sin() + 0.025 * theta.cos()));
-    Study::single(MODEL.to_owned()).curve("load factor", ["foot.angle", "load"], load, 1.0, 1e-7).run()
+    Refinement::single(MODEL.to_owned()).curve("load factor", ["foot.angle", "load"], load, 1.0, 1e-7).run()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::reference::runge_kutta;
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -99,7 +99,7 @@ fn damped_slider() -> Result<Findings, VerificationError> {
         let n = all.len() - 1;
         Ok(2.0 * (extreme(n / 4, n / 2) / extreme(3 * n / 4, n)).ln())
     };
-    Study::steps(MODEL, 2.0 * PI / omega, &[400, 800])
+    Refinement::steps(MODEL, 2.0 * PI / omega, &[400, 800])
         .curve("displacement, m", ["t", "guide.displacement"], law, 0.1, 3e-4)
         .order(2.0)
         .value("logarithmic decrement", overshoot, 2.0 * PI * rate / omega, 2e-3)
@@ -113,7 +113,7 @@ fn friction_slider() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let law = |t: f64| 0.2 * ((1.0f64 / 0.2).sinh() * (-3.0 * t / (2.0 * 0.2)).exp()).asinh();
-    Study::steps(MODEL, 1.5, &[200, 400])
+    Refinement::steps(MODEL, 1.5, &[200, 400])
         .curve("velocity, m/s", ["t", "guide.speed"], law, 1.0, 1e-4)
         .order(2.0)
         .run()
@@ -132,7 +132,7 @@ fn screw() -> Result<Findings, VerificationError> {
         -lead
     );
     let acceleration = -9.81 / (1.0 + 1e-3 * lead * lead / 2.0);
-    Study::steps(&model, 0.5, &[500, 1000])
+    Refinement::steps(&model, 0.5, &[500, 1000])
         .curve("displacement, m", ["t", "thread.displacement"], |t| 0.5 * acceleration * t * t, 0.1, 1e-3)
         .order(2.0)
         .curve("angle, rad", ["t", "thread.angle"], |t| 0.5 * lead * acceleration * t * t, 10.0, 1e-3)
@@ -153,7 +153,7 @@ fn inclined_plane() -> Result<Findings, VerificationError> {
         5.0 * sin,
         5.0 * cos
     );
-    Study::single(model)
+    Refinement::single(model)
         .curve("x, m", ["t", "p.x"], |t| 0.5 * 9.81 * sin * cos * t * t, 1.0, 1e-8)
         .curve("y, m", ["t", "p.y"], |t| t, 1.0, 1e-8)
         .curve("z, m", ["t", "p.z"], |t| -0.5 * 9.81 * sin * sin * t * t, 1.0, 1e-8)
@@ -175,7 +175,7 @@ fn rotating_line() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let torque = |t: f64| 1.5 * 4.0 * 0.25 * (4.0 * t).sinh();
-    Study::steps(MODEL, 1.0, &[200, 400])
+    Refinement::steps(MODEL, 1.0, &[200, 400])
         .curve("displacement, m", ["t", "line.displacement"], |t| 0.5 * ((2.0 * t).cosh() - 1.0), 1.0, 1e-4)
         .order(2.0)
         .curve("torque of the drive, N m", ["t", "drive.mz"], torque, torque(1.0), 1e-3)
@@ -200,7 +200,7 @@ fn ladder() -> Result<Findings, VerificationError> {
     );
     let rates = |_: f64, y: &[f64; 2]| [y[1], 0.75 * 9.81 * y[0].sin()];
     let [theta, rate] = runge_kutta(rates, [0.3, 0.0], 0.7, 2000);
-    Study::steps(&model, 0.7, &[200, 400])
+    Refinement::steps(&model, 0.7, &[200, 400])
         .last("displacement on the floor, m", "floor.displacement", 2.0 * (theta.sin() - sin), 1e-4)
         .order(2.0)
         .last("displacement on the wall, m", "wall.displacement", 2.0 * (theta.cos() - cos), 1e-4)
@@ -229,7 +229,7 @@ fn influence_line() -> Result<Findings, VerificationError> {
     "#;
     let (a, b, load) = (0.9f64, 1.1f64, 1e-3);
     let deflection = load * (a * a * b * b / (3.0 * 1e9 * 1.3e-8 * 2.0) + a * b / (0.5e9 * 4e-4 * 2.0));
-    Study::elements(MODEL, &[4, 8, 16, 32])
+    Refinement::elements(MODEL, &[4, 8, 16, 32])
         .last("deflection under the load, m", "p.y", -deflection, 1e-3)
         .last("force of the right support, N", "right.fy", load * a / 2.0, 1e-3)
         .last("position, m", "slide.position", 0.9, 1e-9)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -73,7 +73,7 @@ fn gear_pair() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let acceleration = 2.0 / (0.4 + 9.0 * 0.05);
-    Study::steps(MODEL, 2.0, &[600, 1200])
+    Refinement::steps(MODEL, 2.0, &[600, 1200])
         .curve("angle of the wheel, rad", ["t", "first.angle"], |t| 0.5 * acceleration * t * t, 5.0, 1e-4)
         .order(2.0)
         .curve("angle of the pinion, rad", ["t", "second.angle"], |t| -1.5 * acceleration * t * t, 15.0, 1e-4)
@@ -96,7 +96,7 @@ fn rack_pinion() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let acceleration = 9.81 / (1.0 + 0.03 / 0.02);
-    Study::steps(MODEL, 0.6, &[200, 400])
+    Refinement::steps(MODEL, 0.6, &[200, 400])
         .curve("displacement, m", ["t", "guide.displacement"], |t| -0.5 * acceleration * t * t, 1.0, 1e-3)
         .order(2.0)
         .curve("angular velocity, 1/s", ["t", "axle.rate"], |t| 10.0 * acceleration * t, 24.0, 1e-3)
@@ -122,7 +122,7 @@ fn differential() -> Result<Findings, VerificationError> {
     "#;
     let carrier = 1.0 / (0.1 + 4.0 * 0.2 * 0.3 / 0.5);
     let left = carrier * 2.0 * 0.3 / 0.5;
-    Study::steps(MODEL, 1.5, &[300, 600])
+    Refinement::steps(MODEL, 1.5, &[300, 600])
         .curve("angle of the carrier, rad", ["t", "third.angle"], |t| 0.5 * carrier * t * t, 2.0, 1e-4)
         .order(2.0)
         .curve("angle of the left wheel, rad", ["t", "first.angle"], |t| 0.5 * left * t * t, 2.0, 1e-4)
@@ -144,7 +144,7 @@ fn atwood() -> Result<Findings, VerificationError> {
         couplings = [{ name = "rope", joints = [{ joint = "first", factor = 1 }, { joint = "second", factor = 1 }] }]
         analysis = { kind = "dynamics", duration = 1, step = 0.01 }
     "#;
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .curve(
             "displacement of the heavy mass, m",
             ["t", "first.displacement"],
@@ -183,7 +183,7 @@ fn crank_slider() -> Result<Findings, VerificationError> {
         let (sin, cos) = (t * t).sin_cos();
         -2.0 * t * 0.3 * (sin + 0.3 * sin * cos / root(t * t))
     };
-    Study::steps(MODEL, (2.4 * PI).sqrt(), &[400, 800])
+    Refinement::steps(MODEL, (2.4 * PI).sqrt(), &[400, 800])
         .curve("displacement, m", ["t", "guide.displacement"], place, 0.6, 1e-7)
         .curve("velocity, m/s", ["t", "guide.speed"], rate, 1.6, 1e-3)
         .order(2.0)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -75,7 +75,7 @@ fn double_pendulum() -> Result<Findings, VerificationError> {
         analysis = { kind = "modes", count = 4, about = "equilibrium" }
     "#;
     let exact = |sign: f64| (9.81 / 0.7 * (2.0 + sign * 2f64.sqrt())).sqrt() / TAU;
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .value("first mode, Hz", frequency(0), exact(-1.0), 1e-8)
         .value("first mode in the other plane, Hz", frequency(1), exact(-1.0), 1e-8)
         .value("second mode, Hz", frequency(2), exact(1.0), 1e-8)
@@ -100,7 +100,7 @@ fn bifilar() -> Result<Findings, VerificationError> {
     let (a, b, c) =
         (1.44 * (0.01 + 0.025) - 0.0144, 9.81 * (1.2 * 0.035 + 0.1 * 1.44), 9.81f64.powi(2) * 0.12);
     let across = |sign: f64| ((b + sign * (b * b - 4.0 * a * c).sqrt()) / (2.0 * a)).sqrt() / TAU;
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .value("swinging across, Hz", frequency(0), across(-1.0), 1e-7)
         .value("swinging in the plane, Hz", frequency(1), swing, 1e-7)
         .value("rotation about the vertical, Hz", frequency(2), turn, 1e-7)
@@ -127,7 +127,7 @@ fn spring_chain() -> Result<Findings, VerificationError> {
         );
     }
     let exact = |j: f64| 2.0 * 150f64.sqrt() * (j * PI / 12.0).sin() / TAU;
-    Study::single(model)
+    Refinement::single(model)
         .value("mode 1, Hz", frequency(0), exact(1.0), 1e-10)
         .value("mode 2, Hz", frequency(1), exact(2.0), 1e-10)
         .value("mode 3, Hz", frequency(2), exact(3.0), 1e-10)
@@ -148,9 +148,10 @@ fn hinged_body() -> Result<Findings, VerificationError> {
         )
     };
     let exact = |sign: f64| ((30.0 + sign * 2.0 * 9.81 * 0.5) / 0.7f64).sqrt() / TAU;
-    let hanging = Study::single(model(-9.81)).value("hanging, Hz", frequency(0), exact(1.0), 1e-9).run()?;
+    let hanging =
+        Refinement::single(model(-9.81)).value("hanging, Hz", frequency(0), exact(1.0), 1e-9).run()?;
     let mut findings =
-        Study::single(model(9.81)).value("standing, Hz", frequency(0), exact(-1.0), 1e-9).run()?;
+        Refinement::single(model(9.81)).value("standing, Hz", frequency(0), exact(-1.0), 1e-9).run()?;
     findings.comparisons.extend(hanging.comparisons);
     Ok(findings)
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::reference::runge_kutta;
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -64,7 +64,7 @@ fn symmetric_top() -> Result<Findings, VerificationError> {
         let turn = UnitQuaternion::from_scaled_axis(momentum * (t / 0.5));
         turn * Vector3::new(1.0, 0.0, 4.0)
     };
-    Study::steps(MODEL, 3.0, &[1500, 3000])
+    Refinement::steps(MODEL, 3.0, &[1500, 3000])
         .curve("ω along x, 1/s", ["t", "p.wx"], move |t| spin(t).x, 4.0, 1e-3)
         .order(2.0)
         .curve("ω along y, 1/s", ["t", "p.wy"], move |t| spin(t).y, 4.0, 1e-3)
@@ -104,7 +104,7 @@ fn asymmetric_top() -> Result<Findings, VerificationError> {
         let [x, y, z] = ["p.wx", "p.wy", "p.wz"].map(|name| s.last(name));
         Ok((Vector3::new(x?, y?, z?) - spin).norm())
     };
-    Study::steps(MODEL, 2.0, &[1000, 2000, 4000])
+    Refinement::steps(MODEL, 2.0, &[1000, 2000, 4000])
         .value("error of the angular velocity, 1/s", error, 0.0, 1e-3)
         .scaled(3.0)
         .order(2.0)
@@ -136,7 +136,7 @@ fn heavy_top() -> Result<Findings, VerificationError> {
         [inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]],
         omega.as_slice()
     );
-    Study::steps(&model, 1.0, &[2000, 4000])
+    Refinement::steps(&model, 1.0, &[2000, 4000])
         .curve("x of the centre, m", ["t", "p.x"], |t| arm * sin * (rate * t).cos(), 0.3, 1e-3)
         .order(2.0)
         .curve("y of the centre, m", ["t", "p.y"], |t| arm * sin * (rate * t).sin(), 0.3, 1e-3)
@@ -159,7 +159,7 @@ fn flapping_blade() -> Result<Findings, VerificationError> {
         analysis = { kind = "dynamics", duration = DURATION, step = STEP }
     "#;
     let omega = 10.0 * (1.0f64 + 3.0 * 0.2 / (2.0 * 1.5)).sqrt();
-    Study::steps(MODEL, std::f64::consts::TAU / omega, &[200, 400])
+    Refinement::steps(MODEL, std::f64::consts::TAU / omega, &[200, 400])
         .curve(
             "flapping angle, rad",
             ["t", "flap.angle"],

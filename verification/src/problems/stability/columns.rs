@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::reference::{root, runge_kutta};
-use crate::{Findings, Plot, PlotCurve, Problem, Study, VerificationError, solve};
+use crate::{Findings, Plot, PlotCurve, Problem, Refinement, VerificationError, solve};
 
 /// Problems of this file.
 pub(in crate::problems) const PROBLEMS: &[Problem] = &[
@@ -122,7 +122,7 @@ fn column(left: &str, right: &str, factor: f64) -> Result<Findings, Verification
         "#,
         -BENDING
     );
-    Study::elements(&model, &[2, 4, 8])
+    Refinement::elements(&model, &[2, 4, 8])
         .last("critical load, EI/L²", "factor", factor, if factor > 30.0 { 1e-3 } else { 1e-4 })
         .order(4.0)
         .run()
@@ -140,7 +140,7 @@ fn heavy_column() -> Result<Findings, VerificationError> {
     );
     // From the free end, θ(0) = 1, θ'(0) = 0; the clamp has θ(1) = 0.
     let end = |q: f64| runge_kutta(|s, y: &[f64; 2]| [y[1], -q * s * y[0]], [1.0, 0.0], 1.0, 2000)[0];
-    Study::elements(&model, &[4, 8, 16])
+    Refinement::elements(&model, &[4, 8, 16])
         .last("critical weight, q L³/EI", "factor", root(end, 5.0, 10.0), 1e-3)
         .order(4.0)
         .run()
@@ -240,7 +240,10 @@ fn strip(supports: &str, load: &str, factor: f64) -> Result<Findings, Verificati
     let bending = 71.7e9 * 0.01 * 0.001f64.powi(3) / 12.0;
     let torsion = 71.7e9 / 2.62 * 1.952_031_484_506_2e-9 / 625.0;
     let critical = factor * (bending * torsion).sqrt();
-    Study::elements(&model, &[16, 32, 64]).last("critical load, N", "factor", critical, 1e-3).order(2.0).run()
+    Refinement::elements(&model, &[16, 32, 64])
+        .last("critical load, N", "factor", critical, 1e-3)
+        .order(2.0)
+        .run()
 }
 
 #[cfg(test)]

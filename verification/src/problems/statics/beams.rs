@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::reference::integral;
-use crate::{Findings, Problem, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, VerificationError};
 
 /// Problems of this file.
 pub(in crate::problems) const PROBLEMS: &[Problem] = &[
@@ -109,7 +109,7 @@ fn beam(joints: &str, loads: &str) -> String {
 
 fn propped() -> Result<Findings, VerificationError> {
     let model = beam(&format!("{CLAMP}{PROP}"), UNIFORM);
-    Study::elements(&model, &[2, 4, 8])
+    Refinement::elements(&model, &[2, 4, 8])
         .last("force of the prop, N", "prop.fy", 0.75e-3, 1e-4)
         .last("force of the clamp, N", "root.fy", 1.25e-3, 1e-4)
         .last("moment of the clamp, N m", "root.mz", 0.5e-3, 1e-4)
@@ -121,7 +121,7 @@ fn fixed() -> Result<Findings, VerificationError> {
     let force = r#"{ kind = "force", on = { body = "beam", at = 0.5 }, force = [0, -1e-3, 0] }"#;
     let model = beam(&format!("{CLAMP}{far}"), force);
     let (near, away) = (1e-3 * 0.5 * 2.25 / 4.0, 1e-3 * 0.25 * 1.5 / 4.0);
-    Study::elements(&model, &[4, 8])
+    Refinement::elements(&model, &[4, 8])
         .last("moment near the force, N m", "root.mz", near, 1e-4)
         .last("moment away from the force, N m", "far.mz", -away, 1e-4)
         .run()
@@ -133,7 +133,7 @@ fn two_spans() -> Result<Findings, VerificationError> {
     let middle =
         r#"{ kind = "point_on_line", name = "middle", a = { body = "beam", at = 1.0 }, axis = [1, 0, 0] },"#;
     let model = beam(&format!("{left}{middle}{PROP}"), UNIFORM);
-    Study::elements(&model, &[2, 4, 8])
+    Refinement::elements(&model, &[2, 4, 8])
         .last("force of the middle, N", "middle.fy", 1.25e-3, 1e-4)
         .last("force of the end, N", "prop.fy", 0.375e-3, 1e-4)
         .run()
@@ -144,7 +144,7 @@ fn triangular() -> Result<Findings, VerificationError> {
         r#"{ kind = "distributed_force", body = "beam", force = [0, 0, 0], force_end = [0, -1e-3, 0] }"#;
     let (bending, shear) = (1e11 * PI * 1e-8 / 64.0, 6.0 / 7.0 * 0.5e11 * PI * 0.25e-4);
     let deflection = 1e-3 * (11.0 * 16.0 / (120.0 * bending) + 4.0 / (3.0 * shear));
-    Study::elements(&beam(CLAMP, load), &[1, 2, 4])
+    Refinement::elements(&beam(CLAMP, load), &[1, 2, 4])
         .last("deflection of the tip, m", "tip.y", -deflection, 1e-6)
         .last("moment of the clamp, N m", "root.mz", 1e-3 * 4.0 / 3.0, 1e-6)
         .run()
@@ -166,7 +166,7 @@ fn torque() -> Result<Findings, VerificationError> {
     };
     let constant = 0.02f64.powi(4) / 3.0 * (1.0 - 192.0 / PI.powi(5) * (0..20).map(term).sum::<f64>());
     let angle = 1e-2 * 4.0 / (2.0 * 1e11 / 2.6 * constant);
-    Study::elements(MODEL, &[2, 4, 8])
+    Refinement::elements(MODEL, &[2, 4, 8])
         .value("twist of the end, rad", |s| Ok(s.last("p.z")? / 1e-2), angle, 1e-5)
         .run()
 }
@@ -186,7 +186,7 @@ fn tapered() -> Result<Findings, VerificationError> {
     let bending = |x: f64| (1.0 - x).powi(2) / (1e11 * width(x) * 1e-6 / 12.0);
     let shear = |x: f64| 1.0 / (5.0 / 6.0 * 0.5e11 * width(x) * 0.01);
     let deflection = 1e-3 * integral(|x| bending(x) + shear(x), 0.0, 1.0);
-    Study::elements(MODEL, &[2, 4, 8]).last("deflection, m", "tip.y", -deflection, 1e-3).order(4.0).run()
+    Refinement::elements(MODEL, &[2, 4, 8]).last("deflection, m", "tip.y", -deflection, 1e-3).order(4.0).run()
 }
 
 fn twisted() -> Result<Findings, VerificationError> {
@@ -215,13 +215,13 @@ fn twisted() -> Result<Findings, VerificationError> {
         integral(along, 0.0, 12.0) + shear
     };
     let along_z = model("[0, 0, 1e-3]");
-    let flat = Study::elements(&along_z, &[8, 16, 32])
+    let flat = Refinement::elements(&along_z, &[8, 16, 32])
         .last("deflection along z at 1e-3", "tip.z", 1e-3 * deflection(stiff, soft), 1e-3)
         .order(4.0)
         .last("deflection along z at 1e-3, published", "tip.z", 1.754e-6, 2e-2)
         .run()?;
     let along_y = model("[0, 1e-3, 0]");
-    let mut findings = Study::elements(&along_y, &[8, 16, 32])
+    let mut findings = Refinement::elements(&along_y, &[8, 16, 32])
         .last("deflection along y at 1e-3", "tip.y", 1e-3 * deflection(soft, stiff), 1e-3)
         .order(4.0)
         .last("deflection along y at 1e-3, published", "tip.y", 5.424e-6, 2e-2)
@@ -250,7 +250,7 @@ fn portal_frame() -> Result<Findings, VerificationError> {
     "#;
     let ratio = 1.0 / 1.5;
     let moment = 0.5e-6 * (3.0 * ratio + 1.0) / (6.0 * ratio + 1.0);
-    Study::single(MODEL.to_owned())
+    Refinement::single(MODEL.to_owned())
         .last("moment of the left foot, N m", "first.mz", moment, 1e-4)
         .last("moment of the right foot, N m", "second.mz", moment, 1e-4)
         .run()

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crate::reference::runge_kutta;
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(in crate::problems) const PROBLEMS: &[Problem] = &[
@@ -80,7 +80,10 @@ fn quarter_arc() -> Result<Findings, VerificationError> {
     );
     let [bending, torsion, _, shear] = stiffness();
     let deflection = 1e-3 * (FRAC_PI_4 / bending + (0.75 * PI - 2.0) / torsion + FRAC_PI_2 / shear);
-    Study::elements(&model, &[8, 16, 32]).last("deflection, m", "tip.z", deflection, 1e-3).order(2.0).run()
+    Refinement::elements(&model, &[8, 16, 32])
+        .last("deflection, m", "tip.z", deflection, 1e-3)
+        .order(2.0)
+        .run()
 }
 
 fn pinched_ring() -> Result<Findings, VerificationError> {
@@ -99,7 +102,7 @@ fn pinched_ring() -> Result<Findings, VerificationError> {
         "#
     );
     let bending = 2e11 * PI * 1e-12 / 64.0;
-    Study::elements(&model, &[8, 16, 32])
+    Refinement::elements(&model, &[8, 16, 32])
         .last(
             "displacement of a force, m",
             "top.displacement",
@@ -128,7 +131,7 @@ fn helical_spring() -> Result<Findings, VerificationError> {
     let [bending, torsion, tension, shear] = stiffness();
     let couples = 0.25 * (cos * cos / torsion + sin * sin / bending);
     let elongation = 1e-3 * length * (couples + cos * cos / shear + sin * sin / tension);
-    Study::elements(MODEL, &[32, 64, 128])
+    Refinement::elements(MODEL, &[32, 64, 128])
         .value("elongation, m", |s| Ok(s.last("eye.z")? - 0.4), elongation, 1e-2)
         .order(2.0)
         .run()
@@ -154,7 +157,7 @@ fn follower_elastica() -> Result<Findings, VerificationError> {
     let (sin, cos) = angle.sin_cos();
     let exact = [cos * along + sin * across, sin * along - cos * across];
     let error = move |s: &SolvedModel| Ok((s.last("tip.x")? - exact[0]).hypot(s.last("tip.y")? - exact[1]));
-    Study::elements(&model, &[8, 16, 32])
+    Refinement::elements(&model, &[8, 16, 32])
         .value("distance of the tip from the elastica, m", error, 0.0, 1e-3)
         .scaled(1.0)
         .order(2.0)

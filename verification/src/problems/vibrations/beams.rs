@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::reference::root;
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -114,7 +114,7 @@ fn beam(supports: &str, characteristic: fn(f64) -> f64) -> Result<Findings, Veri
 }
 
 fn study(model: &str, [first, second, third]: [f64; 3]) -> Result<Findings, VerificationError> {
-    Study::elements(model, &[4, 8, 16])
+    Refinement::elements(model, &[4, 8, 16])
         .value("first frequency, Hz", in_plane(0), first, 1e-5)
         .value("second frequency, Hz", in_plane(1), second, 1e-3)
         .order(4.0)

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::reference::root;
-use crate::{Findings, Problem, SolvedModel, Study, VerificationError};
+use crate::{Findings, Problem, Refinement, SolvedModel, VerificationError};
 
 /// Problems of this file.
 pub(super) const PROBLEMS: &[Problem] = &[
@@ -87,7 +87,7 @@ fn shaft() -> Result<Findings, VerificationError> {
     };
     let beta = root(|x| x * x.tan() - 0.5, 0.1, FRAC_PI_2 - 1e-9);
     let exact = beta * (210e9 / 2.6 / 7850.0f64).sqrt() / TAU;
-    Study::elements(&model, &[8, 16, 32]).value("frequency, Hz", torsion, exact, 1e-3).order(2.0).run()
+    Refinement::elements(&model, &[8, 16, 32]).value("frequency, Hz", torsion, exact, 1e-3).order(2.0).run()
 }
 
 fn bar() -> Result<Findings, VerificationError> {
@@ -116,7 +116,7 @@ fn bar() -> Result<Findings, VerificationError> {
     };
     let beta = root(|x| x * x.tan() - 2.0, 0.1, FRAC_PI_2 - 1e-9);
     let exact = beta * (210e9 / 7850.0f64).sqrt() / TAU;
-    Study::elements(&model, &[8, 16, 32]).value("frequency, Hz", axial, exact, 1e-3).order(4.0).run()
+    Refinement::elements(&model, &[8, 16, 32]).value("frequency, Hz", axial, exact, 1e-3).order(4.0).run()
 }
 
 fn string() -> Result<Findings, VerificationError> {
@@ -138,7 +138,7 @@ fn string() -> Result<Findings, VerificationError> {
         let line = 7850.0 * area * 2.0 / length;
         wave * ((100.0 + bending * wave * wave) / line).sqrt() / TAU
     };
-    Study::elements(MODEL, &[4, 8, 16])
+    Refinement::elements(MODEL, &[4, 8, 16])
         .value("first frequency, Hz", frequency(0), exact(1.0), 1e-3)
         .value("third frequency, Hz", frequency(4), exact(3.0), 1e-3)
         .order(4.0)
@@ -155,7 +155,7 @@ fn chain() -> Result<Findings, VerificationError> {
         analysis = { kind = "modes", count = 6, about = "equilibrium" }
     "#;
     let exact = |zero: f64| 0.5 * zero * (9.81 / 3.0f64).sqrt() / TAU;
-    Study::elements(MODEL, &[8, 16, 32])
+    Refinement::elements(MODEL, &[8, 16, 32])
         .value("first frequency, Hz", frequency(0), exact(2.404_825_557_695_773), 2e-3)
         .value("second frequency, Hz", frequency(2), exact(5.520_078_110_286_311), 2e-3)
         .value("third frequency, Hz", frequency(4), exact(8.653_727_912_911_013), 2e-3)

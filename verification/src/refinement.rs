@@ -1,4 +1,4 @@
-//! Refinement studies: quantities of a model on finer meshes or with shorter steps, and their orders of convergence.
+//! Refinement: quantities of a model on finer meshes or with shorter steps, and their orders of convergence.
 
 use crate::{Findings, Plot, PlotCurve, SolvedModel, VerificationError, solve};
 
@@ -15,7 +15,7 @@ const SMALLEST: f64 = 1e-16;
 const MARKERS: usize = 30;
 
 /// Model with a level of refinement, and the quantities that are compared on the finest level.
-pub struct Study<'a> {
+pub struct Refinement<'a> {
     refined: &'a str,
     levels: Vec<u32>,
     model: Box<dyn Fn(u32) -> String + 'a>,
@@ -39,13 +39,13 @@ enum Measure<'a> {
     Curve([&'a str; 2], Law<'a>),
 }
 
-impl<'a> Study<'a> {
-    /// Creates a study of a model at several levels, the finest last. `refined` names the level, such as `"elements"`.
+impl<'a> Refinement<'a> {
+    /// Creates the refinement of a model at several levels, the finest last. `refined` names the level, such as `"elements"`.
     pub fn new(refined: &'a str, levels: &[u32], model: impl Fn(u32) -> String + 'a) -> Self {
         Self { refined, levels: levels.to_vec(), model: Box::new(model), quantities: Vec::new() }
     }
 
-    /// Creates a study of a motion in a number of equal steps. `DURATION` and `STEP` in the model are replaced.
+    /// Creates the refinement of a motion in a number of equal steps. `DURATION` and `STEP` in the model are replaced.
     pub fn steps(model: &'a str, duration: f64, levels: &[u32]) -> Self {
         let text = move |n: u32| {
             let step = duration / f64::from(n);
@@ -54,12 +54,12 @@ impl<'a> Study<'a> {
         Self::new("steps", levels, text)
     }
 
-    /// Creates a study of a mesh. `ELEMENTS` in the model is replaced.
+    /// Creates the refinement of a mesh. `ELEMENTS` in the model is replaced.
     pub fn elements(model: &'a str, levels: &[u32]) -> Self {
         Self::new("elements", levels, |n| model.replace("ELEMENTS", &n.to_string()))
     }
 
-    /// Creates a study of one model.
+    /// Creates the refinement of one model.
     pub fn single(model: String) -> Self {
         Self::new("", &[1], move |_| model.clone())
     }
@@ -209,9 +209,9 @@ impl Measure<'_> {
     }
 }
 
-impl std::fmt::Debug for Study<'_> {
+impl std::fmt::Debug for Refinement<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Study").field("refined", &self.refined).field("levels", &self.levels).finish()
+        f.debug_struct("Refinement").field("refined", &self.refined).field("levels", &self.levels).finish()
     }
 }
 
@@ -228,7 +228,7 @@ mod tests {
             probes = [{ name = "p", on = { body = "ball", at = "center" } }]
             analysis = { kind = "dynamics", duration = 1, step = 0.1 }
         "#;
-        let study = Study::single(model.to_owned()).last("z", "p.z", -1.0, 1e-12).curve(
+        let study = Refinement::single(model.to_owned()).last("z", "p.z", -1.0, 1e-12).curve(
             "fall",
             ["t", "p.z"],
             |t| -t * t,
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn orders_are_observed() {
-        let study = Study::new("n", &[2, 4, 8], |_| String::new());
+        let study = Refinement::new("n", &[2, 4, 8], |_| String::new());
         assert!((study.observed(&[16.0, 4.0, 1.0]).unwrap() - 2.0).abs() < 1e-15);
     }
 }

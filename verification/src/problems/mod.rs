@@ -2,9 +2,13 @@
 
 mod dynamics;
 mod elements;
+mod forces;
+mod joints;
 mod models;
+mod rigid_bodies;
 mod stability;
 mod statics;
+mod vibrations;
 
 use crate::Problem;
 use dynamics::{
@@ -17,8 +21,8 @@ use statics::{
     bathe_bolourchi, catenary, elastica, gerstmayr_irschik, heavy_elastica, invariance, princeton, roll_up,
 };
 
-/// All problems, in the order of the report.
-pub const ALL: &[Problem] = &[
+/// Problems of one file each.
+const SINGLE: &[Problem] = &[
     elastica::PROBLEM,
     euler_column::PROBLEM,
     princeton::PROBLEM,
@@ -42,3 +46,25 @@ pub const ALL: &[Problem] = &[
     spinning_rod::PROBLEM,
     integrators::PROBLEM,
 ];
+
+/// Returns all problems, in the order of the report.
+pub fn all() -> impl Iterator<Item = &'static Problem> {
+    let bodies = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
+    let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
+    let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
+    SINGLE.iter().chain(families.flatten())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    /// Names are unique, and there are at least 60 problems.
+    #[test]
+    fn problems_have_distinct_names() {
+        let names: Vec<&str> = super::all().map(|problem| problem.name).collect();
+        let distinct: HashSet<&str> = names.iter().copied().collect();
+        assert_eq!(distinct.len(), names.len());
+        assert!(names.len() >= 60, "{}", names.len());
+    }
+}

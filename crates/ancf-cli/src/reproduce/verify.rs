@@ -34,7 +34,7 @@ Exit code 0 if all hold, 1 if one does not.";
 /// Returns the names of all problems as values of the argument. Other names are rejected, with the nearest as a suggestion.
 fn names() -> PossibleValuesParser {
     let value = |problem: &Problem| PossibleValue::new(problem.name).help(problem.title);
-    PossibleValuesParser::new(problems::ALL.iter().map(value))
+    PossibleValuesParser::new(problems::all().map(value))
 }
 
 #[cfg(feature = "figures")]
@@ -49,7 +49,7 @@ impl VerifyArguments {
 
         let names = &self.names;
         let selected = |problem: &&Problem| names.is_empty() || names.iter().any(|name| name == problem.name);
-        let problems: Vec<Problem> = problems::ALL.iter().filter(selected).copied().collect();
+        let problems: Vec<Problem> = problems::all().filter(selected).copied().collect();
         let folder = ReportFolder::create(&self.output)?;
         let clock = Instant::now();
         let width = problems.iter().map(|problem| problem.name.len()).max().unwrap_or(0);

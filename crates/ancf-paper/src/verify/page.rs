@@ -42,7 +42,7 @@ fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
                 thead { tr {
                     th.text scope="col" { "Problem" } th.text scope="col" { "Source" }
                     th scope="col" { "Numbers" } th scope="col" { "Worst error" }
-                    th scope="col" { "Tolerance" } th.text scope="col" { "ProblemVerdict" }
+                    th scope="col" { "Tolerance" } th.text scope="col" { "Verdict" }
                     th scope="col" { "Time (s)" }
                 } }
                 tbody { @for verdict in verdicts { (line(verdict)) } }
@@ -128,7 +128,7 @@ fn table(verdict: &ProblemVerdict) -> Markup {
             table {
                 thead { tr {
                     th.text scope="col" { "Quantity" } th scope="col" { "Computed" } th scope="col" { "Reference" }
-                    th scope="col" { "Error" } th scope="col" { "Tolerance" } th.text scope="col" { "ProblemVerdict" }
+                    th scope="col" { "Error" } th scope="col" { "Tolerance" } th.text scope="col" { "Verdict" }
                 } }
                 tbody { @for comparison in verdict.comparisons() { (row(comparison)) } }
             }

@@ -104,11 +104,12 @@ pub fn buckling(
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
-    let Some(increment) = first_order(eom, s, &stiffness, &mut factor)? else {
-        return Ok(CriticalLoads { loads: Vec::new(), sturm: None });
-    };
+    let increment = first_order(eom, s, &stiffness, &mut factor)?;
     let mut softening = matrix.clone();
     eom.stress_stiffness(s, &increment, &mut softening);
+    if softening.values().iter().all(|value| *value == 0.0) {
+        return Ok(CriticalLoads { loads: Vec::new(), sturm: None });
+    }
     softening.values_mut().iter_mut().for_each(|value| *value = -*value);
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
@@ -279,13 +280,13 @@ impl BucklingPencil<'_> {
     }
 }
 
-/// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Returns `None` for loads without effect.
+/// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Where joints carry all loads, q₁ is zero.
 fn first_order(
     eom: &dyn EquationsOfMotion,
     s: &State,
     stiffness: &SparseMatrix,
     factor: &mut Factor,
-) -> Result<Option<State>, EigenError> {
+) -> Result<State, EigenError> {
     let (n, m) = (eom.coordinates(), eom.multipliers());
     let residual = |load| {
         let (mut moved, mut r) = (s.clone(), vec![0.0; n + m]);
@@ -305,5 +306,9 @@ fn first_order(
     let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
     let mut increment = State::rest(n, m);
     increment.add(&direction, Weights::STIFFNESS);
-    Ok((work.abs() > MIN_WORK * (0..n).map(held).sum::<f64>()).then_some(increment))
+    if work.abs() <= MIN_WORK * (0..n).map(held).sum::<f64>() {
+        // Joints carry the loads. The displacements are rounding errors.
+        increment.q.fill(0.0);
+    }
+    Ok(increment)
 }

@@ -19,6 +19,9 @@ use crate::units::Dimension;
 /// Upper limit on the relative residual of a mode.
 const MAX_RESIDUAL: f64 = 1e-3;
 
+/// Critical load factor that may be a rounding error.
+const LARGE_FACTOR: f64 = 1e9;
+
 /// Columns of the solver for modes.
 pub(crate) const MODE_COLUMNS: [&str; 3] = ["frequency", "squared", "residual"];
 /// Columns of the solver for buckling.
@@ -180,6 +183,14 @@ impl AnalysisRun<'_> {
             }
             Ok(found) => {
                 self.summary.eigenvalues = found.sturm.map(|sturm| EigenvalueCount::new(sturm, 1.0));
+                let large = found.loads.iter().filter(|load| load.factor.abs() > LARGE_FACTOR);
+                self.summary.warnings.extend(large.map(|load| {
+                    format!(
+                        "the critical load factor {:.3e} is so large that it may be a rounding error of the stresses: the \
+                         loads hardly affect the stability",
+                        load.factor
+                    )
+                }));
                 let row = |load: &'_ CriticalLoad| vec![load.factor, load.residual];
                 self.shapes(s, found.loads.iter().map(|load| (row(load), load.shape.as_slice())))
             }

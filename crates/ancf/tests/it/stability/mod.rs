@@ -1,5 +1,6 @@
 //! Natural modes.
 
+mod carried_loads;
 mod fine_meshes;
 mod followers;
 mod loaded_equilibria;

@@ -39,9 +39,9 @@ pub(super) const PROBLEMS: &[Problem] = &[
         title: "Bending vibrations of a free beam",
         source: "Euler-Bernoulli beam, cos βL cosh βL = 1",
         sketch: r"
-      ===================     L = 1 m, L/d = 10 000, E = 210 GPa",
+      ===================     L = 1 m, L/d = 1000, E = 210 GPa",
         goal: "Three frequencies after the rigid modes within 1e-3 with 16 elements, the first within 1e-5. Fourth order",
-        run: || beam("", |x| x.cos() - 1.0 / x.cosh()),
+        run: free_beam,
     },
     Problem {
         name: "beam_with_tip_mass",
@@ -107,6 +107,13 @@ fn exact(characteristic: impl Fn(f64) -> f64) -> [f64; 3] {
         x += 0.1;
     }
     [found[0], found[1], found[2]]
+}
+
+/// Beam of a tenth of the slenderness: the rounding error of its free rotation about the axis grows with the slenderness.
+fn free_beam() -> Result<Findings, VerificationError> {
+    let model =
+        MODEL.replace("SUPPORTS", "").replace("EXTRA", "").replace("diameter = 1e-4", "diameter = 1e-3");
+    study(&model, exact(|x| x.cos() - 1.0 / x.cosh()).map(|frequency| 10.0 * frequency))
 }
 
 fn beam(supports: &str, characteristic: fn(f64) -> f64) -> Result<Findings, VerificationError> {

@@ -34,7 +34,8 @@ def model(problem: Problem, kind: str, n: int, step: float, tolerance: float) ->
     else:
         # A line has no rotation about itself; its motion stays in the plane.
         joint = 'kind = "spherical"'
-    formulation = 'formulation = "linked"' if kind == "linked" else ""
+    formulations = {"linked": "linked", "beam": "continuum"}
+    formulation = f'formulation = "{formulations[kind]}"' if kind in formulations else ""
     return f"""
 gravity = [0.0, {-GRAVITY}, 0.0]
 materials.steel = {{ density = {DENSITY}, young = {problem.young} }}

@@ -22,8 +22,8 @@ pub fn cantilever(kind: CantileverKind, elements: u32, steps: u32) -> String {
     let length = f64::from(elements.max(DIVIDED)) / f64::from(DIVIDED);
     let duration = f64::from(steps) * STEP;
     let kind = match kind {
-        CantileverKind::Beam => "beam",
-        CantileverKind::Cable => "cable",
+        CantileverKind::Beam => "kind = \"beam\"\nformulation = \"continuum\"",
+        CantileverKind::Cable => "kind = \"cable\"",
     };
     format!(
         r#"
@@ -39,7 +39,7 @@ kind = "circle"
 diameter = 0.02
 
 [[bodies]]
-kind = "{kind}"
+{kind}
 name = "beam"
 from = [0.0, 0.0, 0.0]
 to = [{length:?}, 0.0, 0.0]
@@ -58,6 +58,7 @@ on = {{ body = "beam", at = "end" }}
 
 [analysis]
 kind = "dynamics"
+scheme = "adams"
 duration = {duration:?}
 step = {STEP:?}
 "#

@@ -24,7 +24,8 @@ const NEIGHBOUR: f64 = 1e4;
 /// Finding if one of two runs is complete and the other one is not, or if one panicked.
 pub fn unequal_verdicts(law: &'static str, base: &Run, other: &Run) -> Option<Finding> {
     let is_panic = matches!(other.verdict, Verdict::Panicked(_));
-    if !is_panic && base.verdict.word() == other.verdict.word() {
+    let is_stopped = [base, other].iter().any(|run| run.verdict == Verdict::Stopped);
+    if !is_panic && (is_stopped || base.verdict.word() == other.verdict.word()) {
         return None;
     }
     let part = |run: &Run| format!("{} {}", run.verdict.word(), run.verdict.reason());

@@ -9,7 +9,7 @@ pub enum Verdict {
     Rejected(String),
     /// The computation failed, with the reason.
     Failed(String),
-    /// The run was stopped, since it had too many rows.
+    /// The run was stopped, since it had too many rows or iterations.
     Stopped,
     /// The program panicked, with the message.
     Panicked(String),
@@ -36,7 +36,7 @@ impl Verdict {
     pub fn reason(&self) -> &str {
         match self {
             Self::Finished => "",
-            Self::Stopped => "too many rows",
+            Self::Stopped => "too many rows or iterations",
             Self::Rejected(text) | Self::Failed(text) | Self::Panicked(text) => text,
         }
     }

@@ -2,9 +2,11 @@ use std::any::Any;
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use ancf::record::{Series, Sink};
+use ancf::solver::newton::Interrupt;
 use ancf::{Model, Outcome, Simulation, Summary};
 
 use super::record::{Record, Run, Verdict};
@@ -13,6 +15,8 @@ use super::record::{Record, Run, Verdict};
 const MOST_ROWS: usize = 4000;
 /// Time after which a run is stopped.
 const LONGEST: Duration = Duration::from_secs(20);
+/// Iterations after which a run is stopped.
+const MOST_ITERATIONS: u32 = 20_000;
 
 /// Runs a model. Panics are verdicts.
 pub fn run(model: &Model) -> Run {
@@ -38,12 +42,18 @@ pub(super) fn guarded(of: impl FnOnce() -> Run) -> Run {
 
 fn of_model(model: &Model) -> Run {
     let simulation = match Simulation::new(model) {
-        Ok(simulation) => simulation,
+        Ok(simulation) => simulation.with_interrupt(limit()),
         Err(errors) => return Run::empty(Verdict::Rejected(errors.to_string())),
     };
     let mut rows = Limited::new();
     let summary = simulation.run(&mut (&mut rows as &mut dyn Sink));
     completed(&simulation, rows.series, summary)
+}
+
+/// Interrupt after a number of iterations, on any machine the same.
+fn limit() -> Interrupt {
+    let asked = AtomicU32::new(0);
+    Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > MOST_ITERATIONS)
 }
 
 /// Combines the columns, the rows and the summary of a run.

@@ -187,9 +187,9 @@ def test_rigid_body_modes_are_omitted_by_default() -> None:
     run = result("tuning_fork")
     axes = run.plot_modes(3)
     assert [ax.get_title() for ax in axes] == [
-        "mode 7: f = 440 Hz",
-        "mode 8: f = 662.7 Hz",
-        "mode 9: f = 1493 Hz",
+        "mode 7: f = 439.8 Hz",
+        "mode 8: f = 662.6 Hz",
+        "mode 9: f = 1492 Hz",
     ]
     assert [ax.get_title() for ax in run.plot_modes(2, rigid=True)] == [
         "mode 1: f = 0 Hz",

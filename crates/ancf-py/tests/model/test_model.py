@@ -41,6 +41,7 @@ def cantilever() -> ancf.Model:
         from_=(0.0, 0.0, 0.0),
         to=np.array([1.0, 0.0, 0.0]),
         elements=20,
+        formulation="continuum",
         section="rod",
         material="steel",
     )
@@ -53,7 +54,9 @@ def cantilever() -> ancf.Model:
         bodies=[beam],
         joints=[ancf.Clamp("root", a=beam.start)],
         probes=[ancf.Probe("tip", on=beam.end)],
-        analysis=ancf.Dynamics(duration=2.0, step=1e-3),
+        analysis=ancf.Dynamics(
+            duration=2.0, step=1e-3, scheme="adams", energy_guard=ancf.EnergyGuard(loss=1)
+        ),
     )
 
 

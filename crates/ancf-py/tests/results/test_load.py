@@ -202,9 +202,8 @@ def test_errors_of_folders(program: Path, rod: dict[str, Any], tmp_path: Path) -
     out = folder_of(program, rod, tmp_path)
     model = (out / "model.toml").read_text()
     (out / "model.toml").write_text("ends = 3\n" + model)
-    with pytest.raises(ancf.ModelError, match=r"model\.toml:1:1: ends: found unknown key") as caught:
+    with pytest.raises(OSError, match=r"model\.toml: the file is damaged: it is not the model of this run"):
         ancf.load(out)
-    assert caught.value.file == str(out / "model.toml")
     (out / "model.toml").write_text(model)
     for name in ["states.parquet", "results.parquet"]:
         good = (out / name).read_bytes()
@@ -215,5 +214,5 @@ def test_errors_of_folders(program: Path, rod: dict[str, Any], tmp_path: Path) -
     other = model.replace('name = "tip"', 'name = "top"')
     assert other != model
     (out / "model.toml").write_text(other)
-    with pytest.raises(OSError, match=r"results\.parquet: columns of another run"):
+    with pytest.raises(OSError, match=r"model\.toml: the file is damaged"):
         ancf.load(out)

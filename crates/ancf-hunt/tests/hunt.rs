@@ -72,7 +72,7 @@ fn models_of_findings_obey_the_laws() {
         match (find(&model, header(&text, "law"), seed, number), allowed.remove(&name)) {
             (Some(finding), None) => wrong.push(format!("{name}: {finding:?}")),
             (None, Some(reason)) => {
-                wrong.push(format!("{name} holds now, remove it from allowed.toml: {reason}"))
+                wrong.push(format!("{name} holds now, remove it from allowed.toml: {reason}"));
             }
             _ => {}
         }

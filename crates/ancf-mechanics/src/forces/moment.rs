@@ -11,7 +11,7 @@ use crate::kinematics::{FrameValues, SectionFrame, add_section, visit_skew};
 ///
 /// The moment is constant in the global frame, or as a follower in the section frame. In plane rotation, the constant
 /// moment has the potential −Mθ. In space neither moment has a potential (Ziegler 1968). The derivative S(m), of a
-/// follower S(m) − Tᵀ [m]× T, is not symmetric, and the tangent contains its symmetric part. Newton's method then
+/// follower S(m) − Tᵀ \[m\]× T, is not symmetric, and the tangent contains its symmetric part. Newton's method then
 /// converges linearly, at a rate proportional to the moment. The work counts as supplied work.
 #[derive(Clone, Debug)]
 pub struct Moment {

@@ -56,7 +56,7 @@ pub trait Batch: Send + Sync {
     /// if there are none.
     fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) -> bool;
 
-    /// Returns the sum of the powers of the terms ([`Term::power`](super::term::Term::power)). Terms of batches supply
+    /// Returns the sum of the powers of the terms. Terms of batches supply
     /// none.
     fn power(&self, at: &LocalLanes<'_>) -> Power {
         let mut forces = [Lanes::default(); MAX_COORDINATES];

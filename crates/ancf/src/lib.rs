@@ -40,6 +40,7 @@
 //!     from = [0, 0, 0]
 //!     to = [1, 0, 0]
 //!     elements = 2
+//!     formulation = "continuum"
 //!     section = "rod"
 //!     material = "steel"
 //!

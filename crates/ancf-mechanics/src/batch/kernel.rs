@@ -50,11 +50,14 @@ impl<K: BatchKernel> Batch for KernelBatch<K> {
         admissible[..count].iter().position(|admissible| !admissible)
     }
 
-    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) -> bool {
-        if self.0.is_damped() {
+    fn is_damped(&self) -> bool {
+        self.0.is_damped()
+    }
+
+    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) {
+        if self.is_damped() {
             add_velocity_forces(self, at, r);
         }
-        self.0.is_damped()
     }
 }
 

@@ -52,12 +52,13 @@ pub trait Batch: Send + Sync {
     /// ([`Term::is_admissible`](super::term::Term::is_admissible)).
     fn inadmissible(&self, at: &LocalLanes<'_>) -> Option<usize>;
 
-    /// Adds the damping forces of the terms ([`Term::damping_forces`](super::term::Term::damping_forces)). Returns false
-    /// if there are none.
-    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]) -> bool;
+    /// True if the terms have damping forces.
+    fn is_damped(&self) -> bool;
 
-    /// Returns the sum of the powers of the terms. Terms of batches supply
-    /// none.
+    /// Adds the damping forces of the terms ([`Term::damping_forces`](super::term::Term::damping_forces)).
+    fn damping_forces(&self, at: &LocalLanes<'_>, r: &mut [Lanes]);
+
+    /// Returns the sum of the powers of the terms. Terms of batches supply none.
     fn power(&self, at: &LocalLanes<'_>) -> Power {
         let mut forces = [Lanes::default(); MAX_COORDINATES];
         self.damping_forces(at, &mut forces[..at.q.len()]);
@@ -159,12 +160,14 @@ impl GatheredLanes {
 
     /// Adds the damping forces of a batch to a section of a global vector that starts at coordinate `first`.
     pub(crate) fn add_damping(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
+        if !of.batch.is_damped() {
+            return;
+        }
         let mut rows = Self::NONE;
         let at = self.gather(s, of);
         let rows = &mut rows[..at.q.len()];
-        if of.batch.damping_forces(&at, rows) {
-            of.add(rows, sum, first);
-        }
+        of.batch.damping_forces(&at, rows);
+        of.add(rows, sum, first);
     }
 }
 

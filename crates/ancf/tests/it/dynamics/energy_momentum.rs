@@ -1,42 +1,12 @@
 //! Energy-momentum scheme: energy, momenta, order, coarse steps.
 
 use std::f64::consts::TAU;
-use std::io;
-use std::ops::ControlFlow;
 
-use ancf::solver::equations::State;
-use ancf::{Model, Observer, Simulation, Summary};
+use ancf::{Model, Summary};
 use nalgebra::Vector3;
 
 use crate::common::models::parse;
-use crate::common::solutions::{Run, momenta};
-
-/// Observer of the linear and angular momentum about the origin.
-struct Momenta<'a>(&'a Simulation, Vec<[Vector3<f64>; 2]>);
-
-impl Observer for Momenta<'_> {
-    fn begin(&mut self, _: &[String]) -> io::Result<()> {
-        Ok(())
-    }
-
-    fn record(&mut self, _: &[f64], s: &State) -> io::Result<ControlFlow<()>> {
-        self.1.push(momenta(self.0.assembly(), s, &s.v));
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn finish(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-/// Momenta of all rows.
-fn recorded_momenta(model: &Model) -> Vec<[Vector3<f64>; 2]> {
-    let simulation = Simulation::new(model).unwrap();
-    let mut recorder = Momenta(&simulation, Vec::new());
-    let summary = simulation.run(&mut recorder).unwrap();
-    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
-    recorder.1
-}
+use crate::common::solutions::{Run, recorded_momenta};
 
 /// Largest change of both momenta of a free system, relative to their size.
 fn changes_of_momenta(model: &Model) -> [f64; 2] {

@@ -1,17 +1,13 @@
 //! Conservation laws and invariance of random chains of beams, cables and rigid bodies.
 
-use std::io;
-use std::ops::ControlFlow;
-
 use ancf::record::Series;
-use ancf::solver::equations::State;
-use ancf::{Model, Observer, Outcome, Simulation, simulate};
+use ancf::{Model, Outcome, simulate};
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 use super::chains::{Chain, Notation, chain};
-use crate::common::solutions::momenta;
+use crate::common::solutions::recorded_momenta;
 
 const STEP: f64 = 2e-3;
 const DURATION: f64 = 0.1;
@@ -58,39 +54,17 @@ fn energy_balance_error_decreases_with_the_step() {
     });
 }
 
-/// Observer of the linear and angular momentum about the origin, in units of the solver.
-struct Momenta<'a>(&'a Simulation, Vec<[Vector3<f64>; 2]>);
-
-impl Observer for Momenta<'_> {
-    fn begin(&mut self, _: &[String]) -> io::Result<()> {
-        Ok(())
-    }
-
-    fn record(&mut self, _: &[f64], s: &State) -> io::Result<ControlFlow<()>> {
-        self.1.push(momenta(self.0.assembly(), s, &s.v));
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn finish(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
 /// Linear momentum is conserved to rounding, angular momentum to the order of the scheme.
 #[test]
 fn free_chains_conserve_their_momenta() {
     assert_for_chains(48, |chain| {
         let chain = chain.free();
-        let drift = |step: f64| {
+        let drift = |step: f64| -> Result<[f64; 2], TestCaseError> {
             let model = Model::parse(&chain.text(&Notation::plain(step, DURATION)));
             let model = model.map_err(|errors| TestCaseError::fail(errors.to_string()))?;
-            let simulation = Simulation::new(&model).unwrap();
-            let mut recorder = Momenta(&simulation, Vec::new());
-            let summary = simulation.run(&mut recorder).unwrap();
-            prop_assert!(summary.outcome.is_finished());
-            let first = recorder.1[0];
-            let largest =
-                |k: usize| recorder.1.iter().map(|now| (now[k] - first[k]).norm()).fold(0.0, f64::max);
+            let all = recorded_momenta(&model);
+            let first = all[0];
+            let largest = |k: usize| all.iter().map(|now| (now[k] - first[k]).norm()).fold(0.0, f64::max);
             let size = first[0].norm().max(1e-6);
             Ok([largest(0) / size, largest(1) / size])
         };

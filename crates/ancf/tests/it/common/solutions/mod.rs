@@ -7,5 +7,5 @@ mod run;
 
 pub(crate) use equilibrium::equilibrium;
 pub(crate) use linear::linear;
-pub(crate) use momenta::momenta;
+pub(crate) use momenta::{momenta, recorded_momenta};
 pub(crate) use run::{Run, SOLVER_COLUMNS, assert_same_columns, distance};

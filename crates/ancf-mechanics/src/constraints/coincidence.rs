@@ -137,6 +137,10 @@ impl Term for CoincidenceConstraint {
         self.first..self.first + 3
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, k: usize) -> String {
         let what = if self.direction { direction(self.a.reference()) } else { "position".to_owned() };
         format!("{what} along {}", AXES[k])
@@ -261,6 +265,10 @@ impl Term for ConstantAngle {
 
     fn multipliers(&self) -> Range<usize> {
         self.multiplier..self.multiplier + 1
+    }
+
+    fn is_damped(&self) -> bool {
+        false
     }
 
     fn constraint_name(&self, _: usize) -> String {

@@ -87,6 +87,10 @@ impl Term for HingeAngle {
         self.multiplier..self.multiplier + 1
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, _: usize) -> String {
         "definition of the angle".to_owned()
     }

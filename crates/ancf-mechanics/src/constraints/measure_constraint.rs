@@ -78,6 +78,10 @@ impl Term for MeasureConstraint {
         self.multiplier..self.multiplier + 1
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn residual(&self, at: &Local<'_>, r: &mut [f64]) {
         let n = at.q.len();
         self.measure.add_gradient(at.q, at.lambda[0], &mut r[..n]);

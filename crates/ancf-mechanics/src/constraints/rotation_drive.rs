@@ -70,6 +70,10 @@ impl Term for RotationDrive {
         self.first..self.first + 3
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, k: usize) -> String {
         format!("driven {} along {}", direction(self.global.reference()), AXES[k])
     }

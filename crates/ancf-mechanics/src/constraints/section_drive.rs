@@ -119,6 +119,10 @@ impl Term for SectionDrive {
         self.first..self.first + 3
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, k: usize) -> String {
         if k < 2 { "driven normal of the section" } else { "driven rotation about the normal" }.to_owned()
     }

@@ -91,6 +91,10 @@ impl Term for SlideConstraint {
         self.first..self.first + 3
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, k: usize) -> String {
         format!("position along {}", AXES[k])
     }

@@ -51,6 +51,10 @@ impl Term for TwistAngle {
         self.parts[0].multipliers()
     }
 
+    fn is_damped(&self) -> bool {
+        false
+    }
+
     fn constraint_name(&self, _: usize) -> String {
         "definition of the twist".to_owned()
     }

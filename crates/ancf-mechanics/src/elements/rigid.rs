@@ -209,5 +209,7 @@ impl Term for InertiaTerm {
     }
 
     // The only velocity-dependent forces are those of inertia.
-    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn is_damped(&self) -> bool {
+        false
+    }
 }

@@ -152,5 +152,7 @@ impl Term for ExternalForce {
         load_power(self, at)
     }
 
-    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn is_damped(&self) -> bool {
+        false
+    }
 }

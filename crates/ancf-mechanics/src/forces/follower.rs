@@ -68,5 +68,7 @@ impl Term for FollowerForce {
         load_power(self, at)
     }
 
-    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn is_damped(&self) -> bool {
+        false
+    }
 }

@@ -81,5 +81,7 @@ impl Term for Force {
         if self.function.is_constant() { 0.0 } else { load_power(self, at) }
     }
 
-    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn is_damped(&self) -> bool {
+        false
+    }
 }

@@ -101,5 +101,7 @@ impl Term for Moment {
         load_power(self, at)
     }
 
-    fn damping_forces(&self, _: &Local<'_>, _: &mut [f64]) {}
+    fn is_damped(&self) -> bool {
+        false
+    }
 }

@@ -390,11 +390,14 @@ impl EquationsOfMotion for System {
 
     fn exchange(&self, s: &State, damping: &mut [f64]) -> Power {
         damping.fill(0.0);
-        self.by_rows.add_to(damping, |batches, sum, first| {
-            let mut lanes = GatheredLanes::EMPTY;
-            self.of(batches).for_each(|batched| lanes.add_damping(s, batched, sum, first));
-        });
-        self.add(self.unbatched(), s, damping, |term, at, rows| term.damping_forces(at, rows));
+        if self.batches.iter().any(|batched| batched.batch.is_damped()) {
+            self.by_rows.add_to(damping, |batches, sum, first| {
+                let mut lanes = GatheredLanes::EMPTY;
+                self.of(batches).for_each(|batched| lanes.add_damping(s, batched, sum, first));
+            });
+        }
+        let damped = self.unbatched().filter(|term| term.is_damped());
+        self.add(damped, s, damping, |term, at, rows| term.damping_forces(at, rows));
         powers(self.unbatched(), s)
     }
 }

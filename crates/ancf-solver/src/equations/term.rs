@@ -240,11 +240,18 @@ pub trait Term: Send + Sync {
         driving_power(self, at)
     }
 
+    /// Returns true if damping forces can act. Terms that return false are skipped in the sum of damping forces.
+    fn is_damped(&self) -> bool {
+        true
+    }
+
     /// Adds the damping forces. By default these are the velocity-dependent forces f(q, v) − f(q, 0).
     ///
     /// Their power is dissipated. Loads without a potential have no damping forces.
     fn damping_forces(&self, at: &Local<'_>, r: &mut [f64]) {
-        velocity_forces(self, at, r);
+        if self.is_damped() {
+            velocity_forces(self, at, r);
+        }
     }
 
     /// Returns the power that a moving medium supplies and the damping forces dissipate, in addition to v·F.

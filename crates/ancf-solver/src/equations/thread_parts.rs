@@ -40,7 +40,9 @@ impl ThreadParts {
     /// Adds to a vector; `work` adds items to a section that starts at the given entry.
     pub(crate) fn add_to(&self, values: &mut [f64], work: impl Fn(&[u32], &mut [f64], usize) + Sync) {
         split(&self.parts, values, 0, &|part, values| work(&part.items, values, part.first));
-        work(&self.spanning, values, 0);
+        if !self.spanning.is_empty() {
+            work(&self.spanning, values, 0);
+        }
     }
 
     /// Sums the results of `work` over all items.
@@ -50,12 +52,14 @@ impl ThreadParts {
             a
         };
         let parts = fold(&self.parts, &|items| work(items), &plus).unwrap_or_default();
-        plus(parts, work(&self.spanning))
+        if self.spanning.is_empty() { parts } else { plus(parts, work(&self.spanning)) }
     }
 
     /// Returns the first result of `work`.
     pub(crate) fn find<T: Send>(&self, work: impl Fn(&[u32]) -> Option<T> + Sync) -> Option<T> {
-        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| work(&self.spanning))
+        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| {
+            if self.spanning.is_empty() { None } else { work(&self.spanning) }
+        })
     }
 }
 

@@ -157,6 +157,22 @@ fn every_term_satisfies_the_power_balance() {
     }
 }
 
+/// Constraints that declare no damping have forces that do not depend on velocities.
+#[test]
+fn undamped_constraints_do_not_depend_on_velocities() {
+    let mut random = Random(1687);
+    let is_tested = |case: &TermCase| !case.term.multipliers().is_empty() && !case.term.is_damped();
+    let cases: Vec<_> = terms().into_iter().filter(is_tested).collect();
+    assert!(cases.len() > 5, "{} cases", cases.len());
+    for TermCase { name, term, kind } in cases {
+        let term = term.as_ref();
+        let mut moving = Sample::random(term, &mut random);
+        moving.q *= kind.amplitude();
+        let still = Sample { v: &moving.v * 0.0, ..moving.clone() };
+        assert_eq!(residual(term, &moving), residual(term, &still), "{name}");
+    }
+}
+
 /// Constraints on velocity and acceleration level are time derivatives along q + v h, t + h.
 #[test]
 fn constraint_levels_are_time_derivatives() {

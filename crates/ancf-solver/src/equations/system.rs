@@ -151,7 +151,7 @@ impl System {
         self
     }
 
-    /// Returns the searches for terms that are active in some states only.
+    /// Returns the searches for contacts.
     pub fn searches(&self) -> &[Arc<dyn ContactSearch>] {
         &self.searches
     }
@@ -209,7 +209,7 @@ impl System {
         }
     }
 
-    /// Returns the batches of the given indices.
+    /// Batches of the given indices.
     fn of<'a>(&'a self, batches: &'a [u32]) -> impl Iterator<Item = &'a PlacedBatch> {
         batches.iter().map(|&i| &self.batches[i as usize])
     }
@@ -247,8 +247,8 @@ impl EquationsOfMotion for System {
     fn residual(&self, s: &State, r: &mut [f64]) {
         r.fill(0.0);
         self.by_rows.add_to(r, |batches, r, first| {
-            let mut gathered = GatheredLanes::EMPTY;
-            self.of(batches).for_each(|batched| gathered.add_residual(s, batched, r, first));
+            let mut lanes = GatheredLanes::EMPTY;
+            self.of(batches).for_each(|batched| lanes.add_residual(s, batched, r, first));
         });
         self.add(self.unbatched(), s, r, |term, at, rows| term.residual(at, rows));
     }
@@ -281,9 +281,8 @@ impl EquationsOfMotion for System {
                 lower.add_tangent(batched, &at, w, &self.scatters, (values, first));
             }
         });
-        let mut gathered = LocalState::EMPTY;
-        let unbatched = self.unbatched.iter().copied();
-        self.add_matrix(unbatched, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
+        let (mut gathered, terms) = (LocalState::EMPTY, self.unbatched.iter().copied());
+        self.add_matrix(terms, values, |term, block| term.tangent(&gathered.gather(s, term), w, block));
     }
 
     fn stiffness_products(&self, s: &State, x: &[DVector<f64>]) -> StiffnessProducts {
@@ -390,14 +389,12 @@ impl EquationsOfMotion for System {
 
     fn exchange(&self, s: &State, damping: &mut [f64]) -> Power {
         damping.fill(0.0);
-        if self.batches.iter().any(|batched| batched.batch.is_damped()) {
-            self.by_rows.add_to(damping, |batches, sum, first| {
-                let mut lanes = GatheredLanes::EMPTY;
-                self.of(batches).for_each(|batched| lanes.add_damping(s, batched, sum, first));
-            });
-        }
-        let damped = self.unbatched().filter(|term| term.is_damped());
-        self.add(damped, s, damping, |term, at, rows| term.damping_forces(at, rows));
+        self.by_rows.add_to(damping, |batches, r, first| {
+            let damped = self.of(batches).filter(|batched| batched.batch.is_damped());
+            damped.for_each(|batched| GatheredLanes::EMPTY.add_damping(s, batched, r, first));
+        });
+        let damped = |term: &&Arc<dyn Term>| term.is_damped();
+        self.add(self.unbatched().filter(damped), s, damping, |term, at, r| term.damping_forces(at, r));
         powers(self.unbatched(), s)
     }
 }

@@ -57,9 +57,9 @@ impl ThreadParts {
 
     /// Returns the first result of `work`.
     pub(crate) fn find<T: Send>(&self, work: impl Fn(&[u32]) -> Option<T> + Sync) -> Option<T> {
-        fold(&self.parts, &|items| work(items), &Option::or).flatten().or_else(|| {
-            if self.spanning.is_empty() { None } else { work(&self.spanning) }
-        })
+        fold(&self.parts, &|items| work(items), &Option::or)
+            .flatten()
+            .or_else(|| if self.spanning.is_empty() { None } else { work(&self.spanning) })
     }
 }
 

@@ -1,4 +1,4 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Sparse row or column: entries by index.
 pub type SparseVector = BTreeMap<usize, f64>;
@@ -11,6 +11,10 @@ pub type SparseVector = BTreeMap<usize, f64>;
 pub struct NullSpace {
     /// Coefficients c of each pivot p: x_p + Σⱼ cⱼ xⱼ = 0, j free.
     pivots: BTreeMap<usize, SparseVector>,
+    /// Pivots whose rows contain an unknown, by the unknown.
+    users: BTreeMap<usize, BTreeSet<usize>>,
+    /// Number of coefficients of all pivots.
+    entries: usize,
 }
 
 /// Rounding threshold of entries, relative to the largest entry of the row.
@@ -40,13 +44,31 @@ impl NullSpace {
         let Some((&pivot, &entry)) = best else { return };
         row.remove(&pivot);
         row.values_mut().for_each(|x| *x /= entry);
-        for other in self.pivots.values_mut() {
-            if other.contains_key(&pivot) {
-                eliminate(other, pivot, &row);
-                other.retain(|_, x| x.abs() > ROUNDING);
+        for user in self.users.remove(&pivot).unwrap_or_default() {
+            let Some(other) = self.pivots.get_mut(&user) else { continue };
+            self.entries -= other.len();
+            eliminate(other, pivot, &row);
+            other.retain(|_, x| x.abs() > ROUNDING);
+            self.entries += other.len();
+            for j in row.keys() {
+                let users = self.users.entry(*j).or_default();
+                if other.contains_key(j) {
+                    users.insert(user)
+                } else {
+                    users.remove(&user)
+                };
             }
         }
+        for j in row.keys() {
+            self.users.entry(*j).or_default().insert(pivot);
+        }
+        self.entries += row.len();
         self.pivots.insert(pivot, row);
+    }
+
+    /// Returns the number of coefficients of the dependent unknowns, a measure of the memory of the basis.
+    pub fn entries(&self) -> usize {
+        self.entries
     }
 
     /// Returns the basis vectors by their free unknowns, for the given total number of unknowns.

@@ -7,9 +7,9 @@ use ancf_solver::equations::{System, Term};
 use super::assembled::{Assembly, RecordedQuantity};
 use super::loads::InnerLoads;
 use crate::errors::ModelErrors;
-use crate::model::{Model, Probe, TimeMode};
+use crate::model::{IndexedModel, Probe, TimeMode};
 
-impl Model {
+impl IndexedModel<'_> {
     /// Assembles a valid model whose functions are supplied.
     ///
     /// # Errors

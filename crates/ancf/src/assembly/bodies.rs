@@ -5,9 +5,9 @@ use ancf_mechanics::elements::{BeamMaterial, RigidBody};
 use ancf_mechanics::kinematics::Attachment;
 use nalgebra::Vector3;
 
-use crate::model::{Beam, Body, MaterialLaw, Model, Place};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Place};
 
-impl Model {
+impl IndexedModel<'_> {
     /// Bodies as terms. Coordinates and multipliers are numbered consecutively.
     pub(crate) fn meshes(&self) -> Vec<(String, BodyTerms)> {
         let mut first = [0, 0];
@@ -72,7 +72,7 @@ impl Model {
 
     /// Index of the body of a place.
     pub(crate) fn body_of(&self, place: &Place) -> usize {
-        let index = self.bodies.iter().position(|body| body.name() == place.body);
+        let index = self.body_number(&place.body);
         index.expect("a checked model names existing bodies")
     }
 

@@ -8,7 +8,7 @@ use ancf_mechanics::kinematics::{Attachment, Marker};
 use ancf_solver::equations::{ContactSearch, State};
 use nalgebra::Vector3;
 
-use crate::model::{Contact, Model};
+use crate::model::{Contact, IndexedModel, Model};
 
 /// Depth of the transition, relative to the smallest radius.
 const TRANSITION: f64 = 0.02;
@@ -29,7 +29,7 @@ impl Contact {
     }
 }
 
-impl Model {
+impl IndexedModel<'_> {
     /// Contact geometry of a body: a tube with a radius, or the balls of a rigid body.
     fn tube(&self, contact: &Contact, body: usize, terms: &BodyTerms) -> Option<ContactTube> {
         let own = &self.bodies[body];

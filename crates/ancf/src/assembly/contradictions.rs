@@ -5,7 +5,7 @@ use ancf_solver::equations::{REDUNDANCY_TOLERANCE, State, Term};
 use super::redundant::{Constraints, Owner, Redundant};
 use crate::errors::{Finding, ModelError};
 use crate::joints::JointEquations;
-use crate::model::{Analysis, Model, TimeMode};
+use crate::model::{Analysis, IndexedModel, Model, TimeMode};
 
 /// Number of instants of a motion at which constraints are compared.
 const INSTANTS: u32 = 128;
@@ -14,7 +14,7 @@ const INSTANTS: u32 = 128;
 ///
 /// The model must satisfy all other checks.
 pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
-    let time_mode = model.time_mode();
+    let (time_mode, model) = (model.time_mode(), &IndexedModel::new(model));
     let meshes = model.meshes();
     let joints = model.joint_equations(&meshes, time_mode);
     let bodies = meshes.iter().flat_map(|(_, body)| body.terms());
@@ -26,7 +26,7 @@ pub(crate) fn contradictions(model: &Model) -> Vec<Finding> {
         &joints,
         model.couplings.iter().map(|coupling| &coupling.name),
     );
-    let [coordinates, _] = Model::numbers(&meshes, &joints);
+    let [coordinates, _] = IndexedModel::numbers(&meshes, &joints);
     let rest = State::rest(coordinates, constraints.multipliers);
     let found = constraints.dependences(&rest, REDUNDANCY_TOLERANCE);
     if found.is_empty() {

@@ -7,7 +7,7 @@ use ancf_solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 use super::assembled::Assembly;
 use crate::errors::{ModelError, ModelErrors};
 use crate::joints::{Gap, GapClosure, JointEquations};
-use crate::model::{Model, TimeMode};
+use crate::model::{IndexedModel, Model, TimeMode};
 
 /// Gap tolerance, relative to the length of the model.
 const GAP: f64 = 1e-12;
@@ -36,13 +36,14 @@ impl Model {
     /// If the gaps cannot be closed.
     pub(crate) fn close(&self, assembly: &Assembly) -> Result<GapClosure, ModelErrors> {
         let model = Self { gravity: [0.0; 3], loads: Vec::new(), ..self.clone() };
+        let (model, length) = (IndexedModel::new(&model), self.length());
         let meshes = model.meshes();
         let draw = |gap| if gap == Gap::Closed { Gap::ClosedByLoad } else { Gap::Kept };
         let joints: Vec<JointEquations> = model
             .joint_equations(&meshes, TimeMode::Zero)
             .into_iter()
             .zip(&self.joints)
-            .map(|(equations, joint)| equations.with_gap(draw(self.gap(joint))))
+            .map(|(equations, joint)| equations.with_gap(draw(model.gap(joint))))
             .collect();
         let mut terms = meshes.iter().flat_map(|(_, mesh)| mesh.terms()).collect::<Vec<_>>();
         terms.extend(joints.iter().flat_map(JointEquations::terms));
@@ -51,13 +52,13 @@ impl Model {
             .with_shared_multipliers(assembly.undetermined());
         let gaps: Vec<(String, f64)> = joints
             .iter()
-            .filter(|joint| joint.gap().norm() > GAP * self.length())
+            .filter(|joint| joint.gap().norm() > GAP * length)
             .map(|joint| (joint.name.clone(), joint.gap().norm()))
             .collect();
         if gaps.is_empty() {
             return Ok(GapClosure { state: rest, gaps, moved: Vec::new() });
         }
-        let state = closed(&system, self.length()).map_err(|error| {
+        let state = closed(&system, length).map_err(|error| {
             let (place, open) =
                 (assembly.place_of(&error, 1.0), gaps.iter().map(|(name, _)| format!("`{name}`")));
             let found = format!("gaps that do not close: {error}; at: {place}");

@@ -5,7 +5,7 @@ use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::BodyVector;
 use ancf_solver::equations::State;
 
-use crate::model::{Load, Model, TimeMode, loads_of};
+use crate::model::{IndexedModel, Load, Model, TimeMode, loads_of};
 
 /// Functions of a model, with the paths of their keys.
 #[derive(Debug, Default)]
@@ -46,7 +46,7 @@ impl Inputs {
     }
 }
 
-impl Model {
+impl IndexedModel<'_> {
     /// Functions of an assembly of this model.
     pub(crate) fn inputs(&self, bodies: &[(String, BodyTerms)], time_mode: TimeMode) -> Inputs {
         let times = self.time_functions().into_iter();
@@ -60,7 +60,9 @@ impl Model {
         });
         Inputs { times: times.filter(|(_, f, _)| !f.is_constant()).collect(), forces: forces.collect() }
     }
+}
 
+impl Model {
     /// Breaks of all functions of time, in ascending order.
     pub(crate) fn breaks(&self, time_mode: TimeMode) -> Vec<f64> {
         let functions = self.time_functions().into_iter();

@@ -10,9 +10,9 @@ use crate::joints::{
     Coupled, Coupling, End, Gap, Ground, Joint, JointBuilder, JointCoordinate, JointEnds, JointEquations,
     JointKind, Numbering,
 };
-use crate::model::{Body, Model, Place, TimeMode};
+use crate::model::{Body, IndexedModel, Place, TimeMode};
 
-impl Model {
+impl IndexedModel<'_> {
     /// Numbers of coordinates and multipliers of bodies and joints.
     pub(crate) fn numbers(bodies: &[(String, BodyTerms)], joints: &[JointEquations]) -> [usize; 2] {
         let of_bodies = bodies.iter().map(|(_, body)| [body.coordinates(), body.multipliers()]);

@@ -7,7 +7,7 @@ use ancf_solver::equations::Term;
 
 use crate::joints::{End, Joint};
 use crate::loads::{Load, LoadBuilder};
-use crate::model::{Model, Place, TimeMode};
+use crate::model::{IndexedModel, Place, TimeMode};
 
 /// Indices of the terms that act between the nodes of an element, by body and element.
 #[derive(Debug, Default)]
@@ -48,7 +48,7 @@ impl InnerLoads {
     }
 }
 
-impl Model {
+impl IndexedModel<'_> {
     /// Terms of all loads, in the order of the model.
     pub(crate) fn load_terms(
         &self,

@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 
 use super::findings::{COINCIDENT, is_direction, no_direction, unknown};
 use crate::errors::{Finding, finding, number};
-use crate::model::{Beam, Body, MaterialLaw, Model, Shape, beams_of, bodies_of};
+use crate::model::{Beam, Body, IndexedModel, MaterialLaw, Shape, beams_of, bodies_of};
 
 /// Checks that sections and materials exist, that the axis is a curve, and that `up` is not parallel to it.
-pub(crate) fn bodies(model: &Model) -> Vec<Finding> {
+pub(crate) fn bodies(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, body) in bodies_of(model) {
         let sections = || model.sections.keys().map(String::as_str).collect();
@@ -110,7 +110,7 @@ fn rule_of_end(path: &str, end: &Vector3<f64>, to: &Vector3<f64>, length: f64) -
 }
 
 /// Checks that the bending stiffness of a cable is equal about all transverse axes.
-pub(crate) fn cables(model: &Model) -> Vec<Finding> {
+pub(crate) fn cables(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, body) in bodies_of(model) {
         let Body::Cable(cable) = body else { continue };
@@ -141,7 +141,7 @@ pub(crate) fn cables(model: &Model) -> Vec<Finding> {
 }
 
 /// Rejects materials and sections that a formulation does not support.
-pub(crate) fn formulations(model: &Model) -> Vec<Finding> {
+pub(crate) fn formulations(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, beam) in beams_of(model) {
         let material = model.materials.get(&beam.material);

@@ -1,12 +1,12 @@
 //! Rejects joints, loads and probes that a body does not support: a cable has only a tangent, a point mass no directions, a rigid
 //! body no strain.
 
-use super::findings::{body, named, places_of};
+use super::findings::{body, places_of};
 use crate::errors::{Finding, finding, quoted};
 use crate::joints::End;
-use crate::model::{Body, Capability, Model, Quantity, joints_of, loads_of};
+use crate::model::{Body, Capability, IndexedModel, Quantity, joints_of, loads_of};
 
-pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
+pub(crate) fn capabilities(model: &IndexedModel<'_>) -> Vec<Finding> {
     let joints = joints_of(model).flat_map(|(path, joint)| {
         let (a, b) = joint.ends();
         let [of_a, of_b] = joint.kind().needs();
@@ -46,8 +46,14 @@ pub(crate) fn capabilities(model: &Model) -> Vec<Finding> {
     joints.chain(loads).chain(probes).chain(arms(model)).collect()
 }
 
-fn rule(model: &Model, path: String, name: &str, capability: &Capability, what: &str) -> Option<Finding> {
-    let (_, body) = named(model, name)?;
+fn rule(
+    model: &IndexedModel<'_>,
+    path: String,
+    name: &str,
+    capability: &Capability,
+    what: &str,
+) -> Option<Finding> {
+    let (_, body) = model.named(name)?;
     let (found, wanted) = match (body, capability) {
         (Body::Cable(_), Capability::Section | Capability::DrivenSection) => {
             (format!("{what} of a cable, which has no section to turn"), "a beam or a rigid body")
@@ -71,7 +77,7 @@ fn rule(model: &Model, path: String, name: &str, capability: &Capability, what: 
 }
 
 /// Checks that arms are attached to sections or rigid bodies.
-fn arms(model: &Model) -> Vec<Finding> {
+fn arms(model: &IndexedModel<'_>) -> Vec<Finding> {
     let armed = places_of(model).filter(|(_, place)| place.offset != [0.0; 3]);
     let unfit = armed.filter_map(|(path, place)| match body(model, place)?.1 {
         Body::Beam(_) | Body::Rigid(_) => None,

@@ -2,21 +2,21 @@
 
 use ancf_mechanics::contact::ObstacleShape;
 
-use super::findings::{body, is_direction, named, no_direction, rule_of_place, unknown_body};
+use super::findings::{body, is_direction, no_direction, rule_of_place, unknown_body};
 use crate::errors::{Finding, finding, number, quoted};
-use crate::model::{Body, Contact, Model, ObstacleKind, bodies_of};
+use crate::model::{Body, Contact, IndexedModel, ObstacleKind, bodies_of};
 
 /// Checks that bodies exist and have a radius, and that obstacles have a direction and a carrier with directions.
-pub(crate) fn contacts(model: &Model) -> Vec<Finding> {
+pub(crate) fn contacts(model: &IndexedModel<'_>) -> Vec<Finding> {
     let each = model.contacts.iter().enumerate();
     each.flat_map(|(i, contact)| rules_of_contact(model, &format!("contacts[{i}]"), contact)).collect()
 }
 
-fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {
+fn rules_of_contact(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, name) in contact.bodies.iter().enumerate() {
         let key = format!("{path}.bodies[{i}]");
-        let Some((_, body)) = named(model, name) else {
+        let Some((_, body)) = model.named(name) else {
             findings.push(unknown_body(model, key, name));
             continue;
         };
@@ -52,7 +52,7 @@ fn rules_of_contact(model: &Model, path: &str, contact: &Contact) -> Vec<Finding
 }
 
 /// Checks that some body can touch the partner.
-fn rule_of_partners(model: &Model, path: &str, contact: &Contact) -> Option<Finding> {
+fn rule_of_partners(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> Option<Finding> {
     if !contact.bodies.is_empty() || !contact.bodies(model).is_empty() {
         return None;
     }
@@ -66,7 +66,7 @@ fn rule_of_partners(model: &Model, path: &str, contact: &Contact) -> Option<Find
 }
 
 /// Rejects boxes in contact with convex obstacles, which touch faces and edges between the corners.
-fn rules_of_boxes(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {
+fn rules_of_boxes(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> Vec<Finding> {
     let is_convex = match contact.with.obstacle().map(ObstacleKind::shape) {
         Some(ObstacleShape::Sphere { inside, .. } | ObstacleShape::Cylinder { inside, .. }) => !inside,
         _ => false,
@@ -82,7 +82,7 @@ fn rules_of_boxes(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> 
 }
 
 /// Checks that surfaces state one shape of positive size, and that those of point masses are balls.
-pub(crate) fn surfaces(model: &Model) -> Vec<Finding> {
+pub(crate) fn surfaces(model: &IndexedModel<'_>) -> Vec<Finding> {
     let rule = |(path, body): (String, &Body)| {
         let surface = body.surface()?;
         let key = format!("{path}.surface");
@@ -105,7 +105,7 @@ pub(crate) fn surfaces(model: &Model) -> Vec<Finding> {
     bodies_of(model).filter_map(rule).collect()
 }
 
-fn rules_of_carrier(model: &Model, path: &str, contact: &Contact) -> Vec<Finding> {
+fn rules_of_carrier(model: &IndexedModel<'_>, path: &str, contact: &Contact) -> Vec<Finding> {
     let Some(place) = contact.with.on() else { return Vec::new() };
     let mut findings: Vec<_> = rule_of_place(model, format!("{path}.with.on"), place).into_iter().collect();
     let without = match body(model, place) {

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::errors::{Finding, ModelError, finding, listed, nearest, number, quoted};
 use crate::joints::End;
-use crate::model::{At, Body, Model, NamedPosition, ON_AXIS, Place, bodies_of, joints_of, loads_of};
+use crate::model::{At, Body, IndexedModel, NamedPosition, ON_AXIS, Place, bodies_of, joints_of, loads_of};
 use crate::schema::did_you_mean;
 
 /// Largest distance of the ends of a joint, relative to the longer body.
@@ -31,7 +31,7 @@ pub(crate) fn unknown(path: String, noun: &str, name: &str, names: Vec<&str>) ->
 }
 
 /// Places of joints, loads and probes with their paths.
-pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)> {
+pub(crate) fn places_of<'m>(model: &'m IndexedModel<'_>) -> impl Iterator<Item = (String, &'m Place)> {
     let loads = loads_of(model).filter_map(|(path, load)| Some((format!("{path}.on"), load.on()?)));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}].on"), &probe.on));
     let ends = joints_of(model).flat_map(|(path, joint)| {
@@ -42,7 +42,7 @@ pub(crate) fn places_of(model: &Model) -> impl Iterator<Item = (String, &Place)>
     ends.chain(loads).chain(probes)
 }
 
-pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Option<Finding> {
+pub(crate) fn rule_of_place(model: &IndexedModel<'_>, path: String, place: &Place) -> Option<Finding> {
     let Some((owner, body)) = body(model, place) else {
         return Some(unknown_body(model, format!("{path}.body"), &place.body));
     };
@@ -83,17 +83,12 @@ pub(crate) fn rule_of_place(model: &Model, path: String, place: &Place) -> Optio
 }
 
 /// Body of a place, with its path.
-pub(crate) fn body<'m>(model: &'m Model, place: &Place) -> Option<(String, &'m Body)> {
-    named(model, &place.body)
-}
-
-/// First body of a name, with its path. Another check requires unique names.
-pub(crate) fn named<'m>(model: &'m Model, name: &str) -> Option<(String, &'m Body)> {
-    bodies_of(model).find(|(_, body)| body.name() == name)
+pub(crate) fn body<'m>(model: &IndexedModel<'m>, place: &Place) -> Option<(String, &'m Body)> {
+    model.named(&place.body)
 }
 
 /// Finding for an unknown body.
-pub(crate) fn unknown_body(model: &Model, path: String, name: &str) -> Finding {
+pub(crate) fn unknown_body(model: &IndexedModel<'_>, path: String, name: &str) -> Finding {
     let names = model.bodies.iter().map(Body::name).collect();
     unknown(path, "body", name, names).rests_on(bodies_of(model).map(|(path, _)| format!("{path}.name")))
 }

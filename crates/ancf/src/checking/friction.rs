@@ -1,10 +1,10 @@
 //! Rejects friction in equilibria, whose friction forces depend on the motion that led to them.
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{About, Analysis, Model, joints_of};
+use crate::model::{About, Analysis, IndexedModel, joints_of};
 
 /// Checks that contacts and joints have friction in analyses with a motion only.
-pub(crate) fn friction(model: &Model) -> Vec<Finding> {
+pub(crate) fn friction(model: &IndexedModel<'_>) -> Vec<Finding> {
     let analysis = match &model.analysis {
         Analysis::Statics(_) => "statics",
         Analysis::Path(_) => "an equilibrium path",

@@ -7,10 +7,10 @@ use super::findings::{COINCIDENT, body, is_direction, no_direction, unknown};
 use super::time_functions::is_dynamic;
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{Coupled, End, Joint, JointActions, JointCoordinate};
-use crate::model::{Model, TimeFunction, Varying, joints_of};
+use crate::model::{IndexedModel, TimeFunction, Varying, joints_of};
 
 /// Checks that axes are directions.
-pub(crate) fn axes(model: &Model) -> Vec<Finding> {
+pub(crate) fn axes(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
         let wrong = joint.kind().axes().into_iter().filter(|(_, axis)| !is_direction(*axis));
@@ -20,12 +20,12 @@ pub(crate) fn axes(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks of the kinds of joints.
-pub(crate) fn kinds(model: &Model) -> Vec<Finding> {
+pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
     joints_of(model).flat_map(|(path, joint)| joint.kind().check(&path, model)).collect()
 }
 
 /// Checks that joints between two points have distinct points, and that other joints have no ground point unless they accept one.
-pub(crate) fn spans(model: &Model) -> Vec<Finding> {
+pub(crate) fn spans(model: &IndexedModel<'_>) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, b) = joint.ends();
         let key = format!("{path}.b");
@@ -58,7 +58,7 @@ pub(crate) fn spans(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks that drives state one amplitude, start at the undeformed state and are continuous, and that rates can be integrated.
-pub(crate) fn drives(model: &Model) -> Vec<Finding> {
+pub(crate) fn drives(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
         let (angle, displacement) = (joint.kind().angle_actions(), joint.kind().displacement_actions());
@@ -70,7 +70,7 @@ pub(crate) fn drives(model: &Model) -> Vec<Finding> {
 }
 
 fn rule_of_drive(
-    model: &Model,
+    model: &IndexedModel<'_>,
     path: &str,
     actions: &JointActions<'_>,
     [own, rate]: [&str; 2],
@@ -106,12 +106,12 @@ fn rule_of_drive(
 }
 
 /// Reference magnitude for the tolerance of an angle or a displacement.
-fn scale(model: &Model, own: &str) -> f64 {
+fn scale(model: &IndexedModel<'_>, own: &str) -> f64 {
     if own == "angle" { 1.0 } else { model.length() }
 }
 
 /// Checks that couplings name free coordinates of joints, each once, with nonzero factors.
-pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
+pub(crate) fn couplings(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, coupling) in model.couplings.iter().enumerate() {
         let (count, most) = (coupling.joints.len(), LOCAL - 1);
@@ -128,9 +128,9 @@ pub(crate) fn couplings(model: &Model) -> Vec<Finding> {
     findings
 }
 
-fn rule_of_part(model: &Model, path: &str, part: &Coupled, before: &[Coupled]) -> Option<Finding> {
+fn rule_of_part(model: &IndexedModel<'_>, path: &str, part: &Coupled, before: &[Coupled]) -> Option<Finding> {
     let key = format!("{path}.joint");
-    let Some(joint) = model.joints.iter().find(|joint| joint.name() == part.joint) else {
+    let Some(joint) = model.joint_number(&part.joint).map(|joint| &model.joints[joint]) else {
         let names = model.joints.iter().map(Joint::name).collect();
         return Some(unknown(key, "joint", &part.joint, names).rests_on(["joints".into()]));
     };

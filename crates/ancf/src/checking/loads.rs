@@ -1,14 +1,14 @@
 //! Checks of loads beyond the schema, except those of functions of time.
 
-use super::findings::{named, unknown_body};
+use super::findings::unknown_body;
 use crate::errors::{Finding, finding, quoted};
-use crate::model::{Load, Model, loads_of};
+use crate::model::{IndexedModel, Load, loads_of};
 
 /// Checks that named bodies exist, and the checks of the kinds of loads.
-pub(crate) fn kinds(model: &Model) -> Vec<Finding> {
+pub(crate) fn kinds(model: &IndexedModel<'_>) -> Vec<Finding> {
     let findings = |(path, load): (String, &Load)| {
         let bodies = load.kind().bodies();
-        let unknown = bodies.into_iter().filter(|(_, name)| named(model, name).is_none());
+        let unknown = bodies.into_iter().filter(|(_, name)| model.named(name).is_none());
         let mut findings: Vec<Finding> =
             unknown.map(|(key, name)| unknown_body(model, format!("{path}.{key}"), name)).collect();
         findings.extend(load.kind().check(&path, model));
@@ -18,7 +18,7 @@ pub(crate) fn kinds(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks that each body is in at most one fluid, once.
-pub(crate) fn fluids(model: &Model) -> Vec<Finding> {
+pub(crate) fn fluids(model: &IndexedModel<'_>) -> Vec<Finding> {
     let (mut findings, mut wet) = (Vec::new(), Vec::new());
     for (path, load) in loads_of(model) {
         let Load::Fluid(fluid) = load else { continue };
@@ -35,7 +35,7 @@ pub(crate) fn fluids(model: &Model) -> Vec<Finding> {
 }
 
 /// Rejects a fluid together with an accelerating base: the current relative to the base is undefined.
-pub(crate) fn bases(model: &Model) -> Vec<Finding> {
+pub(crate) fn bases(model: &IndexedModel<'_>) -> Vec<Finding> {
     let wet = loads_of(model).any(|(_, load)| matches!(load, Load::Fluid(_)));
     let base = |(path, load): (String, &Load)| {
         (wet && matches!(load, Load::BaseAcceleration(_))).then(|| {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Analysis, Body, Model};
+use crate::model::{Analysis, Body, IndexedModel};
 
 /// Upper limit on the number of elements. Larger values are assumed to be typing errors.
 pub(super) const MAX_ELEMENTS: u64 = 10_000_000;
@@ -29,7 +29,7 @@ struct Part {
 }
 
 /// Checks that the model fits into the available memory.
-pub(super) fn memory(model: &Model, available: Option<f64>) -> Option<Finding> {
+pub(super) fn memory(model: &IndexedModel<'_>, available: Option<f64>) -> Option<Finding> {
     let parts = parts(model);
     let total: f64 = parts.iter().map(|part| part.bytes).sum();
     let available = available.filter(|&available| total > SMALL && total > available)?;
@@ -41,7 +41,7 @@ pub(super) fn memory(model: &Model, available: Option<f64>) -> Option<Finding> {
 }
 
 /// Memory of the parts of a model.
-fn parts(model: &Model) -> Vec<Part> {
+fn parts(model: &IndexedModel<'_>) -> Vec<Part> {
     let flexible = model.bodies.iter().filter(|body| body.is_flexible());
     let elements: f64 = flexible.map(|body| f64::from(body.elements())).sum();
     let rigid = model.bodies.iter().filter(|body| !body.is_flexible()).count() as f64;
@@ -65,7 +65,7 @@ fn parts(model: &Model) -> Vec<Part> {
 }
 
 /// Number of contact points of a contact.
-fn contact_points(model: &Model, number: usize) -> f64 {
+fn contact_points(model: &IndexedModel<'_>, number: usize) -> f64 {
     let contact = &model.contacts[number];
     let points = |body: &Body| {
         let radius = contact.radius(model, body)?;
@@ -118,6 +118,7 @@ fn from_meminfo(text: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Model;
 
     #[test]
     fn available_memory_is_that_of_the_system() {
@@ -147,6 +148,7 @@ mod tests {
         ] {
             let data: toml::Value = toml::Value::Table(text(elements, points, count).parse().unwrap());
             let model: Model = data.try_into().unwrap();
+            let model = IndexedModel::new(&model);
             let found = memory(&model, Some(0.3e9)).expect("the model does not fit");
             assert_eq!(found.error.path, path);
             assert!(found.error.found.starts_with(what), "{}", found.error.found);
@@ -154,6 +156,7 @@ mod tests {
             assert!(memory(&model, Some(20e9)).is_none() && memory(&model, None).is_none());
         }
         let data: toml::Value = toml::Value::Table(text(100, 5, 3).parse().unwrap());
-        assert!(memory(&data.try_into().unwrap(), Some(1e6)).is_none());
+        let small: Model = data.try_into().unwrap();
+        assert!(memory(&IndexedModel::new(&small), Some(1e6)).is_none());
     }
 }

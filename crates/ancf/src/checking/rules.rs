@@ -13,12 +13,13 @@ use super::memory::{MAX_ELEMENTS, memory_of};
 use super::scheme::{scheme, time};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{Model, ON_AXIS, Place, bodies_of, joints_of};
+use crate::model::{IndexedModel, Model, ON_AXIS, Place, bodies_of, joints_of};
 use crate::schema::join;
 use crate::units::ScaleChoice;
 
 /// Findings of all checks.
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
+    let model = &IndexedModel::new(model);
     let rules =
         [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
     let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
@@ -42,12 +43,12 @@ pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks that bodies have unique names.
-fn names(model: &Model) -> Vec<Finding> {
+fn names(model: &IndexedModel<'_>) -> Vec<Finding> {
     rule_of_names(bodies_of(model).map(|(path, body)| (path, body.name())).collect())
 }
 
 /// Checks that joints, probes and couplings, which name columns of results, have unique names.
-fn columns(model: &Model) -> Vec<Finding> {
+fn columns(model: &IndexedModel<'_>) -> Vec<Finding> {
     let joints = joints_of(model).map(|(path, joint)| (path, joint.name()));
     let probes = model.probes.iter().enumerate().map(|(i, probe)| (format!("probes[{i}]"), &*probe.name));
     let couplings = model.couplings.iter().enumerate();
@@ -82,13 +83,13 @@ fn rule_of_names(names: Vec<(String, &str)>) -> Vec<Finding> {
 }
 
 /// Checks of the kinds of sections.
-fn sections(model: &Model) -> Vec<Finding> {
+fn sections(model: &IndexedModel<'_>) -> Vec<Finding> {
     let sections = model.sections.iter();
     sections.flat_map(|(name, section)| section.shape().check(&join("sections", name))).collect()
 }
 
 /// Checks the number of elements and the memory of the model.
-fn size(model: &Model) -> Vec<Finding> {
+fn size(model: &IndexedModel<'_>) -> Vec<Finding> {
     let total: u64 = bodies_of(model).map(|(_, body)| u64::from(body.elements())).sum();
     let largest = bodies_of(model).max_by_key(|(_, body)| body.elements()).filter(|_| total > MAX_ELEMENTS);
     let error = largest.map(|(path, _)| {
@@ -104,12 +105,12 @@ fn size(model: &Model) -> Vec<Finding> {
 }
 
 /// Checks that places are on existing bodies.
-fn places(model: &Model) -> Vec<Finding> {
+fn places(model: &IndexedModel<'_>) -> Vec<Finding> {
     places_of(model).filter_map(|(path, place)| rule_of_place(model, path, place)).collect()
 }
 
 /// Checks that joints connect places that coincide in the undeformed state.
-fn joints(model: &Model) -> Vec<Finding> {
+fn joints(model: &IndexedModel<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, joint) in joints_of(model) {
         if let ((a, End::Place(b)), false) = (joint.ends(), joint.kind().spans()) {
@@ -119,7 +120,12 @@ fn joints(model: &Model) -> Vec<Finding> {
     findings
 }
 
-fn rule_of_joint(model: &Model, path: &str, joint: &Joint, [a, b]: [&Place; 2]) -> Option<Finding> {
+fn rule_of_joint(
+    model: &IndexedModel<'_>,
+    path: &str,
+    joint: &Joint,
+    [a, b]: [&Place; 2],
+) -> Option<Finding> {
     let ((path_a, body_a), (path_b, body_b)) = (body(model, a)?, body(model, b)?);
     let (r_a, r_b) = (model.point(a)?, model.point(b)?);
     let length = body_a.length().max(body_b.length());
@@ -152,7 +158,7 @@ fn ends(path: &str, body_a: &str, body_b: &str) -> Vec<String> {
 }
 
 /// Checks that the scales of the paper are used for a model like that of the paper.
-fn scales(model: &Model) -> Vec<Finding> {
+fn scales(model: &IndexedModel<'_>) -> Vec<Finding> {
     let path = || "scales.kind".to_owned();
     let hint = "\"auto\" and \"given\" suit any model";
     let mut findings = Vec::new();

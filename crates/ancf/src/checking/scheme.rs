@@ -1,13 +1,13 @@
 //! Checks of the time step and of the integration scheme.
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Dynamics, Model, Scheme, Step};
+use crate::model::{Dynamics, IndexedModel, Scheme, Step};
 
 /// Upper limit on the number of steps. Larger values are assumed to be typing errors.
 const MAX_STEPS: f64 = 1e9;
 
 /// Checks that an analysis has at least one step and at most the limit.
-pub(crate) fn time(model: &Model) -> Vec<Finding> {
+pub(crate) fn time(model: &IndexedModel<'_>) -> Vec<Finding> {
     let Some(Dynamics { duration, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let sizes = match *step {
         Step::Fixed(step) => [("analysis.step", Some(step)), ("analysis.step.largest", None)],
@@ -33,7 +33,7 @@ fn rule_of_time(path: &str, size: f64, duration: f64) -> Option<Finding> {
 }
 
 /// Checks that the scheme is implicit and stable with the joints of the model, and of second order for error-controlled steps.
-pub(crate) fn scheme(model: &Model) -> Vec<Finding> {
+pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
     let Some(Dynamics { scheme, step, .. }) = model.analysis.dynamics() else { return Vec::new() };
     let numbers = scheme.numbers();
     let (path, key) = path_and_found(*scheme);

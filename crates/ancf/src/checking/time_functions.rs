@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 use super::findings::{COINCIDENT, body};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
-use crate::model::{Analysis, Model, TimeFunction, Varying, joints_of};
+use crate::model::{Analysis, IndexedModel, TimeFunction, Varying, joints_of};
 
 /// Checks that functions of time are defined: tables in ascending order, intervals not empty, valid formulas.
-pub(crate) fn functions(model: &Model) -> Vec<Finding> {
+pub(crate) fn functions(model: &IndexedModel<'_>) -> Vec<Finding> {
     model.time_functions().into_iter().filter_map(|(path, time)| rule_of_function(&path, time)).collect()
 }
 
@@ -62,12 +62,12 @@ fn rule_of_formula(path: String, text: &str, time: &TimeFunction) -> Option<Find
     }
 }
 
-pub(crate) fn is_dynamic(model: &Model) -> bool {
+pub(crate) fn is_dynamic(model: &IndexedModel<'_>) -> bool {
     matches!(model.analysis, Analysis::Dynamics(_))
 }
 
 /// Checks that joints to ground points start there in dynamics.
-pub(crate) fn ground_points(model: &Model) -> Vec<Finding> {
+pub(crate) fn ground_points(model: &IndexedModel<'_>) -> Vec<Finding> {
     let rule = |(path, joint): (String, &Joint)| {
         let (a, End::Point(b)) = joint.ends() else { return None };
         if joint.kind().spans() {

@@ -1,4 +1,4 @@
-use super::mechanism::number;
+use super::free_motion::number;
 use crate::model::{Beam, Body, MaterialLaw, Model};
 
 /// Smallest relative error of a stiffness or deflection that is reported.

@@ -1,50 +1,19 @@
 use std::collections::BTreeMap;
-use std::fmt;
 
 use ancf_mechanics::kinematics::NodalVector;
 use ancf_solver::equations::{EquationsOfMotion, State, Term, Weights, constraint_rows};
 use ancf_solver::factor::{NullSpace, SparseVector};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
+use super::free_motion::{FreeMotion, RigidMotion};
 use crate::assembly::Assembly;
-
-/// Motion of one body, as a rigid body, in a free motion. Lengths in the units of the assembly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum RigidMotion {
-    /// Translation.
-    Translation {
-        /// Direction, a unit vector.
-        along: [f64; 3],
-    },
-    /// Rotation about an axis.
-    Rotation {
-        /// Point of the axis.
-        through: [f64; 3],
-        /// Direction of the axis, a unit vector.
-        along: [f64; 3],
-    },
-    /// Rotation about an axis and translation along it.
-    Screw {
-        /// Point of the axis.
-        through: [f64; 3],
-        /// Direction of the axis, a unit vector.
-        along: [f64; 3],
-        /// Displacement per angle.
-        pitch: f64,
-    },
-}
-
-/// Motion of rigid bodies without constraint and without stiffness.
-///
-/// Text: "body `a` can rotate about the axis through (0, 0, 0) along z; with it body `b` translates along y".
-#[derive(Clone, Debug, PartialEq)]
-pub struct FreeMotion {
-    /// Names and motions of all bodies involved, the leading body first.
-    pub moves: Vec<(String, RigidMotion)>,
-}
 
 /// Rank tolerance, relative to the sum of magnitudes.
 const RANK_TOLERANCE: f64 = 1e-9;
+/// Largest number of coefficients of free motions that are determined: those of a chain of some 1000 rigid bodies.
+///
+/// Each joint of an open chain moves all bodies after it, so that the coefficients grow with the square of the bodies.
+const MAX_COEFFICIENTS: usize = 1_000_000;
 /// Tolerance of zero stiffness, in rounding errors.
 const STIFFNESS_TOLERANCE: f64 = 8.0;
 
@@ -53,14 +22,16 @@ impl Assembly {
     ///
     /// x = Σ (translation + ω × arm) over the bodies, with Φ_q x = 0, and xᵀ K x = 0 within rounding. Motions that change no
     /// coordinate, such as the spin of a straight cable, are excluded. A pendulum under load has geometric stiffness and no free
-    /// motion; in the reference state with λ = 0 it has one.
-    pub fn free_motions(&self, s: &State) -> Vec<FreeMotion> {
+    /// motion; in the reference state with λ = 0 it has one. Returns `None` if the motions have too many coefficients to be
+    /// determined in seconds.
+    pub fn free_motions(&self, s: &State) -> Option<Vec<FreeMotion>> {
         let rigid = RigidModel::new(self, s);
         let unknowns = 6 * rigid.bodies.len() + rigid.joint_coordinates.len();
-        let motions: Vec<(usize, SparseVector)> = rigid.kernel(self, s).basis(unknowns).into_iter().collect();
+        let motions: Vec<(usize, SparseVector)> =
+            rigid.kernel(self, s)?.basis(unknowns).into_iter().collect();
         let free = self.without_stiffness(s, &rigid, &motions);
         let moves = free.iter().filter(|(leader, motion)| rigid.moves_bodies(*leader, motion));
-        moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect()
+        Some(moves.map(|(leader, motion)| rigid.describe(self, leader / 6, motion)).collect())
     }
 
     /// Combinations of motions without stiffness forces.
@@ -167,8 +138,8 @@ impl RigidModel {
         Self { bodies, joint_coordinates, owner }
     }
 
-    /// Kernel of all constraints and of rotations without effect.
-    fn kernel(&self, assembly: &Assembly, s: &State) -> NullSpace {
+    /// Kernel of all constraints and of rotations without effect; `None` if it has too many coefficients.
+    fn kernel(&self, assembly: &Assembly, s: &State) -> Option<NullSpace> {
         let mut kernel = NullSpace::default();
         let translation = |unknown: usize| unknown >= 6 * self.bodies.len() || unknown % 6 < 3;
         for (b, body) in self.bodies.iter().enumerate() {
@@ -181,8 +152,11 @@ impl RigidModel {
             for row in self.rows(term.as_ref(), s) {
                 kernel.add_row(row, RANK_TOLERANCE, translation);
             }
+            if kernel.entries() > MAX_COEFFICIENTS {
+                return None;
+            }
         }
-        kernel
+        Some(kernel)
     }
 
     /// Rows Φ_q of one term for rigid motions, relative to the sum of magnitudes.
@@ -326,64 +300,4 @@ impl RigidBodyModel {
             RigidMotion::Rotation { through, along }
         }
     }
-}
-
-impl FreeMotion {
-    /// Converts lengths into other units by a factor.
-    pub fn scaled(mut self, length: f64) -> Self {
-        for (_, motion) in &mut self.moves {
-            match motion {
-                RigidMotion::Translation { .. } => {}
-                RigidMotion::Rotation { through, .. } => *through = through.map(|x| x * length),
-                RigidMotion::Screw { through, pitch, .. } => {
-                    (*through, *pitch) = (through.map(|x| x * length), *pitch * length);
-                }
-            }
-        }
-        self
-    }
-}
-
-impl fmt::Display for FreeMotion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (k, (name, motion)) in self.moves.iter().enumerate() {
-            match k {
-                0 => write!(f, "body `{name}` can {}", words(motion, ""))?,
-                1 => write!(f, "; with it body `{name}` {}", words(motion, "s"))?,
-                _ => write!(f, ", body `{name}` {}", words(motion, "s"))?,
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Predicate of a sentence; `s` is the ending of the verb.
-fn words(motion: &RigidMotion, s: &str) -> String {
-    match motion {
-        RigidMotion::Translation { along } => format!("translate{s} along {}", direction(along)),
-        RigidMotion::Rotation { through, along } => {
-            format!("rotate{s} about the axis through {} along {}", triple(through), direction(along))
-        }
-        RigidMotion::Screw { through, along, pitch } => {
-            let (point, along, pitch) = (triple(through), direction(along), number(*pitch));
-            format!(
-                "rotate{s} about the axis through {point} along {along} and move{s} {pitch} along it per radian"
-            )
-        }
-    }
-}
-
-/// Name of a global axis, or the components.
-fn direction(along: &[f64; 3]) -> String {
-    let axis = (0..3).find(|&k| (0..3).all(|j| along[j] == if j == k { 1.0 } else { 0.0 }));
-    axis.map_or_else(|| triple(along), |axis| ["x", "y", "z"][axis].to_owned())
-}
-
-fn triple(x: &[f64; 3]) -> String {
-    format!("({}, {}, {})", number(x[0]), number(x[1]), number(x[2]))
-}
-
-/// Number with at most four digits.
-pub(crate) fn number(x: f64) -> String {
-    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }

@@ -1,9 +1,11 @@
 //! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking.
 
+mod free_motion;
 mod locking;
 mod mechanism;
 mod summary;
 
+pub(crate) use free_motion::MAX_LISTED;
+pub use free_motion::{FreeMotion, RigidMotion};
 pub(crate) use locking::locking_warnings;
-pub use mechanism::{FreeMotion, RigidMotion};
 pub use summary::Diagnosis;

@@ -5,12 +5,12 @@ use ancf_solver::dynamics::consistent_velocities;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::Serialize;
 
+use super::free_motion::{FreeMotion, MAX_LISTED, number};
 use super::locking::locking_warnings;
-use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::{End, Joint};
-use crate::model::{Body, Model};
+use crate::model::{Body, IndexedModel, Model};
 
 /// Contents of a model, constraints of its joints, and free motions. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -32,8 +32,9 @@ pub struct Diagnosis {
     /// Mobility by the criterion of Grübler and Kutzbach: 6 per body, as a rigid body, and 3 per point mass, minus the degrees of
     /// freedom that joints remove.
     pub gruebler: isize,
-    /// Descriptions of the free motions of rigid bodies. Their number is the mobility by rank.
-    pub motions: Vec<String>,
+    /// Descriptions of the free motions of rigid bodies. Their number is the mobility by rank. `None` in models too large to
+    /// determine them.
+    pub motions: Option<Vec<String>>,
     /// Bodies without joints.
     pub unconnected: Vec<String>,
     /// Bodies with joints, but without a chain of joints to the ground.
@@ -66,6 +67,7 @@ impl Model {
         let system = &assembly.system;
         let load = if dynamic { 1.0 } else { 0.0 };
         let motions = assembly.free_motions(&State { load, ..assembly.rest() });
+        let text = |motion: FreeMotion| motion.scaled(scales.length).to_string();
         let all_redundant = assembly.rank_deficiency();
         let (unconnected, unreached) = self.bodies_without_ground();
         let lengths = |of: &[(String, f64)]| {
@@ -81,7 +83,7 @@ impl Model {
             redundant: assembly.redundant().to_vec(),
             freedoms: (system.coordinates() + all_redundant).saturating_sub(system.multipliers()),
             gruebler: self.gruebler(),
-            motions: motions.into_iter().map(|motion| motion.scaled(scales.length).to_string()).collect(),
+            motions: motions.map(|motions| motions.into_iter().map(text).collect()),
             unconnected,
             unreached,
             gaps: closed.map(|closed| lengths(&closed.gaps)).unwrap_or_default(),
@@ -106,7 +108,8 @@ impl Model {
 
     /// Bodies without joints, and bodies with joints that do not connect them to the ground.
     fn bodies_without_ground(&self) -> (Vec<String>, Vec<String>) {
-        let index = |name: &str| self.bodies.iter().position(|body| body.name() == name);
+        let indexed = IndexedModel::new(self);
+        let index = |name: &str| indexed.body_number(name);
         let ground = self.bodies.len();
         let mut neighbours = vec![Vec::new(); ground + 1];
         for joint in &self.joints {
@@ -222,10 +225,21 @@ impl fmt::Display for Diagnosis {
             "equations: {coordinates} coordinates, {equations} constraints, {redundant} of them redundant"
         )?;
         writeln!(f, "mobility:  {gruebler} by Grübler's formula, rigid bodies")?;
-        writeln!(f, "           {} by rank, rigid bodies", self.motions.len())?;
+        match &self.motions {
+            Some(motions) => writeln!(f, "           {} by rank, rigid bodies", motions.len())?,
+            None => writeln!(f, "           not determined by rank, rigid bodies: too many free motions")?,
+        }
         writeln!(f, "           {freedoms} by rank, deformable bodies")?;
-        for motion in &self.motions {
+        let motions = self.motions.as_deref().unwrap_or_default();
+        for motion in motions.iter().take(MAX_LISTED) {
             writeln!(f, "free:      {motion}")?;
+        }
+        if motions.len() > MAX_LISTED {
+            writeln!(
+                f,
+                "           and {} more free motions, in `ancf check --json`",
+                motions.len() - MAX_LISTED
+            )?;
         }
         if !self.unconnected.is_empty() {
             writeln!(f, "no joints: {}", quoted(&self.unconnected))?;

@@ -30,13 +30,10 @@ pub(crate) fn directions(count: usize) -> String {
     if count == 1 { "1 direction".to_owned() } else { format!("{count} directions") }
 }
 
-/// Upper limit on the number of bodies. The search for free motions of larger models takes too long.
-const MAX_BODIES: usize = 300;
-
 /// True if joints and stiffness support all bodies in the reference state. Mechanisms also have unstable positions without
 /// buckling.
 pub(crate) fn is_supported(assembly: &Assembly) -> bool {
-    assembly.bodies().count() <= MAX_BODIES && assembly.free_motions(&unloaded(assembly)).is_empty()
+    assembly.free_motions(&unloaded(assembly)).is_some_and(|motions| motions.is_empty())
 }
 
 /// Instability of a state under its loads and inertia forces. The model must be [supported](is_supported).

@@ -4,6 +4,7 @@ mod analyses;
 mod bodies;
 mod contacts;
 mod functions;
+mod indexed;
 mod queries;
 mod sections;
 
@@ -41,6 +42,7 @@ pub use crate::loads::{
 pub use crate::units::{ScaleChoice, Units};
 pub(crate) use bodies::ON_AXIS;
 pub(crate) use functions::TimeMode;
+pub(crate) use indexed::IndexedModel;
 pub(crate) use queries::{beams_of, bodies_of, joints_of, loads_of};
 pub(crate) use sections::disk_area;
 

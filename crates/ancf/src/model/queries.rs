@@ -1,12 +1,11 @@
 //! Queries on a model: derived quantities, and components with the paths of their keys.
 
 use ancf_mechanics::contact::ObstacleShape;
-use nalgebra::Vector3;
 
-use crate::joints::{Coupled, Joint, JointContext, JointCoordinate};
-use crate::loads::{Load, LoadContext};
+use crate::joints::Joint;
+use crate::loads::Load;
 use crate::model::Model;
-use crate::model::bodies::{Beam, Body, Place, PointMass, Rigid};
+use crate::model::bodies::{Beam, Body, PointMass, Rigid};
 use crate::model::contacts::{Contact, ObstacleKind};
 use crate::model::functions::{TimeFunction, TimeMode, Varying};
 use crate::model::sections::Section;
@@ -36,32 +35,6 @@ impl Model {
         self.materials[material].density * mean * body.length()
     }
 
-    /// Reference length: length of the longest flexible body.
-    ///
-    /// Without flexible bodies, the largest distance of rigid bodies and joints or radius of gyration.
-    pub fn length(&self) -> f64 {
-        let longest = self.bodies.iter().map(Body::length).fold(0.0, f64::max);
-        if longest > 0.0 {
-            return longest;
-        }
-        let centres = self.bodies.iter().map(|body| Vector3::from(body.span()[0]));
-        let joints = self.joints.iter().filter_map(|joint| self.point(joint.ends().0));
-        let points: Vec<Vector3<f64>> = centres.chain(joints).collect();
-        let gyration = self.bodies.iter().filter_map(|body| match body {
-            Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
-            _ => None,
-        });
-        let extent =
-            points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
-        if extent > 0.0 { extent } else { 1.0 }
-    }
-
-    /// Point of a place in the reference state; `None` if the place does not exist.
-    pub(crate) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
-        let body = self.bodies.iter().find(|body| body.name() == place.body)?;
-        Some(body.point(place.at)? + Vector3::from(place.offset))
-    }
-
     /// Mass per length ρA and smaller bending stiffness E I of a flexible body.
     pub(crate) fn line_properties(&self, body: &Body) -> (f64, f64) {
         let Some((section, material)) = body.section_and_material() else { return (0.0, 0.0) };
@@ -76,20 +49,6 @@ impl Model {
             Body::Beam(Beam { section_end: Some(end), .. }) => start.towards(&self.sections[end], part),
             _ => Some(start.clone()),
         }
-    }
-
-    /// Number of the joint and free coordinate in a part of a coupling; `None` if they do not exist.
-    pub(crate) fn coupled_coordinate(&self, part: &Coupled) -> Option<(usize, JointCoordinate)> {
-        let joint = self.joints.iter().position(|joint| joint.name() == part.joint)?;
-        let free = self.joints[joint].kind().free_coordinates();
-        let coordinate = part.of.or_else(|| free.first().copied())?;
-        free.contains(&coordinate).then_some((joint, coordinate))
-    }
-
-    /// True if a coupling contains a free coordinate of a joint.
-    pub(crate) fn is_coupled(&self, joint: usize, coordinate: JointCoordinate) -> bool {
-        let mut parts = self.couplings.iter().flat_map(|coupling| &coupling.joints);
-        parts.any(|part| self.coupled_coordinate(part) == Some((joint, coordinate)))
     }
 
     /// Treatment of functions of time in the analysis of the model.
@@ -121,46 +80,6 @@ impl Model {
     pub(crate) fn time_functions_mut(&mut self) -> impl Iterator<Item = &mut TimeFunction> {
         let of_loads = self.loads.iter_mut().filter_map(|load| load.kind_mut().time_mut());
         of_loads.chain(self.joints.iter_mut().flat_map(|joint| joint.kind_mut().times_mut()))
-    }
-}
-
-impl JointContext for Model {
-    fn body(&self, place: &Place) -> Option<&Body> {
-        self.bodies.iter().find(|body| body.name() == place.body)
-    }
-
-    fn point(&self, place: &Place) -> Option<Vector3<f64>> {
-        Self::point(self, place)
-    }
-
-    fn length(&self) -> f64 {
-        Self::length(self)
-    }
-
-    fn is_dynamic(&self) -> bool {
-        self.analysis.dynamics().is_some()
-    }
-}
-
-impl LoadContext for Model {
-    fn body(&self, name: &str) -> Option<(String, &Body)> {
-        bodies_of(self).find(|(_, body)| body.name() == name)
-    }
-
-    fn section(&self, name: &str) -> Option<&Section> {
-        self.sections.get(name)
-    }
-
-    fn section_at(&self, body: &Body, fraction: f64) -> Option<Section> {
-        Self::section_at(self, body, fraction)
-    }
-
-    fn gravity(&self) -> [f64; 3] {
-        self.gravity
-    }
-
-    fn length(&self) -> f64 {
-        Self::length(self)
     }
 }
 

@@ -6,7 +6,7 @@ use toml::Value;
 use crate::assembly::{Assembly, contradictions};
 use crate::checking::{broken_rules, with_memory};
 use crate::errors::{Finding, ModelError, ModelErrors, quoted};
-use crate::model::{ExternalLoad, Load, Model, TimeFunction, TimeMode, Varying, loads_of};
+use crate::model::{ExternalLoad, IndexedModel, Load, Model, TimeFunction, TimeMode, Varying, loads_of};
 use crate::schema::{SCHEMA, SchemaCheck};
 
 impl Model {
@@ -87,7 +87,7 @@ impl Model {
     fn valid_assembly(&self, time_mode: TimeMode) -> Result<Assembly, ModelErrors> {
         self.check()?;
         self.check_supplies()?;
-        self.assembled(time_mode)
+        IndexedModel::new(self).assembled(time_mode)
     }
 }
 

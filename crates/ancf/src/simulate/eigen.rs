@@ -157,7 +157,7 @@ impl AnalysisRun<'_> {
 
     /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
     fn held_but_zero(&self, s: &State, zeros: usize) -> Option<String> {
-        let free = self.assembly.free_motions(s).len();
+        let free = self.assembly.free_motions(s)?.len();
         (zeros > free).then(|| {
             format!(
                 "{zeros} frequencies are zero, but the rigid bodies and joints leave {free} motions free: \

@@ -6,6 +6,7 @@ use ancf_solver::newton::SolveError;
 use super::run::RunFailure;
 use super::summary::Outcome;
 use crate::assembly::Assembly;
+use crate::diagnosis::MAX_LISTED;
 use crate::failure::{self, FailureCause, FailurePlace};
 use crate::model::Model;
 use crate::units::Scales;
@@ -83,7 +84,12 @@ fn halvings(model: &Model, error: &SolveError) -> String {
 
 /// Description of the unsupported motions in a state; `None` if there are none.
 pub(crate) fn unsupported_motions(assembly: &Assembly, s: &State, scales: Scales) -> Option<String> {
-    let motions: Vec<String> =
-        assembly.free_motions(s).into_iter().map(|motion| motion.scaled(scales.length).to_string()).collect();
-    (!motions.is_empty()).then(|| motions.join("; "))
+    let motions = assembly.free_motions(s).unwrap_or_default();
+    let count = motions.len();
+    let mut texts: Vec<String> =
+        motions.into_iter().take(MAX_LISTED).map(|motion| motion.scaled(scales.length).to_string()).collect();
+    if count > MAX_LISTED {
+        texts.push(format!("and {} more", count - MAX_LISTED));
+    }
+    (count > 0).then(|| texts.join("; "))
 }

@@ -29,7 +29,7 @@ pub struct Coupled {
 }
 
 /// Free coordinate of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum JointCoordinate {
     /// Angle about the axis.

@@ -14,7 +14,7 @@ use crate::common::solutions::equilibrium;
 fn motion_names(model: &Model) -> Vec<String> {
     let assembly = model.assemble().unwrap();
     let rest = assembly.rest();
-    let free = assembly.free_motions(&rest);
+    let free = assembly.free_motions(&rest).unwrap();
     let modes = modes(&assembly.system, assembly.system.matrix(), &rest, 14, &Interrupt::default()).unwrap();
     assert_eq!(modes.rigid, free.len(), "{free:?}");
     free.iter().map(ToString::to_string).collect()
@@ -124,7 +124,7 @@ fn truss_rotates_about_its_diagonal() {
     let elbow = ball("elbow", second(NamedPosition::Start), End::Place(rod::end()));
     let truss = with_second(rod::spherical(2), [0.0, 2.0, 0.0], vec![elbow, top]);
     let assembly = truss.assemble().unwrap();
-    let motions = assembly.free_motions(&assembly.rest());
+    let motions = assembly.free_motions(&assembly.rest()).unwrap();
     assert_eq!(motions.len(), 3, "{motions:?}");
     assert!(motion_names(&truss).iter().all(|motion| motion.contains("rotate")));
     let diagonal = motions.iter().filter(|motion| motion.moves.len() == 2).count();
@@ -141,8 +141,8 @@ fn weight_restrains_a_hanging_pendulum() {
     let (_, loaded) = equilibrium(&hanging(rod::clamped(2, ClampedGradients::Section)), 1);
     let assembly = hanging(rod::revolute(2)).assemble().unwrap();
     let state = State { q: loaded.q, ..assembly.rest() };
-    assert_eq!(assembly.free_motions(&assembly.rest()).len(), 1);
-    assert!(assembly.free_motions(&state).is_empty());
+    assert_eq!(assembly.free_motions(&assembly.rest()).unwrap().len(), 1);
+    assert!(assembly.free_motions(&state).unwrap().is_empty());
 }
 
 /// The axis of rotation is unchanged after a rotation by 90°.
@@ -156,7 +156,7 @@ fn motions_are_found_in_a_rotated_state() {
         turned.q[vector.first] = -y - x;
         turned.q[vector.first + 1] = x - y;
     }
-    let motions = assembly.free_motions(&turned);
+    let motions = assembly.free_motions(&turned).unwrap();
     let rotation = RigidMotion::Rotation { through: [0.0; 3], along: [0.0, 0.0, 1.0] };
     assert_eq!(motions.len(), 1);
     assert_eq!(motions[0].moves, [("rod".to_owned(), rotation)]);
@@ -197,9 +197,38 @@ fn long_chain_has_one_motion_per_hinge() {
         }));
     }
     let assembly = model.assemble().unwrap();
-    let motions = assembly.free_motions(&assembly.rest());
+    let motions = assembly.free_motions(&assembly.rest()).unwrap();
     let moving: Vec<usize> = motions.iter().map(|motion| motion.moves.len()).collect();
     assert_eq!(moving, (1..=100).rev().collect::<Vec<_>>());
+    let text = motions[0].to_string();
+    assert!(text.contains(", and 91 more bodies move"), "{text}");
+}
+
+/// Chains with too many coefficients of free motions are diagnosed without them.
+#[test]
+fn free_motions_of_long_chains_are_not_determined() {
+    let body = |i: usize| {
+        format!(
+            "[[bodies]]\nkind = \"rigid\"\nname = \"b{i}\"\ncenter = [{i}, 0.5, 0]\nmass = 2\ninertia = [0.1, 0.2, 0.25]\n"
+        )
+    };
+    let joint = |i: usize| {
+        let before = i - 1;
+        format!(
+            "[[joints]]\nkind = \"spherical\"\nname = \"j{i}\"\na = {{ body = \"b{i}\", at = \"center\" }}\n\
+            b = {{ body = \"b{before}\", at = \"center\", offset = [1, 0, 0] }}\n"
+        )
+    };
+    let model = |bodies: usize| {
+        let text: String = (0..bodies).map(body).chain((1..bodies).map(joint)).collect();
+        parse(&format!("{text}[analysis]\nkind = \"dynamics\"\nduration = 1\nstep = 0.1\n"))
+    };
+    let short = model(30).diagnose().unwrap();
+    assert_eq!(short.motions.as_ref().map(Vec::len), Some(3 * 30 + 3));
+    assert!(short.to_string().contains("and 73 more free motions"), "{short}");
+    let long = model(1200).diagnose().unwrap();
+    assert_eq!((long.motions.is_some(), long.freedoms), (false, 3 * 1200 + 3));
+    assert!(long.to_string().contains("not determined by rank, rigid bodies: too many free motions"));
 }
 
 /// The search for free motions is linear in the number of free bodies.
@@ -213,5 +242,5 @@ fn each_of_many_free_bodies_has_six_motions() {
     let bodies: String = (0..700).map(body).collect();
     let model = parse(&format!("analysis = {{ kind = \"statics\" }}\n{bodies}"));
     let assembly = model.assemble().unwrap();
-    assert_eq!(assembly.free_motions(&assembly.rest()).len(), 6 * 700);
+    assert_eq!(assembly.free_motions(&assembly.rest()).unwrap().len(), 6 * 700);
 }

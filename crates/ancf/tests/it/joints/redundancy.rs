@@ -254,9 +254,13 @@ fn four_bar_linkage_of_beams_is_not_redundant() {
     ];
     model.probes[0].on = place(1, NamedPosition::End);
     let diagnosis = model.diagnose().unwrap();
-    assert_eq!((diagnosis.gruebler, diagnosis.motions.len(), diagnosis.redundant.len()), (-2, 1, 0));
+    assert_eq!(
+        (diagnosis.gruebler, diagnosis.motions.as_ref().unwrap().len(), diagnosis.redundant.len()),
+        (-2, 1, 0)
+    );
     assert!(
-        diagnosis.motions[0].starts_with("body `crank` can rotate about the axis through (0, 0, 0) along z")
+        diagnosis.motions.as_ref().unwrap()[0]
+            .starts_with("body `crank` can rotate about the axis through (0, 0, 0) along z")
     );
     // A second hinge beside the first carries half of the force; the motion is unchanged.
     let one = short(model);

@@ -1,0 +1,167 @@
+//! Model with an index of its names.
+
+use std::cell::OnceCell;
+use std::collections::{HashMap, HashSet};
+use std::ops::Deref;
+
+use nalgebra::Vector3;
+
+use crate::joints::{Coupled, JointContext, JointCoordinate};
+use crate::loads::LoadContext;
+use crate::model::Model;
+use crate::model::bodies::{Body, Place};
+use crate::model::sections::Section;
+
+/// Model with an index of its names: bodies and joints are found in constant time.
+///
+/// Of equal names the first one counts.
+pub(crate) struct IndexedModel<'m> {
+    model: &'m Model,
+    bodies: HashMap<&'m str, usize>,
+    joints: HashMap<&'m str, usize>,
+    /// Free coordinates of joints that are parts of couplings.
+    coupled: OnceCell<HashSet<(usize, JointCoordinate)>>,
+    length: OnceCell<f64>,
+}
+
+impl Model {
+    /// Reference length: length of the longest flexible body.
+    ///
+    /// Without flexible bodies, the largest distance of rigid bodies and joints or radius of gyration.
+    pub fn length(&self) -> f64 {
+        IndexedModel::new(self).length()
+    }
+}
+
+impl Deref for IndexedModel<'_> {
+    type Target = Model;
+
+    fn deref(&self) -> &Model {
+        self.model
+    }
+}
+
+impl<'m> IndexedModel<'m> {
+    /// Indexes the names of a model.
+    pub(crate) fn new(model: &'m Model) -> Self {
+        Self {
+            model,
+            bodies: indices(model.bodies.iter().map(Body::name)),
+            joints: indices(model.joints.iter().map(|joint| joint.name())),
+            coupled: OnceCell::new(),
+            length: OnceCell::new(),
+        }
+    }
+
+    /// Returns the number of the body of a name.
+    pub(crate) fn body_number(&self, name: &str) -> Option<usize> {
+        self.bodies.get(name).copied()
+    }
+
+    /// Returns the number of the joint of a name.
+    pub(crate) fn joint_number(&self, name: &str) -> Option<usize> {
+        self.joints.get(name).copied()
+    }
+
+    /// Returns the body of a name, with its path.
+    pub(crate) fn named(&self, name: &str) -> Option<(String, &'m Body)> {
+        let number = self.body_number(name)?;
+        Some((format!("bodies[{number}]"), &self.model.bodies[number]))
+    }
+
+    /// Point of a place in the reference state; `None` if the place does not exist.
+    pub(crate) fn point(&self, place: &Place) -> Option<Vector3<f64>> {
+        let body = &self.model.bodies[self.body_number(&place.body)?];
+        Some(body.point(place.at)? + Vector3::from(place.offset))
+    }
+
+    /// Reference length ([`Model::length`]), computed once.
+    pub(crate) fn length(&self) -> f64 {
+        *self.length.get_or_init(|| self.computed_length())
+    }
+
+    fn computed_length(&self) -> f64 {
+        let longest = self.bodies().map(Body::length).fold(0.0, f64::max);
+        if longest > 0.0 {
+            return longest;
+        }
+        let centres = self.bodies().map(|body| Vector3::from(body.span()[0]));
+        let joints = self.model.joints.iter().filter_map(|joint| self.point(joint.ends().0));
+        let points: Vec<Vector3<f64>> = centres.chain(joints).collect();
+        let gyration = self.bodies().filter_map(|body| match body {
+            Body::Rigid(rigid) => Some((rigid.tensor().trace() / rigid.mass).sqrt()),
+            _ => None,
+        });
+        let extent =
+            points.iter().map(|point| (point - points[0]).norm()).chain(gyration).fold(0.0, f64::max);
+        if extent > 0.0 { extent } else { 1.0 }
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = &'m Body> {
+        self.model.bodies.iter()
+    }
+
+    /// Number of the joint and free coordinate in a part of a coupling; `None` if they do not exist.
+    pub(crate) fn coupled_coordinate(&self, part: &Coupled) -> Option<(usize, JointCoordinate)> {
+        let joint = self.joint_number(&part.joint)?;
+        let free = self.model.joints[joint].kind().free_coordinates();
+        let coordinate = part.of.or_else(|| free.first().copied())?;
+        free.contains(&coordinate).then_some((joint, coordinate))
+    }
+
+    /// True if a coupling contains a free coordinate of a joint.
+    pub(crate) fn is_coupled(&self, joint: usize, coordinate: JointCoordinate) -> bool {
+        let parts = || self.model.couplings.iter().flat_map(|coupling| &coupling.joints);
+        let coupled =
+            self.coupled.get_or_init(|| parts().filter_map(|part| self.coupled_coordinate(part)).collect());
+        coupled.contains(&(joint, coordinate))
+    }
+}
+
+fn indices<'m>(names: impl Iterator<Item = &'m str>) -> HashMap<&'m str, usize> {
+    let mut indices = HashMap::new();
+    for (number, name) in names.enumerate() {
+        indices.entry(name).or_insert(number);
+    }
+    indices
+}
+
+impl JointContext for IndexedModel<'_> {
+    fn body(&self, place: &Place) -> Option<&Body> {
+        self.body_number(&place.body).map(|number| &self.model.bodies[number])
+    }
+
+    fn point(&self, place: &Place) -> Option<Vector3<f64>> {
+        Self::point(self, place)
+    }
+
+    fn length(&self) -> f64 {
+        Self::length(self)
+    }
+
+    fn is_dynamic(&self) -> bool {
+        self.analysis.dynamics().is_some()
+    }
+}
+
+impl LoadContext for IndexedModel<'_> {
+    fn body(&self, name: &str) -> Option<(String, &Body)> {
+        self.named(name)
+    }
+
+    fn section(&self, name: &str) -> Option<&Section> {
+        self.sections.get(name)
+    }
+
+    fn section_at(&self, body: &Body, fraction: f64) -> Option<Section> {
+        Model::section_at(self, body, fraction)
+    }
+
+    fn gravity(&self) -> [f64; 3] {
+        self.gravity
+    }
+
+    fn length(&self) -> f64 {
+        Self::length(self)
+    }
+}

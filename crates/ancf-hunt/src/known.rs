@@ -25,10 +25,6 @@ pub const KNOWN: &[Known] = &[
         is_cause: |model, _| has_arm(model),
     },
     Known {
-        name: "frame of the section forces of cables",
-        is_cause: |model, finding| is_section_force_of_cable(model, &finding.quantity),
-    },
-    Known {
         name: "mesh dependence of corners, not yet explained",
         is_cause: |model, finding| {
             ["elements", "rotation", "axes"].contains(&finding.law) && has_corner(model)
@@ -133,11 +129,4 @@ fn is_damped(model: &Model) -> bool {
         model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
     let of_loads = model.loads.iter().any(|load| matches!(load, Load::Fluid(_)));
     of_materials || of_loads || !model.joints.is_empty()
-}
-
-fn is_section_force_of_cable(model: &Model, column: &str) -> bool {
-    let Some((probe, suffix)) = column.rsplit_once('.') else { return false };
-    let probe = model.probes.iter().find(|other| other.name == probe);
-    let on_cable = probe.and_then(|probe| model.bodies.iter().find(|body| body.name() == probe.on.body));
-    matches!(on_cable, Some(Body::Cable(_))) && ["Qy", "Qz", "My", "Mz", "T"].contains(&suffix)
 }

@@ -69,6 +69,8 @@ const REDUCTION: f64 = 2e-5;
 const LEAST_REMAINDER: f64 = 1e-7;
 /// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
 const ROUNDING: f64 = 1e-15;
+/// Reduction of the energies of the increments beyond which they may be rounding errors.
+const EXHAUSTED: f64 = 1e-24;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -257,7 +259,14 @@ impl Newton {
         if matches!(self.stop, StopRule::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
-        if progress.stagnant > 0 && (self.excess(eom, s).1 <= FLOOR || self.is_rounding(eom, s)) {
+        let is_floor = |newton: &mut Self| {
+            newton.excess(eom, s).1 <= FLOOR
+                || newton.is_rounding(eom, s)
+                || newton.is_increment_of_rounding(eom, s, progress.last)
+        };
+        let is_end = (progress.stagnant > 0 && is_floor(self))
+            || (progress.is_exhausted() && self.is_increment_of_rounding(eom, s, progress.last));
+        if is_end {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {
@@ -342,6 +351,28 @@ impl Newton {
         energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
     }
 
+    /// Returns true in statics if the last increment has the energy of an increment that rounding errors cause.
+    ///
+    /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
+    /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
+    /// measures them.
+    fn is_increment_of_rounding(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        energy: Option<f64>,
+    ) -> bool {
+        let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
+        eom.rounding(s, &mut self.floor);
+        let mut z: Vec<f64> = self.r.iter().zip(&self.floor).map(|(r, floor)| floor.copysign(-r)).collect();
+        let NewtonTangent { matrix, factor, .. } = &mut self.tangent;
+        if factor.solve_increment(matrix, &mut z, &[]).is_err() {
+            return false;
+        }
+        let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
+        energy <= FLOOR * FLOOR * work
+    }
+
     fn error(
         &mut self,
         failure: SolveFailure,
@@ -361,6 +392,8 @@ struct IterationProgress {
     first: Option<f64>,
     /// Smallest energy of an increment so far.
     least: Option<f64>,
+    /// Largest energy of an increment so far.
+    largest: f64,
     /// Energy of the last increment.
     last: Option<f64>,
     /// Number of consecutive iterations that did not halve the energy.
@@ -373,7 +406,15 @@ impl IterationProgress {
         self.last.map(|last| (energy / last).sqrt())
     }
 
+    /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
+    ///
+    /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit.
+    fn is_exhausted(&self) -> bool {
+        self.last.is_some_and(|last| last <= EXHAUSTED * self.largest)
+    }
+
     fn record(&mut self, energy: f64) {
+        self.largest = self.largest.max(energy);
         let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);

@@ -5,6 +5,7 @@ use ancf_solver::dynamics::consistent_velocities;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::Serialize;
 
+use super::corners::corner_warnings;
 use super::locking::locking_warnings;
 use super::mechanism::number;
 use crate::assembly::{Assembly, Redundant};
@@ -47,6 +48,8 @@ pub struct Diagnosis {
     pub projection: Option<f64>,
     /// Beams whose formulation is known to lock, with the size of the error.
     pub locking: Vec<String>,
+    /// Clamps that equate strains of sections at an angle.
+    pub corners: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -88,6 +91,7 @@ impl Model {
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
             projection: if dynamic { assembly.projection(&model) } else { None },
             locking: locking_warnings(self),
+            corners: corner_warnings(self),
         })
     }
 
@@ -205,7 +209,7 @@ impl Diagnosis {
                 "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
-        warnings.extend(self.locking.iter().cloned());
+        warnings.extend(self.locking.iter().chain(&self.corners).cloned());
         warnings
     }
 }

@@ -10,3 +10,4 @@ mod redundancy;
 mod section_compliance;
 mod sliding;
 mod springs;
+mod unlike_clamps;

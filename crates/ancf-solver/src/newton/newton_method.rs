@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
+use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
 use super::newton_report::NewtonReport;
 use super::rounding_floor::raise_to_achievable;
@@ -69,8 +70,6 @@ const REDUCTION: f64 = 2e-5;
 const LEAST_REMAINDER: f64 = 1e-7;
 /// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
 const ROUNDING: f64 = 1e-15;
-/// Reduction of the energies of the increments beyond which they may be rounding errors.
-const EXHAUSTED: f64 = 1e-24;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -381,44 +380,6 @@ impl Newton {
         last: NewtonReport,
     ) -> SolveError {
         SolveError::after(last, s.t, failure, self.excess(eom, s).0)
-    }
-}
-
-/// Progress of one iteration.
-#[derive(Default)]
-struct IterationProgress {
-    report: NewtonReport,
-    /// Size of the first increment.
-    first: Option<f64>,
-    /// Smallest energy of an increment so far.
-    least: Option<f64>,
-    /// Largest energy of an increment so far.
-    largest: f64,
-    /// Energy of the last increment.
-    last: Option<f64>,
-    /// Number of consecutive iterations that did not halve the energy.
-    stagnant: u32,
-}
-
-impl IterationProgress {
-    /// Returns the rate θ of the last two increments in the norm whose square is the energy.
-    fn rate(&self, energy: f64) -> Option<f64> {
-        self.last.map(|last| (energy / last).sqrt())
-    }
-
-    /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
-    ///
-    /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit.
-    fn is_exhausted(&self) -> bool {
-        self.last.is_some_and(|last| last <= EXHAUSTED * self.largest)
-    }
-
-    fn record(&mut self, energy: f64) {
-        self.largest = self.largest.max(energy);
-        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
-        self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
-        self.last = Some(energy);
-        self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
     }
 }
 

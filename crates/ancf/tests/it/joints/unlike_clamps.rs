@@ -21,7 +21,9 @@ fn frame([post, arm]: [&str; 2], elements: u32, exchanged: bool) -> Model {
             "cable" => "kind = \"cable\"".to_owned(),
             formulation => format!("kind = \"beam\", formulation = \"{formulation}\""),
         };
-        format!("{{ {kind}, name = \"{name}\", {ends}, elements = {elements}, section = \"s\", material = \"m\" }}")
+        format!(
+            "{{ {kind}, name = \"{name}\", {ends}, elements = {elements}, section = \"s\", material = \"m\" }}"
+        )
     };
     let bodies = [
         body(post, "post", &format!("from = [0, 0, 0], to = [0, 0, {POST}]")),
@@ -64,22 +66,32 @@ fn corners_have_closed_forms_on_any_mesh() {
     let bending = YOUNG * second;
     for pair in PAIRS {
         for elements in [4, 48] {
-            let [run, other] =
-                [false, true].map(|exchanged| Run::of(&frame(pair, elements, exchanged)));
+            let [run, other] = [false, true].map(|exchanged| Run::of(&frame(pair, elements, exchanged)));
             let name = format!("{pair:?}, {elements} elements");
             let lower = FORCE * (POST.powi(3) / (3.0 * bending) + ARM / (YOUNG * area));
             let shear = FORCE * POST / (0.5 * YOUNG * area);
             let (x, z) = (run.last("tip.x") - ARM, run.last("tip.z") - POST);
             // An element of the continuum formulation at a clamp of all gradients has 1 − 1/(4n²) of the deflection.
             let coarse = if elements == 4 { 0.02 } else { 1e-4 };
-            assert!(x > lower + 0.9 * shear - coarse * lower && x < lower + 1.3 * shear, "{name}: {x} {lower} {shear}");
+            assert!(
+                x > lower + 0.9 * shear - coarse * lower && x < lower + 1.3 * shear,
+                "{name}: {x} {lower} {shear}"
+            );
             if pair[1] != "cable" {
-                assert_relative(&name, z, -FORCE * POST.powi(2) / (2.0 * bending) * ARM, 0.5 * coarse.max(2e-3));
+                assert_relative(
+                    &name,
+                    z,
+                    -FORCE * POST.powi(2) / (2.0 * bending) * ARM,
+                    0.5 * coarse.max(2e-3),
+                );
             }
             for column in ["tip.x", "tip.z", "corner.my", "corner.fx"] {
                 let sign = if column.starts_with("corner") { -1.0 } else { 1.0 };
                 let (found, expected) = (sign * other.last(column), run.last(column));
-                assert!((found - expected).abs() < 1e-8 * expected.abs().max(1e-3), "{name}, {column}: {found} {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-8 * expected.abs().max(1e-3),
+                    "{name}, {column}: {found} {expected}"
+                );
             }
         }
     }
@@ -106,7 +118,10 @@ fn all_gradients_at_corners_give_a_warning() {
     };
     let warnings = |model: &Model| model.diagnose().unwrap().warnings();
     let found = warnings(&with(", fix = \"all\"", false));
-    assert!(found.len() == 1 && found[0].contains("`corner`") && found[0].contains("\"section\""), "{found:?}");
+    assert!(
+        found.len() == 1 && found[0].contains("`corner`") && found[0].contains("\"section\""),
+        "{found:?}"
+    );
     for model in [with("", false), with(", fix = \"section\"", false), with(", fix = \"all\"", true)] {
         assert_eq!(warnings(&model), Vec::<String>::new());
     }

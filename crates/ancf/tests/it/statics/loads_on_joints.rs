@@ -33,7 +33,9 @@ fn models(frame: &Frame) -> [(&'static str, String); 4] {
     let v = |x| frame.vector(x);
     let [center, away, far] = [v([0.2, -0.9, 0.1]), v([0.8, -1.3, -0.2]), v([-0.5, 0.4, 0.9])];
     let spring = |name: &str, at: &str, point: &str, k: f64| {
-        format!("{{ kind = \"spring\", name = \"{name}\", a = {{ body = \"b\", at = {at} }}, b = {{ point = {point} }}, stiffness = {k} }}")
+        format!(
+            "{{ kind = \"spring\", name = \"{name}\", a = {{ body = \"b\", at = {at} }}, b = {{ point = {point} }}, stiffness = {k} }}"
+        )
     };
     let rod = |formulation: &str| {
         format!(
@@ -69,7 +71,8 @@ fn models(frame: &Frame) -> [(&'static str, String); 4] {
 fn reactions_balance_loads_without_motion() {
     let mut random = Random(2027);
     for case in 0..12 {
-        let frame = Frame(if case == 0 { Rotation3::identity() } else { Rotation3::new(random.vector3() * 2.0) });
+        let frame =
+            Frame(if case == 0 { Rotation3::identity() } else { Rotation3::new(random.vector3() * 2.0) });
         let scales = ["none", "auto"][case % 2];
         let place = frame.0 * Vector3::new(0.2, -0.9, 0.1);
         let force = frame.0 * Vector3::new(3.0, -7.0, 40.0);
@@ -83,7 +86,8 @@ fn reactions_balance_loads_without_motion() {
             let name = format!("{name}, case {case}, {analysis}");
             assert!(matches!(summary.outcome, Outcome::Finished), "{name}: {:?}", summary.outcome);
             let last = |column: String| *series.column(&column).unwrap().last().unwrap();
-            let vector = |owner: &str| Vector3::from(["x", "y", "z"].map(|axis| last(format!("{owner}{axis}"))));
+            let vector =
+                |owner: &str| Vector3::from(["x", "y", "z"].map(|axis| last(format!("{owner}{axis}"))));
             assert!((vector("p.") - place).norm() < 1e-14, "{name}: {}", vector("p.") - place);
             assert!((vector("root.f") + force).norm() < 1e-11, "{name}: {}", vector("root.f"));
         }
@@ -126,5 +130,10 @@ fn forces_on_bushings_have_no_critical_loads() {
         assert!(matches!(summary.outcome, Outcome::Finished), "{case}: {:?}", summary.outcome);
         let factors: Vec<f64> = series.column("factor").map(<[f64]>::to_vec).unwrap_or_default();
         assert!(factors.is_empty(), "{case}: {factors:?}");
+        assert!(
+            summary.warnings.iter().any(|text| text.contains("no critical load")),
+            "{:?}",
+            summary.warnings
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Known defects, by which findings are sorted.
 
 use ancf::Model;
-use ancf::model::{Analysis, Body, End, Formulation, Joint, Load, Place};
+use ancf::model::{Analysis, Body, End, Joint, Load, Place};
 
 use crate::compare::Finding;
 
@@ -21,37 +21,12 @@ pub const KNOWN: &[Known] = &[
         is_cause: |model, _| model.joints.iter().any(|j| distorts(model, j)),
     },
     Known {
-        name: "mesh dependence of arms on sections, not yet explained",
-        is_cause: |model, _| has_arm(model),
-    },
-    Known {
-        name: "frame of the section forces of cables",
-        is_cause: |model, finding| is_section_force_of_cable(model, &finding.quantity),
-    },
-    Known {
-        name: "mesh dependence of corners, not yet explained",
-        is_cause: |model, finding| {
-            ["elements", "rotation", "axes"].contains(&finding.law) && has_corner(model)
-        },
-    },
-    Known {
-        name: "exchange of the ends of clamps between unlike bodies, not yet explained",
-        is_cause: |model, finding| finding.law == "exchange" && has_mixed_clamp(model),
-    },
-    Known {
         name: "angular rates of rigid bodies in steps that do not resolve the motion, not yet explained",
         is_cause: |model, finding| {
             let suffix = finding.quantity.rsplit_once('.').map_or("", |(_, suffix)| suffix);
             let is_frame =
                 ["rotation", "axes"].contains(&finding.law) && ["wx", "wy", "wz", "rate"].contains(&suffix);
             is_frame && model.bodies.iter().any(|body| matches!(body, Body::Rigid(_)))
-        },
-    },
-    Known {
-        name: "equilibria near rounding errors are not found",
-        is_cause: |model, finding| {
-            finding.quantity == "verdict"
-                && matches!(model.analysis, Analysis::Path(_) | Analysis::Statics(_))
         },
     },
     Known {
@@ -62,12 +37,6 @@ pub const KNOWN: &[Known] = &[
         name: "stiff motions of bodies split in two, or with other tangents, that the steps do not resolve",
         is_cause: |model, finding| {
             matches!(model.analysis, Analysis::Dynamics(_)) && ["split", "tangents"].contains(&finding.law)
-        },
-    },
-    Known {
-        name: "frequencies near rounding errors are not found",
-        is_cause: |model, finding| {
-            finding.quantity == "verdict" && matches!(model.analysis, Analysis::Modes(_))
         },
     },
 ];
@@ -98,46 +67,9 @@ fn distorts(model: &Model, joint: &Joint) -> bool {
     }
 }
 
-/// True with a rigid arm on a deformable section.
-fn has_arm(model: &Model) -> bool {
-    let is_arm = |place: &Place| place.offset != [0.0; 3] && is_beam(model, &place.body);
-    let of_joints = model.joints.iter().any(|joint| {
-        let (a, b) = joint.ends();
-        is_arm(a) || matches!(b, End::Place(place) if is_arm(place))
-    });
-    of_joints || model.loads.iter().any(|load| matches!(load, Load::Force(force) if is_arm(&force.on)))
-}
-
-/// Bodies of the two ends of a clamp between bodies.
-fn clamped<'a>(model: &'a Model, joint: &'a Joint) -> Option<([&'a Body; 2], bool)> {
-    let Joint::Clamp(clamp) = joint else { return None };
-    let End::Place(b) = &clamp.b else { return None };
-    let body = |place: &Place| model.bodies.iter().find(|body| body.name() == place.body);
-    Some(([body(&clamp.a)?, body(b)?], clamp.fix.is_none()))
-}
-
-fn has_corner(model: &Model) -> bool {
-    let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
-    clamps.any(|(bodies, _)| bodies.iter().all(|body| matches!(body, Body::Beam(_))))
-}
-
-fn has_mixed_clamp(model: &Model) -> bool {
-    let is_continuum =
-        |body: &Body| matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Continuum);
-    let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
-    clamps.any(|([a, b], is_default)| is_default && is_continuum(a) != is_continuum(b))
-}
-
 fn is_damped(model: &Model) -> bool {
     let of_materials =
         model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
     let of_loads = model.loads.iter().any(|load| matches!(load, Load::Fluid(_)));
     of_materials || of_loads || !model.joints.is_empty()
-}
-
-fn is_section_force_of_cable(model: &Model, column: &str) -> bool {
-    let Some((probe, suffix)) = column.rsplit_once('.') else { return false };
-    let probe = model.probes.iter().find(|other| other.name == probe);
-    let on_cable = probe.and_then(|probe| model.bodies.iter().find(|body| body.name() == probe.on.body));
-    matches!(on_cable, Some(Body::Cable(_))) && ["Qy", "Qz", "My", "Mz", "T"].contains(&suffix)
 }

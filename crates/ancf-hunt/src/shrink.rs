@@ -107,10 +107,10 @@ const BODY_CHANGES: [fn(&mut Body); 6] = [
             beam.section_end = None;
         }
     },
-    |body| {
-        if let Body::Beam(beam) = body {
-            beam.up = None;
-        }
+    |body| match body {
+        Body::Beam(beam) => beam.up = None,
+        Body::Cable(cable) => cable.up = None,
+        Body::Rigid(_) | Body::Mass(_) => {}
     },
     |body| match body {
         Body::Beam(beam) => beam.motion = Default::default(),

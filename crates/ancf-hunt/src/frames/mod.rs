@@ -5,4 +5,4 @@ mod model;
 mod results;
 
 pub use frame::Frame;
-pub(crate) use results::scale;
+pub(crate) use results::{align, scale};

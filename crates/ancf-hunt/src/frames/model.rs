@@ -80,6 +80,7 @@ impl Frame {
                 self.motion(&mut beam.motion);
             }
             Body::Cable(cable) => {
+                cable.up = up.map(|up| self.polar(up.into()));
                 (cable.from, cable.to) = (self.point(cable.from), self.point(cable.to));
                 self.motion(&mut cable.motion);
             }

@@ -2,7 +2,7 @@
 
 use ancf::Model;
 use ancf::model::Joint;
-use ancf::nalgebra::Vector3;
+use ancf::nalgebra::{Complex, Vector3};
 
 use super::frame::Frame;
 use crate::run::Run;
@@ -75,5 +75,38 @@ impl Frame {
 pub(crate) fn scale(run: &mut Run, owner: &str, name: &str, factor: f64) {
     if let Some(values) = run.values_mut(&format!("{owner}.{name}")) {
         values.iter_mut().for_each(|x| *x *= factor);
+    }
+}
+
+/// Rotates section forces about the tangent such that they agree best with a base, in each row.
+///
+/// For frames that differ by an unknown rotation about the tangent. The magnitudes of Q and M and the angle between them are
+/// compared all the same.
+pub(crate) fn align(base: &Run, run: &mut Run, owner: &str) {
+    const PAIRS: [[&str; 2]; 2] = [["Qy", "Qz"], ["My", "Mz"]];
+    let pair = |run: &Run, names: [&str; 2], row: usize| {
+        let value = |name: &str| run.column(&format!("{owner}.{name}"))?.values.get(row).copied();
+        Some(Complex::new(value(names[0])?, value(names[1])?))
+    };
+    for row in 0..run.rows().min(base.rows()) {
+        let mut sum = Complex::new(0.0, 0.0);
+        for names in PAIRS {
+            let (Some(a), Some(b)) = (pair(base, names, row), pair(run, names, row)) else { return };
+            let largest = |name: &str| base.largest(&format!("{owner}.{name}"));
+            let size = largest(names[0]).max(largest(names[1])).max(f64::MIN_POSITIVE);
+            sum += (a / size) * (b / size).conj();
+        }
+        if sum.norm() == 0.0 || !sum.norm().is_finite() {
+            continue;
+        }
+        let turn = sum / sum.norm();
+        for names in PAIRS {
+            let Some(turned) = pair(run, names, row).map(|x| turn * x) else { return };
+            for (name, x) in names.into_iter().zip([turned.re, turned.im]) {
+                if let Some(values) = run.values_mut(&format!("{owner}.{name}")) {
+                    values[row] = x;
+                }
+            }
+        }
     }
 }

@@ -205,10 +205,17 @@ fn cable(draft: &mut Draft, name: String, start: Vector3<f64>) -> Vec<Spot> {
     let (section, material) = (section(draft, true), material(draft, false));
     let elements = 1 + draft.random.index(5);
     let motion = motion(draft, true);
-    draft.bodies.push(json!({
+    let mut data = json!({
         "kind": "cable", "name": name, "from": list(&start), "to": list(&end), "elements": elements,
         "section": section, "material": material, "motion": motion,
-    }));
+    });
+    // With random numbers of its own: the models of a seed differ in this key only from those without it.
+    let stream = draft.random.clone();
+    if draft.random.chance(0.5) {
+        data["up"] = list(&across(draft, &(end - start)));
+    }
+    draft.random = stream;
+    draft.bodies.push(data);
     let spot = |at: &str, point, is_end| Spot {
         body: name.clone(),
         kind: Kind::Cable,

@@ -6,7 +6,7 @@ use ancf::nalgebra::{Rotation3, Unit, Vector3};
 
 use super::law::{Check, EQUAL, Law, check_twin};
 use crate::compare::Case;
-use crate::frames::scale;
+use crate::frames::{align, scale};
 use crate::random::Random;
 use crate::run::Run;
 
@@ -45,13 +45,19 @@ impl Law for Reversal {
         for probe in &mut twin.probes {
             if reversed.iter().any(|(name, _)| *name == probe.on.body) {
                 probe.offset[1] = -probe.offset[1];
-                owners.push(probe.name.clone());
+                let is_cable =
+                    model.bodies.iter().any(|b| b.name() == probe.on.body && matches!(b, Body::Cable(_)));
+                owners.push((probe.name.clone(), is_cable));
             }
         }
         let back = |run: &mut Run| {
-            for owner in &owners {
+            for (owner, is_cable) in &owners {
                 for name in ["Qy", "My", "exy", "eyz", "sxy", "syz"] {
                     scale(run, owner, name, -1.0);
+                }
+                // The frame of a cable is carried from its start, the other end of the twin.
+                if *is_cable {
+                    align(&case.base, run, owner);
                 }
             }
         };
@@ -64,6 +70,7 @@ fn reverse(body: &mut Body) -> Option<()> {
     match body {
         Body::Beam(beam) => reverse_beam(beam, &up),
         Body::Cable(cable) => {
+            cable.up = Some(up.into());
             cable.motion.about = cable.motion.about.or(Some(cable.from));
             std::mem::swap(&mut cable.from, &mut cable.to);
             Some(())

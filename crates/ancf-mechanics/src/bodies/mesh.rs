@@ -46,6 +46,8 @@ pub struct BeamMesh {
     pub(crate) reference: Vec<Vector3<f64>>,
     pub(crate) lame: Lame,
     pub(crate) elasticity: StressLaw,
+    /// Direction of the y-axis of the first node in the reference state.
+    pub(crate) up: Vector3<f64>,
     /// Weight w_y of the section frame at the ends of the elements; ½ if empty.
     frame_weights: Vec<f64>,
 }
@@ -116,11 +118,12 @@ impl BeamMesh {
             TwoNodeLaw::Linked => StressLaw::Rod { linked: true },
         };
         let elements = Arc::new(elements.collect::<Vec<_>>());
+        let up = nodes[0].frame[1];
         let frame_weights = match formulation {
             TwoNodeLaw::Continuum => parameters.frame_weights(nodes.len()),
             TwoNodeLaw::Enhanced | TwoNodeLaw::Linked => Vec::new(),
         };
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
     }
 
     /// Creates three-node elements on nodes 0 1 2, 2 3 4, and so on.
@@ -140,8 +143,8 @@ impl BeamMesh {
         });
         let (lame, elasticity) = (parameters.medium.lame, StressLaw::Rod { linked: false });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        let frame_weights = Vec::new();
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
+        let (up, frame_weights) = (nodes[0].frame[1], Vec::new());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
     }
 
     /// Creates cable elements between consecutive nodes of a straight line, integrated by [`CableRule::Lobatto`].
@@ -167,8 +170,8 @@ impl BeamMesh {
             Cable12::new(std::array::from_fn(|i| first + i), node.frame[0], Arc::clone(&profile))
         });
         let elements = Arc::new(elements.collect::<Vec<_>>());
-        let (elasticity, frame_weights) = (StressLaw::Line, Vec::new());
-        Self { first, length, slope, elements, origin, reference, lame, elasticity, frame_weights }
+        let (elasticity, up, frame_weights) = (StressLaw::Line, nodes[0].frame[1], Vec::new());
+        Self { first, length, slope, elements, origin, reference, lame, elasticity, up, frame_weights }
     }
 
     /// Returns true if the body has cross-sections with the directions r_y and r_z. Cables have none.

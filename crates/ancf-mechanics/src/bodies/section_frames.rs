@@ -12,7 +12,7 @@ impl BeamMesh {
     ///
     /// For a cable, it is the tangent and two transverse directions without twist: the frame of the start is carried from
     /// node to node, and from the last node to the arc length, by the smallest rotations of the tangent. The frame of the
-    /// start follows from that of the reference state by the smallest rotation.
+    /// start follows from the one of the reference state, with the stated y-axis, by the smallest rotation.
     pub fn section_frame(&self, state: &State, s: f64) -> [Vector3<f64>; 3] {
         self.carried_frame(state, s, &mut CarriedFrame::default())
     }
@@ -29,8 +29,8 @@ impl BeamMesh {
             Some((node, frame)) if node <= element => (node, frame),
             _ => {
                 let start = self.node_slope(0).normalize();
-                let [y, z] = normals_to(start);
-                (0, carried([start, y, z], self.node_tangent(state, 0)))
+                let frame = [start, self.up, start.cross(&self.up)];
+                (0, carried(frame, self.node_tangent(state, 0)))
             }
         };
         while node < element {

@@ -27,6 +27,9 @@ pub enum Directions {
     Rigid([Marker; 3]),
 }
 
+/// Distance of unit vectors below which directions are parallel.
+const PARALLEL: f64 = 1e-9;
+
 impl Attachment {
     /// Creates a point of the ground with the global axes.
     pub fn ground(point: Vector3<f64>) -> Self {
@@ -40,6 +43,13 @@ impl Attachment {
             Directions::None | Directions::Line(_) => None,
             Directions::Section(axes, _) | Directions::Rigid(axes) => Some(axes),
         }
+    }
+
+    /// Returns true if the directions of both attachments are the same in the reference state.
+    pub fn is_parallel(&self, other: &Self) -> bool {
+        let (Some(here), Some(there)) = (self.axes(), other.axes()) else { return false };
+        let unit = |axis: &Marker| axis.reference().normalize();
+        here.iter().zip(there).all(|(a, b)| (unit(a) - unit(b)).norm() < PARALLEL)
     }
 
     /// Returns true if the directions have constant lengths and angles.

@@ -4,7 +4,7 @@ use super::krylov::{EigenError, EigenSearch, Operator, krylov};
 use super::modes::{SturmCount, modes};
 use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
+use crate::factor::{DETERMINED, Factor};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -104,13 +104,10 @@ pub fn buckling(
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
-    let increment = first_order(eom, s, &stiffness, &mut factor)?;
-    let mut softening = matrix.clone();
-    eom.stress_stiffness(s, &increment, &mut softening);
+    let softening = softening(eom, s, &stiffness, &mut factor)?;
     if softening.values().iter().all(|value| *value == 0.0) {
         return Ok(CriticalLoads { loads: Vec::new(), sturm: None });
     }
-    softening.values_mut().iter_mut().for_each(|value| *value = -*value);
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
     let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
@@ -280,13 +277,33 @@ impl BucklingPencil<'_> {
     }
 }
 
-/// Computes the first-order response (q₁, λ₁) to the loads at load factor one. Where joints carry all loads, q₁ is zero.
-fn first_order(
+/// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
+/// of the response.
+fn softening(
     eom: &dyn EquationsOfMotion,
     s: &State,
     stiffness: &SparseMatrix,
     factor: &mut Factor,
-) -> Result<State, EigenError> {
+) -> Result<SparseMatrix, EigenError> {
+    let force = load_force(eom, s);
+    let mut response = force.clone();
+    factor.solve(stiffness, &mut response)?;
+    let refined = factor.refined(stiffness, &force, &response)?;
+    let of_response = |response: &[f64]| {
+        let mut softening = stiffness.clone();
+        eom.stress_stiffness(s, &first_order(eom, &force, response, stiffness), &mut softening);
+        softening
+    };
+    let (mut softening, refined) = (of_response(&response), of_response(&refined));
+    for (value, refined) in softening.values_mut().iter_mut().zip(refined.values()) {
+        let is_determined = (*value - refined).abs() <= DETERMINED * value.abs();
+        *value = if is_determined { -*value } else { 0.0 };
+    }
+    Ok(softening)
+}
+
+/// Computes the forces and constraint rates of the loads at load factor one.
+fn load_force(eom: &dyn EquationsOfMotion, s: &State) -> Vec<f64> {
     let (n, m) = (eom.coordinates(), eom.multipliers());
     let residual = |load| {
         let (mut moved, mut r) = (s.clone(), vec![0.0; n + m]);
@@ -296,19 +313,27 @@ fn first_order(
     };
     // The residual is affine in the load factor.
     let (here, there) = (residual(s.load), residual(s.load + 1.0));
-    let force: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
-    let mut direction = force.clone();
-    factor.solve(stiffness, &mut direction)?;
+    here.iter().zip(&there).map(|(here, there)| here - there).collect()
+}
+
+/// Returns the first-order response (q₁, λ₁) to loads. Where joints carry all loads, q₁ is zero.
+fn first_order(
+    eom: &dyn EquationsOfMotion,
+    force: &[f64],
+    response: &[f64],
+    stiffness: &SparseMatrix,
+) -> State {
+    let (n, m) = (eom.coordinates(), eom.multipliers());
     let held = |i: usize| match stiffness.diagonal_of(i).abs() {
         0.0 => 0.0,
         stiffness => force[i].powi(2) / stiffness,
     };
-    let work: f64 = (0..n).map(|i| force[i] * direction[i]).sum();
+    let work: f64 = (0..n).map(|i| force[i] * response[i]).sum();
     let mut increment = State::rest(n, m);
-    increment.add(&direction, Weights::STIFFNESS);
+    increment.add(response, Weights::STIFFNESS);
     if work.abs() <= MIN_WORK * (0..n).map(held).sum::<f64>() {
         // Joints carry the loads. The displacements are rounding errors.
         increment.q.fill(0.0);
     }
-    Ok(increment)
+    increment
 }

@@ -3,7 +3,7 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 use super::krylov::{EigenError, PseudoRandom};
 use super::modes::modes;
 use super::skew_operator::SkewOperator;
-use crate::equations::{EquationsOfMotion, State};
+use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -60,10 +60,14 @@ pub fn nonconservative_modes(
 ) -> Result<Vec<ComplexMode>, EigenError> {
     let degrees = eom.degrees_of_freedom(s);
     let count = count.min(degrees);
+    if count == 0 {
+        return Ok(Vec::new());
+    }
     let symmetric = modes(eom, matrix.clone(), s, count, interrupt)?.modes;
     let squared = || symmetric.iter().map(|mode| mode.omega_squared).filter(|squared| *squared != 0.0);
     let nearest = squared().map(f64::abs).fold(f64::INFINITY, f64::min);
-    let shift = squared().fold(0.0, f64::min) - if nearest.is_finite() { nearest } else { 1.0 };
+    let distance = if nearest.is_finite() { nearest } else { distance_of_free_bodies(eom, &matrix, s) };
+    let shift = squared().fold(0.0, f64::min) - distance;
     let mut op = SkewOperator::new(eom, matrix, s, shift, interrupt)?;
     let mut random = PseudoRandom(31);
     let start: Vec<DVector<f64>> =
@@ -90,6 +94,24 @@ pub fn nonconservative_modes(
         }
         depth *= DEPTH[1];
     }
+}
+
+/// Smallest distance of the shift from zero, relative to the highest ω². The rounding error of ω² = 0 is far below it.
+const DISTANCE: f64 = 1e-8;
+
+/// Returns a distance of the shift from zero if all ω² without A are zero: the size of A relative to the mass.
+fn distance_of_free_bodies(eom: &dyn EquationsOfMotion, matrix: &SparseMatrix, s: &State) -> f64 {
+    let (mut mass, mut stiffness) = (matrix.clone(), matrix.clone());
+    eom.tangent(s, Weights::MASS, &mut mass);
+    eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
+    let ratio = |value: f64, i: usize, j: usize| {
+        let mass = (mass.diagonal_of(i) * mass.diagonal_of(j)).sqrt();
+        if mass > 0.0 { value.abs() / mass } else { 0.0 }
+    };
+    let highest = (0..eom.coordinates()).map(|i| ratio(stiffness.diagonal_of(i), i, i)).fold(0.0, f64::max);
+    let skew = eom.skew_stiffness(s).into_iter().map(|(i, j, value)| ratio(value, i, j)).fold(0.0, f64::max);
+    let distance = skew.max(DISTANCE * highest);
+    if distance > 0.0 { distance } else { 1.0 }
 }
 
 /// Returns the modes of eigenpairs, by ascending Re ω². Conjugate pairs have the real and the imaginary part.

@@ -32,6 +32,8 @@ const PIVOT: f64 = 0.1;
 const ROUNDING: f64 = 1e-13;
 /// Threshold for coefficients, relative to the largest one. Smaller coefficients are dropped.
 const COEFFICIENT: f64 = 1e-9;
+/// Rounding threshold of the entries of a row, relative to the largest one.
+const NEGLIGIBLE: f64 = 16.0 * f64::EPSILON;
 /// Number of equilibration sweeps.
 const SWEEPS: usize = 20;
 
@@ -46,7 +48,11 @@ const SWEEPS: usize = 20;
 /// Source: Markowitz (1957) for the pivot order; Curtis & Reid (1972) for the scaling.
 pub fn dependences(rows: Vec<SparseVector>, tolerance: f64) -> Vec<Dependence> {
     let mut rows = rows;
-    rows.iter_mut().for_each(|row| row.retain(|_, x| *x != 0.0));
+    for row in &mut rows {
+        // Entries that are zero but for rounding errors would determine the scales.
+        let least = NEGLIGIBLE * largest(row);
+        row.retain(|_, x| x.abs() > least);
+    }
     let scales = equilibrate(&mut rows);
     let mut elimination = RowElimination::new(rows, tolerance);
     while let Some(row) = elimination.shortest() {

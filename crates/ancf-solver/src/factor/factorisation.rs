@@ -83,6 +83,8 @@ pub struct SingularMatrix;
 const REFINE: f64 = 1e-11;
 /// Largest accepted backward error after refinement.
 const ACCEPT: f64 = 1e-9;
+/// Relative change in a further step of refinement above which a result is a rounding error.
+pub(crate) const DETERMINED: f64 = 1e-3;
 /// Compliance ε, far above rounding and small enough for fast convergence.
 const COMPLIANCE: f64 = 1e-6;
 /// Number of steps from K_ε to K.
@@ -184,6 +186,27 @@ impl Factor {
         lambda: &[f64],
     ) -> Result<(), SingularMatrix> {
         self.solve_from(k, x, Some(lambda)).map(|_| ())
+    }
+
+    /// Returns a solution of K x = b after a further step of refinement.
+    ///
+    /// Parts of x that are zero but for rounding errors change by their own size. The backward error does not show them, since
+    /// it is relative to the largest part.
+    ///
+    /// # Errors
+    /// If no factorisation gives a small backward error.
+    pub(crate) fn refined(
+        &mut self,
+        k: &SparseMatrix,
+        b: &[f64],
+        x: &[f64],
+    ) -> Result<Vec<f64>, SingularMatrix> {
+        let mut correction: Vec<f64> = b.iter().zip(k.times(x)).map(|(b, product)| b - product).collect();
+        if correction.iter().any(|x| *x != 0.0) {
+            // The error of the factors is not a contradiction of redundant constraints.
+            self.solve_increment(k, &mut correction, &[])?;
+        }
+        Ok(x.iter().zip(&correction).map(|(x, correction)| x + correction).collect())
     }
 
     /// Returns the backward error with shared multipliers, and otherwise zero for an accepted solution.

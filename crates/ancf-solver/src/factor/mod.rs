@@ -9,6 +9,7 @@ mod null_space;
 mod scales;
 mod substitution;
 
+pub(crate) use factorisation::DETERMINED;
 pub use factorisation::{Factor, FactorHistory, SingularMatrix};
 pub use inertia::inertia;
 pub use null_space::{NullSpace, SparseVector};

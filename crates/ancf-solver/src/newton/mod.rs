@@ -3,6 +3,7 @@
 mod active_set;
 mod error;
 mod interrupt;
+mod iteration_progress;
 mod line_search;
 mod newton_method;
 mod newton_report;

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
+use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
 use super::newton_report::NewtonReport;
 use super::rounding_floor::raise_to_achievable;
@@ -257,7 +258,14 @@ impl Newton {
         if matches!(self.stop, StopRule::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
-        if progress.stagnant > 0 && (self.excess(eom, s).1 <= FLOOR || self.is_rounding(eom, s)) {
+        let is_floor = |newton: &mut Self| {
+            newton.excess(eom, s).1 <= FLOOR
+                || newton.is_rounding(eom, s)
+                || newton.is_increment_of_rounding(eom, s, progress.last)
+        };
+        let is_end = (progress.stagnant > 0 && is_floor(self))
+            || (progress.is_exhausted() && self.is_increment_of_rounding(eom, s, progress.last));
+        if is_end {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {
@@ -342,6 +350,28 @@ impl Newton {
         energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
     }
 
+    /// Returns true in statics if the last increment has the energy of an increment that rounding errors cause.
+    ///
+    /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
+    /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
+    /// measures them.
+    fn is_increment_of_rounding(
+        &mut self,
+        eom: &dyn EquationsOfMotion,
+        s: &State,
+        energy: Option<f64>,
+    ) -> bool {
+        let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
+        eom.rounding(s, &mut self.floor);
+        let mut z: Vec<f64> = self.r.iter().zip(&self.floor).map(|(r, floor)| floor.copysign(-r)).collect();
+        let NewtonTangent { matrix, factor, .. } = &mut self.tangent;
+        if factor.solve_increment(matrix, &mut z, &[]).is_err() {
+            return false;
+        }
+        let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
+        energy <= FLOOR * FLOOR * work
+    }
+
     fn error(
         &mut self,
         failure: SolveFailure,
@@ -350,34 +380,6 @@ impl Newton {
         last: NewtonReport,
     ) -> SolveError {
         SolveError::after(last, s.t, failure, self.excess(eom, s).0)
-    }
-}
-
-/// Progress of one iteration.
-#[derive(Default)]
-struct IterationProgress {
-    report: NewtonReport,
-    /// Size of the first increment.
-    first: Option<f64>,
-    /// Smallest energy of an increment so far.
-    least: Option<f64>,
-    /// Energy of the last increment.
-    last: Option<f64>,
-    /// Number of consecutive iterations that did not halve the energy.
-    stagnant: u32,
-}
-
-impl IterationProgress {
-    /// Returns the rate θ of the last two increments in the norm whose square is the energy.
-    fn rate(&self, energy: f64) -> Option<f64> {
-        self.last.map(|last| (energy / last).sqrt())
-    }
-
-    fn record(&mut self, energy: f64) {
-        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
-        self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
-        self.last = Some(energy);
-        self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
     }
 }
 

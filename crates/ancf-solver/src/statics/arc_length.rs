@@ -1,6 +1,6 @@
 use std::ops::ControlFlow;
 
-use super::arc_metric::{Metric, PathTangent, PlaneUpdate, response};
+use super::arc_metric::{Metric, PathTangent, PlaneUpdate, refined_response, response};
 use super::equilibrium::{Equilibrium, check_change};
 use super::path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 use crate::equations::{Energy, EquationsOfMotion, State};
@@ -80,18 +80,19 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
             loop {
                 let found = Equilibrium::find(newton, &mut FullUpdate, &*eom, start)?;
                 let Some((complete, matrix)) = eom.with_active_terms(start) else {
-                    return response(newton, &*eom, start).map_err(|failure| found.reject(failure, start));
+                    return refined_response(newton, &*eom, start)
+                        .map_err(|failure| found.reject(failure, start));
                 };
                 eom.replace(complete);
                 newton.replace_matrix(matrix)?;
             }
         };
-        let response = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
+        let [response, refined] = begin(&mut newton, &mut start).map_err(|cause| EquilibriumError {
             reached: load,
             load,
             cause,
         })?;
-        let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), &response);
+        let metric = Metric::new(&*eom, &start, newton.tangent.matrix.clone(), [&response, &refined]);
         let tangent = metric.tangent(response, start.q.len());
         newton.record_energy(eom.energy(&start).largest());
         let unstable = newton.unstable(&*eom);

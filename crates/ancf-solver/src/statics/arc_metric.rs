@@ -1,4 +1,5 @@
 use crate::equations::{EquationsOfMotion, State, Weights};
+use crate::factor::DETERMINED;
 use crate::newton::{LinearSolution, Newton, SolveFailure, StateUpdate, dot};
 use crate::sparse::SparseMatrix;
 
@@ -56,17 +57,22 @@ pub(crate) struct Metric {
 
 impl Metric {
     /// Creates the metric at a state with the given dz/ds. Without moving mass the metric reduces to ds.
+    ///
+    /// `refined` is the response after a further step of refinement. Where joints carry all loads, the responses are rounding
+    /// errors, which change by their own size: nothing moves.
     pub(crate) fn new(
         eom: &dyn EquationsOfMotion,
         s: &State,
         mut mass: SparseMatrix,
-        response: &[f64],
+        [response, refined]: [&[f64]; 2],
     ) -> Self {
         eom.tangent(s, Weights::MASS, &mut mass);
         let mut metric = Self { mass, weight: 1.0 };
-        let moved = metric.mass_times(response, s.q.len());
-        let square = dot(&moved, &response[..moved.len()]);
-        metric.weight = if square > 0.0 { 1.0 / square } else { 0.0 };
+        let square = |z: &[f64]| dot(&metric.mass_times(z, s.q.len()), &z[..s.q.len()]);
+        let difference: Vec<f64> = response.iter().zip(refined).map(|(a, b)| a - b).collect();
+        let (size, rounding) = (square(response), square(&difference));
+        let is_motion = size > 0.0 && rounding < DETERMINED * DETERMINED * size;
+        metric.weight = if is_motion { 1.0 / size } else { 0.0 };
         metric
     }
 
@@ -126,13 +132,35 @@ pub(crate) fn response(
     eom: &dyn EquationsOfMotion,
     s: &mut State,
 ) -> Result<Vec<f64>, SolveFailure> {
+    let force = load_force(eom, s);
+    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
+    solve_force(newton, force)
+}
+
+/// Solves as [`response`], and once more with a further step of refinement.
+pub(crate) fn refined_response(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &mut State,
+) -> Result<[Vec<f64>; 2], SolveFailure> {
+    let response = response(newton, eom, s)?;
+    let (force, tangent) = (load_force(eom, s), &mut newton.tangent);
+    let refined = tangent.factor.refined(&tangent.matrix, &force, &response);
+    Ok([response, refined.map_err(|_| SolveFailure::Singular)?])
+}
+
+/// Computes −∂r/∂s.
+fn load_force(eom: &dyn EquationsOfMotion, s: &mut State) -> Vec<f64> {
     let mut r = vec![0.0; s.q.len() + s.lambda.len()];
     eom.residual(s, &mut r);
-    let mut response = load_rate(eom, s, &r);
-    response.iter_mut().for_each(|x| *x = -*x);
-    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    newton.tangent.factor.solve(&newton.tangent.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
-    Ok(response)
+    let mut force = load_rate(eom, s, &r);
+    force.iter_mut().for_each(|x| *x = -*x);
+    force
+}
+
+fn solve_force(newton: &mut Newton, mut force: Vec<f64>) -> Result<Vec<f64>, SolveFailure> {
+    newton.tangent.factor.solve(&newton.tangent.matrix, &mut force).map_err(|_| SolveFailure::Singular)?;
+    Ok(force)
 }
 
 /// Update within the plane normal to a tangent with free load factor: z = δ + ds dz/ds with τ·(z, ds) = 0.

@@ -54,12 +54,16 @@ impl IndexedModel<'_> {
             }
             End::Ground | End::Point(_) => (Attachment::ground(a.point.reference()), None),
         };
-        let other = match stated {
-            End::Place(place) => self.is_continuum(place),
-            End::Ground | End::Point(_) => false,
+        let all_gradients = match stated {
+            End::Place(other) => match (self.is_continuum(place), self.is_continuum(other)) {
+                (true, true) => a.is_parallel(&b),
+                (true, false) => b.is_rigid(),
+                (false, true) => a.is_rigid(),
+                (false, false) => false,
+            },
+            End::Ground | End::Point(_) => self.is_continuum(place),
         };
-        let on_continuum = self.is_continuum(place) || other;
-        let ends = JointEnds { a: &a, b: &b, stated, beam, on_continuum };
+        let ends = JointEnds { a: &a, b: &b, stated, beam, all_gradients };
         let mut builder = JointBuilder::new(joint.name(), ends, numbering, coupled);
         joint.build(&mut builder);
         builder.finish()

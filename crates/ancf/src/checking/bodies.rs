@@ -54,7 +54,11 @@ fn rule_of_axis(path: &str, body: &Body) -> Option<Finding> {
         Body::Beam(beam) => (beam.shape.is_straight(), Some(&beam.shape)),
         Body::Cable(_) | Body::Rigid(_) | Body::Mass(_) => (true, None),
     };
-    let up = if let Body::Beam(beam) = body { beam.up } else { None };
+    let up = match body {
+        Body::Beam(beam) => beam.up,
+        Body::Cable(cable) => cable.up,
+        Body::Rigid(_) | Body::Mass(_) => None,
+    };
     match (body.curve(), up) {
         (None, _) if straight && from == to => {
             let error =

@@ -1,10 +1,12 @@
-//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking.
+//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking, clamps at corners.
 
+mod corners;
 mod free_motion;
 mod locking;
 mod mechanism;
 mod summary;
 
+pub(crate) use corners::corner_warnings;
 pub(crate) use free_motion::MAX_LISTED;
 pub use free_motion::{FreeMotion, RigidMotion};
 pub(crate) use locking::locking_warnings;

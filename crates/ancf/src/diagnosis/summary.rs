@@ -5,6 +5,7 @@ use ancf_solver::dynamics::consistent_velocities;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::Serialize;
 
+use super::corners::corner_warnings;
 use super::free_motion::{FreeMotion, MAX_LISTED, number};
 use super::locking::locking_warnings;
 use crate::assembly::{Assembly, Redundant};
@@ -48,6 +49,8 @@ pub struct Diagnosis {
     pub projection: Option<f64>,
     /// Beams whose formulation is known to lock, with the size of the error.
     pub locking: Vec<String>,
+    /// Clamps that equate strains of sections at an angle.
+    pub corners: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -90,6 +93,7 @@ impl Model {
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
             projection: if dynamic { assembly.projection(&model) } else { None },
             locking: locking_warnings(self),
+            corners: corner_warnings(self),
         })
     }
 
@@ -208,7 +212,7 @@ impl Diagnosis {
                 "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
-        warnings.extend(self.locking.iter().cloned());
+        warnings.extend(self.locking.iter().chain(&self.corners).cloned());
         warnings
     }
 }

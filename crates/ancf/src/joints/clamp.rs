@@ -17,8 +17,8 @@ pub struct Clamp {
     /// Second end; the ground by default.
     #[serde(default)]
     pub b: End,
-    /// Gradients that are constrained in addition to the position. By default `"all"` if an end is on a beam of the continuum formulation,
-    /// otherwise `"section"`.
+    /// Gradients that are constrained in addition to the position. By default `"all"` for a beam of the continuum formulation on the
+    /// ground, on a rigid body, or on such a beam with parallel sections; otherwise `"section"`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fix: Option<ClampedGradients>,
 }

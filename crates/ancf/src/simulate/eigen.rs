@@ -22,6 +22,10 @@ const MAX_RESIDUAL: f64 = 1e-3;
 /// Critical load factor that may be a rounding error.
 const LARGE_FACTOR: f64 = 1e9;
 
+/// Warning of buckling without a result.
+const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do not soften the structure in this direction, beyond \
+    rounding errors";
+
 /// Columns of the solver for modes.
 pub(crate) const MODE_COLUMNS: [&str; 3] = ["frequency", "squared", "residual"];
 /// Columns of the solver for buckling.
@@ -183,6 +187,9 @@ impl AnalysisRun<'_> {
             }
             Ok(found) => {
                 self.summary.eigenvalues = found.sturm.map(|sturm| EigenvalueCount::new(sturm, 1.0));
+                if found.loads.is_empty() {
+                    self.summary.warnings.push(NO_CRITICAL_LOAD.to_owned());
+                }
                 let large = found.loads.iter().filter(|load| load.factor.abs() > LARGE_FACTOR);
                 self.summary.warnings.extend(large.map(|load| {
                     format!(

@@ -255,6 +255,9 @@ class Cable(Axis):
     slopes
         Definition of the nodal slope coordinates. One of ``"gradient"``, ``"length"``. Default:
         ``"gradient"``.
+    up
+        Direction of the y-axis of the frame of the section forces at the start, in the straight state; its
+        component along the axis has no effect. By default global y, or global z for a cable along y.
 
     """
 
@@ -274,6 +277,7 @@ class Cable(Axis):
     material: str | Material
     motion: InitialMotion | None = None
     slopes: Slopes | None = None
+    up: Vector | None = None
 
 
 @dataclass(kw_only=True, slots=True, eq=False, repr=False)

@@ -57,8 +57,9 @@ class Clamp(Part):
     b
         Second end; the ground by default.
     fix
-        Gradients that are constrained in addition to the position. By default ``"all"`` if an end is on a
-        beam of the continuum formulation, otherwise ``"section"``. One of ``"all"``, ``"section"``.
+        Gradients that are constrained in addition to the position. By default ``"all"`` for a beam of the
+        continuum formulation on the ground, on a rigid body, or on such a beam with parallel sections;
+        otherwise ``"section"``. One of ``"all"``, ``"section"``.
 
     """
 

@@ -28,8 +28,9 @@ pub(crate) struct JointEnds<'a> {
     pub(crate) stated: &'a End,
     /// Element axes of the second body and the arc length there, for points that slide along it.
     pub(crate) beam: Option<(Vec<ElementAxis>, f64)>,
-    /// True if an end is on a beam of the continuum formulation.
-    pub(crate) on_continuum: bool,
+    /// Default of [`ClampedGradients`]: true for a beam of the continuum formulation on the ground, on a rigid body, or on another
+    /// one with parallel sections. Elsewhere equal gradients would couple strains of different directions or laws.
+    pub(crate) all_gradients: bool,
 }
 
 /// First unused coordinate and multiplier, and the treatment of functions of time.
@@ -145,7 +146,7 @@ impl<'a> JointBuilder<'a> {
     }
 
     pub(crate) fn fixed(&self, fix: Option<ClampedGradients>) -> ClampedGradients {
-        let default = if self.ends.on_continuum { ClampedGradients::All } else { ClampedGradients::Section };
+        let default = if self.ends.all_gradients { ClampedGradients::All } else { ClampedGradients::Section };
         fix.unwrap_or(default)
     }
 

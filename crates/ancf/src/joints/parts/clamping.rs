@@ -44,12 +44,12 @@ fn clamp(builder: &mut JointBuilder<'_>, fix: ClampedGradients) {
             builder.keep_angle(tangent, other, Option::None);
         }
         (Line(tangent), Line(_)) => builder.coincide_directions(&[tangent.reference()]),
-        (Line(tangent), Section(..) | Rigid(_)) => {
-            if fix == ClampedGradients::All {
-                return builder.coincide_directions(&[tangent.reference()]);
-            }
-            keep_normal(builder, here, there, true);
+        (Line(tangent), Section(..) | Rigid(_)) | (Section(..) | Rigid(_), Line(tangent))
+            if fix == ClampedGradients::All =>
+        {
+            builder.coincide_directions(&[tangent.reference()]);
         }
+        (Line(_), Section(..) | Rigid(_)) => keep_normal(builder, here, there, true),
         (Section(..) | Rigid(_), Line(_)) => keep_normal(builder, there, here, false),
     }
 }

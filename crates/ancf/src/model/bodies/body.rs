@@ -147,7 +147,9 @@ impl Body {
     pub fn up(&self) -> Option<Vector3<f64>> {
         let (_, tangent) = self.curve()?.at(0.0);
         let up = match self {
-            Self::Beam(Beam { up: Some(up), .. }) => Vector3::from(*up).try_normalize(0.0)?,
+            Self::Beam(Beam { up: Some(up), .. }) | Self::Cable(Cable { up: Some(up), .. }) => {
+                Vector3::from(*up).try_normalize(0.0)?
+            }
             _ if tangent.y.abs() > 1.0 - 1e-6 => Vector3::z(),
             _ => Vector3::y(),
         };
@@ -243,6 +245,11 @@ pub struct Cable {
     /// End of the axis, length.
     #[unit(length)]
     pub to: [f64; 3],
+    /// Direction of the y-axis of the frame of the section forces at the start, in the straight state; its component
+    /// along the axis has no effect. By default global y, or global z for a cable along y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[unit(none)]
+    pub up: Option<[f64; 3]>,
     /// Number of elements of equal length.
     #[schemars(range(min = 1))]
     pub elements: u32,

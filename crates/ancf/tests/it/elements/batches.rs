@@ -58,6 +58,7 @@ fn cables(gravity: Vector3<f64>) -> Vec<BatchCase> {
                     name: "rod".into(),
                     from: [0.0; 3],
                     to,
+                    up: None,
                     elements: ELEMENTS,
                     section: "circle".into(),
                     material: "steel".into(),

@@ -8,5 +8,7 @@ mod mechanisms;
 mod overconstrained;
 mod redundancy;
 mod section_compliance;
+mod skew_axes;
 mod sliding;
 mod springs;
+mod unlike_clamps;

@@ -1,5 +1,6 @@
 //! Cross-sections: geometric constants, elastic laws and stress resultants.
 
+mod cable_frame;
 mod constants;
 mod directors;
 mod elasticity;

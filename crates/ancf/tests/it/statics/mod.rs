@@ -2,6 +2,7 @@
 
 mod drives;
 mod load_increments;
+mod loads_on_joints;
 mod paths;
 mod rigid_ends;
 mod rotations;

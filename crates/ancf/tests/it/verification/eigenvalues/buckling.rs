@@ -112,9 +112,18 @@ fn slender_columns_of_all_elements_buckle_at_eulers_load() {
     let mut line = formulated(8, Formulation::Linked);
     let beam = rod::beam(&mut line).clone();
     let [name, section, material] = [beam.name, beam.section, beam.material];
-    let (from, to, elements, slopes) = (beam.from, beam.to, beam.elements, Slopes::Gradient);
-    line.bodies =
-        vec![Body::Cable(Cable { name, from, to, elements, section, material, slopes, motion: beam.motion })];
+    let (from, to, up, elements, slopes) = (beam.from, beam.to, beam.up, beam.elements, Slopes::Gradient);
+    line.bodies = vec![Body::Cable(Cable {
+        name,
+        from,
+        to,
+        up,
+        elements,
+        section,
+        material,
+        slopes,
+        motion: beam.motion,
+    })];
     assert_near("cable", slender(line), 1.0, 1e-5);
 }
 

@@ -1,0 +1,42 @@
+use super::newton_report::NewtonReport;
+
+/// Reduction of the energies of the increments beyond which they may be rounding errors.
+const EXHAUSTED: f64 = 1e-24;
+
+/// Progress of one iteration.
+#[derive(Default)]
+pub(crate) struct IterationProgress {
+    pub(crate) report: NewtonReport,
+    /// Size of the first increment.
+    pub(crate) first: Option<f64>,
+    /// Smallest energy of an increment so far.
+    least: Option<f64>,
+    /// Largest energy of an increment so far.
+    largest: f64,
+    /// Energy of the last increment.
+    pub(crate) last: Option<f64>,
+    /// Number of consecutive iterations that did not halve the energy.
+    pub(crate) stagnant: u32,
+}
+
+impl IterationProgress {
+    /// Returns the rate θ of the last two increments in the norm whose square is the energy.
+    pub(crate) fn rate(&self, energy: f64) -> Option<f64> {
+        self.last.map(|last| (energy / last).sqrt())
+    }
+
+    /// Returns true if the energies have decreased by more than the stopping rule requires of a motion.
+    ///
+    /// Where joints carry all loads, there is no energy of a motion to compare with, and increments may decrease without limit.
+    pub(crate) fn is_exhausted(&self) -> bool {
+        self.last.is_some_and(|last| last <= EXHAUSTED * self.largest)
+    }
+
+    pub(crate) fn record(&mut self, energy: f64) {
+        self.largest = self.largest.max(energy);
+        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
+        self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
+        self.last = Some(energy);
+        self.least = Some(self.least.map_or(energy, |least| least.min(energy)));
+    }
+}

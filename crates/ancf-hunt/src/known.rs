@@ -17,10 +17,6 @@ pub struct Known {
 /// Known defects. An entry without findings in the test is an error: remove it when the defect is mended.
 pub const KNOWN: &[Known] = &[
     Known {
-        name: "joints on sections in steps that do not resolve the motion, not yet explained",
-        is_cause: |model, _| model.joints.iter().any(|j| distorts(model, j)),
-    },
-    Known {
         name: "mesh dependence of arms on sections, not yet explained",
         is_cause: |model, _| has_arm(model),
     },
@@ -39,29 +35,10 @@ pub const KNOWN: &[Known] = &[
         is_cause: |model, finding| finding.law == "exchange" && has_mixed_clamp(model),
     },
     Known {
-        name: "angular rates of rigid bodies in steps that do not resolve the motion, not yet explained",
-        is_cause: |model, finding| {
-            let suffix = finding.quantity.rsplit_once('.').map_or("", |(_, suffix)| suffix);
-            let is_frame =
-                ["rotation", "axes"].contains(&finding.law) && ["wx", "wy", "wz", "rate"].contains(&suffix);
-            is_frame && model.bodies.iter().any(|body| matches!(body, Body::Rigid(_)))
-        },
-    },
-    Known {
         name: "equilibria near rounding errors are not found",
         is_cause: |model, finding| {
             finding.quantity == "verdict"
                 && matches!(model.analysis, Analysis::Path(_) | Analysis::Statics(_))
-        },
-    },
-    Known {
-        name: "energy of damped motions, not yet explained",
-        is_cause: |model, finding| finding.law == "energy" && is_damped(model),
-    },
-    Known {
-        name: "stiff motions of bodies split in two, or with other tangents, that the steps do not resolve",
-        is_cause: |model, finding| {
-            matches!(model.analysis, Analysis::Dynamics(_)) && ["split", "tangents"].contains(&finding.law)
         },
     },
     Known {
@@ -79,23 +56,6 @@ pub fn cause(model: &Model, finding: &Finding) -> Option<&'static str> {
 
 fn is_beam(model: &Model, name: &str) -> bool {
     model.bodies.iter().any(|body| body.name() == name && matches!(body, Body::Beam(_)))
-}
-
-/// True for joints that constrain directions of a deformable section.
-fn distorts(model: &Model, joint: &Joint) -> bool {
-    let on_beam = |place: &Place| is_beam(model, &place.body);
-    let second = |end: &End| matches!(end, End::Place(place) if on_beam(place));
-    let (a, b) = joint.ends();
-    match joint {
-        Joint::Clamp(_)
-        | Joint::Spherical(_)
-        | Joint::Drive(_)
-        | Joint::Distance(_)
-        | Joint::Spring(_)
-        | Joint::Slide(_) => false,
-        Joint::PointOnLine(_) => second(b),
-        _ => on_beam(a) || second(b),
-    }
 }
 
 /// True with a rigid arm on a deformable section.
@@ -126,13 +86,6 @@ fn has_mixed_clamp(model: &Model) -> bool {
         |body: &Body| matches!(body, Body::Beam(beam) if beam.formulation == Formulation::Continuum);
     let mut clamps = model.joints.iter().filter_map(|joint| clamped(model, joint));
     clamps.any(|([a, b], is_default)| is_default && is_continuum(a) != is_continuum(b))
-}
-
-fn is_damped(model: &Model) -> bool {
-    let of_materials =
-        model.materials.values().any(|material| material.damping.strain + material.damping.mass > 0.0);
-    let of_loads = model.loads.iter().any(|load| matches!(load, Load::Fluid(_)));
-    of_materials || of_loads || !model.joints.is_empty()
 }
 
 fn is_section_force_of_cable(model: &Model, column: &str) -> bool {

@@ -14,6 +14,8 @@ pub struct Magnitudes {
     duration: f64,
     /// Axial stiffness of the stiffest body, force of the stiffest spring, or weight.
     stiffness: f64,
+    /// Largest Young's modulus.
+    young: f64,
     largest: Vec<(Dimension, f64)>,
 }
 
@@ -45,7 +47,8 @@ impl Magnitudes {
                 None => largest.push((dimension, value)),
             }
         }
-        Self { length: model.length(), duration, stiffness, largest }
+        let young = model.materials.values().map(|material| material.young).fold(f64::MIN_POSITIVE, f64::max);
+        Self { length: model.length(), duration, stiffness, young, largest }
     }
 
     /// Magnitude of quantities of a dimension.
@@ -62,7 +65,7 @@ impl Magnitudes {
             Dimension::ACCELERATION => largest(dimension).max(rate * self.length / self.duration),
             Dimension::FORCE => force,
             Dimension::ENERGY => largest(dimension).max(0.02 * force * self.length),
-            Dimension::STRESS => largest(dimension).max(f64::MIN_POSITIVE),
+            Dimension::STRESS => largest(dimension).max(1e-7 * self.young),
             _ => largest(dimension).max(f64::MIN_POSITIVE),
         }
     }

@@ -7,7 +7,7 @@ use ancf::Model;
 use ancf::model::Analysis;
 use rayon::prelude::*;
 
-use crate::compare::{Case, Finding};
+use crate::compare::{Case, Cause, Finding};
 use crate::generate::model;
 use crate::known;
 use crate::laws::{Check, LAWS};
@@ -31,6 +31,8 @@ pub struct Violation {
 pub struct Counts {
     /// Number of checks of an applicable law.
     pub checked: u64,
+    /// Number of deviations with the measured cause of rounding errors, and of the errors of steps.
+    pub explained: [u64; 2],
     /// Number of findings of known defects.
     pub known: u64,
     /// Number of other findings.
@@ -48,6 +50,8 @@ pub struct Report {
     pub counts: BTreeMap<(&'static str, &'static str), Counts>,
     /// All findings.
     pub violations: Vec<Violation>,
+    /// Deviations with a measured cause: number of the case and name of the law.
+    pub explained: Vec<(u64, &'static str, Cause)>,
     /// Reasons of ends before the analysis was complete, with the numbers of the cases.
     pub refusals: Vec<(u64, String)>,
 }
@@ -98,6 +102,10 @@ pub fn check(seed: u64, number: u64, model: Model, share: f64) -> Report {
         }
         let counts = report.counts.entry((law.name(), kind)).or_default();
         counts.checked += 1;
+        if let Check::Explained(cause) = result {
+            counts.explained[usize::from(cause == Cause::Steps)] += 1;
+            report.explained.push((number, law.name(), cause));
+        }
         if let Check::Violated(finding) = result {
             let known = known::cause(&case.model, &finding);
             *if known.is_some() { &mut counts.known } else { &mut counts.new } += 1;
@@ -128,10 +136,12 @@ impl Report {
         for (key, counts) in other.counts {
             let sum = self.counts.entry(key).or_default();
             sum.checked += counts.checked;
+            (0..2).for_each(|i| sum.explained[i] += counts.explained[i]);
             sum.known += counts.known;
             sum.new += counts.new;
         }
         self.violations.extend(other.violations);
+        self.explained.extend(other.explained);
         self.refusals.extend(other.refusals);
         self
     }
@@ -141,6 +151,12 @@ impl Report {
         let finished: u64 =
             self.verdicts.iter().filter(|((_, word), _)| *word == "finished").map(|(_, count)| count).sum();
         finished as f64 / self.models.max(1) as f64
+    }
+
+    /// Share of checks whose deviation has a measured cause.
+    pub fn share_explained(&self) -> f64 {
+        let checked: u64 = self.counts.values().map(|counts| counts.checked).sum();
+        self.explained.len() as f64 / checked.max(1) as f64
     }
 
     /// Findings without a known defect.
@@ -155,10 +171,16 @@ impl fmt::Display for Report {
         for ((kind, word), count) in &self.verdicts {
             writeln!(f, "  {kind:<10} {word:<10} {count:>6}")?;
         }
-        writeln!(f, "{:<14} {:<10} {:>8} {:>8} {:>8}", "law", "analysis", "checked", "known", "new")?;
+        let percent = 100.0 * self.share_explained();
+        writeln!(
+            f,
+            "{percent:.3} % of the checks deviate by rounding errors or by the errors of large steps"
+        )?;
+        let words = ["checked", "rounding", "steps", "known", "new"];
+        writeln!(f, "{:<14} {:<10} {}", "law", "analysis", words.map(|word| format!("{word:>8}")).join(" "))?;
         for ((law, kind), counts) in &self.counts {
-            let Counts { checked, known, new } = counts;
-            writeln!(f, "{law:<14} {kind:<10} {checked:>8} {known:>8} {new:>8}")?;
+            let Counts { checked, explained: [rounding, steps], known, new } = counts;
+            writeln!(f, "{law:<14} {kind:<10} {checked:>8} {rounding:>8} {steps:>8} {known:>8} {new:>8}")?;
         }
         Ok(())
     }

@@ -42,6 +42,8 @@ fn of_arguments(arguments: &[String]) -> Result<bool, String> {
             let report = check(seed, number, case(seed, number)?, 1.0);
             say(&report.to_string());
             report.refusals.iter().for_each(|(_, reason)| say(reason));
+            let explained = report.explained.iter();
+            explained.for_each(|(_, law, cause)| say(&format!("  {law}: deviates by {}", cause.word())));
             report.violations.iter().for_each(|violation| say(&line(violation)));
             Ok(report.new_findings().next().is_none())
         }
@@ -70,6 +72,9 @@ fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, Stri
         let part = hunt(seed, first..last, 1.0)?;
         for (number, reason) in &part.refusals {
             say(&format!("  {number}: {reason}"));
+        }
+        for (number, law, cause) in &part.explained {
+            say(&format!("  {number}: {law}: deviates by {}", cause.word()));
         }
         for violation in &part.violations {
             say(&line(violation));

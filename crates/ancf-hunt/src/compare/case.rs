@@ -7,7 +7,7 @@ use super::magnitudes::Magnitudes;
 use crate::run::{Record, Run, run};
 
 /// Relative change of the properties of the neighbour of a model.
-const NUDGE: f64 = 1e-11;
+pub(super) const NUDGE: f64 = 1e-11;
 /// Deviation of a neighbour, relative to the magnitude, up to which rows are compared.
 const LARGEST_SPREAD: f64 = 1e-8;
 
@@ -28,7 +28,7 @@ impl Case {
     /// Runs a model and its neighbour.
     pub fn new(model: Model) -> Self {
         let base = run(&model);
-        let neighbour = if base.verdict.is_finished() { run(&nudged(&model)) } else { base.clone() };
+        let neighbour = if base.verdict.is_finished() { run(&nudged(&model, NUDGE)) } else { base.clone() };
         let magnitudes = Magnitudes::new(&model, &base);
         Self { model, base, neighbour, magnitudes }
     }
@@ -94,20 +94,20 @@ impl Case {
     }
 }
 
-/// Model with properties that differ in the eleventh digit.
-fn nudged(model: &Model) -> Model {
+/// Model with properties that differ by a relative change of this size.
+pub(super) fn nudged(model: &Model, nudge: f64) -> Model {
     let mut model = model.clone();
     for material in model.materials.values_mut() {
-        material.young *= 1.0 + NUDGE;
-        material.density *= 1.0 - 0.7 * NUDGE;
+        material.young *= 1.0 + nudge;
+        material.density *= 1.0 - 0.7 * nudge;
     }
     for body in &mut model.bodies {
         match body {
-            Body::Rigid(rigid) => rigid.mass *= 1.0 + 0.6 * NUDGE,
-            Body::Mass(mass) => mass.mass *= 1.0 + 0.6 * NUDGE,
+            Body::Rigid(rigid) => rigid.mass *= 1.0 + 0.6 * nudge,
+            Body::Mass(mass) => mass.mass *= 1.0 + 0.6 * nudge,
             Body::Beam(_) | Body::Cable(_) => {}
         }
     }
-    model.gravity = model.gravity.map(|x| x * (1.0 + 0.4 * NUDGE));
+    model.gravity = model.gravity.map(|x| x * (1.0 + 0.4 * nudge));
     model
 }

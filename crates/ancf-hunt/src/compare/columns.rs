@@ -19,7 +19,7 @@ const PROCEDURE: [&str; 10] = [
 ];
 
 /// Factor between the deviation of a neighbour and the tolerance.
-const NEIGHBOUR: f64 = 1e4;
+pub(super) const NEIGHBOUR: f64 = 1e4;
 
 /// Finding if one of two runs is complete and the other one is not, or if one panicked.
 pub fn unequal_verdicts(law: &'static str, base: &Run, other: &Run) -> Option<Finding> {
@@ -53,8 +53,14 @@ pub fn identical(law: &'static str, base: &Run, other: &Run) -> Option<Finding> 
 }
 
 /// Compares a twin, mapped back to the frame and units of the base, with the base. Returns the largest deviation above the
-/// tolerance.
-pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Option<Finding> {
+/// tolerance, to which `more` adds for a column and a row.
+pub(super) fn compare_within(
+    law: &'static str,
+    case: &Case,
+    twin: &Run,
+    relative: f64,
+    more: &dyn Fn(&Record, usize) -> f64,
+) -> Option<Finding> {
     if let Some(finding) = unequal_verdicts(law, &case.base, twin) {
         return Some(finding);
     }
@@ -75,7 +81,8 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64) -> Opt
                 continue;
             }
             let spread = case.spread(column, neighbour, row);
-            let tolerance = own_size(column, size, row) * case.tolerance(relative) + NEIGHBOUR * spread;
+            let own = own_size(column, size, row) * case.tolerance(relative) + NEIGHBOUR * spread;
+            let tolerance = own + more(column, row);
             let excess = (a - b).abs() / tolerance;
             if excess.is_nan() || excess > worst.as_ref().map_or(1.0, |worst| worst.excess) {
                 let values = format!("row {row}: {a:e} / {b:e}, tolerance {tolerance:.1e} of {size:.1e}");

@@ -4,8 +4,10 @@ mod case;
 mod columns;
 mod finding;
 mod magnitudes;
+mod sensitivity;
 
 pub use case::Case;
-pub use columns::{compare, identical, last_of, unequal_verdicts};
+pub use columns::{identical, last_of, unequal_verdicts};
 pub use finding::Finding;
 pub use magnitudes::Magnitudes;
+pub use sensitivity::{Cause, Comparison, TimeSteps, compare};

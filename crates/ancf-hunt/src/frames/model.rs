@@ -145,8 +145,14 @@ impl Frame {
                 (&mut joint.a, Some(&mut joint.b))
             }
             Joint::Bushing(joint) => {
+                let axis = joint.twist_axis();
                 joint.stiffness = self.six(joint.stiffness)?;
                 joint.damping = self.six(joint.damping)?;
+                // Of equal stiffnesses, the axis of twist is the first one, which is another axis of the body then.
+                let is_same = self.matrix[(joint.twist_axis(), axis)].abs() > 1.0 - 1e-12;
+                if !is_same {
+                    return None;
+                }
                 (&mut joint.a, Some(&mut joint.b))
             }
             Joint::Custom(_) => return None,

@@ -1,6 +1,6 @@
 use ancf::Model;
 
-use crate::compare::{Case, Finding, compare};
+use crate::compare::{Case, Cause, Comparison, Finding, TimeSteps, compare};
 use crate::random::Random;
 use crate::run::{Run, Verdict, run};
 
@@ -11,6 +11,8 @@ pub enum Check {
     Inapplicable,
     /// The law holds.
     Holds,
+    /// The twins deviate by a measured cause: the model does not determine the results to the tolerance.
+    Explained(Cause),
     /// The law is violated.
     Violated(Finding),
 }
@@ -39,13 +41,28 @@ pub(super) fn check_twin(
     back: impl FnOnce(&mut Run),
     relative: f64,
 ) -> Check {
+    check_motion(law, case, twin, back, (relative, TimeSteps::Same))
+}
+
+/// Checks a twin, with its relative tolerance, whose equations of a step may differ from those of the base.
+pub(super) fn check_motion(
+    law: &'static str,
+    case: &Case,
+    twin: Option<Model>,
+    back: impl FnOnce(&mut Run),
+    (relative, steps): (f64, TimeSteps),
+) -> Check {
     let Some(twin) = twin else { return Check::Inapplicable };
     if matches!(case.base.verdict, Verdict::Stopped | Verdict::Panicked(_)) {
         return Check::Inapplicable;
     }
     let mut other = run(&twin);
     back(&mut other);
-    Check::of(compare(law, case, &other, relative))
+    match compare(law, case, &other, relative, steps) {
+        Comparison::Equal => Check::Holds,
+        Comparison::Explained(cause) => Check::Explained(cause),
+        Comparison::Different(finding) => Check::Violated(finding),
+    }
 }
 
 /// Relative tolerance of twins with other rounding errors.

@@ -8,6 +8,9 @@ use crate::compare::Case;
 use crate::random::Random;
 
 /// Division of a straight beam of constant section at a node. All coordinates of the node are shared, so that the model is the same.
+///
+/// No clamp shares the coordinates of three-node elements: `"section"` leaves the size of both sections free, and `"all"`
+/// constrains the axial gradient, which is no coordinate of the node.
 pub(super) struct Split;
 
 impl Law for Split {
@@ -22,7 +25,7 @@ impl Law for Split {
 
 fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
     let mut twin = case.model.clone();
-    let is_fit = |body: &Body| matches!(body, Body::Beam(beam) if beam.elements > 1 && beam.shape == Shape::Straight && beam.section_end.is_none());
+    let is_fit = |body: &Body| matches!(body, Body::Beam(beam) if beam.elements > 1 && !beam.formulation.has_middle_node() && beam.shape == Shape::Straight && beam.section_end.is_none());
     let index = twin.bodies.iter().position(is_fit)?;
     let length = twin.bodies[index].length();
     let name = twin.bodies[index].name().to_owned();
@@ -35,9 +38,6 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
     let Body::Beam(first) = &mut twin.bodies[index] else { return None };
     let node = 1 + random.index(first.elements as usize - 1) as u32;
     let part = f64::from(node) / f64::from(first.elements);
-    // The nodes of three-node elements have no axial gradient.
-    let fix =
-        if first.formulation.has_middle_node() { ClampedGradients::Section } else { ClampedGradients::All };
     let second = divide(first, node, &up);
     let other = second.name.clone();
     twin.bodies.push(Body::Beam(second));
@@ -69,7 +69,7 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
         name: "weld".into(),
         a: Place::new(&other, At::Named(NamedPosition::Start)),
         b: End::Place(Place::new(&name, At::Named(NamedPosition::End))),
-        fix: Some(fix),
+        fix: Some(ClampedGradients::All),
     }));
     Some(twin)
 }

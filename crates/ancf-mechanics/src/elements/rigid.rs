@@ -171,6 +171,11 @@ impl InertiaTerm {
     }
 }
 
+/// Returns the director i = 1, 2, 3 for the coordinates of a body.
+fn director(q: &[f64], i: usize) -> Vector3<f64> {
+    Vector3::ith(i - 1, 1.0) + Vector3::from_column_slice(&q[3 * i..3 * i + 3])
+}
+
 impl Term for InertiaTerm {
     fn coordinates(&self) -> &[usize] {
         &self.coordinates
@@ -194,10 +199,14 @@ impl Term for InertiaTerm {
         });
     }
 
+    /// The rigidity constraints also hold for the mirror image of the body, to which the iteration of a large step may converge.
+    fn is_admissible(&self, at: &Local<'_>) -> bool {
+        let vectors = self.coordinates.len() / 3;
+        vectors < 4 || director(at.q, 1).dot(&director(at.q, 2).cross(&director(at.q, 3))) > 0.0
+    }
+
     fn rotation(&self, from: &Local<'_>, to: &Local<'_>) -> f64 {
         let vectors = self.coordinates.len() / 3;
-        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-        let director = |q: &[f64], i: usize| axes[i - 1] + Vector3::from_column_slice(&q[3 * i..3 * i + 3]);
         relative_rotation((1..vectors).map(|i| [from, to].map(|at| director(at.q, i))))
     }
 

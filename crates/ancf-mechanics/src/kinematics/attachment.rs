@@ -116,18 +116,40 @@ impl Attachment {
     /// The Euler parameters (e₀, e₁, e₂, e₃), e₀ ≥ 0, describe the rotation of the frame from the reference state.
     pub fn rotation(&self, s: &State) -> Option<([f64; 4], Vector3<f64>)> {
         let frame = self.frame()?;
-        let values = frame.at(&s.q);
-        let turned = Rotation3::from_matrix_unchecked(values.rotation());
+        let turned = Rotation3::from_matrix_unchecked(frame.at(&s.q).rotation());
         let [i, j, k, w]: [f64; 4] = UnitQuaternion::from_rotation_matrix(&turned).coords.into();
         let sign = if w < 0.0 { -1.0 } else { 1.0 };
-        let spin = match &self.directions {
-            // All three directors alike: their rates violate the constraints by the error of a step.
-            Directions::Rigid(axes) => {
-                axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum::<Vector3<f64>>() * 0.5
-            }
-            _ => values.spin(frame.rates(&s.v)),
-        };
+        let spin = self.spin(s)?;
         Some(([w, i, j, k].map(|x| sign * x), spin))
+    }
+
+    /// Returns the angular velocity in the global frame, if the attachment has three directions.
+    ///
+    /// All three directors of a rigid body have equal shares in it. Their rates violate the constraints by the error of a
+    /// step, so a part of them depends on the choice of the directors.
+    pub fn spin(&self, s: &State) -> Option<Vector3<f64>> {
+        match &self.directions {
+            Directions::None | Directions::Line(_) => None,
+            Directions::Section(_, frame) => Some(frame.at(&s.q).spin(frame.rates(&s.v))),
+            Directions::Rigid(axes) => {
+                let sum: Vector3<f64> = axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum();
+                Some(sum * 0.5)
+            }
+        }
+    }
+
+    /// Returns the frames on which a moment acts with equal shares: that of a section, or three of a rigid body.
+    ///
+    /// The frames of a rigid body are those of its pairs of directors. The mean of their angular velocities is
+    /// [`spin`](Self::spin).
+    pub fn moment_frames(&self) -> Vec<SectionFrame> {
+        match &self.directions {
+            Directions::None | Directions::Line(_) => Vec::new(),
+            Directions::Section(_, frame) => vec![frame.clone()],
+            Directions::Rigid([x, y, z]) => {
+                [[y, z], [z, x], [x, y]].map(|pair| SectionFrame::new(pair, 0.5)).into()
+            }
+        }
     }
 
     /// Moves the point by a rigid arm, given in the reference state.

@@ -28,8 +28,9 @@ impl Default for EnergyGuard {
 pub struct EnergyRecord {
     /// Energy made since the start; negative if energy was lost.
     made: f64,
-    /// Smallest value so far.
+    /// Smallest and largest value so far.
     least: f64,
+    most: f64,
     /// Largest sum of kinetic and strain energy, and largest magnitude of an energy.
     largest: f64,
     magnitude: f64,
@@ -48,16 +49,14 @@ const SETTLED: f64 = 0.5;
 /// Gain that counts as rounding, relative to the largest energy.
 const ROUNDING: f64 = 1e-9;
 
-/// Energy that counts as zero, in units of the solver. Bodies at rest have such energies by rounding.
-const NEGLIGIBLE: f64 = 1e-30;
-
 impl EnergyGuard {
     /// Default of the gain.
     pub const GAIN: f64 = 0.05;
 
-    /// Returns true if a step to the record `now` is permitted.
-    pub(crate) fn permits(&self, now: &EnergyRecord) -> bool {
-        now.gain() <= self.gain * now.reference() + ROUNDING * now.magnitude + NEGLIGIBLE
+    /// Returns true if a step to the record `now` is permitted. `rounding` computes the energy of rounding errors.
+    pub(crate) fn permits(&self, now: &EnergyRecord, rounding: impl FnOnce() -> f64) -> bool {
+        let limit = self.gain * now.reference() + ROUNDING * now.magnitude;
+        now.gain() <= limit || now.gain() <= limit + rounding()
     }
 }
 
@@ -82,6 +81,11 @@ impl EnergyRecord {
         -self.made
     }
 
+    /// Returns the largest energy that the integration made since the start, with the gains of a start from rest.
+    pub fn created(&self) -> f64 {
+        self.most
+    }
+
     /// Returns the number of attempted steps that made too much energy and were refused.
     pub fn refused(&self) -> u32 {
         self.refused
@@ -93,6 +97,7 @@ impl EnergyRecord {
         let next = Self {
             made,
             least: self.least.min(made),
+            most: self.most.max(made),
             largest: self.largest.max(now.kinetic + now.strain),
             magnitude: self.magnitude.max(now.largest()),
             exchanged: self.exchanged + exchange.work.abs() + exchange.dissipation.abs(),
@@ -105,7 +110,7 @@ impl EnergyRecord {
 
     /// Returns true if the energies are finite.
     pub(crate) fn is_valid(&self) -> bool {
-        [self.made, self.least, self.largest, self.magnitude, self.exchanged, self.delayed]
+        [self.made, self.least, self.most, self.largest, self.magnitude, self.exchanged, self.delayed]
             .iter()
             .all(|x| x.is_finite())
     }

@@ -90,9 +90,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.exchanged
     }
 
-    /// Returns the energy that the integration itself made or lost since the start.
-    pub fn energy_record(&self) -> EnergyRecord {
-        self.motion.record
+    /// Returns the energy that the integration itself made or lost since the start, and the energy of rounding errors.
+    pub fn energy_record(&self) -> (EnergyRecord, f64) {
+        (self.motion.record, self.newton.rounding_energy())
     }
 
     /// Restarts at a time t with the current q and v: at the start, and at jumps of loads or prescribed motions.
@@ -309,7 +309,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         let energy = eom.energy(&motion.state);
         let record = motion.record.after((motion.energy, energy), exchange);
         self.energies = EnergyAttempt { energy, power, exchange, record };
-        if self.guard.permits(&record) {
+        if self.guard.permits(&record, || self.newton.rounding_energy()) {
             return Ok(done);
         }
         motion.record.refused = motion.record.refused.saturating_add(1);

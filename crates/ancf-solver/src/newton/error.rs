@@ -19,7 +19,7 @@ pub enum SolveFailure {
     Stagnated,
     /// A term does not admit the solution.
     #[error(
-        "the solution is inadmissible: an element is inverted, a slider leaves its beam, the ends of a spring coincide, a joint is \
+        "the solution is inadmissible: an element or a rigid body is inverted, a slider leaves its beam, the ends of a spring coincide, a joint is \
          half a turn from its place, or bodies in contact are pressed through each other"
     )]
     Inverted,

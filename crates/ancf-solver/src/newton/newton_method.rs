@@ -135,6 +135,15 @@ impl Newton {
         self.energy = self.energy.max(energy);
     }
 
+    /// Returns the energy of rounding errors: Σ (Kᵢᵢ/w_q) (8ε)² with the last tangent K and a unit size of the coordinates.
+    ///
+    /// A system at rest without loads moves by its rounding errors, and its dampers dissipate their energy.
+    pub(crate) fn rounding_energy(&self) -> f64 {
+        let matrix = &self.tangent.matrix;
+        let sum: f64 = (0..matrix.pattern().size()).map(|i| matrix.diagonal_of(i).abs()).sum();
+        sum / self.weights.q * (FLOOR * f64::EPSILON).powi(2)
+    }
+
     /// Returns the state on which later iterations depend, as of the last accepted step.
     pub(crate) fn checkpoint(&self) -> NewtonCheckpoint {
         NewtonCheckpoint { energy: self.energy, tangent: self.tangent.checkpoint() }

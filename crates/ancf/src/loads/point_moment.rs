@@ -35,12 +35,14 @@ impl LoadKind for PointMoment {
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let (on, function) = (builder.attachment(&self.on), builder.function(&self.time));
-        let Some(frame) = on.frame() else { return };
-        let moment = Vector3::from(self.moment);
-        builder.add(match self.follower {
-            false => Moment::new(&frame, moment, function),
-            true => Moment::follower(&frame, moment, function),
-        });
+        let frames = on.moment_frames();
+        let moment = Vector3::from(self.moment) / frames.len() as f64;
+        for frame in &frames {
+            builder.add(match self.follower {
+                false => Moment::new(frame, moment, function.clone()),
+                true => Moment::follower(frame, moment, function.clone()),
+            });
+        }
     }
 
     fn on(&self) -> Option<&Place> {

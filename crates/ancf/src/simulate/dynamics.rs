@@ -132,14 +132,12 @@ impl<'a> AnalysisRun<'a> {
         }
     }
 
-    /// Adds warnings if steps of fixed size made energy, or if the scheme has lost a large part of the exchanged energy.
+    /// Adds warnings if steps made energy, also at a start from rest, or if the scheme has lost a large part of the exchanged energy.
     fn warn_of_energy(&mut self, motion: &DynamicRun<'_>) {
-        let limit =
-            motion.simulation.scaled.analysis.dynamics().map_or(f64::INFINITY, |own| own.energy_guard.loss);
-        let record = motion.control.dynamics().energy_record();
-        let (lost, reference) = (record.lost(), record.reference());
-        let is_fixed =
-            motion.simulation.scaled.analysis.dynamics().is_some_and(|own| own.step.fixed().is_some());
+        let Some(own) = motion.simulation.scaled.analysis.dynamics() else { return };
+        let (guard, is_fixed) = (&own.energy_guard, own.step.fixed().is_some());
+        let (record, rounding) = motion.control.dynamics().energy_record();
+        let (lost, created, reference) = (record.lost(), record.created(), record.reference());
         if record.refused() > 0 && is_fixed {
             self.summary.warnings.push(format!(
                 "{} steps made energy (column `balance`) and were halved: the energy may be wrong by the permitted share \
@@ -147,7 +145,14 @@ impl<'a> AnalysisRun<'a> {
                 record.refused()
             ));
         }
-        if lost > limit * reference {
+        if created > guard.gain * reference + rounding {
+            self.summary.warnings.push(format!(
+                "the steps do not resolve the motion: the integration has made {:.2} % of the exchanged energy (column `balance`); use \
+                 smaller steps; `energy_guard = {{ gain = 1 }}` accepts the gain",
+                100.0 * created / reference
+            ));
+        }
+        if lost > guard.loss * reference {
             self.summary.warnings.push(format!(
                 "the numerical damping of the scheme has removed {:.2} % of the exchanged energy (column `balance`): use smaller steps, \
                  a scheme of second order, or a larger `spectral_radius`; `energy_guard = {{ loss = 1 }}` accepts the loss",

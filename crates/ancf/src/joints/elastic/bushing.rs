@@ -72,7 +72,7 @@ impl Bushing {
     }
 
     /// Number of the axis of twist: the one with the least stiffness against rotation, and of equal ones the first.
-    fn twist_axis(&self) -> usize {
+    pub fn twist_axis(&self) -> usize {
         let [x, y, z]: [f64; 3] = [3, 4, 5].map(|k| self.stiffness[k]);
         if x <= y && x <= z { 0 } else { 1 + usize::from(z < y) }
     }

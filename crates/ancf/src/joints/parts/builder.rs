@@ -219,7 +219,10 @@ impl<'a> JointBuilder<'a> {
             self.act(own, actions);
             coordinate = Some(own);
         }
-        self.equations.recorded.push(RecordedCoordinate { source: Source::Angle(vectors), coordinate });
+        let ends = Box::new([self.a().clone(), self.b().clone()]);
+        self.equations
+            .recorded
+            .push(RecordedCoordinate { source: Source::Angle { vectors, ends }, coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.

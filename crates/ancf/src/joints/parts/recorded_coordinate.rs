@@ -1,5 +1,5 @@
 use ancf_mechanics::constraints::BilinearMeasure;
-use ancf_mechanics::kinematics::BodyVector;
+use ancf_mechanics::kinematics::{Attachment, BodyVector};
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 
@@ -17,8 +17,8 @@ pub struct RecordedCoordinate {
 /// Computation of the value from a state.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// Angle of the vector p of the first end in the plane of u and v of the second end.
-    Angle([BodyVector; 3]),
+    /// Angle of the vector p of the first end in the plane of u and v of the second end, and the attachments of both ends.
+    Angle { vectors: [BodyVector; 3], ends: Box<[Attachment; 2]> },
     /// Displacement along an axis.
     Displacement(BilinearMeasure),
     /// Arc length along a beam, with its initial value.
@@ -31,7 +31,7 @@ impl RecordedCoordinate {
     /// Names of value and rate.
     pub const fn columns(&self) -> [&'static str; 2] {
         match self.source {
-            Source::Angle(_) => ["angle", "rate"],
+            Source::Angle { .. } => ["angle", "rate"],
             Source::Displacement(_) => ["displacement", "speed"],
             Source::Position(_) => ["position", "speed"],
             Source::Length(_) => ["length", "speed"],
@@ -41,14 +41,14 @@ impl RecordedCoordinate {
     /// Dimensions of value and rate.
     pub const fn dimensions(&self) -> [Dimension; 2] {
         match self.source {
-            Source::Angle(_) => [Dimension::NUMBER, Dimension::RATE],
+            Source::Angle { .. } => [Dimension::NUMBER, Dimension::RATE],
             _ => [Dimension::LENGTH, Dimension::VELOCITY],
         }
     }
 
     /// True if the value is an angle in the range from −π to π.
     pub const fn wraps(&self) -> bool {
-        matches!(self.source, Source::Angle(_)) && self.coordinate.is_none()
+        matches!(self.source, Source::Angle { .. }) && self.coordinate.is_none()
     }
 
     /// Value and rate in a state.
@@ -56,13 +56,12 @@ impl RecordedCoordinate {
         let own = self.coordinate.map_or([0.0; 2], |c| [s.q[c], s.v[c]]);
         match &self.source {
             Source::Position(start) => [start + own[0], own[1]],
-            Source::Angle(_) | Source::Displacement(_) if self.coordinate.is_some() => own,
-            Source::Angle(vectors) => {
+            Source::Angle { .. } | Source::Displacement(_) if self.coordinate.is_some() => own,
+            Source::Angle { vectors, ends } => {
                 let [p, u, v] = vectors.each_ref().map(|vector| vector.value(s));
-                let [dp, du, dv] = vectors.each_ref().map(|vector| vector.velocity(s));
-                let (x, y) = (p.dot(&u), p.dot(&v));
-                let (dx, dy) = (dp.dot(&u) + p.dot(&du), dp.dot(&v) + p.dot(&dv));
-                [y.atan2(x), (x * dy - y * dx) / (x * x + y * y)]
+                // The rates of p, u and v violate the constraints of rigid bodies by the error of a step.
+                let [of_a, of_b] = ends.each_ref().map(|end| end.spin(s).unwrap_or_default());
+                [p.dot(&v).atan2(p.dot(&u)), u.cross(&v).dot(&(of_a - of_b))]
             }
             Source::Displacement(measure) => [measure.value(s) - measure.reference(), measure.rate(s)],
             Source::Length(apart) => {
@@ -76,7 +75,7 @@ impl RecordedCoordinate {
     /// Number of the coordinate in the equations, if it is the stated free coordinate of the joint.
     pub(crate) fn coupled(&self, free: JointCoordinate) -> Option<usize> {
         let fits = match self.source {
-            Source::Angle(_) => free == JointCoordinate::Angle,
+            Source::Angle { .. } => free == JointCoordinate::Angle,
             Source::Displacement(_) | Source::Position(_) => free == JointCoordinate::Displacement,
             Source::Length(_) => false,
         };

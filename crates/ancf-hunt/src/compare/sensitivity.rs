@@ -1,0 +1,113 @@
+use ancf::Model;
+use ancf::model::Step;
+
+use super::case::{Case, NUDGE, nudged};
+use super::columns::{NEIGHBOUR, compare_within};
+use super::finding::Finding;
+use crate::run::{Record, Run, run};
+
+/// Result of a comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Comparison {
+    /// No deviation above the tolerance.
+    Equal,
+    /// A deviation that the model itself has, with its measured cause.
+    Explained(Cause),
+    /// Another deviation.
+    Different(Finding),
+}
+
+/// Measured cause of a deviation of twins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// Neighbours of the model, which differ in the eleventh digit, deviate as much: the motion amplifies rounding errors.
+    Rounding,
+    /// The steps of the twins differ, and the model with half the step deviates as much: the error of the steps.
+    Steps,
+}
+
+impl Cause {
+    /// Words for reports.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Rounding => "rounding errors",
+            Self::Steps => "the errors of large steps",
+        }
+    }
+}
+
+/// Relative changes of the properties of further neighbours, in multiples of [`NUDGE`].
+const NUDGES: [f64; 6] = [-1.0, 0.5, -0.3, 2.0, -3.0, 0.1];
+
+/// Differences of the results that are not those of rounding errors but of the discretisation in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimeSteps {
+    /// The twins have the same equations in each step, unless steps are divided.
+    Same,
+    /// The twins have the same motion, but other errors of the steps.
+    Other,
+}
+
+/// Compares a twin, mapped back to the frame and units of the base, with the base, and looks for the cause of a deviation.
+///
+/// Causes are sought in dynamics only: fixed steps may be too large for stiff parts, and the iterations of large steps fail
+/// or converge by their rounding errors. The division of a step, or the part of the motion that the steps do not resolve,
+/// then differs between twins.
+pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps: TimeSteps) -> Comparison {
+    let compare = |more: &dyn Fn(&Record, usize) -> f64| compare_within(law, case, twin, relative, more);
+    let Some(finding) = compare(&|_, _| 0.0) else { return Comparison::Equal };
+    if !case.is_dynamic() || finding.quantity == "verdict" || !case.base.verdict.is_finished() {
+        return Comparison::Different(finding);
+    }
+    let neighbours: Vec<Run> =
+        NUDGES.iter().map(|factor| run(&nudged(&case.model, factor * NUDGE))).collect();
+    let spread = |column: &Record, row: usize| {
+        let one = |run: &Run| case.spread(column, run.column(&column.name), row);
+        NEIGHBOUR * neighbours.iter().map(one).fold(0.0, f64::max)
+    };
+    let Some(finding) = compare(&spread) else { return Comparison::Explained(Cause::Rounding) };
+    let is_divided = case.base.is_divided || twin.is_divided;
+    if !is_divided && steps == TimeSteps::Same {
+        return Comparison::Different(finding);
+    }
+    let Some(half) = halved(&case.model).map(|model| run(&model)) else {
+        return Comparison::Different(finding);
+    };
+    let errors = StepErrors::new(&case.base, &half);
+    match compare(&|column, row| spread(column, row) + errors.of(column, row)) {
+        Some(finding) => Comparison::Different(finding),
+        None => Comparison::Explained(Cause::Steps),
+    }
+}
+
+/// Model with half the step; `None` with controlled steps.
+fn halved(model: &Model) -> Option<Model> {
+    let mut model = model.clone();
+    let dynamics = model.analysis.dynamics_mut()?;
+    let Step::Fixed(step) = &mut dynamics.step else { return None };
+    *step *= 0.5;
+    Some(model)
+}
+
+/// Errors of the steps: largest differences from a run with half the step so far, for all columns of a dimension.
+struct StepErrors<'a> {
+    base: &'a Run,
+    half: &'a Run,
+}
+
+impl<'a> StepErrors<'a> {
+    fn new(base: &'a Run, half: &'a Run) -> Self {
+        Self { base, half }
+    }
+
+    /// Error in a row. Errors of accelerations alternate, so the next row counts too.
+    fn of(&self, column: &Record, row: usize) -> f64 {
+        let alike = self.base.columns.iter().filter(|other| other.dimension == column.dimension);
+        let error = |other: &Record| {
+            let Some(half) = self.half.column(&other.name) else { return 0.0 };
+            let pairs = other.values.iter().zip(half.values.iter().step_by(2)).take(row + 2);
+            pairs.map(|(a, b)| (a - b).abs()).filter(|x| x.is_finite()).fold(0.0, f64::max)
+        };
+        alike.map(error).fold(0.0, f64::max)
+    }
+}

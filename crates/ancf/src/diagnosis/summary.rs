@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::locking::locking_warnings;
 use super::mechanism::number;
+use super::time_resolution::time_warnings;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::{End, Joint};
@@ -47,6 +48,8 @@ pub struct Diagnosis {
     pub projection: Option<f64>,
     /// Beams whose formulation is known to lock, with the size of the error.
     pub locking: Vec<String>,
+    /// Functions of time that vary between the ends of steps of a fixed size.
+    pub unresolved: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -88,6 +91,7 @@ impl Model {
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
             projection: if dynamic { assembly.projection(&model) } else { None },
             locking: locking_warnings(self),
+            unresolved: time_warnings(self, 1.0),
         })
     }
 
@@ -205,7 +209,7 @@ impl Diagnosis {
                 "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
-        warnings.extend(self.locking.iter().cloned());
+        warnings.extend(self.locking.iter().chain(&self.unresolved).cloned());
         warnings
     }
 }

@@ -71,7 +71,9 @@ impl<'a> StepControl<'a> {
                     largest: largest.unwrap_or(duration),
                     smallest: ErrorControl::SMALLEST * duration,
                 };
-                (StepSize::Adaptive(Box::new(AdaptiveStepper::new(&dynamics, control))), None)
+                let functions = assembly.inputs.step_functions(duration);
+                let stepper = AdaptiveStepper::new(&dynamics, control).with_functions(functions);
+                (StepSize::Adaptive(Box::new(stepper)), None)
             }
         };
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);

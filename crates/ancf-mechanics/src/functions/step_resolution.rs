@@ -1,0 +1,61 @@
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::function::Function;
+use super::interval::Interval;
+use super::variation::Variation;
+
+/// Smallest deviation within a step that is reported, relative to the range of the function.
+const REPORTED: f64 = 0.25;
+/// Number of values from which the range is estimated first.
+const SAMPLES: usize = 64;
+/// Largest number of groups of steps.
+const GROUPS: usize = 20_000;
+
+impl Function {
+    /// Returns a variation that steps of a fixed size do not resolve, if there is one: a pulse within a step, or a
+    /// vibration with less than about four steps per period.
+    ///
+    /// Groups of steps are enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
+    pub fn unresolved_variation(&self, duration: f64, step: f64) -> Option<Variation> {
+        if !self.may_vary_unseen() || matches!(self, Self::External { .. }) {
+            return None;
+        }
+        let count = (duration / step).ceil().min(1e15) as u64;
+        let mut range = Interval::point(self.value(0.0));
+        let include = |range: &mut Interval, value: f64| {
+            if value.is_finite() {
+                *range = range.hull(Interval::point(value));
+            }
+        };
+        (1..=SAMPLES).for_each(|i| include(&mut range, self.value(duration * i as f64 / SAMPLES as f64)));
+        let time = |i: u64| (i as f64 * step).min(duration);
+        let group = |first: u64, end: u64| {
+            let bounds = self.bounds(time(first), time(end));
+            let bent = 0.125 * step * step * bounds.acceleration.magnitude();
+            let bound = bent.min(bounds.value.upper - bounds.value.lower);
+            // Numbers above 0 have the order of their bits.
+            (bound.max(0.0).to_bits(), Reverse(end - first), Reverse(first))
+        };
+        let mut groups = BinaryHeap::from([group(0, count)]);
+        for _ in 0..GROUPS {
+            let (bound, Reverse(length), Reverse(first)) = groups.pop()?;
+            let limit = |range: &Interval| REPORTED * (range.upper - range.lower);
+            if f64::from_bits(bound) <= limit(&range) {
+                return None;
+            }
+            let end = first + length;
+            if length > 1 {
+                let middle = first + length / 2;
+                include(&mut range, self.value(time(middle)));
+                groups.extend([group(first, middle), group(middle, end)]);
+            } else if let Some(variation) = self.unseen_variation(time(first), time(end), step) {
+                include(&mut range, self.value(variation.at));
+                if variation.deviation > limit(&range) {
+                    return Some(variation);
+                }
+            }
+        }
+        None
+    }
+}

@@ -2,6 +2,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::function::Function;
+use super::function_value::FunctionValue;
 use super::interval::Interval;
 use super::variation::Variation;
 
@@ -11,6 +12,11 @@ const REPORTED: f64 = 0.25;
 const SAMPLES: usize = 64;
 /// Largest number of groups of steps.
 const GROUPS: usize = 20_000;
+/// Largest numbers of parts in the search for switches, and of switches.
+const PARTS: usize = 100_000;
+const SWITCHES: usize = 10_000;
+/// Smallest part in the search for switches, relative to the duration.
+const SMALLEST: f64 = 1e-13;
 
 impl Function {
     /// Returns a variation that steps of a fixed size do not resolve, if there is one: a pulse within a step, or a
@@ -57,5 +63,59 @@ impl Function {
             }
         }
         None
+    }
+
+    /// Returns the times up to a duration at which a formula may jump or have a kink, in ascending order: those of
+    /// conditions, comparisons and functions such as `abs`.
+    ///
+    /// They are the times near which interval arithmetic does not bound the second rate. A formula with more than ten
+    /// thousand of them, or with unbounded rates over a whole interval, has none.
+    pub fn switches(&self, duration: f64) -> Vec<f64> {
+        let mut zones: Vec<(f64, f64)> = Vec::new();
+        let mut parts =
+            if matches!(self, Self::Expression { .. }) { vec![(0.0, duration)] } else { Vec::new() };
+        let smallest = SMALLEST * duration;
+        let mut count = 0;
+        while let Some((a, b)) = parts.pop() {
+            let middle = 0.5 * (a + b);
+            count += 1;
+            if self.bounds(a, b).acceleration.magnitude().is_finite() {
+                continue;
+            }
+            if count > PARTS || zones.len() > SWITCHES {
+                return Vec::new();
+            }
+            if b - a > smallest {
+                parts.extend([(middle, b), (a, middle)]);
+                continue;
+            }
+            match zones.last_mut().filter(|zone| a - zone.1 <= smallest) {
+                Some(zone) => zone.1 = b,
+                None => zones.push((a, b)),
+            }
+        }
+        zones.into_iter().map(|zone| self.switch_in(zone)).collect()
+    }
+
+    /// Returns the first time after a switch, to the last digit.
+    fn switch_in(&self, (mut a, mut b): (f64, f64)) -> f64 {
+        let (left, right) = (self.at(a), self.at(b));
+        let jump = (right.value - left.value).abs();
+        let jumps = jump > 1e-9 * left.value.abs().max(right.value.abs());
+        let is_right = |f: FunctionValue| {
+            let distance = |x: f64, from: f64| (x - from).abs();
+            if jumps {
+                distance(f.value, right.value) < distance(f.value, left.value)
+            } else {
+                distance(f.rate, right.rate) < distance(f.rate, left.rate)
+            }
+        };
+        loop {
+            let middle = 0.5 * (a + b);
+            if middle <= a || middle >= b {
+                return b;
+            }
+            if is_right(self.at(middle)) { b = middle } else { a = middle }
+        }
     }
 }

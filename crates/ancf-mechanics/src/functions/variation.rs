@@ -43,9 +43,16 @@ impl Function {
     ///
     /// Source: Moore (1966); Taylor forms of second order.
     pub fn unseen_variation(&self, from: f64, to: f64, spacing: f64) -> Option<Variation> {
-        let (a, b) = (self.at(from), self.at(to));
-        let is_finite = [a, b].iter().all(|f| f.value.is_finite() && f.rate.is_finite());
-        if !self.may_vary_unseen() || !is_finite || from >= to {
+        if !self.may_vary_unseen() || from >= to {
+            return None;
+        }
+        // Rates may overflow where the value does not. They count as 0, which shows less of the variation.
+        let end = |t: f64| {
+            let f = self.at(t);
+            FunctionValue { rate: if f.rate.is_finite() { f.rate } else { 0.0 }, ..f }
+        };
+        let (a, b) = (end(from), end(to));
+        if !a.value.is_finite() || !b.value.is_finite() {
             return None;
         }
         let cubic = Polynomial::cubic(from, to, &a, &b);
@@ -127,8 +134,7 @@ impl Function {
         let of_rate = bounds.rate - Interval::between(p.rate - r * bend, p.rate + r * bend);
         let of_acceleration =
             bounds.acceleration - Interval::between(from.at(a).acceleration, from.at(b).acceleration);
-        let taylor =
-            sample + r * (f.rate - p.rate).abs() + 0.5 * r * r * of_acceleration.magnitude();
+        let taylor = sample + r * (f.rate - p.rate).abs() + 0.5 * r * r * of_acceleration.magnitude();
         let bound = of_value.magnitude().min(sample + r * of_rate.magnitude()).min(taylor);
         Part { a, b, sample, bound, largest: f.value.abs(), weight: if weighted { b - a } else { 1.0 } }
     }

@@ -48,6 +48,11 @@ impl TimeFunctions for StepFunctions {
 }
 
 impl Inputs {
+    /// Times at which formulas may jump or have a kink.
+    pub(crate) fn switches(&self, duration: f64) -> impl Iterator<Item = f64> + '_ {
+        self.times.iter().flat_map(move |(_, function, _)| function.switches(duration))
+    }
+
     /// Functions of time for the step size control of a duration.
     pub(crate) fn step_functions(&self, duration: f64) -> Box<dyn TimeFunctions> {
         let functions = self.times.iter().map(|(_, function, _)| function.clone()).collect();

@@ -6,6 +6,6 @@ mod summary;
 mod time_resolution;
 
 pub(crate) use locking::locking_warnings;
-pub(crate) use time_resolution::time_warnings;
 pub use mechanism::{FreeMotion, RigidMotion};
 pub use summary::Diagnosis;
+pub(crate) use time_resolution::time_warnings;

@@ -78,6 +78,9 @@ impl<'a> StepControl<'a> {
         };
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();
+        if settings.step.fixed().is_none() {
+            jumps.extend(assembly.inputs.switches(duration));
+        }
         jumps.retain(|t| *t > time_tolerance && *t < duration - time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);

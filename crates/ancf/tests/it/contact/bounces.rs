@@ -77,7 +77,12 @@ fn ball_between_two_planes_keeps_its_period() {
     } else {
         1.6 - 6.0 * (left - 2.0 * impact - flight)
     };
-    assert!((last(&series, "b.z") - z).abs() < 1e-3, "{} not {z}, {} steps", last(&series, "b.z"), summary.steps);
+    assert!(
+        (last(&series, "b.z") - z).abs() < 1e-3,
+        "{} not {z}, {} steps",
+        last(&series, "b.z"),
+        summary.steps
+    );
     assert!((last(&series, "kinetic") / 54.0 - 1.0).abs() < 1e-3);
 }
 

@@ -72,11 +72,14 @@ fn pulses_at_any_time_are_found() {
     let root = PI.sqrt();
     assert_impulses(90.0, &formula("exp(-((t - 0.004)/1e-3)^2)"), 2.0, 1e-3, &[(0.004, 1e-3 * root)]);
     assert_impulses(90.0, &formula("exp(-((t - 1.996)/1e-3)^2)"), 2.0, 1e-3, &[(1.996, 1e-3 * root)]);
-    let several = formula("exp(-((t - 0.37)/1e-3)^2) - 2*exp(-((t - 1.1)/2e-3)^2) + exp(-((t - 1.13)/5e-4)^2)");
+    let several =
+        formula("exp(-((t - 0.37)/1e-3)^2) - 2*exp(-((t - 1.1)/2e-3)^2) + exp(-((t - 1.13)/5e-4)^2)");
     let impulses = [(0.37, 1e-3 * root), (1.1, -4e-3 * root), (1.13, 5e-4 * root)];
     assert_impulses(90.0, &several, 2.0, 1e-3, &impulses);
     assert_impulses(2e4, &formula("exp(-((t - 0.7123)/1e-5)^2)"), 1.0, 1e-3, &[(0.7123, 1e-5 * root)]);
     assert_impulses(2e7, &formula("exp(-((t - 0.7123)/1e-8)^2)"), 1.0, 1e-2, &[(0.7123, 1e-8 * root)]);
+    // A formula whose rates overflow far from the pulse.
+    assert_impulses(900.0, &formula("1/cosh((t - 0.7)/1e-4)"), 1.5, 1e-3, &[(0.7, PI * 1e-4)]);
     // Beside a slow variation.
     let slow = formula("0.1*sin(pi*t) + exp(-((t - 0.7)/1e-3)^2)");
     let (_, series) = run(&pushed(90.0, &slow, 2.0, "{ tolerance = 1e-4 }"));
@@ -93,6 +96,17 @@ fn fast_vibrations_are_not_aliased() {
         let y = 200.0 / (200.0 * PI);
         assert!((last(&series, "m.y") - y).abs() < 1e-3, "{time}: {} not {y}", last(&series, "m.y"));
     }
+}
+
+/// Steps end at jumps of formulas: constant accelerations between them are integrated exactly.
+#[test]
+fn jumps_of_formulas_end_steps() {
+    let time = formula("if(t < 3.33, 0, if(t < 4.34, 1, -0.5))");
+    let (summary, series) = run(&pushed(120.0, &time, 10.0, "{ tolerance = 1e-7 }"));
+    let v = 60.0 * (1.01 - 0.5 * (10.0 - 4.34));
+    let y = 60.0 * (0.5 * 1.01 * 1.01 + 1.01 * (10.0 - 4.34) - 0.25 * (10.0_f64 - 4.34).powi(2));
+    assert!((last(&series, "m.vy") - v).abs() < 1e-9 && (last(&series, "m.y") - y).abs() < 1e-9);
+    assert!(summary.steps < 30, "{}", summary.steps);
 }
 
 /// Negligible pulses do not cost steps: 1e-9 of the tolerance.

@@ -15,6 +15,8 @@ const GROUPS: usize = 20_000;
 /// Largest numbers of parts in the search for switches, and of switches.
 const PARTS: usize = 100_000;
 const SWITCHES: usize = 10_000;
+/// Largest jump that counts as rounding, relative to the value and the rates times the duration.
+const CONTINUOUS: f64 = 1e-9;
 /// Smallest part in the search for switches, relative to the duration.
 const SMALLEST: f64 = 1e-13;
 
@@ -68,7 +70,8 @@ impl Function {
     /// Returns the times up to a duration at which a formula may jump or have a kink, in ascending order: those of
     /// conditions, comparisons and functions such as `abs`.
     ///
-    /// They are the times near which interval arithmetic does not bound the second rate. A formula with more than ten
+    /// They are the times near which interval arithmetic does not bound the second rate, and at which the value, the rate or
+    /// the second rate jumps. A formula with more than ten
     /// thousand of them, or with unbounded rates over a whole interval, has none.
     pub fn switches(&self, duration: f64) -> Vec<f64> {
         let mut zones: Vec<(f64, f64)> = Vec::new();
@@ -94,28 +97,26 @@ impl Function {
                 None => zones.push((a, b)),
             }
         }
-        zones.into_iter().map(|zone| self.switch_in(zone)).collect()
+        zones.into_iter().filter_map(|zone| self.switch_in(zone, duration)).collect()
     }
 
-    /// Returns the first time after a switch, to the last digit.
-    fn switch_in(&self, (mut a, mut b): (f64, f64)) -> f64 {
-        let (left, right) = (self.at(a), self.at(b));
-        let jump = (right.value - left.value).abs();
-        let jumps = jump > 1e-9 * left.value.abs().max(right.value.abs());
-        let is_right = |f: FunctionValue| {
-            let distance = |x: f64, from: f64| (x - from).abs();
-            if jumps {
-                distance(f.value, right.value) < distance(f.value, left.value)
-            } else {
-                distance(f.rate, right.rate) < distance(f.rate, left.rate)
-            }
-        };
+    /// Returns the first time after a switch, to the last digit, or `None` if value and rates are continuous there.
+    fn switch_in(&self, (mut a, mut b): (f64, f64), duration: f64) -> Option<f64> {
+        let scaled = |f: FunctionValue| [f.value, f.rate * duration, f.acceleration * duration.powi(2)];
+        let (left, right) = (scaled(self.at(a)), scaled(self.at(b)));
+        let sizes = left.iter().chain(&right).map(|x| x.abs()).filter(|x| x.is_finite());
+        let limit = CONTINUOUS * sizes.fold(0.0, f64::max);
+        // Numbers that are not finite count as jumps.
+        let jumps = |i: usize| !((right[i] - left[i]).abs() <= limit);
+        let which = (0..3).find(|&i| jumps(i))?;
         loop {
             let middle = 0.5 * (a + b);
             if middle <= a || middle >= b {
-                return b;
+                return Some(b);
             }
-            if is_right(self.at(middle)) { b = middle } else { a = middle }
+            let here = scaled(self.at(middle))[which];
+            let is_right = (here - right[which]).abs() < (here - left[which]).abs();
+            if is_right { b = middle } else { a = middle }
         }
     }
 }

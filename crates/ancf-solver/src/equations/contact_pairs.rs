@@ -57,7 +57,7 @@ pub fn active_terms(searches: &[Arc<dyn ContactSearch>], s: &State) -> Vec<Arc<d
 }
 
 /// Distance, relative to the search margin, below which pairs are included before they become active.
-pub(crate) const INCLUSION_DISTANCE: f64 = 0.5;
+const INCLUSION_DISTANCE: f64 = 0.5;
 
 /// Returns the near pairs together with the active pairs in ascending order.
 pub(crate) fn with_pairs(near: &[(ActivePair, f64)], active: &[ActivePair]) -> Vec<ActivePair> {
@@ -84,4 +84,9 @@ pub(crate) fn acting_pairs(terms: &[Arc<dyn Term>], pairs: &[ActivePair], s: &St
 /// Returns true if a pair within a distance is missing from the sorted active pairs.
 pub(crate) fn is_missing(active: &[ActivePair], near: &[(ActivePair, f64)], within: f64) -> bool {
     near.iter().any(|(pair, distance)| *distance <= within && active.binary_search(pair).is_err())
+}
+
+/// Returns true if a pair that may become active soon is missing from the sorted active pairs.
+pub(crate) fn is_near_missing(active: &[ActivePair], near: &[(ActivePair, f64)]) -> bool {
+    is_missing(active, near, INCLUSION_DISTANCE)
 }

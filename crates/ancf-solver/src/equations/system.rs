@@ -7,7 +7,7 @@ use nalgebra::DVector;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
 use super::contact_pairs::{
-    ActivePair, ContactSearch, INCLUSION_DISTANCE, acting_pairs, is_missing, near_pairs, with_pairs,
+    ActivePair, ContactSearch, acting_pairs, is_missing, is_near_missing, near_pairs, with_pairs,
 };
 use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
@@ -350,8 +350,7 @@ impl EquationsOfMotion for System {
 
     fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near_pairs(&self.searches, s);
-        is_missing(&self.active, &near, INCLUSION_DISTANCE)
-            .then(|| self.with_pair_terms(with_pairs(&near, &[])))
+        is_near_missing(&self.active, &near).then(|| self.with_pair_terms(with_pairs(&near, &[])))
     }
 
     fn with_active_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {

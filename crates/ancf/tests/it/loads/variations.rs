@@ -150,9 +150,17 @@ fn switches_of_formulas_are_found() {
         assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     };
     close(at("abs(t - 0.4) + max(t, 1.3)"), &[0.4, 1.3]);
-    close(at("sign(sin(pi*t))*(t < 1.5)"), &[0.0, 1.0, 1.5, 2.0]);
+    close(at("sign(sin(pi*t))*(t < 1.5)"), &[0.0, 1.0, 1.5]);
     close(at("min(1, 4*t^2)"), &[0.5]);
-    for text in ["sin(t)", "exp(-((t - 1)/1e-9)^2)", "t^2.5 + 1/(1 + t)", "ln(1 + t)", "sqrt(2 - t/3)"] {
+    close(at("if(t < 1, t^3, 1 + 3*(t - 1) + 2*(t - 1)^2)"), &[1.0]);
+    for text in [
+        "sin(t)",
+        "exp(-((t - 1)/1e-9)^2)",
+        "t^2.5 + 1/(1 + t)",
+        "ln(1 + t)",
+        "sqrt(2 - t/3)",
+        "if(t < 1, t^3, 1 + 3*(t - 1) + 3*(t - 1)^2)",
+    ] {
         assert_eq!(at(text), Vec::<f64>::new(), "{text}");
     }
     // Either side of a jump has its own value.

@@ -7,7 +7,7 @@ use rstar::{AABB, RTree};
 
 use super::beam_contact::BeamContact;
 use super::contact_law::ContactLaw;
-use super::crossing::{SMALLEST_DISTANCE, SPACING, obstacle_crossing};
+use super::crossing::{SMALLEST_DISTANCE, SPACING, obstacle_crossing, obstacle_passing};
 use super::obstacle::{Obstacle, ObstacleContact};
 use crate::bodies::BeamMesh;
 use crate::kinematics::{ElementAxis, Marker};
@@ -94,6 +94,10 @@ impl ContactSearch for ObstacleContacts {
         tubes.find_map(|contacts| obstacle_crossing(contacts, &from.q, &to.q))
     }
 
+    fn passing(&self, from: &State, to: &State) -> Option<f64> {
+        obstacle_passing(&self.contacts, &from.q, &to.q)
+    }
+
     fn contains(&self, [contact, other]: ContactPair) -> bool {
         (contact as usize) < self.contacts.len() && other == 0
     }
@@ -159,6 +163,28 @@ impl BeamContacts {
         self
     }
 
+    /// Returns the first result of `find` on the straight line between two states, from its position and state.
+    ///
+    /// The states between both are sampled so that no point moves by more than a quarter of the smallest radius.
+    fn between<T>(&self, from: &State, to: &State, find: impl Fn(f64, &State) -> Option<T>) -> Option<T> {
+        let all = self.tubes.iter().flat_map(|tube| &tube.points);
+        let farthest = all.map(|point| (point.value(to) - point.value(from)).norm()).fold(0.0, f64::max);
+        let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
+        let count = (farthest / (SPACING * smallest)).ceil();
+        // Terms reject a small distance at the end ([`Term::is_admissible`]).
+        if count <= 1.0 {
+            return None;
+        }
+        let count = count.min(MAX_SAMPLES);
+        let mut between = from.clone();
+        (1..=count as usize).find_map(|k| {
+            let part = k as f64 / count;
+            let ends = from.q.iter().zip(&to.q);
+            between.q.iter_mut().zip(ends).for_each(|(q, (from, to))| *q = from + part * (to - from));
+            find(part, &between)
+        })
+    }
+
     /// Returns a pair whose axes are too close in a state.
     fn deep(&self, s: &State) -> Option<ContactPair> {
         let near = self.near(s).into_iter().filter(|(_, distance)| *distance < 0.0);
@@ -219,25 +245,20 @@ impl ContactSearch for BeamContacts {
         near
     }
 
-    /// The states between both are sampled so that no point moves by more than a quarter of the smallest radius.
     fn crossing(&self, from: &State, to: &State) -> Option<usize> {
-        let all = self.tubes.iter().flat_map(|tube| &tube.points);
-        let farthest = all.map(|point| (point.value(to) - point.value(from)).norm()).fold(0.0, f64::max);
-        let smallest = self.tubes.iter().map(|tube| tube.radius).fold(f64::INFINITY, f64::min);
-        let count = (farthest / (SPACING * smallest)).ceil();
-        // Terms reject a small distance at the end ([`Term::is_admissible`]).
-        if count <= 1.0 {
-            return None;
-        }
-        let count = count.min(MAX_SAMPLES);
-        let mut between = from.clone();
-        (1..=count as usize).find_map(|k| {
-            let part = k as f64 / count;
-            let ends = from.q.iter().zip(&to.q);
-            between.q.iter_mut().zip(ends).for_each(|(q, (from, to))| *q = from + part * (to - from));
-            let pair = self.deep(&between)?;
+        self.between(from, to, |_, between| {
+            let pair = self.deep(between)?;
             let is_new = !self.contact(pair).overlaps(from, 1.0 - SMALLEST_DISTANCE);
             is_new.then(|| self.contact(pair).coordinates().first().copied()).flatten()
+        })
+    }
+
+    fn passing(&self, from: &State, to: &State) -> Option<f64> {
+        self.between(from, to, |part, between| {
+            let near = self.near(between).into_iter().filter(|(_, distance)| *distance < 0.0);
+            let mut pairs = near.map(|(pair, _)| self.contact(pair));
+            let is_new = |contact: &BeamContact| [from, to].iter().all(|end| !contact.overlaps(end, 0.0));
+            pairs.any(|contact| contact.overlaps(between, 0.0) && is_new(&contact)).then_some(part)
         })
     }
 

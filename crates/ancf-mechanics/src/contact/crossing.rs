@@ -10,14 +10,18 @@ pub(super) const SMALLEST_DISTANCE: f64 = 0.5;
 /// Largest spacing of positions that are checked, relative to the sum of the radii.
 pub(super) const SPACING: f64 = 0.25;
 
+/// Returns the part of a straight line between two vectors at which it is nearest to the origin.
+fn nearest(from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
+    let way = to - from;
+    let square = way.norm_squared();
+    if square > 0.0 { (-from.dot(&way) / square).clamp(0.0, 1.0) } else { 0.0 }
+}
+
 /// Returns true if a point passes through a convex obstacle on a straight line between two radial vectors.
 ///
 /// The vectors are relative to the sum of the radii. A point that is too deep at the start may leave on its side.
 fn passes(from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
-    let way = to - from;
-    let square = way.norm_squared();
-    let part = if square > 0.0 { (-from.dot(&way) / square).clamp(0.0, 1.0) } else { 0.0 };
-    let nearest = (from + way * part).norm();
+    let nearest = (from + (to - from) * nearest(from, to)).norm();
     nearest < SMALLEST_DISTANCE
         && (nearest < from.norm() * (1.0 - 1e-9))
         && (from.norm() >= SMALLEST_DISTANCE || from.dot(to) < 0.0)
@@ -47,4 +51,19 @@ pub(super) fn obstacle_crossing(
         last = Some(here);
     }
     None
+}
+
+/// Returns the position on a straight line between two states at which a point touches a convex obstacle that it does
+/// not touch at the ends.
+pub(super) fn obstacle_passing(
+    contacts: &[std::sync::Arc<ObstacleContact>],
+    from: &[f64],
+    to: &[f64],
+) -> Option<f64> {
+    contacts.iter().find_map(|contact| {
+        let (from, to) = (contact.radial(from)?, contact.radial(to)?);
+        let part = nearest(&from, &to);
+        let touches = |x: Vector3<f64>| x.norm_squared() < 1.0;
+        (touches(from + (to - from) * part) && !touches(from) && !touches(to)).then_some(part)
+    })
 }

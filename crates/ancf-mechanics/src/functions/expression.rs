@@ -1,3 +1,4 @@
+use super::function_bounds::FunctionBounds;
 use super::function_value::FunctionValue;
 use super::grammar::{ExpressionError, parse};
 use super::syntax_node::{Jet, SyntaxNode};
@@ -33,5 +34,10 @@ impl Expression {
     pub fn at(&self, t: f64) -> FunctionValue {
         let Jet { re, v1, v2 } = self.root.at(Jet::new(t, 1.0, 0.0));
         FunctionValue { value: re, rate: v1, acceleration: v2 }
+    }
+
+    /// Bounds value and derivatives over the interval of t.
+    pub(crate) fn bounds(&self, t: FunctionBounds) -> FunctionBounds {
+        self.root.at(t)
     }
 }

@@ -150,6 +150,11 @@ impl Integral {
         FunctionValue { value: self.primitive(t) - self.origin, rate: value, acceleration: rate }
     }
 
+    /// Returns the function.
+    pub(crate) fn integrand(&self) -> &Function {
+        &self.of
+    }
+
     /// Returns the times of jumps and kinks of the function.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         self.of.breaks()

@@ -1,4 +1,3 @@
-use num_dual::Dual2_64;
 use thiserror::Error;
 use winnow::ascii::{digit0, digit1, multispace0};
 use winnow::combinator::{Infix, Prefix, alt, expression, opt, preceded, separated};
@@ -7,7 +6,7 @@ use winnow::stream::Stream as _;
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
-use super::syntax_node::{SyntaxNode, power};
+use super::syntax_node::{Binary, SyntaxNode, Unary};
 
 /// Maximum number of characters of a formula. It also limits the recursion depth.
 const LENGTH: usize = 1000;
@@ -76,7 +75,7 @@ fn sign<'i>(i: &mut &'i str) -> ModalResult<Prefix<&'i str, SyntaxNode, ParseFai
     multispace0.parse_next(i)?;
     match opt(one_of(['+', '-'])).parse_next(i)? {
         Some(_) if i.trim_start().starts_with(['+', '-']) => expected(OPERAND),
-        Some('-') => Ok(Prefix(30, |_, x| Ok(SyntaxNode::One(|x| -x, Box::new(x))))),
+        Some('-') => Ok(Prefix(30, |_, x| Ok(SyntaxNode::One(Unary::Negative, Box::new(x))))),
         Some(_) => Ok(Prefix(30, |_, x| Ok(x))),
         None => expected(OPERAND),
     }
@@ -86,20 +85,16 @@ fn operator<'i>(i: &mut &'i str) -> ModalResult<Infix<&'i str, SyntaxNode, Parse
     let sign = one_of(['+', '-', '*', '/', '^', '<', '>']).take();
     let operator = preceded(multispace0, alt(("<=", ">=", sign))).parse_next(i)?;
     Ok(match operator {
-        "+" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(|x, y| x + y, x, y))),
-        "-" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(|x, y| x - y, x, y))),
-        "*" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(|x, y| x * y, x, y))),
-        "/" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(|x, y| x / y, x, y))),
-        "<" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re < y.re), x, y))),
-        ">" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re > y.re), x, y))),
-        "<=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re <= y.re), x, y))),
-        ">=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(|x, y| number_from(x.re >= y.re), x, y))),
-        _ => Infix::Neither(40, |_, x, y| Ok(SyntaxNode::two(power, x, y))),
+        "+" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(Binary::Sum, x, y))),
+        "-" => Infix::Left(10, |_, x, y| Ok(SyntaxNode::two(Binary::Difference, x, y))),
+        "*" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(Binary::Product, x, y))),
+        "/" => Infix::Left(20, |_, x, y| Ok(SyntaxNode::two(Binary::Quotient, x, y))),
+        "<" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(Binary::Less, x, y))),
+        ">" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(Binary::Greater, x, y))),
+        "<=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(Binary::LessEqual, x, y))),
+        ">=" => Infix::Neither(5, |_, x, y| Ok(SyntaxNode::two(Binary::GreaterEqual, x, y))),
+        _ => Infix::Neither(40, |_, x, y| Ok(SyntaxNode::two(Binary::Power, x, y))),
     })
-}
-
-fn number_from(holds: bool) -> Dual2_64 {
-    Dual2_64::from_re(f64::from(u8::from(holds)))
 }
 
 fn operand(i: &mut &str) -> ModalResult<SyntaxNode> {

@@ -3,36 +3,87 @@ use num_dual::{Dual2_64, DualNum};
 /// Number with its first two derivatives by t.
 pub(crate) type Jet = Dual2_64;
 
+/// Functions of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unary {
+    Negative,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+    Sqrt,
+    Abs,
+    Sign,
+}
+
+/// Operators and functions of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Binary {
+    Sum,
+    Difference,
+    Product,
+    Quotient,
+    Less,
+    Greater,
+    LessEqual,
+    GreaterEqual,
+    Power,
+    Minimum,
+    Maximum,
+}
+
+/// Kind of numbers with which a formula is evaluated.
+pub(crate) trait Operand: Copy {
+    /// Creates a constant.
+    fn number(x: f64) -> Self;
+
+    /// Applies a function of one argument.
+    fn one(self, f: Unary) -> Self;
+
+    /// Applies an operator or a function of two arguments.
+    fn two(self, f: Binary, other: Self) -> Self;
+
+    /// Returns the first expression if this condition is nonzero, else the second.
+    fn choose(self, then: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self;
+}
+
 /// Node of the syntax tree of a formula.
 #[derive(Clone, Debug)]
 pub(crate) enum SyntaxNode {
     Number(f64),
     Time,
-    One(fn(Jet) -> Jet, Box<Self>),
-    Two(fn(Jet, Jet) -> Jet, Box<[Self; 2]>),
+    One(Unary, Box<Self>),
+    Two(Binary, Box<[Self; 2]>),
     /// Conditional: the second expression if the first is nonzero, else the third.
     If(Box<[Self; 3]>),
 }
 
 impl SyntaxNode {
-    pub(crate) fn at(&self, t: Jet) -> Jet {
+    pub(crate) fn at<T: Operand>(&self, t: T) -> T {
         match self {
-            Self::Number(x) => Jet::from_re(*x),
+            Self::Number(x) => T::number(*x),
             Self::Time => t,
-            Self::One(f, x) => f(x.at(t)),
+            Self::One(f, x) => x.at(t).one(*f),
             Self::Two(f, operands) => {
                 let [x, y] = operands.as_ref();
-                f(x.at(t), y.at(t))
+                x.at(t).two(*f, y.at(t))
             }
             Self::If(parts) => {
                 let [condition, then, other] = parts.as_ref();
-                if condition.at(t).re == 0.0 { other.at(t) } else { then.at(t) }
+                condition.at(t).choose(|| then.at(t), || other.at(t))
             }
         }
     }
 
     /// Creates the node f(x, y).
-    pub(crate) fn two(f: fn(Jet, Jet) -> Jet, x: Self, y: Self) -> Self {
+    pub(crate) fn two(f: Binary, x: Self, y: Self) -> Self {
         Self::Two(f, Box::new([x, y]))
     }
 
@@ -45,7 +96,7 @@ impl SyntaxNode {
         match name {
             "min" | "max" => {
                 let [x, y] = <[Self; 2]>::try_from(arguments).ok()?;
-                Some(Self::two(if name == "min" { minimum } else { maximum }, x, y))
+                Some(Self::two(if name == "min" { Binary::Minimum } else { Binary::Maximum }, x, y))
             }
             "if" => Some(Self::If(Box::new(<[Self; 3]>::try_from(arguments).ok()?))),
             _ => None,
@@ -54,36 +105,80 @@ impl SyntaxNode {
 }
 
 /// Returns a function of one argument by name.
-pub(crate) fn one(name: &str) -> Option<fn(Jet) -> Jet> {
+fn one(name: &str) -> Option<Unary> {
     Some(match name {
-        "sin" => |x| x.sin(),
-        "cos" => |x| x.cos(),
-        "tan" => |x| x.tan(),
-        "asin" => |x| x.asin(),
-        "acos" => |x| x.acos(),
-        "atan" => |x| x.atan(),
-        "sinh" => |x| x.sinh(),
-        "cosh" => |x| x.cosh(),
-        "tanh" => |x| x.tanh(),
-        "exp" => |x| x.exp(),
-        "ln" => |x| x.ln(),
-        "sqrt" => |x| x.sqrt(),
-        "abs" => |x| if x.re < 0.0 { -x } else { x },
-        "sign" => |x| Jet::from_re(if x.re == 0.0 { 0.0 } else { x.re.signum() }),
+        "sin" => Unary::Sin,
+        "cos" => Unary::Cos,
+        "tan" => Unary::Tan,
+        "asin" => Unary::Asin,
+        "acos" => Unary::Acos,
+        "atan" => Unary::Atan,
+        "sinh" => Unary::Sinh,
+        "cosh" => Unary::Cosh,
+        "tanh" => Unary::Tanh,
+        "exp" => Unary::Exp,
+        "ln" => Unary::Ln,
+        "sqrt" => Unary::Sqrt,
+        "abs" => Unary::Abs,
+        "sign" => Unary::Sign,
         _ => return None,
     })
 }
 
-pub(crate) fn minimum(x: Jet, y: Jet) -> Jet {
-    if y.re < x.re { y } else { x }
+impl Operand for Jet {
+    fn number(x: f64) -> Self {
+        Self::from_re(x)
+    }
+
+    fn one(self, f: Unary) -> Self {
+        match f {
+            Unary::Negative => -self,
+            Unary::Sin => self.sin(),
+            Unary::Cos => self.cos(),
+            Unary::Tan => self.tan(),
+            Unary::Asin => self.asin(),
+            Unary::Acos => self.acos(),
+            Unary::Atan => self.atan(),
+            Unary::Sinh => self.sinh(),
+            Unary::Cosh => self.cosh(),
+            Unary::Tanh => self.tanh(),
+            Unary::Exp => self.exp(),
+            Unary::Ln => self.ln(),
+            Unary::Sqrt => self.sqrt(),
+            Unary::Abs if self.re < 0.0 => -self,
+            Unary::Abs => self,
+            Unary::Sign => Self::from_re(if self.re == 0.0 { 0.0 } else { self.re.signum() }),
+        }
+    }
+
+    fn two(self, f: Binary, other: Self) -> Self {
+        match f {
+            Binary::Sum => self + other,
+            Binary::Difference => self - other,
+            Binary::Product => self * other,
+            Binary::Quotient => self / other,
+            Binary::Less => number_from(self.re < other.re),
+            Binary::Greater => number_from(self.re > other.re),
+            Binary::LessEqual => number_from(self.re <= other.re),
+            Binary::GreaterEqual => number_from(self.re >= other.re),
+            Binary::Power => power(self, other),
+            Binary::Minimum if other.re < self.re => other,
+            Binary::Maximum if other.re > self.re => other,
+            Binary::Minimum | Binary::Maximum => self,
+        }
+    }
+
+    fn choose(self, then: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
+        if self.re == 0.0 { other() } else { then() }
+    }
 }
 
-pub(crate) fn maximum(x: Jet, y: Jet) -> Jet {
-    if y.re > x.re { y } else { x }
+fn number_from(holds: bool) -> Jet {
+    Jet::from_re(f64::from(u8::from(holds)))
 }
 
 /// Computes xʸ, by multiplication for integer y, so that x may be negative or 0.
-pub(crate) fn power(x: Jet, y: Jet) -> Jet {
+fn power(x: Jet, y: Jet) -> Jet {
     let constant = y.v1 == 0.0 && y.v2 == 0.0;
     if constant && y.re.fract() == 0.0 && y.re.abs() <= 64.0 {
         whole_power(x, y.re as i32)
@@ -95,7 +190,7 @@ pub(crate) fn power(x: Jet, y: Jet) -> Jet {
 }
 
 /// Computes xⁿ with the derivatives n xⁿ⁻¹ and n(n − 1) xⁿ⁻², without division for n ≥ 0.
-pub(crate) fn whole_power(x: Jet, n: i32) -> Jet {
+fn whole_power(x: Jet, n: i32) -> Jet {
     let times = |factor: i32, exponent: i32| {
         if factor == 0 { 0.0 } else { f64::from(factor) * x.re.powi(exponent) }
     };

@@ -1,10 +1,9 @@
 //! Time integration: schemes, fixed and controlled step sizes, initial conditions.
 
-mod adaptive;
+mod control;
 mod damping_work;
 mod energy_guard;
 mod energy_momentum;
-mod error_estimate;
 mod first_step;
 mod initial_conditions;
 mod integration_state;
@@ -13,7 +12,7 @@ mod scheme;
 mod step_report;
 mod time_stepper;
 
-pub use adaptive::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl};
+pub use control::{AdaptiveCheckpoint, AdaptiveStepper, ErrorControl, TimeFunctions, UnseenVariation};
 pub use energy_guard::{EnergyGuard, EnergyRecord};
 pub use initial_conditions::{consistent_accelerations, consistent_velocities};
 pub use integration_state::{CheckpointMismatch, StepperCheckpoint};

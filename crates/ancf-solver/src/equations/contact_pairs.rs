@@ -2,7 +2,8 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use super::state::State;
-use super::term::Term;
+use super::term::{LOCAL, Term};
+use super::term_sums::LocalState;
 
 /// Pair of possible contact partners, by indices of its [`ContactSearch`].
 pub type ContactPair = [u32; 2];
@@ -27,6 +28,13 @@ pub trait ContactSearch: Debug + Send + Sync {
         None
     }
 
+    /// Returns the position on a straight line between two states, from 0 to 1, at which an inactive pair is active.
+    ///
+    /// Pairs that are active at an end do not count.
+    fn passing(&self, _from: &State, _to: &State) -> Option<f64> {
+        None
+    }
+
     /// Creates the term of a pair that belongs to this search.
     fn term(&self, pair: ContactPair) -> Arc<dyn Term>;
 }
@@ -48,7 +56,37 @@ pub fn active_terms(searches: &[Arc<dyn ContactSearch>], s: &State) -> Vec<Arc<d
     near.filter(|(_, distance)| *distance <= 0.0).map(|((i, pair), _)| searches[i].term(pair)).collect()
 }
 
+/// Distance, relative to the search margin, below which pairs are included before they become active.
+const INCLUSION_DISTANCE: f64 = 0.5;
+
+/// Returns the near pairs together with the active pairs in ascending order.
+pub(crate) fn with_pairs(near: &[(ActivePair, f64)], active: &[ActivePair]) -> Vec<ActivePair> {
+    let mut all: Vec<ActivePair> = near.iter().map(|(pair, _)| *pair).chain(active.iter().copied()).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Returns the pairs whose terms have a force in a state. The terms of the pairs are the last ones.
+pub(crate) fn acting_pairs(terms: &[Arc<dyn Term>], pairs: &[ActivePair], s: &State) -> Vec<ActivePair> {
+    let (mut gathered, mut rows) = (LocalState::EMPTY, [0.0; LOCAL]);
+    let mut acts = |term: &dyn Term| {
+        let local = gathered.gather(s, term);
+        let rows = &mut rows[..local.q.len() + local.lambda.len()];
+        rows.fill(0.0);
+        term.residual(&local, rows);
+        rows.iter().any(|row| *row != 0.0)
+    };
+    let terms = &terms[terms.len() - pairs.len()..];
+    terms.iter().zip(pairs).filter(|(term, _)| acts(term.as_ref())).map(|(_, pair)| *pair).collect()
+}
+
 /// Returns true if a pair within a distance is missing from the sorted active pairs.
 pub(crate) fn is_missing(active: &[ActivePair], near: &[(ActivePair, f64)], within: f64) -> bool {
     near.iter().any(|(pair, distance)| *distance <= within && active.binary_search(pair).is_err())
+}
+
+/// Returns true if a pair that may become active soon is missing from the sorted active pairs.
+pub(crate) fn is_near_missing(active: &[ActivePair], near: &[(ActivePair, f64)]) -> bool {
+    is_missing(active, near, INCLUSION_DISTANCE)
 }

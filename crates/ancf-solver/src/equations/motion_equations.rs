@@ -90,6 +90,17 @@ pub trait EquationsOfMotion {
         None
     }
 
+    /// Returns a position on the straight line between two states, from 0 to 1, at which a pair acts that does not act at
+    /// the ends.
+    fn passing(&self, _from: &State, _to: &State) -> Option<f64> {
+        None
+    }
+
+    /// Returns the included pairs that have a force in a state, in ascending order; `None` if there are no searches.
+    fn acting_pairs(&self, _s: &State) -> Option<Vec<ActivePair>> {
+        None
+    }
+
     /// Returns the largest rotation between two states, which limits load increments.
     fn rotation(&self, _from: &State, _to: &State) -> Rotation {
         Rotation::default()

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::batch::{Batch, GatheredLanes, LocalLanes, LowerLanes, PlacedBatch};
-use super::contact_pairs::{ActivePair, ContactSearch, is_missing, near_pairs};
+use super::contact_pairs::{
+    ActivePair, ContactSearch, acting_pairs, is_missing, is_near_missing, near_pairs, with_pairs,
+};
 use super::dependence::redundant_rows;
 use super::energy::{Energy, Level, Power};
 use super::motion_equations::EquationsOfMotion;
@@ -46,9 +48,6 @@ impl fmt::Debug for System {
         f.debug_struct("System").field("sizes", &sizes).finish_non_exhaustive()
     }
 }
-
-/// Distance, relative to the search margin, below which pairs are included before they become active.
-const INCLUSION_DISTANCE: f64 = 0.5;
 
 impl System {
     /// Creates the sum of `terms` over the given numbers of coordinates and multipliers.
@@ -336,26 +335,27 @@ impl EquationsOfMotion for System {
         self.searches.iter().find_map(|search| search.crossing(from, to))
     }
 
+    fn passing(&self, from: &State, to: &State) -> Option<f64> {
+        self.searches.iter().find_map(|search| search.passing(from, to))
+    }
+
+    fn acting_pairs(&self, s: &State) -> Option<Vec<ActivePair>> {
+        (!self.searches.is_empty()).then(|| acting_pairs(&self.terms, &self.active, s))
+    }
+
     fn rotation(&self, from: &State, to: &State) -> Rotation {
         largest_rotation(&self.terms, from, to)
     }
 
     fn with_near_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near_pairs(&self.searches, s);
-        let active = || near.iter().map(|(pair, _)| *pair).collect();
-        is_missing(&self.active, &near, INCLUSION_DISTANCE).then(|| self.with_pair_terms(active()))
+        is_near_missing(&self.active, &near).then(|| self.with_pair_terms(with_pairs(&near, &[])))
     }
 
     fn with_active_terms(&self, s: &State) -> Option<(Self, SparseMatrix)> {
         let near = near_pairs(&self.searches, s);
-        is_missing(&self.active, &near, 0.0).then(|| {
-            // The pairs of the start of the step are kept, so that repetitions of the step terminate.
-            let mut active: Vec<ActivePair> =
-                near.iter().map(|(pair, _)| *pair).chain(self.active.iter().copied()).collect();
-            active.sort_unstable();
-            active.dedup();
-            self.with_pair_terms(active)
-        })
+        // The pairs of the start of the step are kept, so that repetitions of the step terminate.
+        is_missing(&self.active, &near, 0.0).then(|| self.with_pair_terms(with_pairs(&near, &self.active)))
     }
 
     fn active_pairs(&self) -> Vec<ActivePair> {

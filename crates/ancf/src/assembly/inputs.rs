@@ -3,6 +3,7 @@
 use ancf_mechanics::bodies::BodyTerms;
 use ancf_mechanics::functions::{ForceFunction, Function};
 use ancf_mechanics::kinematics::BodyVector;
+use ancf_solver::dynamics::{TimeFunctions, UnseenVariation};
 use ancf_solver::equations::State;
 
 use crate::model::{IndexedModel, Load, Model, TimeMode, loads_of};
@@ -27,7 +28,37 @@ pub(crate) struct NoNumber {
     pub(crate) value: f64,
 }
 
+/// Functions of time of a model for the step size control.
+#[derive(Debug)]
+struct StepFunctions {
+    functions: Vec<Function>,
+    /// Spacing of the samples of external functions.
+    spacing: f64,
+}
+
+/// Number of samples of external functions over the duration.
+const SAMPLES: f64 = 1000.0;
+
+impl TimeFunctions for StepFunctions {
+    fn unseen(&self, from: f64, to: f64, found: &mut Vec<UnseenVariation>) {
+        let variation = |function: &Function| function.unseen_variation(from, to, self.spacing);
+        let variations = self.functions.iter().filter_map(variation);
+        found.extend(variations.map(|one| UnseenVariation { at: one.at, width: one.width }));
+    }
+}
+
 impl Inputs {
+    /// Times at which formulas may jump or have a kink.
+    pub(crate) fn switches(&self, duration: f64) -> impl Iterator<Item = f64> + '_ {
+        self.times.iter().flat_map(move |(_, function, _)| function.switches(duration))
+    }
+
+    /// Functions of time for the step size control of a duration.
+    pub(crate) fn step_functions(&self, duration: f64) -> Box<dyn TimeFunctions> {
+        let functions = self.times.iter().map(|(_, function, _)| function.clone()).collect();
+        Box::new(StepFunctions { functions, spacing: duration / SAMPLES })
+    }
+
     /// First function with a value that is not finite at the time of a state.
     pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
         let of_time = |(path, function, drives): &(String, Function, bool)| {

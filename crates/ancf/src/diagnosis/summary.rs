@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::corners::corner_warnings;
 use super::free_motion::{FreeMotion, MAX_LISTED, number};
 use super::locking::locking_warnings;
+use super::time_resolution::time_warnings;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
 use crate::joints::{End, Joint};
@@ -51,6 +52,8 @@ pub struct Diagnosis {
     pub locking: Vec<String>,
     /// Clamps that equate strains of sections at an angle.
     pub corners: Vec<String>,
+    /// Functions of time that vary between the ends of steps of a fixed size.
+    pub unresolved: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -94,6 +97,7 @@ impl Model {
             projection: if dynamic { assembly.projection(&model) } else { None },
             locking: locking_warnings(self),
             corners: corner_warnings(self),
+            unresolved: time_warnings(self, 1.0),
         })
     }
 
@@ -212,7 +216,7 @@ impl Diagnosis {
                 "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
             ));
         }
-        warnings.extend(self.locking.iter().chain(&self.corners).cloned());
+        warnings.extend(self.locking.iter().chain(&self.corners).chain(&self.unresolved).cloned());
         warnings
     }
 }

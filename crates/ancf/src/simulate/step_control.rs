@@ -71,11 +71,16 @@ impl<'a> StepControl<'a> {
                     largest: largest.unwrap_or(duration),
                     smallest: ErrorControl::SMALLEST * duration,
                 };
-                (StepSize::Adaptive(Box::new(AdaptiveStepper::new(&dynamics, control))), None)
+                let functions = assembly.inputs.step_functions(duration);
+                let stepper = AdaptiveStepper::new(&dynamics, control).with_functions(functions);
+                (StepSize::Adaptive(Box::new(stepper)), None)
             }
         };
         let time_tolerance = TIME_TOLERANCE * settings.step.fixed().unwrap_or(duration);
         let mut jumps = assembly.breaks().to_vec();
+        if settings.step.fixed().is_none() {
+            jumps.extend(assembly.inputs.switches(duration));
+        }
         jumps.retain(|t| *t > time_tolerance && *t < duration - time_tolerance);
         jumps.sort_by(|a, b| b.total_cmp(a));
         jumps.dedup_by(|a, b| (*a - *b).abs() <= time_tolerance);

@@ -1,5 +1,6 @@
 //! Contact of bodies with obstacles and with each other.
 
+mod bounces;
 mod crossing;
 mod forces;
 mod models;

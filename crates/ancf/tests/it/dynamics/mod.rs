@@ -8,5 +8,6 @@ mod energy_momentum;
 mod initial_conditions;
 mod newton_methods;
 mod pendulum;
+mod pulses;
 mod rigid_bodies;
 mod schemes;

@@ -5,3 +5,4 @@ mod functions;
 mod line_loads;
 mod moments;
 mod supplied;
+mod variations;

@@ -1,9 +1,11 @@
 use serde::{Deserialize, Serialize};
 
+use super::contact_changes::ContactChanges;
 use super::error_estimate::{ErrorEstimate, ErrorHistory};
-use super::integration_state::CheckpointMismatch;
-use super::step_report::StepReport;
-use super::time_stepper::TimeStepper;
+use super::unseen_variation::{TimeFunctions, UnseenVariation, displacements};
+use crate::dynamics::integration_state::CheckpointMismatch;
+use crate::dynamics::step_report::StepReport;
+use crate::dynamics::time_stepper::TimeStepper;
 use crate::equations::EquationsOfMotion;
 use crate::newton::{SolveError, SolveFailure};
 
@@ -42,12 +44,18 @@ impl ErrorControl {
 ///
 /// The global error bound is proven for vibrations only. Unstable motions have larger errors.
 ///
+/// The estimate is the error of a smooth motion. The errors of contacts that open or close, and of functions of time that
+/// vary between the ends of the step, are added.
+///
 /// Source: Söderlind (2003), the digital filter H211b.
 #[derive(Debug)]
 pub struct AdaptiveStepper {
     control: ErrorControl,
     estimate: ErrorEstimate,
     sizes: StepSizes,
+    functions: Option<Box<dyn TimeFunctions>>,
+    /// Variations within the attempted step.
+    unseen: Vec<UnseenVariation>,
 }
 
 /// Step sizes of the controller.
@@ -72,6 +80,11 @@ const TARGET: f64 = 0.4;
 const FILTER: (f64, f64) = (0.125, 0.25);
 /// Reduction factor after a failed iteration, and largest reduction after a rejected step.
 const REDUCTION: f64 = 0.25;
+/// Weight of the errors of contacts that change and of functions that vary within a step. They are errors of velocities:
+/// with a weight of 1, those of one step would displace the system by the whole tolerance at the end.
+const VELOCITY_WEIGHT: f64 = 4.0;
+/// Relative rounding error of the division of an interval into steps.
+const ROUNDING: f64 = 1e-9;
 
 impl AdaptiveStepper {
     /// Creates the step size control of an integration.
@@ -81,7 +94,14 @@ impl AdaptiveStepper {
         // During this step the acceleration moves the system by about a hundredth of the tolerance.
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
         let next = control.initial.unwrap_or(own).max(control.smallest);
-        Self { control, estimate, sizes: StepSizes { next, last: None } }
+        let sizes = StepSizes { next, last: None };
+        Self { control, estimate, sizes, functions: None, unseen: Vec::new() }
+    }
+
+    /// Sets the functions of time, so that steps do not pass over their variations.
+    #[must_use]
+    pub fn with_functions(self, functions: Box<dyn TimeFunctions>) -> Self {
+        Self { functions: Some(functions), ..self }
     }
 
     /// Performs one step within the tolerance towards the time `to`. The last step ends exactly there.
@@ -102,7 +122,7 @@ impl AdaptiveStepper {
         let (mut size, mut failed) = (self.sizes.next, false);
         loop {
             // Equal parts of the remaining interval avoid a tiny last step.
-            let parts = ((to - from) / size.min(self.control.largest) * (1.0 - 1e-9)).ceil().max(1.0);
+            let parts = ((to - from) / size.min(self.control.largest) * (1.0 - ROUNDING)).ceil().max(1.0);
             let h = (to - from) / parts;
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
@@ -124,7 +144,7 @@ impl AdaptiveStepper {
                     error
                 }
             };
-            if h <= self.control.smallest {
+            if h <= self.control.smallest * (1.0 + 2.0 * ROUNDING) {
                 return Err(failure);
             }
             size = size.max(self.control.smallest);
@@ -144,8 +164,11 @@ impl AdaptiveStepper {
         dynamics.newton.tangent.renew();
         let done = dynamics.attempt(h, end)?;
         let error = self.estimate.error(dynamics, &done, h);
-        let error = error.inspect_err(|_| dynamics.revert())?;
+        let mut error = error.inspect_err(|_| dynamics.revert())?;
         let share = self.control.tolerance * self.control.length * h / self.control.duration;
+        if error <= share {
+            error += self.hidden_error(dynamics, h).inspect_err(|_| dynamics.revert())?;
+        }
         let x = TARGET * share / error.max(f64::MIN_POSITIVE);
         if x >= TARGET {
             dynamics.accept(&done, report);
@@ -156,6 +179,32 @@ impl AdaptiveStepper {
             report.rejected += 1;
         }
         Ok(x)
+    }
+
+    /// Estimates the errors of an attempted step h that a smooth motion does not have.
+    fn hidden_error<E: EquationsOfMotion>(
+        &mut self,
+        dynamics: &TimeStepper<'_, E>,
+        h: f64,
+    ) -> Result<f64, SolveError> {
+        let (eom, ends) = (&*dynamics.eom, [&dynamics.before, &dynamics.motion.state]);
+        let mut error = 0.0_f64;
+        if let Some(mut changes) = ContactChanges::new(eom, ends[0], ends[1])? {
+            changes.accelerations(eom, ends, dynamics.scheme.weights(h), |x| {
+                error = error.max(0.5 * h * h * self.estimate.norm_of(x));
+            })?;
+        }
+        self.unseen.clear();
+        if let Some(functions) = &self.functions {
+            functions.unseen(ends[0].t, ends[1].t, &mut self.unseen);
+        }
+        for &variation in &self.unseen {
+            let weights = dynamics.scheme.weights(variation.width.min(h));
+            let mut matrix = dynamics.newton.tangent.matrix.clone();
+            let parts = displacements(eom, ends, weights, variation, &mut matrix)?;
+            error += parts.iter().map(|x| self.estimate.norm_of(x)).sum::<f64>();
+        }
+        Ok(VELOCITY_WEIGHT * error)
     }
 
     /// Computes the next step size after an accepted step h, given the proposed size and whether other sizes failed.

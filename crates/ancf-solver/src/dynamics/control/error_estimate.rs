@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
-use super::initial_conditions::solve;
-use super::time_stepper::TimeStepper;
+use crate::dynamics::initial_conditions::solve;
+use crate::dynamics::time_stepper::TimeStepper;
 use crate::equations::{EquationsOfMotion, Weights};
 use crate::newton::{NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
@@ -74,6 +74,13 @@ impl ErrorEstimate {
         self.now[..x.len()].copy_from_slice(x);
         self.now[x.len()..].fill(0.0);
         square(&self.matrix, &self.now, &mut self.force, self.mass).sqrt()
+    }
+
+    /// Computes the norm ‖x‖ of a vector over the coordinates, and leaves the estimate unchanged.
+    pub(crate) fn norm_of(&self, x: &[f64]) -> f64 {
+        let mut all = x.to_vec();
+        all.resize(self.now.len(), 0.0);
+        square(&self.matrix, &all, &mut vec![0.0; all.len()], self.mass).sqrt()
     }
 
     /// Estimates the error of the attempted step.

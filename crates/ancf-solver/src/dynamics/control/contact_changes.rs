@@ -1,0 +1,111 @@
+use crate::equations::{ActivePair, EquationsOfMotion, State, Weights};
+use crate::factor::Factor;
+use crate::newton::{SolveError, SolveFailure};
+
+/// Contacts that open or close within a step.
+///
+/// The filter of [`ErrorEstimate`](super::error_estimate::ErrorEstimate) takes contacts for stiff springs, whose
+/// vibrations a step need not resolve. An impact, however, changes the velocities for good. The forces of the pairs that
+/// act at one end of the step only, or only between its ends, are therefore unfiltered:
+///
+/// [S₀, Φ_qᵀ; Φ_q, 0] (x, ·) = (ΔC, 0),   e = ½ h² ‖x‖,
+///
+/// where ΔC is the change of their forces, and the matrix S₀ does not contain these pairs. A force that sets in within
+/// the step has at most this error in position, with a velocity error of h ‖x‖.
+pub(super) struct ContactChanges<E> {
+    /// Equations without the pairs that change, and those with all pairs that act in the middle and in passing.
+    without: E,
+    between: Vec<(f64, State, Option<E>)>,
+    factor: Factor,
+    matrix: crate::sparse::SparseMatrix,
+}
+
+impl<E: EquationsOfMotion> ContactChanges<E> {
+    /// Finds the changes between two states of a step h, or returns `None` if there are none.
+    pub(super) fn new(eom: &E, from: &State, to: &State) -> Result<Option<Self>, SolveError> {
+        let (Some(before), Some(after)) = (eom.acting_pairs(from), eom.acting_pairs(to)) else {
+            return Ok(None);
+        };
+        let lasting: Vec<ActivePair> =
+            before.iter().filter(|pair| after.binary_search(pair).is_ok()).copied().collect();
+        let mut is_changed = before != after;
+        let mut between = Vec::new();
+        let passing = eom.passing(from, to).map(|part| (part, on_line(from, to, part)));
+        for (part, state) in [(0.5, middle(from, to))].into_iter().chain(passing) {
+            let extended = eom.with_active_terms(&state).map(|(extended, _)| extended);
+            let acting = extended.as_ref().unwrap_or(eom).acting_pairs(&state).unwrap_or_default();
+            if acting.iter().any(|pair| lasting.binary_search(pair).is_err()) {
+                is_changed = true;
+                between.push((part, state, extended));
+            }
+        }
+        if !is_changed {
+            return Ok(None);
+        }
+        let Some((without, matrix)) = eom.with_pairs(&lasting) else { return Ok(None) };
+        let failed = |failure| SolveError::at(to.t, failure);
+        let factor = Factor::new(matrix.pattern()).map_err(|_| failed(SolveFailure::Memory))?;
+        Ok(Some(Self { without, between, factor, matrix }))
+    }
+
+    /// Calls `visit` with the acceleration x of each force change.
+    pub(super) fn accelerations(
+        &mut self,
+        eom: &E,
+        [from, to]: [&State; 2],
+        w: Weights,
+        mut visit: impl FnMut(&[f64]),
+    ) -> Result<(), SolveError> {
+        let n = to.q.len();
+        let ends = [from, to].map(|s| self.forces(eom, s));
+        let mut changes: Vec<Vec<f64>> = vec![difference(&ends[1], &ends[0])];
+        for (part, state, extended) in &self.between {
+            let line: Vec<f64> = ends[0].iter().zip(&ends[1]).map(|(a, b)| a + part * (b - a)).collect();
+            changes.push(difference(&self.forces(extended.as_ref().unwrap_or(eom), state), &line));
+        }
+        self.without.tangent(to, w, &mut self.matrix);
+        let singular = |_| SolveError::at(to.t, SolveFailure::Singular);
+        self.factor.factorise(&self.matrix).map_err(singular)?;
+        for change in &mut changes {
+            change[n..].fill(0.0);
+            self.factor.solve(&self.matrix, change).map_err(singular)?;
+            visit(&change[..n]);
+        }
+        Ok(())
+    }
+
+    /// Returns the forces of the pairs that change.
+    fn forces(&self, eom: &E, s: &State) -> Vec<f64> {
+        let mut all = vec![0.0; s.q.len() + s.lambda.len()];
+        let mut others = all.clone();
+        eom.residual(s, &mut all);
+        self.without.residual(s, &mut others);
+        difference(&all, &others)
+    }
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Returns the middle of a step on cubic polynomials through positions and velocities of both ends.
+fn middle(from: &State, to: &State) -> State {
+    let (mut s, h) = (to.clone(), to.t - from.t);
+    s.set_middle(from, to);
+    for i in 0..s.q.len() {
+        s.q[i] += 0.125 * h * (from.v[i] - to.v[i]);
+        s.v[i] = 1.5 * (to.q[i] - from.q[i]) / h - 0.25 * (from.v[i] + to.v[i]);
+    }
+    s
+}
+
+/// Returns a state on the straight line between two states.
+fn on_line(from: &State, to: &State, part: f64) -> State {
+    let mut s = to.clone();
+    for i in 0..s.q.len() {
+        s.q[i] = from.q[i] + part * (to.q[i] - from.q[i]);
+        s.v[i] = from.v[i] + part * (to.v[i] - from.v[i]);
+    }
+    s.t = from.t + part * (to.t - from.t);
+    s
+}

@@ -159,7 +159,7 @@ impl GatheredLanes {
     }
 
     /// Adds the damping forces of a batch to a section of a global vector that starts at coordinate `first`.
-    pub(crate) fn add_damping(&mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
+    pub(crate) fn add_damping(mut self, s: &State, of: &PlacedBatch, sum: &mut [f64], first: usize) {
         let mut rows = Self::NONE;
         let at = self.gather(s, of);
         let rows = &mut rows[..at.q.len()];

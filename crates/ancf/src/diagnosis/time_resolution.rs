@@ -1,4 +1,4 @@
-use super::mechanism::number;
+use super::free_motion::number;
 use crate::model::{Model, TimeMode};
 
 /// Describes functions of time that steps of a fixed size do not resolve, one sentence each.

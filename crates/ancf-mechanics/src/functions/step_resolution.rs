@@ -6,7 +6,8 @@ use super::function_value::FunctionValue;
 use super::interval::Interval;
 use super::variation::Variation;
 
-/// Smallest deviation within a step that is reported, relative to the range of the function.
+/// Smallest distance of a value within a step from those at its ends that is reported, relative to the range of the
+/// function.
 const REPORTED: f64 = 0.25;
 /// Number of values from which the range is estimated first.
 const SAMPLES: usize = 64;
@@ -24,7 +25,8 @@ impl Function {
     /// Returns a variation that steps of a fixed size do not resolve, if there is one: a pulse within a step, or a
     /// vibration with less than about four steps per period.
     ///
-    /// Groups of steps are enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
+    /// Its deviation is that beyond the values at both ends of a step, so a single jump does not count. Groups of steps are
+    /// enclosed by interval arithmetic, so no pulse is missed. User-defined functions are not examined.
     pub fn unresolved_variation(&self, duration: f64, step: f64) -> Option<Variation> {
         if !self.may_vary_unseen() || matches!(self, Self::External { .. }) {
             return None;
@@ -58,9 +60,12 @@ impl Function {
                 include(&mut range, self.value(time(middle)));
                 groups.extend([group(first, middle), group(middle, end)]);
             } else if let Some(variation) = self.unseen_variation(time(first), time(end), step) {
-                include(&mut range, self.value(variation.at));
-                if variation.deviation > limit(&range) {
-                    return Some(variation);
+                let value = self.value(variation.at);
+                include(&mut range, value);
+                let ends = Interval::between(self.value(time(first)), self.value(time(end)));
+                let beyond = (value - ends.upper).max(ends.lower - value);
+                if beyond > limit(&range) {
+                    return Some(Variation { deviation: beyond, ..variation });
                 }
             }
         }

@@ -28,7 +28,7 @@ fn random_formula(random: &mut Random, depth: u32) -> String {
             _ => number(random),
         };
     }
-    let mut part = |random: &mut Random| random_formula(random, depth - 1);
+    let part = |random: &mut Random| random_formula(random, depth - 1);
     let (a, b) = (part(random), part(random));
     match random.bits() % 16 {
         0 => format!("({a} + {b})"),

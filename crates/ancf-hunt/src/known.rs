@@ -34,9 +34,10 @@ pub const KNOWN: &[Known] = &[
         is_cause: |model, finding| finding.law == "energy" && is_damped(model),
     },
     Known {
-        name: "stiff motions of bodies split in two, or with other tangents, that the steps do not resolve",
+        name: "stiff motions of bodies split in two, with exchanged ends or other tangents, that the steps do not resolve",
         is_cause: |model, finding| {
-            matches!(model.analysis, Analysis::Dynamics(_)) && ["split", "tangents"].contains(&finding.law)
+            matches!(model.analysis, Analysis::Dynamics(_))
+                && ["split", "exchange", "tangents"].contains(&finding.law)
         },
     },
 ];

@@ -53,6 +53,8 @@ pub struct EigenModes {
 const TOLERANCE: f64 = 1e-7;
 /// Number of block vectors in addition to the requested modes.
 const GUARD: usize = 4;
+/// Ratio of a better shift to the shift beyond which the search is repeated.
+const FAR: f64 = 100.0;
 /// Number of additional block vectors if all modes are rigid: rigid motions of a body.
 const RIGID: usize = 6;
 /// Number of blocks of the first Krylov space, which estimates the spectrum, and of the next ones.
@@ -115,8 +117,10 @@ pub fn modes(
             // All modes so far are rigid. The next ones determine the shift.
             start.extend(pencil.operator().start(RIGID, 1)?);
         }
+        // A shift from rough rigid modes may be near the rounding error.
+        let is_settled = next.is_none_or(|next| next.abs() <= FAR * shift.abs()) || pass + 1 == PASSES;
         let is_complete = found.converged && found.requested == count;
-        if pass > 0 && is_complete {
+        if pass > 0 && is_complete && is_settled {
             let modes = finish(&mut pencil, &found, shift, degrees)?;
             if let Some(modes) = counted(&mut pencil, modes, shift)? {
                 return Ok(modes);

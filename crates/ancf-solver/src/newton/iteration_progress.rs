@@ -34,7 +34,7 @@ impl IterationProgress {
 
     pub(crate) fn record(&mut self, energy: f64) {
         self.largest = self.largest.max(energy);
-        let stagnant = self.least.is_some_and(|least| energy > 0.5 * least);
+        let stagnant = self.least.is_some_and(|least| energy >= 0.5 * least);
         self.stagnant = if stagnant { self.stagnant + 1 } else { 0 };
         self.last = Some(energy);
         self.least = Some(self.least.map_or(energy, |least| least.min(energy)));

@@ -172,7 +172,10 @@ impl fmt::Display for Report {
             writeln!(f, "  {kind:<10} {word:<10} {count:>6}")?;
         }
         let percent = 100.0 * self.share_explained();
-        writeln!(f, "{percent:.3} % of the checks deviate by rounding errors or by the errors of large steps")?;
+        writeln!(
+            f,
+            "{percent:.3} % of the checks deviate by rounding errors or by the errors of large steps"
+        )?;
         let words = ["checked", "rounding", "steps", "known", "new"];
         writeln!(f, "{:<14} {:<10} {}", "law", "analysis", words.map(|word| format!("{word:>8}")).join(" "))?;
         for ((law, kind), counts) in &self.counts {

@@ -122,8 +122,7 @@ impl Attachment {
             Directions::None | Directions::Line(_) => None,
             Directions::Section(_, frame) => Some(frame.at(&s.q).spin(frame.rates(&s.v))),
             Directions::Rigid(axes) => {
-                let sum: Vector3<f64> =
-                    axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum();
+                let sum: Vector3<f64> = axes.iter().map(|axis| axis.value(s).cross(&axis.sum(&s.v))).sum();
                 Some(sum * 0.5)
             }
         }

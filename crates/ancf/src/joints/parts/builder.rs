@@ -219,7 +219,9 @@ impl<'a> JointBuilder<'a> {
             coordinate = Some(own);
         }
         let ends = Box::new([self.a().clone(), self.b().clone()]);
-        self.equations.recorded.push(RecordedCoordinate { source: Source::Angle { vectors, ends }, coordinate });
+        self.equations
+            .recorded
+            .push(RecordedCoordinate { source: Source::Angle { vectors, ends }, coordinate });
     }
 
     /// Records the displacement along an axis of the second end, and adds the actions along it.

@@ -10,3 +10,4 @@ mod newton_methods;
 mod pendulum;
 mod rigid_bodies;
 mod schemes;
+mod unresolved;

@@ -1,10 +1,10 @@
 use ancf::Model;
-use ancf::model::Step;
+use ancf::model::{NewtonMethod, Step};
 
 use super::case::{Case, NUDGE, nudged};
 use super::columns::{NEIGHBOUR, compare_within};
 use super::finding::Finding;
-use crate::run::{Record, Run, run};
+use crate::run::{Record, Run, Verdict, run};
 
 /// Result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,8 @@ pub enum Comparison {
 pub enum Cause {
     /// Neighbours of the model, which differ in the eleventh digit, deviate as much: the motion amplifies rounding errors.
     Rounding,
-    /// The steps of the twins differ, and the model with half the step deviates as much: the error of the steps.
+    /// The steps of the twins differ, and the model with half the step or with other divided steps deviates as much: the error
+    /// of the steps.
     Steps,
 }
 
@@ -56,7 +57,17 @@ pub enum TimeSteps {
 pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps: TimeSteps) -> Comparison {
     let compare = |more: &dyn Fn(&Record, usize) -> f64| compare_within(law, case, twin, relative, more);
     let Some(finding) = compare(&|_, _| 0.0) else { return Comparison::Equal };
-    if !case.is_dynamic() || finding.quantity == "verdict" || !case.base.verdict.is_finished() {
+    if finding.quantity == "verdict" && is_numerical(&case.base) && is_numerical(twin) && case.is_dynamic() {
+        // One of the twins failed in steps that the other one completed.
+        let other = halved(&case.model).map(|model| run(&model));
+        let is_resolved = other.is_some_and(|half| half.verdict.is_finished() && !half.is_divided);
+        return if is_resolved {
+            Comparison::Different(finding)
+        } else {
+            Comparison::Explained(Cause::Steps)
+        };
+    }
+    if !case.is_dynamic() || !case.base.verdict.is_finished() || !twin.verdict.is_finished() {
         return Comparison::Different(finding);
     }
     let neighbours: Vec<Run> =
@@ -73,11 +84,17 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps:
     let Some(half) = halved(&case.model).map(|model| run(&model)) else {
         return Comparison::Different(finding);
     };
-    let errors = StepErrors::new(&case.base, &half);
+    let others = if is_divided { divided(&case.model) } else { Vec::new() };
+    let errors = StepErrors { base: &case.base, half, others };
     match compare(&|column, row| spread(column, row) + errors.of(column, row)) {
         Some(finding) => Comparison::Different(finding),
         None => Comparison::Explained(Cause::Steps),
     }
+}
+
+/// True if a run was complete or its steps failed.
+fn is_numerical(run: &Run) -> bool {
+    matches!(run.verdict, Verdict::Finished | Verdict::Failed(_))
 }
 
 /// Model with half the step; `None` with controlled steps.
@@ -89,25 +106,46 @@ fn halved(model: &Model) -> Option<Model> {
     Some(model)
 }
 
-/// Errors of the steps: largest differences from a run with half the step so far, for all columns of a dimension.
-struct StepErrors<'a> {
-    base: &'a Run,
-    half: &'a Run,
+/// Runs of the same equations whose steps are divided elsewhere: their iterations fail after other numbers.
+fn divided(model: &Model) -> Vec<Run> {
+    let limits = [
+        (7, NewtonMethod::Full),
+        (12, NewtonMethod::Full),
+        (14, NewtonMethod::Modified),
+        (25, NewtonMethod::Modified),
+    ];
+    let with = |(limit, newton)| {
+        let mut model = model.clone();
+        if let Some(dynamics) = model.analysis.dynamics_mut() {
+            (dynamics.max_iterations, dynamics.newton) = (limit, newton);
+        }
+        run(&model)
+    };
+    limits.map(with).into()
 }
 
-impl<'a> StepErrors<'a> {
-    fn new(base: &'a Run, half: &'a Run) -> Self {
-        Self { base, half }
-    }
+/// Errors of the steps: largest differences so far from a run with half the step and from runs with other divided steps, for
+/// all columns of a dimension.
+struct StepErrors<'a> {
+    base: &'a Run,
+    half: Run,
+    others: Vec<Run>,
+}
 
-    /// Error in a row. Errors of accelerations alternate, so the next row counts too.
+impl StepErrors<'_> {
+    /// Bound of the deviation of a twin in a row: both have this error. Errors of accelerations alternate, so the next row
+    /// counts too.
     fn of(&self, column: &Record, row: usize) -> f64 {
         let alike = self.base.columns.iter().filter(|other| other.dimension == column.dimension);
-        let error = |other: &Record| {
-            let Some(half) = self.half.column(&other.name) else { return 0.0 };
-            let pairs = other.values.iter().zip(half.values.iter().step_by(2)).take(row + 2);
+        let error = |run: &Run, ratio: usize, own: &Record| {
+            let Some(other) = run.column(&own.name) else { return 0.0 };
+            let pairs = own.values.iter().zip(other.values.iter().step_by(ratio)).take(row + 2);
             pairs.map(|(a, b)| (a - b).abs()).filter(|x| x.is_finite()).fold(0.0, f64::max)
         };
-        alike.map(error).fold(0.0, f64::max)
+        let largest = |own: &Record| {
+            let others = self.others.iter().map(|run| error(run, 1, own));
+            others.fold(error(&self.half, 2, own), f64::max)
+        };
+        2.0 * alike.map(largest).fold(0.0, f64::max)
     }
 }

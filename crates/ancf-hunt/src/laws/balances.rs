@@ -48,7 +48,7 @@ impl Law for Energy {
         };
         let largest = |name: &str| case.base.largest(name);
         let stored = largest("kinetic").max(largest("strain")).max(largest("potential"));
-        let size = stored + largest("work") + largest("dissipated");
+        let size = stored + changes(&case.base, "work") + changes(&case.base, "dissipated");
         let created = balance.values.iter().fold(0.0_f64, |m, x| m.max(-x));
         let is_reported =
             case.base.warnings.iter().any(|warning| warning.contains("the integration has made"));
@@ -63,6 +63,12 @@ impl Law for Energy {
             excess: created / size,
         })
     }
+}
+
+/// Sum of the magnitudes of the changes from row to row.
+fn changes(run: &Run, name: &str) -> f64 {
+    let values = run.column(name).map_or(&[][..], |column| &column.values);
+    values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum()
 }
 
 /// Balance of forces in statics: reactions of the ground, dead loads and weights have the sum zero.

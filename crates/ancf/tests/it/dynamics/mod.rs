@@ -11,3 +11,4 @@ mod pendulum;
 mod pulses;
 mod rigid_bodies;
 mod schemes;
+mod unresolved;

@@ -51,6 +51,11 @@ impl Interval {
         self.lower.abs().max(self.upper.abs())
     }
 
+    /// Returns the smallest magnitude.
+    pub(crate) fn least_magnitude(self) -> f64 {
+        self.abs().lower
+    }
+
     /// Returns the smallest interval that contains both.
     pub(crate) fn hull(self, other: Self) -> Self {
         Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }

@@ -134,9 +134,14 @@ impl Function {
         let of_rate = bounds.rate - Interval::between(p.rate - r * bend, p.rate + r * bend);
         let of_acceleration =
             bounds.acceleration - Interval::between(from.at(a).acceleration, from.at(b).acceleration);
-        let taylor = sample + r * (f.rate - p.rate).abs() + 0.5 * r * r * of_acceleration.magnitude();
-        let bound = of_value.magnitude().min(sample + r * of_rate.magnitude()).min(taylor);
-        Part { a, b, sample, bound, largest: f.value.abs(), weight: if weighted { b - a } else { 1.0 } }
+        // Largest differences of the deviation in the part from that in the middle.
+        let of_rate = r * of_rate.magnitude();
+        let of_acceleration = r * (f.rate - p.rate).abs() + 0.5 * r * r * of_acceleration.magnitude();
+        let spread = of_rate.min(of_acceleration);
+        let bound = of_value.magnitude().min(sample + spread);
+        let least = (sample - spread).max(of_value.least_magnitude()).max(0.0);
+        let weight = if weighted { b - a } else { 1.0 };
+        Part { a, b, sample, bound, least, largest: f.value.abs(), weight }
     }
 
     /// Samples the deviation of a user-defined function.
@@ -191,9 +196,10 @@ impl Function {
 /// Sums over the parts of an interval.
 #[derive(Debug, Default)]
 struct Sums {
-    /// Integrals of the bound and of the samples in the middles.
+    /// Integrals of the bound, of the samples in the middles, and of a lower bound.
     bound: f64,
     sample: f64,
+    least: f64,
     /// Number of parts without a bound.
     unbounded: u32,
 }
@@ -208,10 +214,11 @@ impl Sums {
             (false, false) => self.unbounded -= 1,
         }
         self.sample += width * part.sample;
+        self.least += width * part.least;
     }
 
     fn are_sharp(&self) -> bool {
-        self.unbounded == 0 && self.bound <= SHARPNESS * self.sample
+        self.unbounded == 0 && self.bound <= SHARPNESS * self.least
     }
 
     fn integral(&self) -> f64 {
@@ -224,9 +231,10 @@ impl Sums {
 struct Part {
     a: f64,
     b: f64,
-    /// Deviation in the middle, and its bound in the part.
+    /// Deviation in the middle, and its bounds in the part.
     sample: f64,
     bound: f64,
+    least: f64,
     /// Magnitude of the function in the middle.
     largest: f64,
     weight: f64,

@@ -28,9 +28,10 @@ pub struct UnseenVariation {
 /// With the deviation d = (ΔF, ΔΦ) of the residual from its straight line, and the iteration matrix S of a step of the
 /// width w:
 ///
-/// [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (h w ΔF, 0),   [S, Φ_qᵀ; Φ_q, 0] (y, ·) = (0, ΔΦ).
+/// [S, Φ_qᵀ; Φ_q, 0] (x, ·) = (h w ΔF, 0),   [S, Φ_qᵀ; Φ_q, 0] (y, ·) = (0, ΔΦ h/w).
 ///
-/// x is the displacement after a step h due to the impulse of the forces, y the deviation of prescribed positions.
+/// x is the displacement after a step h due to the impulse of the forces, y that due to the velocity ΔΦ/w of prescribed
+/// positions.
 pub(super) fn displacements<E: EquationsOfMotion>(
     eom: &E,
     [from, to]: [&State; 2],
@@ -54,6 +55,8 @@ pub(super) fn displacements<E: EquationsOfMotion>(
     forces[n..].fill(0.0);
     forces.iter_mut().for_each(|force| *force *= h * variation.width);
     positions[..n].fill(0.0);
+    let scale = (h / variation.width).max(1.0);
+    positions.iter_mut().for_each(|position| *position *= scale);
     let failed = |_| SolveError::at(to.t, SolveFailure::Memory);
     let mut factor = Factor::new(matrix.pattern()).map_err(failed)?;
     for x in [&mut forces, &mut positions] {

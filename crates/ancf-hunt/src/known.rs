@@ -40,6 +40,12 @@ pub const KNOWN: &[Known] = &[
                 && ["split", "exchange", "tangents"].contains(&finding.law)
         },
     },
+    Known {
+        name: "frequencies of free structures near rounding errors are not found",
+        is_cause: |model, finding| {
+            finding.quantity == "verdict" && matches!(model.analysis, Analysis::Modes(_))
+        },
+    },
 ];
 
 /// Known defect of a finding.

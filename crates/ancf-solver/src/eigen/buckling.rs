@@ -277,31 +277,18 @@ impl BucklingPencil<'_> {
     }
 }
 
-/// Multiple of the rounding bounds of the loads in their neighbour.
-const ROUNDING: f64 = 8.0;
-
-/// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size with loads that differ by their
-/// rounding bounds, and in a further step of refinement of the response.
+/// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
+/// of the response.
 fn softening(
     eom: &dyn EquationsOfMotion,
     s: &State,
     stiffness: &SparseMatrix,
     factor: &mut Factor,
 ) -> Result<SparseMatrix, EigenError> {
-    let (force, mut near) = (load_force(eom, s), vec![0.0; s.q.len() + s.lambda.len()]);
-    eom.rounding(&State { load: s.load + 1.0, ..s.clone() }, &mut near);
-    for (i, (near, force)) in near.iter_mut().zip(&force).enumerate() {
-        // Multiples of the golden ratio, modulo one, are distributed evenly.
-        let part = 2.0 * (0.618_033_988_749_895 * (i + 1) as f64).fract() - 1.0;
-        *near = force + ROUNDING * part * *near;
-    }
-    let mut solved = |force: &[f64]| {
-        let mut response = force.to_vec();
-        factor.solve(stiffness, &mut response)?;
-        let refined = factor.refined(stiffness, force, &response)?;
-        Ok::<_, EigenError>([response, refined])
-    };
-    let ([response, _], [_, refined]) = (solved(&force)?, solved(&near)?);
+    let force = load_force(eom, s);
+    let mut response = force.clone();
+    factor.solve(stiffness, &mut response)?;
+    let refined = factor.refined(stiffness, &force, &response)?;
     let of_response = |response: &[f64]| {
         let mut softening = stiffness.clone();
         eom.stress_stiffness(s, &first_order(eom, &force, response, stiffness), &mut softening);

@@ -53,10 +53,6 @@ pub struct EigenModes {
 const TOLERANCE: f64 = 1e-7;
 /// Number of block vectors in addition to the requested modes.
 const GUARD: usize = 4;
-/// Ratio of a better shift to the shift beyond which the search is repeated.
-const FAR: f64 = 100.0;
-/// Number of additional block vectors if all modes are rigid: rigid motions of a body.
-const RIGID: usize = 6;
 /// Number of blocks of the first Krylov space, which estimates the spectrum, and of the next ones.
 const DEPTH: [usize; 2] = [4, 16];
 /// Maximum number of restarts, each with a better shift and better vectors.
@@ -111,16 +107,10 @@ pub fn modes(
     for pass in 0..PASSES {
         shift = pencil.factorise(shift)?;
         let found = krylov(&mut pencil.operator(), start, &search)?;
-        let next = better_shift(&pencil, &found);
+        let next = better_shift(&pencil, &found, shift);
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
-        if next.is_none() && pass == 0 {
-            // All modes so far are rigid. The next ones determine the shift.
-            start.extend(pencil.operator().start(RIGID, 1)?);
-        }
-        // A shift from rough rigid modes may be near the rounding error.
-        let is_settled = next.is_none_or(|next| next.abs() <= FAR * shift.abs()) || pass + 1 == PASSES;
         let is_complete = found.converged && found.requested == count;
-        if pass > 0 && is_complete && is_settled {
+        if pass > 0 && is_complete {
             let modes = finish(&mut pencil, &found, shift, degrees)?;
             if let Some(modes) = counted(&mut pencil, modes, shift)? {
                 return Ok(modes);
@@ -129,33 +119,26 @@ pub fn modes(
             pencil.factorise(shift)?;
             start.extend(pencil.operator().start(GUARD, pass as u64)?);
         }
-        shift = next.unwrap_or(shift);
+        shift = next;
         search.depth = DEPTH[1];
     }
     Err(failure)
 }
 
-/// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix; `None` if
-/// all ω² are zero.
+/// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix.
 ///
-/// Pairs may be rough here, so the bounds of their rounding errors do not apply. Pairs beyond the requested ones serve only if
-/// the requested modes are rigid.
-fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult) -> Option<f64> {
-    let vectors: Vec<DVector<f64>> = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
-    let (requested, others) = vectors.split_at(found.requested.max(1).min(vectors.len()));
-    shift_below(pencil, requested).or_else(|| shift_below(pencil, others))
-}
-
-/// Returns the [`better_shift`] of approximate modes.
-fn shift_below(pencil: &Pencil<'_>, vectors: &[DVector<f64>]) -> Option<f64> {
-    let squared = pencil.stiffness_products(vectors).values();
+/// Pairs may be rough here, so the bounds of their rounding errors do not apply.
+fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f64 {
+    let pairs = found.pairs.iter().take(found.requested.max(1));
+    let vectors: Vec<DVector<f64>> = pairs.map(|pair| pair.vector.clone()).collect();
+    let squared = pencil.stiffness_products(&vectors).values();
     let negligible = NEGLIGIBLE * pencil.highest();
     let is_sure = |(value, x): &(f64, &DVector<f64>)| value.abs() > pencil.rounding(x).max(negligible);
     let squared: Vec<f64> =
-        squared.into_iter().zip(vectors).filter(is_sure).map(|(value, _)| value).collect();
+        squared.into_iter().zip(&vectors).filter(is_sure).map(|(value, _)| value).collect();
     let lowest = squared.iter().copied().fold(0.0, f64::min);
     let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
-    nearest.is_finite().then_some(lowest - nearest)
+    if nearest.is_finite() { lowest - nearest } else { shift }
 }
 
 /// Computes the modes of converged pairs. Vectors beyond the number of degrees of freedom are rounding errors.

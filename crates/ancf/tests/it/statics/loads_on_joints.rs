@@ -111,29 +111,3 @@ fn moments_on_bodies_without_degrees_of_freedom_are_carried() {
         }
     }
 }
-
-/// A force through the centre of a bushing displaces a body without any change of its stiffness: no critical load.
-#[test]
-fn forces_on_bushings_have_no_critical_loads() {
-    let mut random = Random(1744);
-    for case in 0..10 {
-        let [at, center] = [0, 1].map(|_| format!("{:?}", <[f64; 3]>::from(random.vector3())));
-        let force = format!("{:?}", <[f64; 3]>::from(random.vector3() * 9.0));
-        let scales = ["none", "auto"][case % 2];
-        let (summary, series) = run(&format!(
-            "bodies = [{{ kind = \"rigid\", name = \"b\", center = {center}, mass = 42, inertia = [0.6, 0.5, 0.4] }}]
-            joints = [{{ kind = \"bushing\", name = \"root\", a = {{ body = \"b\", at = {at} }}, stiffness = [1794, 3542, 8922, 7997, 3387, 2433] }}]
-            loads = [{{ kind = \"force\", on = {{ body = \"b\", at = {at} }}, force = {force} }}]
-            scales = {{ kind = \"{scales}\" }}
-            analysis = {{ kind = \"buckling\", count = 2, sense = \"either\" }}"
-        ));
-        assert!(matches!(summary.outcome, Outcome::Finished), "{case}: {:?}", summary.outcome);
-        let factors: Vec<f64> = series.column("factor").map(<[f64]>::to_vec).unwrap_or_default();
-        assert!(factors.is_empty(), "{case}: {factors:?}");
-        assert!(
-            summary.warnings.iter().any(|text| text.contains("no critical load")),
-            "{:?}",
-            summary.warnings
-        );
-    }
-}

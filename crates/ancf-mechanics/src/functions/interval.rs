@@ -107,7 +107,8 @@ impl Interval {
         let slack = ROUNDING * self.magnitude();
         let k = ((self.lower - slack - first) / period).ceil();
         // Not a number counts as contained.
-        !(first + k * period > self.upper + slack)
+        let next = first + k * period;
+        next.is_nan() || next <= self.upper + slack
     }
 
     pub(crate) fn cos(self) -> Self {

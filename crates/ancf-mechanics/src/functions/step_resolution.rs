@@ -112,7 +112,10 @@ impl Function {
         let sizes = left.iter().chain(&right).map(|x| x.abs()).filter(|x| x.is_finite());
         let limit = CONTINUOUS * sizes.fold(0.0, f64::max);
         // Numbers that are not finite count as jumps.
-        let jumps = |i: usize| !((right[i] - left[i]).abs() <= limit);
+        let jumps = |i: usize| {
+            let change = (right[i] - left[i]).abs();
+            change.is_nan() || change > limit
+        };
         let which = (0..3).find(|&i| jumps(i))?;
         loop {
             let middle = 0.5 * (a + b);

@@ -85,6 +85,17 @@ impl SchemeCoefficients {
         self.alpha_m == 0.0 && self.alpha_f == 0.0
     }
 
+    /// Returns the factor ρ by which a step multiplies velocities along constraints, which are errors.
+    ///
+    /// With Δq = 0, (v, h a) has the matrix [1 − γ/β, 1 − γ − (γ/β)(½ − β); −1/β, −(½ − β)/β]. ρ is its spectral radius.
+    pub fn constrained_decay(&self) -> f64 {
+        let Self { beta, gamma, .. } = *self;
+        let (half, det) = (1.0 - 0.5 * (gamma + 0.5) / beta, 1.0 - (gamma - 0.5) / beta);
+        let discriminant = half * half - det;
+        // Rounding errors of a double eigenvalue.
+        if discriminant <= 1e-12 { det.max(0.0).sqrt() } else { half.abs() + discriminant.sqrt() }
+    }
+
     /// Returns true if γ = ½ + αf − αm, and for the energy-momentum scheme.
     pub const fn is_second_order(&self) -> bool {
         self.averaging.is_some() || (self.gamma - 0.5 - self.alpha_f + self.alpha_m).abs() < 1e-12

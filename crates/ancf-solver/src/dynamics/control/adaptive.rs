@@ -56,6 +56,8 @@ pub struct AdaptiveStepper {
     functions: Option<Box<dyn TimeFunctions>>,
     /// Variations within the attempted step.
     unseen: Vec<UnseenVariation>,
+    /// Coordinate with the largest displacement by a variation within the attempted step.
+    varied: Option<usize>,
 }
 
 /// Step sizes of the controller.
@@ -83,8 +85,21 @@ const REDUCTION: f64 = 0.25;
 /// Weight of the errors of contacts that change and of functions that vary within a step. They are errors of velocities:
 /// with a weight of 1, those of one step would displace the system by the whole tolerance at the end.
 const VELOCITY_WEIGHT: f64 = 4.0;
+/// Exponent of the growth of steps with constraints, below 1, so that errors along constraints decay; and its lower limit.
+const GROWTH: f64 = 0.75;
+const LEAST_GROWTH: f64 = 1.05;
 /// Relative rounding error of the division of an interval into steps.
 const ROUNDING: f64 = 1e-9;
+
+/// Returns the largest growth of a step.
+///
+/// A scheme multiplies velocities along constraints, which are errors, by a factor of magnitude ρ in each step. In steps
+/// that grow by r their accelerations are scaled twice, and the factor is ρr: without a limit they grow with the steps.
+fn most_growth<E: EquationsOfMotion>(dynamics: &TimeStepper<'_, E>) -> f64 {
+    let decay = dynamics.scheme.constrained_decay();
+    let is_free = dynamics.state().lambda.is_empty() || decay == 0.0;
+    if is_free { f64::INFINITY } else { decay.powf(-GROWTH).max(LEAST_GROWTH) }
+}
 
 impl AdaptiveStepper {
     /// Creates the step size control of an integration.
@@ -95,7 +110,7 @@ impl AdaptiveStepper {
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
         let next = control.initial.unwrap_or(own).max(control.smallest);
         let sizes = StepSizes { next, last: None };
-        Self { control, estimate, sizes, functions: None, unseen: Vec::new() }
+        Self { control, estimate, sizes, functions: None, unseen: Vec::new(), varied: None }
     }
 
     /// Sets the functions of time, so that steps do not pass over their variations.
@@ -127,13 +142,13 @@ impl AdaptiveStepper {
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
                 Ok(x) if x >= TARGET => {
-                    self.plan_next(x, h, (size, failed));
+                    self.plan_next(x, h, (size, failed), most_growth(dynamics));
                     return Ok(report);
                 }
                 Ok(x) => {
                     size = h * x.sqrt().max(REDUCTION);
                     SolveError {
-                        worst: self.estimate.worst(),
+                        worst: self.varied.or_else(|| self.estimate.worst()),
                         ..SolveError::at(end, SolveFailure::StepTooSmall)
                     }
                 }
@@ -166,8 +181,15 @@ impl AdaptiveStepper {
         let error = self.estimate.error(dynamics, &done, h);
         let mut error = error.inspect_err(|_| dynamics.revert())?;
         let share = self.control.tolerance * self.control.length * h / self.control.duration;
+        self.varied = None;
         if error <= share {
             error += self.hidden_error(dynamics, h).inspect_err(|_| dynamics.revert())?;
+        }
+        // Velocities along constraints must not move the system by more than the tolerance within a step.
+        let moved =
+            h * self.estimate.velocity_error(dynamics) / (self.control.tolerance * self.control.length);
+        if moved > 1.0 {
+            error = error.max(moved * share);
         }
         let x = TARGET * share / error.max(f64::MIN_POSITIVE);
         if x >= TARGET {
@@ -203,15 +225,17 @@ impl AdaptiveStepper {
             let mut matrix = dynamics.newton.tangent.matrix.clone();
             let parts = displacements(eom, ends, weights, variation, &mut matrix)?;
             error += parts.iter().map(|x| self.estimate.norm_of(x)).sum::<f64>();
+            let moved = |i: &usize| parts.iter().map(|x| x[*i].abs()).sum::<f64>();
+            self.varied = (0..parts[0].len()).max_by(|a, b| moved(a).total_cmp(&moved(b)));
         }
         Ok(VELOCITY_WEIGHT * error)
     }
 
     /// Computes the next step size after an accepted step h, given the proposed size and whether other sizes failed.
-    fn plan_next(&mut self, x: f64, h: f64, (size, failed): (f64, bool)) {
+    fn plan_next(&mut self, x: f64, h: f64, (size, failed): (f64, bool), most: f64) {
         let (x_before, h_before) = self.sizes.last.unwrap_or((x, h));
         let factor = (x * x_before).powf(FILTER.0) * (h / h_before).powf(-FILTER.1);
-        let smooth = 1.0 + (factor - 1.0).atan(); // at most 2.6
+        let smooth = (1.0 + (factor - 1.0).atan()).min(most); // at most 2.6
         let next = h * if failed { smooth.min(1.0) } else { smooth };
         // A step shortened to end at a given time does not limit the next step size.
         let cut = h < 0.9 * size && next >= h && !failed;

@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::initial_conditions::solve;
 use crate::dynamics::time_stepper::TimeStepper;
-use crate::equations::{EquationsOfMotion, Weights};
+use crate::equations::{EquationsOfMotion, Level, Weights};
 use crate::newton::{NewtonReport, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
 
@@ -26,6 +26,8 @@ pub(crate) struct ErrorEstimate {
     now: Vec<f64>,
     rate: Vec<f64>,
     force: Vec<f64>,
+    /// Correction of the velocities of the attempt.
+    correction: Vec<f64>,
     /// Squares ‖ε‖² and ‖ε̇‖² of the attempt.
     squares: [f64; 2],
     pub(crate) history: ErrorHistory,
@@ -60,8 +62,8 @@ impl ErrorEstimate {
         dynamics.eom.tangent(dynamics.state(), Weights::MASS, &mut matrix);
         let zeros = vec![0.0; matrix.pattern().size()];
         let history = ErrorHistory { error: zeros.clone(), h: None, integrals: [0.0; 2] };
-        let (now, rate) = (zeros.clone(), zeros.clone());
-        Self { matrix, mass, now, rate, force: zeros, squares: [0.0; 2], history }
+        let [now, rate, correction] = std::array::from_fn(|_| zeros.clone());
+        Self { matrix, mass, now, rate, force: zeros, correction, squares: [0.0; 2], history }
     }
 
     /// Clears the history.
@@ -120,6 +122,23 @@ impl ErrorEstimate {
         let [over, under] = self.integrals(h);
         let second = if under > 0.0 { over / under * self.squares[1] } else { 0.0 };
         Ok(h.powi(3) * (self.squares[0] + second).sqrt())
+    }
+
+    /// Computes the norm of the correction u of the velocities of the attempt that restores the constraints on them:
+    ///
+    /// [S, Φ_qᵀ; Φ_q, 0] (u, ·) = (0, Φ̇).
+    ///
+    /// The positions of prescribed motions are exact in a step of any size, so the estimated error does not contain it.
+    pub(crate) fn velocity_error<E: EquationsOfMotion>(&mut self, dynamics: &mut TimeStepper<'_, E>) -> f64 {
+        let (s, tangent, u) = (&dynamics.motion.state, &mut dynamics.newton.tangent, &mut self.correction);
+        let n = s.q.len();
+        u[..n].fill(0.0);
+        dynamics.eom.constraints(s, Level::Velocity, &mut u[n..]);
+        if u[n..].iter().all(|rate| *rate == 0.0) || tangent.factor.solve(&tangent.matrix, u).is_err() {
+            return 0.0;
+        }
+        u[n..].fill(0.0);
+        square(&self.matrix, u, &mut vec![0.0; u.len()], self.mass).sqrt()
     }
 
     /// Returns the coordinate with the largest contribution to the error of the attempt, measured as energy.

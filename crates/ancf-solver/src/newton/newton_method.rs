@@ -272,7 +272,8 @@ impl Newton {
                 || newton.is_rounding(eom, s)
                 || newton.is_increment_of_rounding(eom, s, progress.last)
         };
-        let is_end = (progress.stagnant > 0 && is_floor(self))
+        let is_last = report.iterations >= self.max_iterations;
+        let is_end = ((progress.stagnant > 0 || is_last) && is_floor(self))
             || (progress.is_exhausted() && self.is_increment_of_rounding(eom, s, progress.last));
         if is_end {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
@@ -280,7 +281,7 @@ impl Newton {
         if progress.stagnant >= self.stagnation_limit {
             return ControlFlow::Break(Err(SolveFailure::Stagnated));
         }
-        if report.iterations >= self.max_iterations {
+        if is_last {
             return ControlFlow::Break(Err(SolveFailure::NotConverged));
         }
         ControlFlow::Continue(())

@@ -56,6 +56,8 @@ pub struct AdaptiveStepper {
     functions: Option<Box<dyn TimeFunctions>>,
     /// Variations within the attempted step.
     unseen: Vec<UnseenVariation>,
+    /// Displacement of the attempted step by velocities along constraints, relative to the tolerance.
+    moved: f64,
     /// Coordinate with the largest displacement by a variation within the attempted step.
     varied: Option<usize>,
 }
@@ -87,18 +89,23 @@ const REDUCTION: f64 = 0.25;
 const VELOCITY_WEIGHT: f64 = 4.0;
 /// Exponent of the growth of steps with constraints, below 1, so that errors along constraints decay; and its lower limit.
 const GROWTH: f64 = 0.75;
+/// Largest displacement by velocities along constraints, relative to the tolerance, up to which steps grow freely.
+const MOVED: f64 = 0.25;
 const LEAST_GROWTH: f64 = 1.05;
 /// Relative rounding error of the division of an interval into steps.
 const ROUNDING: f64 = 1e-9;
 
-/// Returns the largest growth of a step.
+/// Returns the largest growth of a step, for a displacement by velocities along constraints relative to the tolerance.
 ///
-/// A scheme multiplies velocities along constraints, which are errors, by a factor of magnitude ρ in each step. In steps
-/// that grow by r their accelerations are scaled twice, and the factor is ρr: without a limit they grow with the steps.
-fn most_growth<E: EquationsOfMotion>(dynamics: &TimeStepper<'_, E>) -> f64 {
-    let decay = dynamics.scheme.constrained_decay();
-    let is_free = dynamics.state().lambda.is_empty() || decay == 0.0;
-    if is_free { f64::INFINITY } else { decay.powf(-GROWTH).max(LEAST_GROWTH) }
+/// A scheme multiplies these velocities, which are errors, by a factor of magnitude ρ in each step. In steps that grow by r
+/// their accelerations are scaled twice, and the factor is ρr. The displacement, proportional to ρr², must stay below a
+/// limit, or the velocities must decay.
+fn most_growth(decay: f64, moved: f64) -> f64 {
+    if decay * moved == 0.0 {
+        return f64::INFINITY;
+    }
+    let decaying = decay.powf(-GROWTH).max(LEAST_GROWTH);
+    (MOVED / (decay * moved)).sqrt().max(decaying)
 }
 
 impl AdaptiveStepper {
@@ -110,7 +117,7 @@ impl AdaptiveStepper {
         let own = 0.1 * (control.tolerance * control.length / a).sqrt().min(control.duration);
         let next = control.initial.unwrap_or(own).max(control.smallest);
         let sizes = StepSizes { next, last: None };
-        Self { control, estimate, sizes, functions: None, unseen: Vec::new(), varied: None }
+        Self { control, estimate, sizes, functions: None, unseen: Vec::new(), moved: 0.0, varied: None }
     }
 
     /// Sets the functions of time, so that steps do not pass over their variations.
@@ -142,7 +149,8 @@ impl AdaptiveStepper {
             let end = if parts == 1.0 { to } else { from + h };
             let failure = match self.attempt(dynamics, h, end, &mut report) {
                 Ok(x) if x >= TARGET => {
-                    self.plan_next(x, h, (size, failed), most_growth(dynamics));
+                    let most = most_growth(dynamics.scheme.constrained_decay(), self.moved);
+                    self.plan_next(x, h, (size, failed), most);
                     return Ok(report);
                 }
                 Ok(x) => {
@@ -186,10 +194,10 @@ impl AdaptiveStepper {
             error += self.hidden_error(dynamics, h).inspect_err(|_| dynamics.revert())?;
         }
         // Velocities along constraints must not move the system by more than the tolerance within a step.
-        let moved =
-            h * self.estimate.velocity_error(dynamics) / (self.control.tolerance * self.control.length);
-        if moved > 1.0 {
-            error = error.max(moved * share);
+        let tolerance = self.control.tolerance * self.control.length;
+        self.moved = h * self.estimate.velocity_error(dynamics) / tolerance;
+        if self.moved > 1.0 {
+            error = error.max(self.moved * share);
         }
         let x = TARGET * share / error.max(f64::MIN_POSITIVE);
         if x >= TARGET {

@@ -273,7 +273,9 @@ impl Newton {
                 || newton.is_increment_of_rounding(eom, s, progress.last)
         };
         let is_last = report.iterations >= self.max_iterations;
-        let is_end = ((progress.stagnant > 0 || is_last) && is_floor(self))
+        // Steps in time are divided instead, so that the parts of a divided step have the limit of the whole.
+        let is_last_of_statics = is_last && self.weights == Weights::STIFFNESS;
+        let is_end = ((progress.stagnant > 0 || is_last_of_statics) && is_floor(self))
             || (progress.is_exhausted() && self.is_increment_of_rounding(eom, s, progress.last));
         if is_end {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));

@@ -1,11 +1,12 @@
 //! List of the columns of a run.
 
+use ancf::errors::short;
 use ancf::record::Series;
 use ancf_results::{Results, RunStatus};
 use serde::Serialize;
 
 use super::selection::PlotQuantity;
-use crate::terminal::{count, short};
+use crate::terminal::count;
 
 /// List of the columns of a run.
 #[derive(Debug, Serialize)]

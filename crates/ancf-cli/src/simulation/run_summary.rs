@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
 
+use ancf::errors::short;
 use ancf::model::Analysis;
 use ancf::record::Sink;
 use ancf::{Outcome, Summary};
 
-use crate::terminal::{count, short};
+use crate::terminal::count;
 
 /// Values of the rows that the summary of an analysis needs.
 pub struct RunSummary<'a> {

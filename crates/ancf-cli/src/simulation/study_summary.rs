@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use ancf::errors::short;
 use ancf_study::{CaseOutcome, CaseRow, ObjectiveRange, StudyOutcome, StudyResults};
 use serde::Serialize;
 
-use crate::terminal::{count, short};
+use crate::terminal::count;
 
 /// Maximum number of printed messages. All messages are in the table.
 const MAX_MESSAGES: usize = 3;

@@ -14,7 +14,7 @@ mod standard_output;
 pub use colour::{Colour, is_stdout_coloured};
 pub use json_errors::JsonErrors;
 pub use locale::is_unicode;
-pub use numbers::{count, short};
+pub use numbers::count;
 #[cfg(not(feature = "figures"))]
 pub use outcome::reject_figures;
 pub use outcome::{Ended, refuse, reject};

@@ -3,7 +3,6 @@ use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::{Duration, Instant};
 
 use ancf::record::{Series, Sink};
 use ancf::solver::newton::Interrupt;
@@ -13,9 +12,7 @@ use super::record::{Record, Run, Verdict};
 
 /// Rows after which a run is stopped.
 const MOST_ROWS: usize = 4000;
-/// Time after which a run is stopped.
-const LONGEST: Duration = Duration::from_secs(20);
-/// Iterations after which a run is stopped.
+/// Iterations after which a run is stopped, instead of a time, which depends on the machine.
 const MOST_ITERATIONS: u32 = 20_000;
 
 /// Runs a model. Panics are verdicts.
@@ -83,16 +80,15 @@ pub(super) fn completed(simulation: &Simulation, series: Series, summary: io::Re
     }
 }
 
-/// Rows in memory, limited in number and time.
+/// Rows in memory, limited in number.
 pub(super) struct Limited {
     pub(super) series: Series,
     rows: usize,
-    end: Instant,
 }
 
 impl Limited {
     pub(super) fn new() -> Self {
-        Self { series: Series::new(), rows: 0, end: Instant::now() + LONGEST }
+        Self { series: Series::new(), rows: 0 }
     }
 }
 
@@ -104,7 +100,6 @@ impl Sink for Limited {
     fn record(&mut self, row: &[f64]) -> io::Result<ControlFlow<()>> {
         self.rows += 1;
         let _ = self.series.record(row)?;
-        let is_over = self.rows >= MOST_ROWS || Instant::now() > self.end;
-        Ok(if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+        Ok(if self.rows >= MOST_ROWS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
     }
 }

@@ -9,6 +9,7 @@ use ancf_solver::newton::SolveError;
 use super::inputs::{Inputs, NoNumber};
 use super::loads::InnerLoads;
 use super::redundant::Redundant;
+use crate::errors::short;
 use crate::joints::{GapClosure, JointEquations, RecordedCoordinate};
 use crate::model::Quantity;
 
@@ -158,11 +159,6 @@ impl Assembly {
     pub(crate) fn no_number(&self, s: &State) -> Option<NoNumber> {
         self.inputs.no_number(s)
     }
-}
-
-/// Formats a number with at most four digits, without trailing zeros.
-fn short(x: f64) -> String {
-    format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
 /// Word of a nodal vector.

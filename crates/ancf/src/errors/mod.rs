@@ -6,5 +6,5 @@ mod words;
 
 pub use error::{ModelError, ModelErrors, Position};
 pub use finding::{Finding, finding};
-pub use words::nearest;
 pub(crate) use words::{listed, number, quoted};
+pub use words::{nearest, short};

@@ -4,6 +4,13 @@ pub(crate) fn number(x: f64) -> String {
     if x == 0.0 || !x.is_finite() || (1e-4..1e7).contains(&size) { x.to_string() } else { format!("{x:e}") }
 }
 
+/// Formats a number with at most six digits and without trailing zeros. Small and large numbers have an exponent.
+pub fn short(x: f64) -> String {
+    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
+    let rounded = format!("{x:.5e}").parse::<f64>();
+    rounded.map_or_else(|_| x.to_string(), |x| if plain { x.to_string() } else { format!("{x:e}") })
+}
+
 /// Text in quotes, shortened to 40 characters.
 pub(crate) fn quoted(text: &str) -> String {
     match text.char_indices().nth(40) {

@@ -6,6 +6,7 @@ use ancf_solver::newton::Interrupt;
 
 use super::stability::{directions, instability};
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::units::Scales;
 
 /// Stability of the equilibria so far.
@@ -73,12 +74,13 @@ impl EquilibriumStability {
             warnings.push(format!(
                 "the last equilibrium, at load factor {}, is unstable in {}{place} (buckling or snap-through): no \
                  structure stays in it; {advice}",
-                self.load,
+                short(self.load),
                 directions(count)
             ));
         }
-        let unknown =
-            || format!("the stability of the equilibrium at load factor {} was not determined", self.load);
+        let unknown = || {
+            format!("the stability of the equilibrium at load factor {} was not determined", short(self.load))
+        };
         let is_stable = !self.is_unstable && !self.is_unknown;
         match without_potential(assembly, s, scales, is_stable) {
             Some(Ok(text)) => warnings.extend(text),
@@ -132,7 +134,7 @@ fn without_potential(
         format!(
             "the last equilibrium, at load factor {}, is unstable under its loads without a potential: it {kind}, with the \
              growth rate {growth:.4e}; modes with `about = \"equilibrium\"` have the details",
-            s.load
+            short(s.load)
         )
     })))
 }
@@ -140,6 +142,7 @@ fn without_potential(
 impl UnstablePart {
     fn text(&self, path: bool) -> String {
         let Self { between: [stable, unstable], first, last, to, most } = self;
+        let [stable, unstable, to] = [stable, unstable, to].map(|load| short(*load));
         let (what, directions) = (if path { "path" } else { "equilibrium" }, directions(*most));
         let points = if path { format!(" (points {first} to {last})") } else { String::new() };
         format!(

@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::model::Model;
 use crate::units::Scales;
 
@@ -96,12 +97,20 @@ impl RotationMonitor {
         let ((t, turned, rate, place), limit) = (self.history.found?, self.limit?);
         let (name, terms) = &assembly.bodies[self.places[place].body];
         let what = if terms.mesh().is_some() { "a section of body" } else { "body" };
-        Some(format!(
-            "at t = {:.4} {what} `{name}` rotates by {turned:.3} rad per step. With this scheme rotations above {limit:.3} rad per step \
-             are unstable, and the energy may grow: use a step of at most {:.3e}, or a smaller `spectral_radius`",
-            t * scales.time,
-            limit / rate * scales.time
-        ))
+        let [t, turned, largest] = [t * scales.time, turned, limit / rate * scales.time].map(short);
+        Some(if limit > 0.0 {
+            format!(
+                "at t = {t} {what} `{name}` rotates by {turned} rad per step. With this scheme rotations above {} rad per \
+                 step are unstable, and the energy may grow: use a step of at most {largest}, a smaller `spectral_radius` \
+                 or `scheme = \"energy\"`",
+                short(limit)
+            )
+        } else {
+            format!(
+                "at t = {t} {what} `{name}` rotates by {turned} rad per step. Without numerical damping all rotations are \
+                 unstable, and the energy may grow: use `scheme = \"energy\"`, or a smaller `spectral_radius`"
+            )
+        })
     }
 
     pub(crate) fn history(&self) -> &RotationHistory {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::stability::{Instability, instability, is_supported};
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::model::{Body, Model};
 use crate::units::Scales;
 
@@ -83,13 +84,13 @@ impl StabilityMonitor {
     /// Warning of the first persistent instability.
     pub(crate) fn warning(&self, assembly: &Assembly, scales: Scales) -> Option<String> {
         let (since, end, found) = self.reported?;
-        let until = end.map_or(String::new(), |end| format!(" to t = {:.4}", end * scales.time));
+        let until = end.map_or(String::new(), |end| format!(" to t = {}", short(end * scales.time)));
         let place = assembly.name_in(found.at, scales.length);
         let directions = found.directions();
         Some(format!(
-            "from about t = {:.4}{until} the state was unstable in {directions} (buckling), most at {place}; a small \
+            "from about t = {}{until} the state was unstable in {directions} (buckling), most at {place}; a small \
              imperfection or side load determines the time and the direction of the buckling",
-            since * scales.time
+            short(since * scales.time)
         ))
     }
 }

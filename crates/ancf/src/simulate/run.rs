@@ -7,6 +7,7 @@ use ancf_solver::newton::{EquilibriumError, Interrupt, SolveError, SolveFailure}
 use super::observer::Observer;
 use super::summary::Summary;
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::failure::{EquilibriumStability, FailureCause, StabilityMonitor};
 use crate::results::Rows;
 
@@ -26,9 +27,9 @@ impl AnalysisRun<'_> {
     pub(crate) fn warn_of_ambiguous_turns(&mut self, rows: &Rows, variable: &str, unit: f64) {
         if let Some((at, joint)) = rows.ambiguous_turns() {
             self.summary.warnings.push(format!(
-                "the angle of joint `{joint}` changes by about half a turn or more in the step to {variable} = {:.4}: its number of \
+                "the angle of joint `{joint}` changes by about half a turn or more in the step to {variable} = {}: its number of \
                  turns is ambiguous from there on; use smaller steps",
-                at * unit
+                short(at * unit)
             ));
         }
     }

@@ -4,6 +4,7 @@ use ancf_solver::equations::EquationsOfMotion;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
+use crate::errors::short;
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -62,11 +63,6 @@ impl EigenvalueCount {
     pub(crate) fn new(sturm: SturmCount, unit: f64) -> Self {
         Self { below: sturm.below * unit, count: sturm.count }
     }
-}
-
-/// Number with at most six digits, without trailing zeros.
-fn short(x: f64) -> String {
-    format!("{x:.5e}").parse::<f64>().map_or_else(|_| x.to_string(), |x| x.to_string())
 }
 
 /// Summary of a run, in the user's units.

@@ -267,16 +267,14 @@ impl Newton {
         if matches!(self.stop, StopRule::Residual(tolerance) if report.residual <= tolerance) {
             return ControlFlow::Break(Ok(report));
         }
-        let is_floor = |newton: &mut Self| {
-            newton.excess(eom, s).1 <= FLOOR
-                || newton.is_rounding(eom, s)
-                || newton.is_increment_of_rounding(eom, s, progress.last)
-        };
         let is_last = report.iterations >= self.max_iterations;
-        // Steps in time are divided instead, so that the parts of a divided step have the limit of the whole.
-        let is_last_of_statics = is_last && self.weights == Weights::STIFFNESS;
-        let is_end = ((progress.stagnant > 0 || is_last_of_statics) && is_floor(self))
-            || (progress.is_exhausted() && self.is_increment_of_rounding(eom, s, progress.last));
+        let is_floor = progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR;
+        // Without an energy of a motion, increments may decrease without limit or vary randomly.
+        let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
+        let is_zero = |newton: &mut Self| {
+            newton.is_rounding(eom, s) || newton.is_increment_of_rounding(eom, s, progress.last)
+        };
+        let is_end = is_floor || (may_be_zero && is_zero(self));
         if is_end {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
@@ -362,7 +360,7 @@ impl Newton {
         energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
     }
 
-    /// Returns true in statics if the last increment has the energy of an increment that rounding errors cause.
+    /// Returns true in statics if the state and the last increment have the energy of an increment that rounding errors cause.
     ///
     /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
     /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
@@ -381,7 +379,9 @@ impl Newton {
             return false;
         }
         let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
-        energy <= FLOOR * FLOOR * work
+        // A state with more energy has displacements of a motion, and an ill-conditioned structure would stop before its
+        // equilibrium.
+        eom.energy(s).largest().max(energy) <= FLOOR * FLOOR * work
     }
 
     fn error(

@@ -12,6 +12,8 @@ use crate::sparse::SparseMatrix;
 ///
 /// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest for a system at rest.
 ///
+/// Coordinates without stiffness, such as the position of a rigid body in statics, have the error of the largest displacement.
+///
 /// The bound is independent of units, slope lengths and the frame of reference.
 ///
 /// Source: Rigal & Gaches (1967) for the error of a linear solution.
@@ -24,13 +26,13 @@ pub(crate) fn raise_to_achievable(k: &SparseMatrix, q: &[f64], z: &[f64], w: Wei
             moved = moved.max(w.q * (z[multiplier] * entry).abs() / root);
         }
     }
+    let displaced = q.iter().zip(z).map(|(q, z)| q.abs() + w.q * z.abs()).fold(0.0, f64::max);
     let (before, rows) = floor.split_at_mut(q.len());
     let first = before.len();
     for (multiplier, coordinate, entry) in k.constraints() {
         let root = root(coordinate);
-        if root > 0.0 {
-            let row = &mut rows[multiplier - first];
-            *row = row.max(f64::EPSILON * moved * entry.abs() / root);
-        }
+        let error = if root > 0.0 { moved / root } else { displaced };
+        let row = &mut rows[multiplier - first];
+        *row = row.max(f64::EPSILON * error * entry.abs());
     }
 }

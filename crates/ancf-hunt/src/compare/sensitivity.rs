@@ -133,8 +133,8 @@ struct StepErrors<'a> {
 }
 
 impl StepErrors<'_> {
-    /// Bound of the deviation of a twin in a row: both have this error. Errors of accelerations alternate, so the next row
-    /// counts too.
+    /// Bound of the deviation of a twin in a row: the base has this error, and the twin up to twice of it. Errors of
+    /// accelerations alternate, so the next row counts too.
     fn of(&self, column: &Record, row: usize) -> f64 {
         let alike = self.base.columns.iter().filter(|other| other.dimension == column.dimension);
         let error = |run: &Run, ratio: usize, own: &Record| {
@@ -146,6 +146,6 @@ impl StepErrors<'_> {
             let others = self.others.iter().map(|run| error(run, 1, own));
             others.fold(error(&self.half, 2, own), f64::max)
         };
-        2.0 * alike.map(largest).fold(0.0, f64::max)
+        3.0 * alike.map(largest).fold(0.0, f64::max)
     }
 }

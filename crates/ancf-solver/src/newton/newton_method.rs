@@ -379,9 +379,9 @@ impl Newton {
             return false;
         }
         let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
-        // A state with more energy has displacements of a motion, and an ill-conditioned structure would stop before its
+        // A state with more strain energy has displacements of a motion, and an ill-conditioned structure would stop before its
         // equilibrium.
-        eom.energy(s).largest().max(energy) <= FLOOR * FLOOR * work
+        eom.energy(s).strain.abs().max(energy) <= FLOOR * FLOOR * work
     }
 
     fn error(

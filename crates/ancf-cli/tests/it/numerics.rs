@@ -125,5 +125,5 @@ fn warnings_of_finished_runs() {
     );
     let ran = run("buckling");
     assert_eq!(ran.code, Some(0), "{}", ran.messages);
-    assert!(ran.messages.contains("warning: from about t = 10."), "{}", ran.messages);
+    assert!(ran.messages.contains("warning: from about t = 10 to t = "), "{}", ran.messages);
 }

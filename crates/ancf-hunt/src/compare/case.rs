@@ -60,18 +60,26 @@ impl Case {
 
     /// Rows in which a twin is compared with the base; `None` if there are none.
     ///
-    /// In statics and on paths the increments may differ, hence only the last row counts. Rows of a motion count until the
-    /// neighbour departs.
+    /// In statics and on paths the increments may differ, hence only the last row counts. A path may end before its last load
+    /// factor by the number of its points, which lie elsewhere if an increment took another number of iterations. Rows of a
+    /// motion count until the neighbour departs.
     pub fn shared_rows(&self, twin: &Run) -> Option<Range<usize>> {
         let rows = self.base.rows().min(self.neighbour.rows());
         match &self.model.analysis {
             Analysis::Statics(_) | Analysis::Path(_) => {
                 let is_same = twin.rows() == rows && self.base.rows() == rows;
-                (is_same && rows > 0 && !self.is_unstable()).then(|| rows - 1..rows)
+                let is_comparable = self.has_reached_load() || same_iterations(&self.base, twin);
+                (is_same && is_comparable && rows > 0 && !self.is_unstable()).then(|| rows - 1..rows)
             }
             Analysis::Modes(_) | Analysis::Buckling(_) => Some(0..rows.min(twin.rows())),
             Analysis::Dynamics(_) => Some(0..self.calm_rows(rows.min(twin.rows()))),
         }
+    }
+
+    /// True if the last load factor is that of the analysis.
+    fn has_reached_load(&self) -> bool {
+        let Analysis::Path(path) = &self.model.analysis else { return true };
+        self.base.column("load").and_then(|column| column.values.last()) == Some(&path.load)
     }
 
     /// True if a row has negative eigenvalues: other branches of equilibria are near.
@@ -92,6 +100,12 @@ impl Case {
             })
             .unwrap_or(rows)
     }
+}
+
+/// True if all increments took the same numbers of iterations.
+fn same_iterations(base: &Run, twin: &Run) -> bool {
+    let counts = |run: &Run| run.column("iterations").map(|column| column.values.clone());
+    counts(base) == counts(twin)
 }
 
 /// Model with properties that differ by a relative change of this size.

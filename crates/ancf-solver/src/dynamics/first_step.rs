@@ -1,10 +1,12 @@
-use super::initial_conditions::{accelerations, solve};
+use super::initial_conditions::{accelerations, positions, solve, velocities};
 use super::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
 /// Difference interval for the rate of the acceleration, relative to the step size.
 const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
+/// Steps of Newton's method that project a state onto the constraints. Each squares their small violation.
+const PROJECTIONS: u32 = 2;
 
 /// Computes start values of the generalized-α scheme for a first step h: the auxiliary acceleration and a velocity
 /// change.
@@ -105,7 +107,7 @@ struct Rates {
 /// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ), and the
 /// rate of the damping forces in the same way.
 ///
-/// The differences are one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the
+/// The states on the parabola are projected onto the constraints of positions and velocities. The differences are one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the
 /// parabola in v.
 fn rates<E: EquationsOfMotion>(
     eom: &E,
@@ -120,6 +122,17 @@ fn rates<E: EquationsOfMotion>(
         let mut ahead = ahead(s, d);
         let Newton { tangent, z, r, .. } = &mut *newton;
         let (matrix, factor) = tangent.lend();
+        // Beside the constraints, accelerations depend on the form of their equations.
+        let mut projected = ahead.clone();
+        let mut project = || {
+            for _ in 0..PROJECTIONS {
+                positions(eom, matrix, factor, &mut projected, z)?;
+            }
+            velocities(eom, matrix, factor, &mut projected, z)
+        };
+        if project().is_ok() {
+            ahead = projected;
+        }
         accelerations(eom, matrix, factor, &mut ahead, z)?;
         eom.exchange(&ahead, r);
         let add = |rate: &mut [f64], x: &[f64]| {

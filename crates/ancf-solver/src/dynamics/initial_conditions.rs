@@ -67,16 +67,44 @@ pub(crate) fn velocities<E: EquationsOfMotion + ?Sized>(
     s: &mut State,
     rhs: &mut [f64],
 ) -> Result<(), SolveError> {
+    if projection(eom, matrix, factor, s, Level::Velocity, rhs)? {
+        s.v.iter_mut().zip(&*rhs).for_each(|(v, dv)| *v += dv);
+    }
+    Ok(())
+}
+
+/// Moves the positions towards Φ = 0 by one step of Newton's method in the norm of the kinetic energy.
+pub(crate) fn positions<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &mut State,
+    rhs: &mut [f64],
+) -> Result<(), SolveError> {
+    if projection(eom, matrix, factor, s, Level::Position, rhs)? {
+        s.q.iter_mut().zip(&*rhs).for_each(|(q, dq)| *q += dq);
+    }
+    Ok(())
+}
+
+/// Solves [M, Φ_qᵀ; Φ_q, 0] (x, ·) = −(0, Φ) for the constraints of a level. Returns false if they are satisfied.
+fn projection<E: EquationsOfMotion + ?Sized>(
+    eom: &E,
+    matrix: &mut SparseMatrix,
+    factor: &mut Factor,
+    s: &State,
+    level: Level,
+    rhs: &mut [f64],
+) -> Result<bool, SolveError> {
     let n = s.q.len();
     rhs[..n].fill(0.0);
-    eom.constraints(s, Level::Velocity, &mut rhs[n..]);
+    eom.constraints(s, level, &mut rhs[n..]);
     if rhs.iter().all(|x| *x == 0.0) {
-        return Ok(());
+        return Ok(false);
     }
     rhs.iter_mut().for_each(|x| *x = -*x);
     solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
-    s.v.iter_mut().zip(&*rhs).for_each(|(v, dv)| *v += dv);
-    Ok(())
+    Ok(true)
 }
 
 /// Assembles and factorises the tangent of a state and solves with it.

@@ -2,9 +2,11 @@
 
 use ancf_mechanics::bodies::normals_to;
 use ancf_mechanics::constraints::{BilinearMeasure, MeasureFactor};
-use ancf_mechanics::kinematics::{Attachment, BodyVector};
+use ancf_mechanics::kinematics::{Attachment, BodyVector, Directions};
 use nalgebra::Vector3;
 
+/// Cosine of the angle between directions that are nearly parallel. At most one of three orthonormal vectors is.
+const PARALLEL: f64 = 0.8;
 /// Name of the equations that constrain the position.
 pub(crate) const POSITION: &str = "position";
 /// Name of the equations that constrain a point to a line.
@@ -103,7 +105,20 @@ pub(crate) fn swing(a: &Attachment, b: &Attachment, [e, u, v]: [Vector3<f64>; 3]
 }
 
 /// p of a, and u, v of b across an axis, u along p in the reference state: the angle about the axis is that from u to p.
+///
+/// At the start of a motion, small corrections depend on u. It therefore follows a section, if there is one, and not the global
+/// axes.
 pub(crate) fn hinge(a: &Attachment, b: &Attachment, axis: Vector3<f64>) -> [BodyVector; 3] {
-    let [u, _] = normals_to(axis);
+    let of_section = [a, b].into_iter().find_map(|end| match &end.directions {
+        Directions::Section(_, frame) => Some(normal_along(axis, frame.reference())),
+        _ => None,
+    });
+    let u = of_section.unwrap_or_else(|| normals_to(axis)[0]);
     [a.direction(u), b.direction(u), b.direction(axis.cross(&u))]
+}
+
+/// Unit vector normal to an axis, along the first of three orthonormal vectors that is not nearly parallel to it.
+fn normal_along(axis: Vector3<f64>, frame: &[Vector3<f64>; 3]) -> Vector3<f64> {
+    let guide = frame.iter().find(|direction| direction.dot(&axis).abs() < PARALLEL).unwrap_or(&frame[2]);
+    (guide - axis * axis.dot(guide)).normalize()
 }

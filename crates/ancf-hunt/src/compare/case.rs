@@ -38,6 +38,11 @@ impl Case {
         self.model.analysis.dynamics().is_some()
     }
 
+    /// True for steps by error control.
+    pub fn has_controlled_steps(&self) -> bool {
+        self.model.analysis.dynamics().is_some_and(|own| own.step.fixed().is_none())
+    }
+
     /// Relative tolerance of twins, larger if the convergence criterion is coarse.
     pub fn tolerance(&self, relative: f64) -> f64 {
         let stop = match &self.model.analysis {

@@ -53,6 +53,8 @@ const PASSES: usize = 8;
 const MIN_EIGENVALUE: f64 = 1e-6;
 /// Smallest gap between factors at which they are counted, relative to the larger factor.
 const MIN_GAP: f64 = 1e-3;
+/// Relative difference of factors of equal magnitude.
+const EQUAL: f64 = 1e-8;
 /// Smallest significant work of the loads, relative to the sum of their work on isolated coordinates.
 const MIN_WORK: f64 = 1e-12;
 
@@ -111,10 +113,12 @@ pub fn buckling(
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
     let mut pencil = BucklingPencil { eom, s, stiffness, softening, mass, factor, interrupt };
-    let mut start = pencil.operator().start(count + GUARD, 0)?;
+    // The last factor may have a neighbour of the same magnitude and the other sign.
+    let wanted = count + usize::from(sense == LoadDirection::Either);
+    let mut start = pencil.operator().start(wanted + GUARD, 0)?;
     let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
-        let found = krylov(&mut pencil.operator(), start, &sense.search(count))?;
+        let found = krylov(&mut pencil.operator(), start, &sense.search(wanted))?;
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
@@ -122,8 +126,9 @@ pub fn buckling(
             let shapes: Result<Vec<_>, _> =
                 start.iter().take(degrees).map(|x| pencil.operator().apply(x)).collect();
             let loads = pencil.refined(shapes?, found.requested, sense)?;
-            if let Some(loads) = pencil.counted(loads, sense)? {
-                return Ok(loads);
+            if let Some(mut found) = pencil.counted(loads, sense)? {
+                found.loads.truncate(count);
+                return Ok(found);
             }
             failure = EigenError::Missed;
             start.extend(pencil.restored()?.start(GUARD, 1 + pass as u64)?);
@@ -202,6 +207,7 @@ impl BucklingPencil<'_> {
                 break;
             }
         }
+        put_positive_first(&mut loads);
         loads.truncate(count);
         Ok(loads)
     }
@@ -274,6 +280,16 @@ impl BucklingPencil<'_> {
         let count = negative.map(|negative| negative.saturating_sub(self.eom.multipliers()));
         let sturm = count.map(|count| SturmCount { below, count });
         Ok(count.is_none_or(|count| count == gap).then_some(CriticalLoads { loads, sturm }))
+    }
+}
+
+/// Exchanges neighbours of equal magnitude such that the positive factor is first: rounding errors determine their order.
+fn put_positive_first(loads: &mut [CriticalLoad]) {
+    for k in 1..loads.len() {
+        let [before, after] = [loads[k - 1].factor, loads[k].factor];
+        if before < 0.0 && after > 0.0 && (before + after).abs() <= EQUAL * after {
+            loads.swap(k - 1, k);
+        }
     }
 }
 

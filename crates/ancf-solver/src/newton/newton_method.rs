@@ -332,7 +332,7 @@ impl Newton {
     /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.
     fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
         eom.rounding(s, &mut self.floor);
-        raise_to_achievable(&self.tangent.matrix, &s.q, &self.z, self.weights, &mut self.floor);
+        raise_to_achievable(&self.tangent.matrix, s, &self.z, self.weights, &mut self.floor);
         let mut worst = (0, 0.0);
         for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
             let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };

@@ -1,7 +1,7 @@
-use crate::equations::Weights;
+use crate::equations::{State, Weights};
 use crate::sparse::SparseMatrix;
 
-/// Raises the rounding bounds of the constraints to the accuracy of the linear solution.
+/// Raises the rounding bounds to the accuracy of the linear solution.
 ///
 /// A factorisation solves K z = b with an error of about ε maxₖ |zₖ|/dₖ / dᵢ in row i, where D K D has entries of size
 /// one. The error of a small component is thus relative to the largest component. If a joint to the ground makes Φ a
@@ -12,12 +12,19 @@ use crate::sparse::SparseMatrix;
 ///
 /// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest for a system at rest.
 ///
-/// Coordinates without stiffness, such as the position of a rigid body in statics, have the error of the largest displacement.
+/// Coordinates without stiffness, such as the position of a rigid body in statics, have the error of the largest displacement,
+/// and their equilibrium that of the largest constraint force.
 ///
 /// The bound is independent of units, slope lengths and the frame of reference.
 ///
 /// Source: Rigal & Gaches (1967) for the error of a linear solution.
-pub(crate) fn raise_to_achievable(k: &SparseMatrix, q: &[f64], z: &[f64], w: Weights, floor: &mut [f64]) {
+pub(crate) fn raise_to_achievable(
+    k: &SparseMatrix,
+    State { q, lambda, .. }: &State,
+    z: &[f64],
+    w: Weights,
+    floor: &mut [f64],
+) {
     let root = |i: usize| k.diagonal_of(i).abs().sqrt();
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {
@@ -29,9 +36,16 @@ pub(crate) fn raise_to_achievable(k: &SparseMatrix, q: &[f64], z: &[f64], w: Wei
     let displaced = q.iter().zip(z).map(|(q, z)| q.abs() + w.q * z.abs()).fold(0.0, f64::max);
     let (before, rows) = floor.split_at_mut(q.len());
     let first = before.len();
+    let force = |multiplier: usize, entry: f64| {
+        (lambda[multiplier - first].abs() + z[multiplier].abs()) * entry.abs()
+    };
+    let largest = k.constraints().map(|(multiplier, _, entry)| force(multiplier, entry)).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {
         let root = root(coordinate);
         let error = if root > 0.0 { moved / root } else { displaced };
+        if root == 0.0 {
+            before[coordinate] = before[coordinate].max(f64::EPSILON * largest);
+        }
         let row = &mut rows[multiplier - first];
         *row = row.max(f64::EPSILON * error * entry.abs());
     }

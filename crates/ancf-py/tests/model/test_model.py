@@ -22,6 +22,8 @@ from ancf.model.base.part import Part
 
 ROOT = Path(__file__).parents[4]
 FILES = sorted([*ROOT.glob("models/*.toml"), *ROOT.glob("crates/ancf/tests/models/good/*.toml")])
+#: Random models in which an equivalent model once had other results.
+FOUND = sorted(ROOT.glob("crates/ancf-hunt/found/*_*.toml"))
 CLASSES: list[type[Part]] = [
     item
     for item in map(ancf.model.__dict__.get, ancf.model.__all__)
@@ -79,6 +81,25 @@ def test_a_file_is_written_unchanged(path: Path) -> None:
     assert all(isinstance(part, Part) for part in [*model.bodies, *(model.joints or ()), model.analysis])
     assert model.to_dict() == data
     assert ancf.Model.from_dict(data) == model
+
+
+def completed(model: ancf.Model | Path) -> ancf.Result:
+    """Results of a run, up to its failure."""
+    try:
+        return ancf.run(model)
+    except ancf.AnalysisError as error:
+        assert error.result is not None
+        return error.result
+
+
+@pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
+def test_a_random_model_has_equal_results_as_objects(path: Path, tmp_path: Path) -> None:
+    """A model that is read as objects and written again has results with the same bits."""
+    copy_of_it = tmp_path / "model.toml"
+    ancf.Model.read(path).write(copy_of_it)
+    first, second = completed(path), completed(ancf.Model.read(copy_of_it))
+    assert first.columns == second.columns
+    assert np.array_equal(first.data, second.data, equal_nan=True)
 
 
 def test_a_typed_model_equals_its_file() -> None:

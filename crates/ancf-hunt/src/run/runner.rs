@@ -2,7 +2,7 @@ use std::any::Any;
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use ancf::record::{Series, Sink};
 use ancf::solver::newton::Interrupt;
@@ -12,8 +12,10 @@ use super::record::{Record, Run, Verdict};
 
 /// Rows after which a run is stopped.
 const MOST_ROWS: usize = 4000;
-/// Iterations after which a run is stopped, instead of a time, which depends on the machine.
-const MOST_ITERATIONS: u32 = 20_000;
+/// Product of iterations and coordinates after which a run is stopped, instead of a time, which depends on the machine.
+const MOST_WORK: usize = 2_000_000;
+/// Iterations after which a run of a small model is stopped.
+const MOST_ITERATIONS: usize = 20_000;
 
 /// Runs a model. Panics are verdicts.
 pub fn run(model: &Model) -> Run {
@@ -39,7 +41,10 @@ pub(super) fn guarded(of: impl FnOnce() -> Run) -> Run {
 
 fn of_model(model: &Model) -> Run {
     let simulation = match Simulation::new(model) {
-        Ok(simulation) => simulation.with_interrupt(limit()),
+        Ok(simulation) => {
+            let limit = limit(simulation.assembly().rest().q.len());
+            simulation.with_interrupt(limit)
+        }
         Err(errors) => return Run::empty(Verdict::Rejected(errors.to_string())),
     };
     let mut rows = Limited::new();
@@ -48,9 +53,9 @@ fn of_model(model: &Model) -> Run {
 }
 
 /// Interrupt after a number of iterations, on any machine the same.
-fn limit() -> Interrupt {
-    let asked = AtomicU32::new(0);
-    Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > MOST_ITERATIONS)
+fn limit(coordinates: usize) -> Interrupt {
+    let (asked, most) = (AtomicUsize::new(0), (MOST_WORK / coordinates.max(1)).min(MOST_ITERATIONS));
+    Interrupt::new(move || asked.fetch_add(1, Ordering::Relaxed) > most)
 }
 
 /// Combines the columns, the rows and the summary of a run.

@@ -12,6 +12,8 @@ use crate::sparse::SparseMatrix;
 ///
 /// The zₖ include the increments of multipliers, with 1/dₖ = maxⱼ(|Φ_q,kj| dⱼ). They are the largest for a system at rest.
 ///
+/// Forces have the error of the last increment: |rᵢ| ≲ ε/dᵢ · maxₖ |zₖ|/dₖ.
+///
 /// Coordinates without stiffness, such as the position of a rigid body in statics, have the error of the largest displacement,
 /// and their equilibrium that of the largest constraint force.
 ///
@@ -27,15 +29,20 @@ pub(crate) fn raise_to_achievable(
 ) {
     let root = |i: usize| k.diagonal_of(i).abs().sqrt();
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);
+    let mut solved = (0..q.len()).map(|i| z[i].abs() * root(i)).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {
         let root = root(coordinate);
         if root > 0.0 {
-            moved = moved.max(w.q * (z[multiplier] * entry).abs() / root);
+            let force = (z[multiplier] * entry).abs() / root;
+            (moved, solved) = (moved.max(w.q * force), solved.max(force));
         }
     }
     let displaced = q.iter().zip(z).map(|(q, z)| q.abs() + w.q * z.abs()).fold(0.0, f64::max);
     let (before, rows) = floor.split_at_mut(q.len());
     let first = before.len();
+    for (i, row) in before.iter_mut().enumerate() {
+        *row = row.max(f64::EPSILON * solved * root(i));
+    }
     let force = |multiplier: usize, entry: f64| {
         (lambda[multiplier - first].abs() + z[multiplier].abs()) * entry.abs()
     };

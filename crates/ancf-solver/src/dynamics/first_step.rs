@@ -1,12 +1,12 @@
-use super::initial_conditions::{accelerations, positions, solve, velocities};
+use super::initial_conditions::{Projected, accelerations, project, solve};
 use super::scheme::SchemeCoefficients;
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::newton::{Newton, SolveError};
 
 /// Difference interval for the rate of the acceleration, relative to the step size.
 const DIFFERENCE_INTERVAL: f64 = 1.0 / 16.0;
-/// Steps of Newton's method that project a state onto the constraints. Each squares their small violation.
-const PROJECTIONS: u32 = 2;
+/// Projections of a state onto the constraints. The second step of Newton's method squares their small violation.
+const PROJECTIONS: [Projected; 3] = [Projected::Positions, Projected::Positions, Projected::Velocities];
 
 /// Computes start values of the generalized-α scheme for a first step h: the auxiliary acceleration and a velocity
 /// change.
@@ -107,8 +107,8 @@ struct Rates {
 /// Computes v̈ from consistent accelerations along a parabola through a state: [−3v̇(0) + 4v̇(δ) − v̇(2δ)]/(2δ), and the
 /// rate of the damping forces in the same way.
 ///
-/// The states on the parabola are projected onto the constraints of positions and velocities. The differences are one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the
-/// parabola in v.
+/// The states on the parabola are projected onto the constraints of positions and velocities. The differences are
+/// one-sided, since loads may jump at the start. Quadratic terms cancel, including the error of the parabola in v.
 fn rates<E: EquationsOfMotion>(
     eom: &E,
     newton: &mut Newton,
@@ -124,13 +124,7 @@ fn rates<E: EquationsOfMotion>(
         let (matrix, factor) = tangent.lend();
         // Beside the constraints, accelerations depend on the form of their equations.
         let mut projected = ahead.clone();
-        let mut project = || {
-            for _ in 0..PROJECTIONS {
-                positions(eom, matrix, factor, &mut projected, z)?;
-            }
-            velocities(eom, matrix, factor, &mut projected, z)
-        };
-        if project().is_ok() {
+        if PROJECTIONS.into_iter().all(|part| project(eom, matrix, factor, &mut projected, part, z).is_ok()) {
             ahead = projected;
         }
         accelerations(eom, matrix, factor, &mut ahead, z)?;

@@ -30,7 +30,7 @@ pub fn consistent_velocities<E: EquationsOfMotion>(
     s: &mut State,
 ) -> Result<(), SolveError> {
     let (mut factor, mut rhs) = storage(matrix)?;
-    velocities(eom, matrix, &mut factor, s, &mut rhs)
+    project(eom, matrix, &mut factor, s, Projected::Velocities, &mut rhs)
 }
 
 /// Allocates a factorisation and a right-hand side.
@@ -59,52 +59,44 @@ pub(crate) fn accelerations<E: EquationsOfMotion + ?Sized>(
     Ok(())
 }
 
-/// Projects velocities as [`consistent_velocities`], in given working storage.
-pub(crate) fn velocities<E: EquationsOfMotion + ?Sized>(
+/// Part of a state that is projected onto its constraints.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Projected {
+    /// Positions onto Φ = 0, by one step of Newton's method.
+    Positions,
+    /// Velocities onto Φ_q v + Φ_t = 0.
+    Velocities,
+}
+
+/// Projects a part of a state in the norm of the kinetic energy and in given working storage:
+///
+/// [M, Φ_qᵀ; Φ_q, 0] (Δ, ·) = −(0, Φ).
+pub(crate) fn project<E: EquationsOfMotion + ?Sized>(
     eom: &E,
     matrix: &mut SparseMatrix,
     factor: &mut Factor,
     s: &mut State,
+    part: Projected,
     rhs: &mut [f64],
 ) -> Result<(), SolveError> {
-    if projection(eom, matrix, factor, s, Level::Velocity, rhs)? {
-        s.v.iter_mut().zip(&*rhs).for_each(|(v, dv)| *v += dv);
-    }
-    Ok(())
-}
-
-/// Moves the positions towards Φ = 0 by one step of Newton's method in the norm of the kinetic energy.
-pub(crate) fn positions<E: EquationsOfMotion + ?Sized>(
-    eom: &E,
-    matrix: &mut SparseMatrix,
-    factor: &mut Factor,
-    s: &mut State,
-    rhs: &mut [f64],
-) -> Result<(), SolveError> {
-    if projection(eom, matrix, factor, s, Level::Position, rhs)? {
-        s.q.iter_mut().zip(&*rhs).for_each(|(q, dq)| *q += dq);
-    }
-    Ok(())
-}
-
-/// Solves [M, Φ_qᵀ; Φ_q, 0] (x, ·) = −(0, Φ) for the constraints of a level. Returns false if they are satisfied.
-fn projection<E: EquationsOfMotion + ?Sized>(
-    eom: &E,
-    matrix: &mut SparseMatrix,
-    factor: &mut Factor,
-    s: &State,
-    level: Level,
-    rhs: &mut [f64],
-) -> Result<bool, SolveError> {
     let n = s.q.len();
+    let level = match part {
+        Projected::Positions => Level::Position,
+        Projected::Velocities => Level::Velocity,
+    };
     rhs[..n].fill(0.0);
     eom.constraints(s, level, &mut rhs[n..]);
     if rhs.iter().all(|x| *x == 0.0) {
-        return Ok(false);
+        return Ok(());
     }
     rhs.iter_mut().for_each(|x| *x = -*x);
     solve(eom, matrix, factor, s, Weights::MASS, rhs)?;
-    Ok(true)
+    let projected = match part {
+        Projected::Positions => &mut s.q,
+        Projected::Velocities => &mut s.v,
+    };
+    projected.iter_mut().zip(&*rhs).for_each(|(x, change)| *x += change);
+    Ok(())
 }
 
 /// Assembles and factorises the tangent of a state and solves with it.

@@ -2,7 +2,7 @@ use super::damping_work::{DampingAttempt, PowerIntegral};
 use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, fastest_change};
 use super::energy_momentum::StepMiddle;
 use super::first_step::{StartValues, start_values};
-use super::initial_conditions::{accelerations, velocities};
+use super::initial_conditions::{Projected, accelerations, project};
 use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
 use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
@@ -123,7 +123,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
         let before = self.motion.energy.kinetic;
-        velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         if self.motion.h > 0.0 {
             // Velocity jump: adds the impulsive work, computed with the mean velocity.
@@ -145,7 +145,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     pub fn project_velocities(&mut self) -> Result<(), SolveError> {
         let Newton { tangent, z, .. } = &mut self.newton;
         let (matrix, factor) = tangent.lend();
-        velocities(&*self.eom, matrix, factor, &mut self.motion.state, z)?;
+        project(&*self.eom, matrix, factor, &mut self.motion.state, Projected::Velocities, z)?;
         self.motion.energy = self.eom.energy(&self.motion.state);
         self.set_exchange();
         // The accelerations are not those of the damping forces.

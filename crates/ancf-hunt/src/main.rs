@@ -10,7 +10,7 @@ use ancf_hunt::hunt::{Report, Violation, case, check, hunt};
 use ancf_hunt::shrink::{find, shrink};
 
 /// Number of models between two lines of progress.
-const PORTION: u64 = 100;
+const PORTION: u64 = 500;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -47,7 +47,11 @@ fn of_arguments(arguments: &[String]) -> Result<bool, String> {
             report.violations.iter().for_each(|violation| say(&line(violation)));
             Ok(report.new_findings().next().is_none())
         }
-        _ => of_seed(number(0, 1)?, number(1, 1000)?, arguments.get(2)),
+        _ => {
+            let share = arguments.get(3).map_or(Ok(1.0), |text| text.parse());
+            let share = share.map_err(|_| "the share of the laws is not a number".to_owned())?;
+            of_seed(number(0, 1)?, number(1, 1000)?, arguments.get(2), share)
+        }
     }
 }
 
@@ -63,13 +67,14 @@ fn of_file(path: &Path) -> Result<bool, String> {
     Ok(report.new_findings().next().is_none())
 }
 
-fn of_seed(seed: u64, models: u64, folder: Option<&String>) -> Result<bool, String> {
+/// Hunts with models of a seed. A law is checked with the probability `share`.
+fn of_seed(seed: u64, models: u64, folder: Option<&String>, share: f64) -> Result<bool, String> {
     let mut report = Report::default();
     let mut stored = BTreeSet::new();
     let mut first = 0;
     while first < models {
         let last = (first + PORTION).min(models);
-        let part = hunt(seed, first..last, 1.0)?;
+        let part = hunt(seed, first..last, share)?;
         for (number, reason) in &part.refusals {
             say(&format!("  {number}: {reason}"));
         }

@@ -37,6 +37,9 @@ impl Cause {
     }
 }
 
+/// Part of the warning that the integration has made energy.
+const UNRESOLVED: &str = "the steps do not resolve the motion";
+
 /// Relative changes of the properties of further neighbours, in multiples of [`NUDGE`].
 const NUDGES: [f64; 6] = [-1.0, 0.5, -0.3, 2.0, -3.0, 0.1];
 
@@ -80,6 +83,11 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps:
     let is_divided = case.base.is_divided || twin.is_divided;
     if !is_divided && steps == TimeSteps::Same {
         return Comparison::Different(finding);
+    }
+    // The program itself says so, for the twin whose steps are divided otherwise.
+    let is_warned = |run: &Run| run.warnings.iter().any(|text| text.contains(UNRESOLVED));
+    if is_warned(&case.base) || is_warned(twin) {
+        return Comparison::Explained(Cause::Steps);
     }
     let Some(half) = halved(&case.model).map(|model| run(&model)) else {
         return Comparison::Different(finding);

@@ -20,13 +20,15 @@ pub struct CriticalLoad {
 }
 
 /// Lowest critical loads of a state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CriticalLoads {
     /// Critical loads by increasing magnitude.
     pub loads: Vec<CriticalLoad>,
     /// Verified number of critical loads, `None` if K₀ + s K_g has no symmetric factorisation or the loads have both
     /// directions.
     pub sturm: Option<SturmCount>,
+    /// Displacement of first order that the loads cause at load factor one, over the coordinates. Empty without loads.
+    pub response: Vec<f64>,
 }
 
 /// Direction of the loads.
@@ -94,7 +96,7 @@ pub fn buckling(
 ) -> Result<CriticalLoads, EigenError> {
     let lowest = modes(eom, matrix.clone(), s, 1, interrupt)?.modes;
     match lowest.first().map(|mode| mode.omega_squared) {
-        None => return Ok(CriticalLoads { loads: Vec::new(), sturm: None }),
+        None => return Ok(CriticalLoads::default()),
         Some(0.0) => return Err(EigenError::Singular),
         Some(squared) if squared < 0.0 => return Err(EigenError::Indefinite),
         Some(_) => {}
@@ -106,9 +108,9 @@ pub fn buckling(
     eom.tangent(s, Weights::STIFFNESS, &mut stiffness);
     let mut factor = Factor::new(matrix.pattern())?;
     factor.factorise(&stiffness)?;
-    let softening = softening(eom, s, &stiffness, &mut factor)?;
+    let (softening, response) = softening(eom, s, &stiffness, &mut factor)?;
     if softening.values().iter().all(|value| *value == 0.0) {
-        return Ok(CriticalLoads { loads: Vec::new(), sturm: None });
+        return Ok(CriticalLoads { response, ..CriticalLoads::default() });
     }
     let mut mass = matrix;
     eom.tangent(s, Weights::MASS, &mut mass);
@@ -128,6 +130,7 @@ pub fn buckling(
             let loads = pencil.refined(shapes?, found.requested, sense)?;
             if let Some(mut found) = pencil.counted(loads, sense)? {
                 found.loads.truncate(count);
+                found.response = response;
                 return Ok(found);
             }
             failure = EigenError::Missed;
@@ -270,7 +273,7 @@ impl BucklingPencil<'_> {
         let factors: Vec<f64> = loads.iter().map(|load| load.factor).collect();
         let has_gap = |k: &usize| (factors[*k] - factors[*k - 1]).abs() > MIN_GAP * factors[*k].abs();
         let gap = (1..factors.len()).rev().find(has_gap).filter(|_| sense != LoadDirection::Either);
-        let Some(gap) = gap else { return Ok(Some(CriticalLoads { loads, sturm: None })) };
+        let Some(gap) = gap else { return Ok(Some(CriticalLoads { loads, ..CriticalLoads::default() })) };
         let below = 0.5 * (factors[gap - 1] + factors[gap]);
         let mut loaded = self.stiffness.clone();
         let softening = self.softening.values();
@@ -279,7 +282,11 @@ impl BucklingPencil<'_> {
         let negative = self.factor.negative_pivots();
         let count = negative.map(|negative| negative.saturating_sub(self.eom.multipliers()));
         let sturm = count.map(|count| SturmCount { below, count });
-        Ok(count.is_none_or(|count| count == gap).then_some(CriticalLoads { loads, sturm }))
+        Ok(count.is_none_or(|count| count == gap).then_some(CriticalLoads {
+            loads,
+            sturm,
+            response: Vec::new(),
+        }))
     }
 }
 
@@ -294,13 +301,13 @@ fn put_positive_first(loads: &mut [CriticalLoad]) {
 }
 
 /// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
-/// of the response.
+/// of the response. Second, the displacements of the response.
 fn softening(
     eom: &dyn EquationsOfMotion,
     s: &State,
     stiffness: &SparseMatrix,
     factor: &mut Factor,
-) -> Result<SparseMatrix, EigenError> {
+) -> Result<(SparseMatrix, Vec<f64>), EigenError> {
     let force = load_force(eom, s);
     let mut response = force.clone();
     factor.solve(stiffness, &mut response)?;
@@ -315,7 +322,8 @@ fn softening(
         let is_determined = (*value - refined).abs() <= DETERMINED * value.abs();
         *value = if is_determined { -*value } else { 0.0 };
     }
-    Ok(softening)
+    response.truncate(eom.coordinates());
+    Ok((softening, response))
 }
 
 /// Computes the forces and constraint rates of the loads at load factor one.

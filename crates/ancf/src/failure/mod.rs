@@ -3,6 +3,7 @@
 mod advice;
 mod cause;
 mod equilibrium_stability;
+mod prebuckling;
 mod rotation_monitor;
 mod stability;
 mod stability_monitor;
@@ -10,6 +11,7 @@ mod stability_monitor;
 pub(crate) use advice::{ADVICE_FOR_MECHANISMS, advice_for_eigen, advice_for_iteration};
 pub(crate) use cause::{FailureCause, FailurePlace, find_cause};
 pub(crate) use equilibrium_stability::EquilibriumStability;
+pub(crate) use prebuckling::prebuckling_warning;
 pub(crate) use rotation_monitor::{RotationHistory, RotationMonitor};
 pub(crate) use stability::unloaded;
 pub(crate) use stability_monitor::StabilityMonitor;

@@ -11,7 +11,7 @@ use super::equilibria::{equilibrium, regularised_equilibrium};
 use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::summary::EigenvalueCount;
 use crate::assembly::Assembly;
-use crate::failure::unloaded;
+use crate::failure::{prebuckling_warning, unloaded};
 use crate::model::{About, Buckling, Model, Modes};
 use crate::results::Column;
 use crate::units::Dimension;
@@ -198,6 +198,8 @@ impl AnalysisRun<'_> {
                         load.factor
                     )
                 }));
+                let scales = self.summary.scales;
+                self.summary.warnings.extend(prebuckling_warning(self.assembly, &s, &found, scales));
                 let row = |load: &'_ CriticalLoad| vec![load.factor, load.residual];
                 self.shapes(s, found.loads.iter().map(|load| (row(load), load.shape.as_slice())))
             }

@@ -27,7 +27,8 @@ impl Simulation {
     /// Runs the analysis.
     ///
     /// Rows of dynamics, statics and paths are states with the columns of [`Rows`](crate::results::Rows). Rows of modes and
-    /// buckling have the columns of the table. The last time step is shorter if the duration is not a multiple of the step.
+    /// buckling have the columns of the table. The last time step is shorter if the duration is not a multiple of the step, and up
+    /// to 1 % longer if the remainder is smaller than that.
     ///
     /// | modes, buckling | content |
     /// |---|---|

@@ -38,6 +38,10 @@ enum StepSize {
 /// Tolerance of times, relative to the step.
 const TIME_TOLERANCE: f64 = 1e-9;
 
+/// Remainder of a duration, relative to the step, below which the last step is longer instead of a further step that is much
+/// shorter. Accelerations have rounding errors of ε x/h² in a step h.
+const SMALL_REMAINDER: f64 = 0.01;
+
 impl<'a> StepControl<'a> {
     /// Computes the initial state of an analysis.
     pub(crate) fn new(
@@ -110,15 +114,16 @@ impl<'a> StepControl<'a> {
     fn output_after(&self, count: u64, now: f64) -> Option<f64> {
         let Some(interval) = self.interval else { return Some(self.duration).filter(|end| now < *end) };
         let next = (count + 1) as f64;
-        if next <= self.whole_intervals(interval) {
+        if next <= self.inner_outputs(interval) {
             return Some(next * interval);
         }
-        Some(self.duration).filter(|end| *end - now > TIME_TOLERANCE * interval)
+        Some(self.duration).filter(|end| now < *end)
     }
 
-    /// Number of whole intervals in the duration.
-    fn whole_intervals(&self, interval: f64) -> f64 {
-        (self.duration / interval * (1.0 + 1e-12)).floor()
+    /// Number of output times between the start and the end, which a small remainder of the duration does not follow.
+    fn inner_outputs(&self, interval: f64) -> f64 {
+        let step = if let StepSize::Fixed(step) = self.size { step.min(interval) } else { interval };
+        ((self.duration - SMALL_REMAINDER * step) / interval).floor().max(0.0)
     }
 
     /// True at the end of the duration.
@@ -179,7 +184,7 @@ impl<'a> StepControl<'a> {
                     return self.dynamics.advance_with(to, accepted);
                 }
                 let (now, left) = (self.dynamics.state().t, to - self.dynamics.state().t);
-                let parts = (left / *h * (1.0 - TIME_TOLERANCE)).ceil();
+                let parts = (left / *h - SMALL_REMAINDER).ceil();
                 self.dynamics.advance_with(if parts > 1.0 { now + left / parts } else { to }, accepted)
             }
         }
@@ -254,9 +259,9 @@ impl StepControl<'_> {
         }
         let is_before = |end: f64| t <= end + self.tolerance;
         let is_in_order = self.interval.is_none_or(|interval| {
-            let (now, whole) = (count as f64, self.whole_intervals(interval));
-            let reached = if now <= whole { now * interval } else { self.duration };
-            now <= whole + 1.0 && t >= reached && self.output_after(count, t).is_none_or(is_before)
+            let (now, inner) = (count as f64, self.inner_outputs(interval));
+            let reached = if now <= inner { now * interval } else { self.duration };
+            now <= inner + 1.0 && t >= reached && self.output_after(count, t).is_none_or(is_before)
         });
         let is_before_jumps = self.jumps[..*jumps].last().is_none_or(|jump| t < *jump);
         is_in_order

@@ -8,6 +8,7 @@ use ancf::solver::newton::{Newton, SolveError, SolveFailure, StopRule};
 use ancf::solver::sparse::SparseMatrix;
 
 use super::pendulum;
+use crate::common::assertions::assert_relative;
 use crate::common::models::rod;
 use crate::common::solutions::{self, Run};
 
@@ -232,4 +233,25 @@ fn last_step_ends_at_the_duration() {
     (settings.duration, settings.step) = (0.01, Step::Fixed(3e-3));
     let run = Run::of(&model);
     assert_eq!(run.column("t"), [0.0, 3e-3, 2.0 * 3e-3, 3.0 * 3e-3, 0.01]);
+}
+
+/// A remainder far below the step makes the last step longer: accelerations of a step h have rounding errors of ε x/h².
+#[test]
+fn small_remainder_of_the_duration_is_no_step() {
+    let with = |duration: f64| {
+        let mut model = rod::cantilever(2);
+        let settings = rod::settings(&mut model);
+        (settings.duration, settings.step) = (duration, Step::Fixed(1e-3));
+        Run::of(&model)
+    };
+    let whole = with(0.05);
+    let acceleration = |run: &Run| *run.column("tip.ay").last().unwrap();
+    for (remainder, steps) in [(1e-15, 50), (1e-12, 50), (1e-9, 50), (0.9e-5, 50), (1.1e-5, 51), (5e-4, 51)] {
+        let run = with(0.05 + remainder);
+        let times = run.column("t");
+        assert_eq!((times.len(), times.last()), (steps + 1, Some(&(0.05 + remainder))), "remainder {remainder}");
+        if remainder < 1e-8 {
+            assert_relative("acceleration", acceleration(&run), acceleration(&whole), 1e-4);
+        }
+    }
 }

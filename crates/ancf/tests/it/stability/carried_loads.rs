@@ -3,6 +3,10 @@
 use ancf::record::Series;
 use ancf::{Model, simulate};
 
+use crate::common::assertions::assert_relative;
+use crate::common::models::parse;
+use crate::common::solutions::Run;
+
 fn factors(text: &str) -> Vec<f64> {
     let (model, mut series) = (Model::parse(text).unwrap(), Series::new());
     let summary = simulate(&model, &mut series).unwrap();
@@ -61,5 +65,36 @@ fn load_on_a_clamp_has_no_critical_factor() {
         );
         let found = factors(&text);
         assert!(found.is_empty(), "{formulation}: {found:?}");
+    }
+}
+
+/// Lateral buckling of a strip of height h and width b under a force P at its end. The deflection before buckling rotates the end
+/// by P L²/2EI₁ = 2.006 √(EI₂ GJ)/EI₁ (Prandtl 1899), and increases the load by 1/√((1 − EI₂/EI₁)(1 − GJ/EI₁)).
+#[test]
+fn deformation_before_buckling_is_warned_of() {
+    for ratio in [0.1, 0.2, 0.25, 0.4_f64] {
+        let (length, height, young) = (3.0, 0.1, 7e10);
+        let width = ratio * height;
+        let model = parse(&format!(
+            "materials.alloy = {{ density = 2700, young = {young:e}, poisson = 0 }}
+            sections.strip = {{ kind = \"rectangle\", height = {height}, width = {width} }}
+            bodies = [{{ kind = \"beam\", name = \"strip\", from = [0, 0, 0], to = [{length}, 0, 0], up = [0, 0, 1], \
+                         elements = 8, section = \"strip\", material = \"alloy\" }}]
+            joints = [{{ kind = \"clamp\", name = \"wall\", a = {{ body = \"strip\", at = \"start\" }}, b = \"ground\" }}]
+            loads = [{{ kind = \"force\", on = {{ body = \"strip\", at = \"end\" }}, force = [0, 0, -1] }}]
+            analysis = {{ kind = \"buckling\", count = 1 }}\n"
+        ));
+        let run = Run::of(&model);
+        let inertia = width * height.powi(3) / 12.0;
+        let rotation = run.column("factor")[0] * length * length / (2.0 * young * inertia);
+        let warnings = &run.summary.warnings;
+        if rotation < 0.1 {
+            assert!(warnings.is_empty(), "{warnings:?}");
+            continue;
+        }
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        let (_, rest) = warnings[0].split_once("body `strip` at s = 3 by ").expect("place of the largest rotation");
+        let stated: f64 = rest.split_once(" or more").unwrap().0.parse().unwrap();
+        assert_relative("rotation before buckling", stated, rotation, 1e-2);
     }
 }

@@ -1,0 +1,46 @@
+//! Deformation before linear buckling. A large one becomes a warning.
+
+use ancf_solver::eigen::CriticalLoads;
+use ancf_solver::equations::State;
+use nalgebra::Vector3;
+
+use crate::assembly::Assembly;
+use crate::errors::short;
+use crate::units::Scales;
+
+/// Largest change of a direction before buckling, in rad. Larger ones change critical loads by percents.
+const SMALL_ROTATION: f64 = 0.1;
+
+/// Warning of critical loads before which the loads deform the structure.
+///
+/// Linear buckling neglects the deformation before buckling. Its measure is the largest change |s δd|/|d| of the slopes and
+/// directors d of a body, by rotation and strain, for the first-order displacement δd of the loads and the factor s.
+pub(crate) fn prebuckling_warning(
+    assembly: &Assembly,
+    s: &State,
+    found: &CriticalLoads,
+    scales: Scales,
+) -> Option<String> {
+    let mut worst = (0.0, String::new());
+    for (name, terms) in &assembly.bodies {
+        for vector in terms.vectors(s).into_iter().filter(|vector| !vector.is_position()) {
+            let Some(change) = found.response.get(vector.first..vector.first + 3) else { continue };
+            let change = Vector3::from_column_slice(change).norm() / vector.value.norm();
+            if change > worst.0 {
+                let node = terms.locate_coordinate(vector.first).and_then(|(node, _)| node);
+                let at =
+                    node.map(|node| format!(" at s = {}", short(scales.length * terms.arc_length(node))));
+                worst = (change, format!("body `{name}`{}", at.unwrap_or_default()));
+            }
+        }
+    }
+    let (change, place) = worst;
+    let rotations = found.loads.iter().map(|load| (load.factor, change * load.factor.abs()));
+    let (factor, rotation) = rotations.into_iter().find(|(_, rotation)| *rotation > SMALL_ROTATION)?;
+    Some(format!(
+        "linear buckling neglects the deformation before buckling, which is not small: at the critical load factor {} and above, \
+         the loads turn or strain the directions of {place} by {} or more; follow the equilibria with `kind = \"path\"`",
+        short(factor),
+        short(rotation)
+    ))
+}

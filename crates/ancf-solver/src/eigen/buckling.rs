@@ -326,18 +326,9 @@ fn softening(
     Ok((softening, response))
 }
 
-/// Computes the forces and constraint rates of the loads at load factor one.
+/// Computes the rates −∂r/∂s of forces and constraints with the load factor s.
 fn load_force(eom: &dyn EquationsOfMotion, s: &State) -> Vec<f64> {
-    let (n, m) = (eom.coordinates(), eom.multipliers());
-    let residual = |load| {
-        let (mut moved, mut r) = (s.clone(), vec![0.0; n + m]);
-        moved.load = load;
-        eom.residual(&moved, &mut r);
-        r
-    };
-    // The residual is affine in the load factor.
-    let (here, there) = (residual(s.load), residual(s.load + 1.0));
-    here.iter().zip(&there).map(|(here, there)| here - there).collect()
+    eom.load_rate(s).into_iter().map(|rate| -rate).collect()
 }
 
 /// Returns the first-order response (q₁, λ₁) to loads. Where joints carry all loads, q₁ is zero.

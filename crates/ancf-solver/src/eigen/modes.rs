@@ -49,10 +49,23 @@ pub struct EigenModes {
     pub sturm: Option<SturmCount>,
 }
 
+impl EigenModes {
+    /// Largest residual.
+    fn residual(&self) -> f64 {
+        self.modes.iter().map(|mode| mode.residual).fold(0.0, f64::max)
+    }
+}
+
 /// Residual tolerance of converged eigenpairs.
 const TOLERANCE: f64 = 1e-7;
 /// Number of block vectors in addition to the requested modes.
 const GUARD: usize = 4;
+/// Smallest number of modes in a block: those of a free body. The block then has a mode with strain, which determines the shift.
+const RIGID: usize = 6;
+/// Factor of the shift if it is too close to ω² = 0 for the solution of linear equations.
+const FARTHER: f64 = 1e4;
+/// Residual above which modes are computed again with a shift farther from zero.
+const INACCURATE: f64 = 1e-4;
 /// Number of blocks of the first Krylov space, which estimates the spectrum, and of the next ones.
 const DEPTH: [usize; 2] = [4, 16];
 /// Maximum number of restarts, each with a better shift and better vectors.
@@ -101,19 +114,36 @@ pub fn modes(
     // A shift far below all ω² prefers no mode, so the start vectors are independent even for a poor first shift.
     let highest = pencil.highest();
     pencil.factorise(-highest)?;
-    let mut start = pencil.operator().start(count + GUARD, 0)?;
-    let mut failure = EigenError::NotConverged;
+    let mut start = pencil.operator().start(count.max(RIGID) + GUARD, 0)?;
+    let (mut best, mut failure): (Option<EigenModes>, _) = (None, EigenError::NotConverged);
+    let farther = |shift: f64| (FARTHER * shift).max(-highest).min(shift);
     let mut shift = -100.0 * f64::EPSILON * highest;
     for pass in 0..PASSES {
-        shift = pencil.factorise(shift)?;
-        let found = krylov(&mut pencil.operator(), start, &search)?;
+        let factorised = pencil.factorise(shift).map(|found| shift = found);
+        let found = match factorised.and_then(|()| krylov(&mut pencil.operator(), start.clone(), &search)) {
+            Err(EigenError::Singular) => {
+                (failure, shift) = (EigenError::Singular, farther(shift));
+                continue;
+            }
+            found => found?,
+        };
         let next = better_shift(&pencil, &found, shift);
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         let is_complete = found.converged && found.requested == count;
         if pass > 0 && is_complete {
             let modes = finish(&mut pencil, &found, shift, degrees)?;
             if let Some(modes) = counted(&mut pencil, modes, shift)? {
-                return Ok(modes);
+                let is_better = best.as_ref().is_none_or(|best| modes.residual() < best.residual());
+                let is_accurate = !is_better || modes.residual() <= INACCURATE;
+                if is_better {
+                    best = Some(modes);
+                }
+                if is_accurate {
+                    break;
+                }
+                // The shift is too close to ω² = 0 of rigid modes.
+                shift = farther(shift);
+                continue;
             }
             failure = EigenError::Missed;
             pencil.factorise(shift)?;
@@ -122,20 +152,27 @@ pub fn modes(
         shift = next;
         search.depth = DEPTH[1];
     }
-    Err(failure)
+    best.ok_or(failure)
 }
 
 /// Returns a shift below the lowest ω², at the distance of the smallest |ω²| beyond the rounding error of the matrix.
 ///
 /// Pairs may be rough here, so the bounds of their rounding errors do not apply.
 fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f64 {
-    let pairs = found.pairs.iter().take(found.requested.max(1));
-    let vectors: Vec<DVector<f64>> = pairs.map(|pair| pair.vector.clone()).collect();
+    let vectors: Vec<DVector<f64>> = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
     let squared = pencil.stiffness_products(&vectors).values();
     let negligible = NEGLIGIBLE * pencil.highest();
-    let is_sure = |(value, x): &(f64, &DVector<f64>)| value.abs() > pencil.rounding(x).max(negligible);
-    let squared: Vec<f64> =
-        squared.into_iter().zip(&vectors).filter(is_sure).map(|(value, _)| value).collect();
+    let errors: Vec<f64> = vectors.iter().map(|x| pencil.rounding(x).max(negligible)).collect();
+    // A rigid mode may exceed its own bound, which is zero for a translation of all nodes, but not that of the others.
+    let is_zero = |(value, error): &(&f64, &f64)| value.abs() <= **error;
+    let error = squared.iter().zip(&errors).filter(is_zero).map(|(_, error)| *error).fold(0.0, f64::max);
+    let squared: Vec<f64> = squared
+        .iter()
+        .zip(&errors)
+        .filter(|pair| !is_zero(pair))
+        .map(|(value, _)| *value)
+        .filter(|value| value.abs() > error)
+        .collect();
     let lowest = squared.iter().copied().fold(0.0, f64::min);
     let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
     if nearest.is_finite() { lowest - nearest } else { shift }

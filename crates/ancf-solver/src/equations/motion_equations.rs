@@ -7,6 +7,13 @@ use super::stiffness_products::StiffnessProducts;
 use super::term_sums::Rotation;
 use crate::sparse::{Pattern, SparseMatrix};
 
+/// Large change of the load factor.
+const FAR: f64 = 1e6;
+/// Small change of the load factor.
+const NEAR: f64 = 1e-4;
+/// Multiple of the rounding error of a residual up to which differences are equal.
+const ROUNDING: f64 = 8.0;
+
 /// Index-3 equations of motion M a + f(q, v, t) + Φ_qᵀ λ = 0, Φ(q, t) = 0 with symmetric derivatives.
 ///
 /// This trait separates mechanics from numerics. Elements and joints do not depend on schemes, and schemes do not
@@ -34,6 +41,30 @@ pub trait EquationsOfMotion {
 
     /// Assembles the symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
+
+    /// Computes ∂r/∂s for the load factor s.
+    ///
+    /// Loads are affine in s, and the difference over a large change has little rounding error. Prescribed rotations are not: where
+    /// the difference over a small change deviates by more than its rounding error, it is the rate.
+    fn load_rate(&self, s: &State) -> Vec<f64> {
+        let size = self.coordinates() + self.multipliers();
+        let (mut moved, mut floor) = (s.clone(), vec![0.0; size]);
+        let mut residual = |load: f64| {
+            let mut r = vec![0.0; size];
+            moved.load = load;
+            self.residual(&moved, &mut r);
+            r
+        };
+        let [here, far] = [s.load, s.load + FAR].map(&mut residual);
+        let [before, after] = [s.load - NEAR, s.load + NEAR].map(&mut residual);
+        self.rounding(s, &mut floor);
+        let rate = |i: usize| {
+            let (far, near) = ((far[i] - here[i]) / FAR, (after[i] - before[i]) / (2.0 * NEAR));
+            let error = ROUNDING * floor[i] / NEAR;
+            if (near - far).abs() <= error { far } else { near }
+        };
+        (0..size).map(rate).collect()
+    }
 
     /// Computes K X and Xᵀ K X for columns X over the coordinates, K = ∂(f + Φ_qᵀ λ)/∂q, with less rounding error than
     /// products with the assembled matrix.

@@ -5,6 +5,9 @@ use crate::sparse::SparseMatrix;
 /// Computes the equilibration D: the inverse root of the diagonal. For multipliers it is the inverse of the largest
 /// scaled entry, since their diagonal is zero.
 ///
+/// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
+/// multipliers and a rounding error with them. The scales of constrained coordinates are therefore limited.
+///
 /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
 /// At the limit it matches the other coordinates in an equation that determines it.
 pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) {
@@ -28,14 +31,6 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
             d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
         }
     }
-    scale_multipliers(k, d, largest);
-}
-
-/// Limits the scales of coordinates, and sets those of the multipliers accordingly. `largest` is storage.
-///
-/// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
-/// multipliers and a rounding error with them.
-pub(super) fn limit_scales(k: &SparseMatrix, d: &mut [f64], largest: &mut [f64]) {
     let limit = 1.0 / (f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max)).sqrt();
     for border in k.pattern().border() {
         d[border.coordinate] = d[border.coordinate].min(limit);

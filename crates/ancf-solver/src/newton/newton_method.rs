@@ -297,9 +297,10 @@ impl Newton {
     ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
         match self.stop {
             StopRule::Energy(tolerance) => {
-                // The energy of an increment is no reference: in large steps of stiff beams it far exceeds the energy
-                // of the motion.
-                let largest = if self.energy > 0.0 { self.energy } else { eom.energy(s).largest() };
+                // The energy of an iterate is no reference in motions: in large steps of stiff beams it far exceeds the energy
+                // of the motion. In statics the states so far may be without load, and their energy that of rounding errors.
+                let is_motion = self.energy > 0.0 && self.weights != Weights::STIFFNESS;
+                let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
                 let least = (LEAST_REMAINDER * wanted).max(ROUNDING * largest.sqrt());

@@ -113,24 +113,11 @@ impl PathTangent {
     }
 }
 
-/// Computes ∂r/∂s as a difference over a large change of s.
-///
-/// The residual r is affine in s, and a large change reduces the rounding error of the difference.
-pub(crate) fn load_rate(eom: &dyn EquationsOfMotion, s: &mut State, r: &[f64]) -> Vec<f64> {
-    const FAR: f64 = 1e6;
-    let (load, mut rate) = (s.load, vec![0.0; r.len()]);
-    s.load += FAR;
-    eom.residual(s, &mut rate);
-    s.load = load;
-    rate.iter_mut().zip(r).for_each(|(rate, r)| *rate = (*rate - r) / FAR);
-    rate
-}
-
 /// Solves dz/ds = −K⁻¹ ∂r/∂s at an equilibrium. Leaves the factors of K(s) in `newton`.
 pub(crate) fn response(
     newton: &mut Newton,
     eom: &dyn EquationsOfMotion,
-    s: &mut State,
+    s: &State,
 ) -> Result<Vec<f64>, SolveFailure> {
     let force = load_force(eom, s);
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
@@ -141,7 +128,7 @@ pub(crate) fn response(
 pub(crate) fn refined_response(
     newton: &mut Newton,
     eom: &dyn EquationsOfMotion,
-    s: &mut State,
+    s: &State,
 ) -> Result<[Vec<f64>; 2], SolveFailure> {
     let response = response(newton, eom, s)?;
     let (force, tangent) = (load_force(eom, s), &mut newton.tangent);
@@ -150,10 +137,8 @@ pub(crate) fn refined_response(
 }
 
 /// Computes −∂r/∂s.
-fn load_force(eom: &dyn EquationsOfMotion, s: &mut State) -> Vec<f64> {
-    let mut r = vec![0.0; s.q.len() + s.lambda.len()];
-    eom.residual(s, &mut r);
-    let mut force = load_rate(eom, s, &r);
+fn load_force(eom: &dyn EquationsOfMotion, s: &State) -> Vec<f64> {
+    let mut force = eom.load_rate(s);
     force.iter_mut().for_each(|x| *x = -*x);
     force
 }
@@ -173,7 +158,7 @@ pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
 impl StateUpdate for PlaneUpdate<'_> {
     fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
-        let mut response = load_rate(at.eom, s, at.r);
+        let mut response = at.eom.load_rate(s);
         response.iter_mut().for_each(|x| *x = -*x);
         at.factor.solve(at.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;

@@ -249,7 +249,11 @@ fn small_remainder_of_the_duration_is_no_step() {
     for (remainder, steps) in [(1e-15, 50), (1e-12, 50), (1e-9, 50), (0.9e-5, 50), (1.1e-5, 51), (5e-4, 51)] {
         let run = with(0.05 + remainder);
         let times = run.column("t");
-        assert_eq!((times.len(), times.last()), (steps + 1, Some(&(0.05 + remainder))), "remainder {remainder}");
+        assert_eq!(
+            (times.len(), times.last()),
+            (steps + 1, Some(&(0.05 + remainder))),
+            "remainder {remainder}"
+        );
         if remainder < 1e-8 {
             assert_relative("acceleration", acceleration(&run), acceleration(&whole), 1e-4);
         }

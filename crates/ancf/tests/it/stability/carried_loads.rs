@@ -93,7 +93,8 @@ fn deformation_before_buckling_is_warned_of() {
             continue;
         }
         assert_eq!(warnings.len(), 1, "{warnings:?}");
-        let (_, rest) = warnings[0].split_once("body `strip` at s = 3 by ").expect("place of the largest rotation");
+        let (_, rest) =
+            warnings[0].split_once("body `strip` at s = 3 by ").expect("place of the largest rotation");
         let stated: f64 = rest.split_once(" or more").unwrap().0.parse().unwrap();
         assert_relative("rotation before buckling", stated, rotation, 1e-2);
     }

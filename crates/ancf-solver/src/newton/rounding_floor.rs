@@ -14,7 +14,7 @@ use crate::sparse::SparseMatrix;
 ///
 /// Forces have the error of the last increment: |rᵢ| ≲ ε/dᵢ · maxₖ |zₖ|/dₖ.
 ///
-/// Coordinates without stiffness, such as the position of a rigid body in statics, have the error of the largest displacement,
+/// Coordinates without stiffness beyond rounding errors, such as the position of a rigid body in statics, have the error of the largest displacement,
 /// and their equilibrium that of the largest constraint force.
 ///
 /// The bound is independent of units, slope lengths and the frame of reference.
@@ -27,7 +27,9 @@ pub(crate) fn raise_to_achievable(
     w: Weights,
     floor: &mut [f64],
 ) {
-    let root = |i: usize| k.diagonal_of(i).abs().sqrt();
+    let least = f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max);
+    let root =
+        |i: usize| Some(k.diagonal_of(i).abs()).filter(|stiffness| *stiffness > least).map_or(0.0, f64::sqrt);
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);
     let mut solved = (0..q.len()).map(|i| z[i].abs() * root(i)).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {

@@ -7,6 +7,9 @@ use crate::run::Run;
 /// Forces below which models of rigid bodies without weight have none.
 const NO_FORCE: f64 = 1e-3;
 
+/// Angle during a motion below which rates are not of interest.
+const SMALL_TURN: f64 = 0.01;
+
 /// Magnitudes of the quantities of a run, by dimension. Deviations are relative to them.
 #[derive(Clone, Debug)]
 pub struct Magnitudes {
@@ -14,6 +17,8 @@ pub struct Magnitudes {
     duration: f64,
     /// Axial stiffness of the stiffest body, force of the stiffest spring, or weight.
     stiffness: f64,
+    /// Force that gives the smallest acceleration of interest to all bodies; zero without a motion.
+    inertia: f64,
     /// Largest modulus of elasticity.
     young: f64,
     largest: Vec<(Dimension, f64)>,
@@ -34,10 +39,11 @@ impl Magnitudes {
         });
         let weight = model.mass() * model.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
         let stiffness = axial.chain(elastic).fold(weight, f64::max).max(NO_FORCE);
-        let duration = match &model.analysis {
-            Analysis::Dynamics(dynamics) => dynamics.duration,
-            _ => 1.0,
+        let (duration, mass) = match &model.analysis {
+            Analysis::Dynamics(dynamics) => (dynamics.duration, model.mass()),
+            _ => (1.0, 0.0),
         };
+        let inertia = mass * SMALL_TURN * model.length() / (duration * duration);
         let mut largest: Vec<(Dimension, f64)> = Vec::new();
         for column in &run.columns {
             let Some(dimension) = column.dimension else { continue };
@@ -48,15 +54,15 @@ impl Magnitudes {
             }
         }
         let young = model.materials.values().map(|m| m.young).fold(f64::MIN_POSITIVE, f64::max);
-        Self { length: model.length(), duration, stiffness, young, largest }
+        Self { length: model.length(), duration, stiffness, inertia, young, largest }
     }
 
     /// Magnitude of quantities of a dimension.
     pub fn of(&self, dimension: Dimension) -> f64 {
         let largest =
             |of: Dimension| self.largest.iter().find(|(known, _)| *known == of).map_or(0.0, |(_, x)| *x);
-        let rate = 0.01 / self.duration;
-        let force = largest(Dimension::FORCE).max(1e-7 * self.stiffness);
+        let rate = SMALL_TURN / self.duration;
+        let force = largest(Dimension::FORCE).max(1e-7 * self.stiffness).max(self.inertia);
         match dimension {
             Dimension::NUMBER => 1.0,
             Dimension::LENGTH => self.length,

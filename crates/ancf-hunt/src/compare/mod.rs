@@ -10,4 +10,4 @@ pub use case::Case;
 pub use columns::{identical, last_of, unequal_verdicts};
 pub use finding::Finding;
 pub use magnitudes::Magnitudes;
-pub use sensitivity::{Cause, Comparison, TimeSteps, compare};
+pub use sensitivity::{Cause, Comparison, TimeSteps, compare, with_step};

@@ -56,13 +56,20 @@ pub enum TimeSteps {
 ///
 /// Causes are sought in dynamics only: fixed steps may be too large for stiff parts, and the iterations of large steps fail
 /// or converge by their rounding errors. The division of a step, or the part of the motion that the steps do not resolve,
-/// then differs between twins.
-pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps: TimeSteps) -> Comparison {
+/// then differs between twins. `refined` runs a twin of other equations with a part of the
+/// step.
+pub fn compare(
+    law: &'static str,
+    case: &Case,
+    (twin, refined): (&Run, &dyn Fn(f64) -> Option<Run>),
+    relative: f64,
+    steps: TimeSteps,
+) -> Comparison {
     let compare = |more: &dyn Fn(&Record, usize) -> f64| compare_within(law, case, twin, relative, more);
     let Some(finding) = compare(&|_, _| 0.0) else { return Comparison::Equal };
     if finding.quantity == "verdict" && is_numerical(&case.base) && is_numerical(twin) && case.is_dynamic() {
         // One of the twins failed in steps that the other one completed.
-        let other = halved(&case.model).map(|model| run(&model));
+        let other = with_step(&case.model, 0.5).map(|model| run(&model));
         let is_resolved = other.is_some_and(|half| half.verdict.is_finished() && !half.is_divided);
         return if is_resolved {
             Comparison::Different(finding)
@@ -89,12 +96,15 @@ pub fn compare(law: &'static str, case: &Case, twin: &Run, relative: f64, steps:
     if is_warned(&case.base) || is_warned(twin) {
         return Comparison::Explained(Cause::Steps);
     }
-    let Some(half) = halved(&case.model).map(|model| run(&model)) else {
+    if with_step(&case.model, 1.0).is_none() {
         return Comparison::Different(finding);
-    };
+    }
     let others = if is_divided { divided(&case.model) } else { Vec::new() };
-    let errors = StepErrors { base: &case.base, half, others };
-    match compare(&|column, row| spread(column, row) + errors.of(column, row)) {
+    let of_base =
+        StepErrors::new(&case.base, others, |part| with_step(&case.model, part).map(|model| run(&model)));
+    let of_twin = StepErrors::new(twin, Vec::new(), refined);
+    let error = |column: &Record, row: usize| of_base.of(column, row) + of_twin.of(column, row);
+    match compare(&|column, row| spread(column, row) + error(column, row)) {
         Some(finding) => Comparison::Different(finding),
         None => Comparison::Explained(Cause::Steps),
     }
@@ -105,12 +115,12 @@ fn is_numerical(run: &Run) -> bool {
     matches!(run.verdict, Verdict::Finished | Verdict::Failed(_))
 }
 
-/// Model with half the step; `None` with controlled steps.
-fn halved(model: &Model) -> Option<Model> {
+/// Model with a part of the step; `None` with controlled steps.
+pub fn with_step(model: &Model, part: f64) -> Option<Model> {
     let mut model = model.clone();
     let dynamics = model.analysis.dynamics_mut()?;
     let Step::Fixed(step) = &mut dynamics.step else { return None };
-    *step *= 0.5;
+    *step *= part;
     Some(model)
 }
 
@@ -132,28 +142,31 @@ fn divided(model: &Model) -> Vec<Run> {
     limits.map(with).into()
 }
 
-/// Errors of the steps: largest differences so far from a run with half the step and from runs with other divided steps, for
-/// all columns of a dimension.
+/// Errors of the steps: largest differences so far from runs with half and a quarter of the step and from runs with other divided
+/// steps, for all columns of a dimension.
 struct StepErrors<'a> {
-    base: &'a Run,
-    half: Run,
-    others: Vec<Run>,
+    run: &'a Run,
+    /// Runs with the number of their rows for each row.
+    others: Vec<(usize, Run)>,
 }
 
-impl StepErrors<'_> {
-    /// Bound of the deviation of a twin in a row: the base has this error, and the twin up to twice of it. Errors of
-    /// accelerations alternate, so the next row counts too.
+impl<'a> StepErrors<'a> {
+    fn new(run: &'a Run, others: Vec<Run>, refined: impl Fn(f64) -> Option<Run>) -> Self {
+        let finer = [2, 4].into_iter().filter_map(|ratio| Some((ratio, refined(1.0 / ratio as f64)?)));
+        Self { run, others: finer.chain(others.into_iter().map(|run| (1, run))).collect() }
+    }
+
+    /// Bound of the error in a row, and of up to twice of it in a twin. Errors of accelerations alternate, so the next row counts
+    /// too.
     fn of(&self, column: &Record, row: usize) -> f64 {
-        let alike = self.base.columns.iter().filter(|other| other.dimension == column.dimension);
+        let alike = self.run.columns.iter().filter(|other| other.dimension == column.dimension);
         let error = |run: &Run, ratio: usize, own: &Record| {
             let Some(other) = run.column(&own.name) else { return 0.0 };
             let pairs = own.values.iter().zip(other.values.iter().step_by(ratio)).take(row + 2);
             pairs.map(|(a, b)| (a - b).abs()).filter(|x| x.is_finite()).fold(0.0, f64::max)
         };
-        let largest = |own: &Record| {
-            let others = self.others.iter().map(|run| error(run, 1, own));
-            others.fold(error(&self.half, 2, own), f64::max)
-        };
+        let largest =
+            |own: &Record| self.others.iter().map(|(ratio, run)| error(run, *ratio, own)).fold(0.0, f64::max);
         3.0 * alike.map(largest).fold(0.0, f64::max)
     }
 }

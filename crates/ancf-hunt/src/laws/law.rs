@@ -1,6 +1,6 @@
 use ancf::Model;
 
-use crate::compare::{Case, Cause, Comparison, Finding, TimeSteps, compare};
+use crate::compare::{Case, Cause, Comparison, Finding, TimeSteps, compare, with_step};
 use crate::random::Random;
 use crate::run::{Run, Verdict, run};
 
@@ -38,7 +38,7 @@ pub(super) fn check_twin(
     law: &'static str,
     case: &Case,
     twin: Option<Model>,
-    back: impl FnOnce(&mut Run),
+    back: impl Fn(&mut Run),
     relative: f64,
 ) -> Check {
     check_motion(law, case, twin, back, (relative, TimeSteps::Same))
@@ -49,7 +49,7 @@ pub(super) fn check_motion(
     law: &'static str,
     case: &Case,
     twin: Option<Model>,
-    back: impl FnOnce(&mut Run),
+    back: impl Fn(&mut Run),
     (relative, steps): (f64, TimeSteps),
 ) -> Check {
     let Some(twin) = twin else { return Check::Inapplicable };
@@ -60,9 +60,16 @@ pub(super) fn check_motion(
     if steps == TimeSteps::Other && case.has_controlled_steps() {
         return Check::Inapplicable;
     }
-    let mut other = run(&twin);
-    back(&mut other);
-    match compare(law, case, &other, relative, steps) {
+    let mapped = |model: &Model| {
+        let mut run = run(model);
+        back(&mut run);
+        run
+    };
+    let refined = |part: f64| {
+        let finer = (steps == TimeSteps::Other).then(|| with_step(&twin, part)).flatten();
+        finer.map(|model| mapped(&model))
+    };
+    match compare(law, case, (&mapped(&twin), &refined), relative, steps) {
         Comparison::Equal => Check::Holds,
         Comparison::Explained(cause) => Check::Explained(cause),
         Comparison::Different(finding) => Check::Violated(finding),

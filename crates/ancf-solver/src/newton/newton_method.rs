@@ -309,11 +309,11 @@ impl Newton {
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // Without forces the energy is zero, whatever the gaps of the constraints.
                     let is_complete = size > 0.0 || self.excess(eom, s).1 <= FLOOR;
-                    return if is_complete {
-                        ControlFlow::Break(Ok(progress.report))
-                    } else {
-                        ControlFlow::Continue(())
-                    };
+                    if is_complete {
+                        return ControlFlow::Break(Ok(progress.report));
+                    }
+                    progress.record(energy);
+                    return ControlFlow::Continue(());
                 }
                 if !self.tangent.plan_iteration(remainder / size) {
                     return ControlFlow::Break(Err(SolveFailure::Stagnated));

@@ -53,6 +53,8 @@ const DEPTH: usize = 16;
 const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
 const MIN_EIGENVALUE: f64 = 1e-6;
+/// Smallest significant share of the stiffness that the loads remove at load factor one. Smaller ones are rounding errors.
+const MIN_SOFTENING: f64 = 1e-13;
 /// Smallest gap between factors at which they are counted, relative to the larger factor.
 const MIN_GAP: f64 = 1e-3;
 /// Relative difference of factors of equal magnitude.
@@ -135,6 +137,8 @@ pub fn buckling(
             }
             failure = EigenError::Missed;
             start.extend(pencil.restored()?.start(GUARD, 1 + pass as u64)?);
+        } else if pencil.softened(start.clone(), wanted).1 == 0 {
+            return Ok(CriticalLoads { response, ..CriticalLoads::default() });
         }
     }
     Err(failure)
@@ -188,9 +192,10 @@ impl BucklingPencil<'_> {
         count: usize,
         sense: LoadDirection,
     ) -> Result<Vec<CriticalLoad>, EigenError> {
+        let shapes = independent(shapes, count, |x| DVector::from(self.mass.times(x.as_slice())));
+        let (shapes, count) = self.softened(shapes, count);
         let worst =
             |loads: &[CriticalLoad]| loads.iter().take(count).map(|load| load.residual).fold(0.0, f64::max);
-        let shapes = independent(shapes, count, |x| DVector::from(self.mass.times(x.as_slice())));
         let (mut loads, _, mut corrections) = self.measured(shapes)?;
         for _ in 0..CORRECTIONS {
             let before = worst(&loads);
@@ -213,6 +218,24 @@ impl BucklingPencil<'_> {
         put_positive_first(&mut loads);
         loads.truncate(count);
         Ok(loads)
+    }
+
+    /// Removes shapes that the loads do not soften beyond rounding errors, and after the first `count` those that they hardly
+    /// soften. Returns the number of the first ones that remain.
+    fn softened(&self, shapes: Vec<DVector<f64>>, count: usize) -> (Vec<DVector<f64>>, usize) {
+        let share = |x: &DVector<f64>| {
+            let [softening, stiffness] = [&self.softening, &self.stiffness]
+                .map(|matrix| x.dot(&DVector::from(matrix.times(x.as_slice()))).abs());
+            softening / stiffness
+        };
+        let shares: Vec<f64> = shapes.iter().map(share).collect();
+        let largest = shares.iter().copied().fold(0.0, f64::max);
+        let is_kept = |k: usize| {
+            let least = if k < count { 0.0 } else { MIN_EIGENVALUE * largest };
+            shares[k] > least.max(MIN_SOFTENING)
+        };
+        let first = (0..count.min(shares.len())).filter(|k| is_kept(*k)).count();
+        (shapes.into_iter().enumerate().filter(|(k, _)| is_kept(*k)).map(|(_, x)| x).collect(), first)
     }
 
     /// Shape of a load as a vector over all unknowns.

@@ -1,7 +1,6 @@
 //! Known defects, by which findings are sorted.
 
 use ancf::Model;
-use ancf::model::Analysis;
 
 use crate::compare::Finding;
 
@@ -15,15 +14,7 @@ pub struct Known {
 }
 
 /// Known defects. An entry without findings in the test is an error: remove it when the defect is mended.
-pub const KNOWN: &[Known] = &[Known {
-    name: "runs fail where frequencies of free structures or critical loads are near rounding errors",
-    is_cause: |model, finding| {
-        let is_eigen = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
-        is_eigen
-            && finding.quantity == "verdict"
-            && finding.values.contains("failed the eigenvalues did not converge")
-    },
-}];
+pub const KNOWN: &[Known] = &[];
 
 /// Known defect of a finding.
 pub fn cause(model: &Model, finding: &Finding) -> Option<&'static str> {

@@ -163,7 +163,7 @@ impl Law for Momentum {
         };
         // The potential energy of free fall is −m g·(v₀ t + g t²/2). Second differences of the scheme depend on the step only.
         let (m, rows) = (model.mass(), case.base.rows());
-        if rows < 5 || case.base.is_divided {
+        if rows < 5 || case.base.is_divided || case.has_controlled_steps() {
             return Check::Inapplicable;
         }
         let dt = times.values[2] - times.values[1];

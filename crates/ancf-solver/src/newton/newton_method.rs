@@ -308,11 +308,11 @@ impl Newton {
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // Without forces the energy is zero, whatever the gaps of the constraints.
-                    let is_complete = size > 0.0 || self.excess(eom, s).1 <= FLOOR;
-                    if is_complete {
+                    if size > 0.0 || self.excess(eom, s).1 <= FLOOR {
                         return ControlFlow::Break(Ok(progress.report));
+                    } else if progress.report.increment == 0.0 {
+                        progress.record(energy);
                     }
-                    progress.record(energy);
                     return ControlFlow::Continue(());
                 }
                 if !self.tangent.plan_iteration(remainder / size) {

@@ -325,3 +325,28 @@ fn threads_do_not_change_the_solution() {
         [2, 4].into_iter().for_each(|threads| assert!(run(threads) == x, "{threads} threads"));
     }
 }
+
+/// A coordinate with a stiffness ε of rounding errors that constraints determine, such as the orientation of a rigid body in
+/// statics: [2, −1, 0, 1; −1, 3, 0, 0; 0, 0, ε, 1; 1, 0, 1, 0] x = b. Without ε, x₃ = −x₁ and λ = b₃.
+#[test]
+fn stiffness_of_rounding_errors_does_not_affect_solutions() {
+    let (one, other) = (0.3, -0.7);
+    for stiffness in [0.0, 1e-47, -1e-30, 1e-17, -3e-17] {
+        let matrix = DMatrix::from_row_slice(
+            4,
+            4,
+            &[2.0, -1.0, 0.0, 1.0, -1.0, 3.0, 0.0, 0.0, 0.0, 0.0, stiffness, 1.0, 1.0, 0.0, 1.0, 0.0],
+        );
+        let block = Block { coordinates: vec![0, 1, 2], multipliers: 0..1, matrix };
+        let equations = Equations { coordinates: 3, multipliers: 1, blocks: vec![block] };
+        let k = equations.sparse();
+        let mut factor = Factor::new(k.pattern()).unwrap();
+        factor.factorise(&k).unwrap();
+        let mut x = [one, other, 0.1, 0.0];
+        factor.solve(&k, &mut x).unwrap();
+        // 2 x₁ − x₂ = one − 0.1, −x₁ + 3 x₂ = other.
+        let exact = [(3.0 * (one - 0.1) + other) / 5.0, (one - 0.1 + 2.0 * other) / 5.0];
+        let exact = [exact[0], exact[1], -exact[0], 0.1];
+        x.iter().zip(exact).for_each(|(x, exact)| assert!((x - exact).abs() < 1e-15, "{stiffness}: {x:?}"));
+    }
+}

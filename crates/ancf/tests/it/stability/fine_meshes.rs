@@ -4,9 +4,11 @@
 use std::f64::consts::PI;
 
 use ancf::Model;
+use ancf::nalgebra::Vector3;
 
 use crate::common::assertions::assert_relative;
 use crate::common::models::parse;
+use crate::common::random::Random;
 use crate::common::solutions::Run;
 
 const YOUNG: f64 = 7e10;
@@ -111,5 +113,43 @@ fn free_beams_have_six_rigid_modes() {
         let run = Run::of(&parse(&text));
         let zeros = run.column("frequency").iter().filter(|&&frequency| frequency == 0.0).count();
         assert_eq!(zeros, 6, "{formulation}: {:?}", run.column("frequency"));
+    }
+}
+
+/// Free beams of one and two elements in random directions: six modes are rigid for any number of requested modes, and the others
+/// do not depend on the direction or on the number.
+#[test]
+fn modes_of_free_beams_do_not_depend_on_direction_and_number() {
+    let mut random = Random(7);
+    let mut direction = || {
+        let d = Vector3::from_fn(|_, _| random.number());
+        d.normalize()
+    };
+    for (formulation, elements) in
+        [("linked", 1), ("linked", 2), ("quadratic", 1), ("enhanced", 1), ("continuum", 1)]
+    {
+        let mut first: Option<Vec<f64>> = None;
+        for count in (1..=10).cycle().take(30) {
+            let [along, up] = [direction(), direction()];
+            let to = along * 0.98;
+            let run = Run::of(&parse(&format!(
+                "materials.m = {{ density = 5823, young = 1.9e8, poisson = 0.3 }}
+                sections.s = {{ kind = \"rectangle\", height = 0.08, width = 0.07 }}
+                bodies = [{{ kind = \"beam\", name = \"b\", from = [0, 0, 0], to = {to:?}, up = {up:?}, elements = {elements}, \
+                formulation = \"{formulation}\", section = \"s\", material = \"m\" }}]
+                analysis = {{ kind = \"modes\", count = {count} }}\n",
+                to = to.as_slice(),
+                up = up.as_slice()
+            )));
+            assert!(run.summary.outcome.is_finished(), "{formulation} {count}: {:?}", run.summary.outcome);
+            let frequencies = run.column("frequency");
+            let (rigid, others) = frequencies.split_at(frequencies.len().min(6));
+            assert!(frequencies.len() == count && rigid.iter().all(|x| *x == 0.0), "{frequencies:?}");
+            let first = first.get_or_insert_with(Vec::new);
+            others.iter().zip(&*first).for_each(|(a, b)| assert_relative("frequency", *a, *b, 1e-9));
+            if others.len() > first.len() {
+                *first = others.to_vec();
+            }
+        }
     }
 }

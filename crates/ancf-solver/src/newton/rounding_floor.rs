@@ -14,8 +14,8 @@ use crate::sparse::SparseMatrix;
 ///
 /// Forces have the error of the last increment: |rᵢ| ≲ ε/dᵢ · maxₖ |zₖ|/dₖ.
 ///
-/// Coordinates without stiffness beyond rounding errors, such as the position of a rigid body in statics, have the error of the largest displacement,
-/// and their equilibrium that of the largest constraint force.
+/// Coordinates without stiffness beyond rounding errors, such as the position of a rigid body in statics, have the error of the
+/// largest displacement, and their equilibrium that of the largest constraint force.
 ///
 /// The bound is independent of units, slope lengths and the frame of reference.
 ///

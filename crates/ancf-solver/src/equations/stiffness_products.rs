@@ -37,15 +37,17 @@ pub(super) fn stiffness_products(
     };
     let (mut gathered, mut storage) = (LocalState::EMPTY, [0.0; LOCAL * (LOCAL + 1) / 2]);
     let mut relative = vec![[0.0; LOCAL]; x.len()];
+    let mut errors = relative.clone();
     for term in terms {
         let at = gathered.gather(s, term.as_ref());
         let mut k = LocalMatrix::zero(at.q.len() + at.lambda.len(), &mut storage);
         term.tangent(&at, Weights::STIFFNESS, &mut k);
-        for (local, x) in relative.iter_mut().zip(x) {
+        for ((local, errors), x) in relative.iter_mut().zip(&mut errors).zip(x) {
             local.iter_mut().zip(term.coordinates()).for_each(|(local, &c)| *local = x[c]);
+            errors.iter_mut().zip(&*local).for_each(|(error, x)| *error = f64::EPSILON * x.abs());
             remove_translation(term.positions(), local);
         }
-        sum.add(term.coordinates(), &k, &relative);
+        sum.add(term.coordinates(), &k, &relative, &errors);
     }
     sum
 }
@@ -61,25 +63,36 @@ impl StiffnessProducts {
         self.forms.diagonal().iter().zip(&self.rounding).map(value).collect()
     }
 
-    /// Adds the products of a term.
-    fn add(&mut self, coordinates: &[usize], k: &LocalMatrix<'_>, relative: &[[f64; LOCAL]]) {
+    /// Adds the products of a term, for columns with rounding errors, which the removal of the translation does not reduce.
+    fn add(
+        &mut self,
+        coordinates: &[usize],
+        k: &LocalMatrix<'_>,
+        relative: &[[f64; LOCAL]],
+        errors: &[[f64; LOCAL]],
+    ) {
         let n = coordinates.len();
-        for (at, x) in relative.iter().enumerate() {
+        for (at, (x, errors)) in relative.iter().zip(errors).enumerate() {
             let (mut product, mut magnitude) = ([0.0; LOCAL], [0.0; LOCAL]);
+            let mut error = [0.0; LOCAL];
             for j in 0..n {
                 for i in j..n {
                     let entry = k.get(i, j);
                     product[i] += entry * x[j];
                     magnitude[i] += (entry * x[j]).abs();
+                    error[i] += entry.abs() * errors[j];
                     if i != j {
                         product[j] += entry * x[i];
                         magnitude[j] += (entry * x[i]).abs();
+                        error[j] += entry.abs() * errors[i];
                     }
                 }
             }
             coordinates.iter().zip(product).for_each(|(&c, product)| self.products[at][c] += product);
-            let sizes = x[..n].iter().zip(magnitude).map(|(x, magnitude)| x.abs() * magnitude);
-            self.rounding[at] += f64::EPSILON * sizes.sum::<f64>();
+            // Of the products, and of the columns in xᵀ K x.
+            let of =
+                |i: usize| x[i].abs() * (f64::EPSILON * magnitude[i] + 2.0 * error[i]) + errors[i] * error[i];
+            self.rounding[at] += (0..n).map(of).sum::<f64>();
             for (other, x) in relative.iter().enumerate() {
                 self.forms[(other, at)] +=
                     x[..n].iter().zip(product).map(|(x, product)| x * product).sum::<f64>();

@@ -274,8 +274,7 @@ impl Newton {
         let is_zero = |newton: &mut Self| {
             newton.is_rounding(eom, s) || newton.is_increment_of_rounding(eom, s, progress.last)
         };
-        let is_end = is_floor || (may_be_zero && is_zero(self));
-        if is_end {
+        if is_floor || (may_be_zero && is_zero(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {

@@ -291,7 +291,7 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
 
     /// Computes the tangent at the trial state.
     fn update_tangent(&mut self, mut found: Equilibrium) -> Result<Equilibrium, SolveError> {
-        let response = response(&mut self.newton, &*self.eom, &mut self.trial)
+        let response = response(&mut self.newton, &*self.eom, &self.trial)
             .map_err(|failure| found.reject(failure, &self.trial))?;
         found.unstable = self.newton.unstable(&*self.eom);
         self.trial_tangent = self.metric.tangent(response, self.trial.q.len());

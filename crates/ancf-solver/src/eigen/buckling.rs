@@ -123,6 +123,9 @@ pub fn buckling(
     let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
         let found = krylov(&mut pencil.operator(), start, &sense.search(wanted))?;
+        if found.largest <= MIN_SOFTENING {
+            return Ok(CriticalLoads { response, ..CriticalLoads::default() });
+        }
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
         if found.converged {
             // A final application of T makes x satisfy the constraints to the accuracy of the linear solver.
@@ -137,8 +140,6 @@ pub fn buckling(
             }
             failure = EigenError::Missed;
             start.extend(pencil.restored()?.start(GUARD, 1 + pass as u64)?);
-        } else if pencil.softened(start.clone(), wanted).1 == 0 {
-            return Ok(CriticalLoads { response, ..CriticalLoads::default() });
         }
     }
     Err(failure)

@@ -154,6 +154,8 @@ pub(crate) struct EigenSearch {
 pub(crate) struct EigenSearchResult {
     /// Eigenpairs, at most as many as vectors of the starting block, which they may replace.
     pub(crate) pairs: Vec<EigenPair>,
+    /// Largest |θ|.
+    pub(crate) largest: f64,
     /// Number of requested pairs.
     pub(crate) requested: usize,
     /// True if the requested pairs have converged.
@@ -185,7 +187,7 @@ pub(crate) fn krylov(
     }
     let block = space.basis.len();
     if block == 0 {
-        return Ok(EigenSearchResult { pairs: Vec::new(), requested: 0, converged: true });
+        return Ok(EigenSearchResult { pairs: Vec::new(), largest: 0.0, requested: 0, converged: true });
     }
     let mut depth = 0;
     loop {
@@ -198,7 +200,8 @@ pub(crate) fn krylov(
         let ritz = space.ritz(search);
         if ritz.converged || depth >= search.depth {
             let pairs = (0..size.min(ritz.order.len())).map(|k| space.pair(&ritz, k)).collect();
-            return Ok(EigenSearchResult { pairs, requested: ritz.requested, converged: ritz.converged });
+            let Ritz { largest, requested, converged, .. } = ritz;
+            return Ok(EigenSearchResult { pairs, largest, requested, converged });
         }
     }
 }
@@ -214,6 +217,7 @@ struct KrylovSpace<'a> {
 struct Ritz {
     vectors: DMatrix<f64>,
     order: Vec<usize>,
+    largest: f64,
     requested: usize,
     converged: bool,
 }
@@ -282,7 +286,7 @@ impl KrylovSpace<'_> {
         let small =
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
         let converged = order[..requested].iter().all(small);
-        Ritz { vectors, order, requested, converged }
+        Ritz { vectors, order, largest, requested, converged }
     }
 
     /// Returns the k-th best pair.

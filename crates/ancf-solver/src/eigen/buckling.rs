@@ -54,7 +54,7 @@ const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
 const MIN_EIGENVALUE: f64 = 1e-6;
 /// Smallest significant share of the stiffness that the loads remove at load factor one. Smaller ones are rounding errors.
-const MIN_SOFTENING: f64 = 1e-13;
+const MIN_SOFTENING: f64 = 1e-10;
 /// Smallest gap between factors at which they are counted, relative to the larger factor.
 const MIN_GAP: f64 = 1e-3;
 /// Relative difference of factors of equal magnitude.
@@ -363,8 +363,10 @@ fn first_order(
     stiffness: &SparseMatrix,
 ) -> State {
     let (n, m) = (eom.coordinates(), eom.multipliers());
+    // The stiffness of a rigid body may consist of rounding errors.
+    let least = stiffness.diagonal_rounding();
     let held = |i: usize| match stiffness.diagonal_of(i).abs() {
-        0.0 => 0.0,
+        stiffness if stiffness <= least => 0.0,
         stiffness => force[i].powi(2) / stiffness,
     };
     let work: f64 = (0..n).map(|i| force[i] * response[i]).sum();

@@ -143,7 +143,7 @@ impl Factor {
     /// The stiffness of a rigid body in statics is an example: it is zero, or a rounding error of the multipliers. The factors
     /// of its constraints would consist of rounding errors.
     fn has_pivot_of_rounding(&self, k: &SparseMatrix) -> bool {
-        let least = f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max);
+        let least = k.diagonal_rounding();
         let inverse = self.ldlt.inverse_pivots();
         self.pattern.border().iter().any(|border| inverse[border.coordinate].abs() * least > 1.0)
     }

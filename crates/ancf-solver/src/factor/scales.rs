@@ -31,7 +31,7 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
             d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
         }
     }
-    let limit = 1.0 / (f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max)).sqrt();
+    let limit = 1.0 / k.diagonal_rounding().sqrt();
     for border in k.pattern().border() {
         d[border.coordinate] = d[border.coordinate].min(limit);
     }

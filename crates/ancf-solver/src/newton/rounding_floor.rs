@@ -27,7 +27,7 @@ pub(crate) fn raise_to_achievable(
     w: Weights,
     floor: &mut [f64],
 ) {
-    let least = f64::EPSILON * k.diagonal().map(f64::abs).fold(0.0, f64::max);
+    let least = k.diagonal_rounding();
     let root =
         |i: usize| Some(k.diagonal_of(i).abs()).filter(|stiffness| *stiffness > least).map_or(0.0, f64::sqrt);
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);

@@ -79,6 +79,12 @@ impl SparseMatrix {
         })
     }
 
+    /// Returns the rounding error ε max |Aᵢᵢ| of the diagonal. A stiffness below it is none: that of the orientation of a rigid body
+    /// in statics is zero or a rounding error.
+    pub(crate) fn diagonal_rounding(&self) -> f64 {
+        f64::EPSILON * self.diagonal().map(f64::abs).fold(0.0, f64::max)
+    }
+
     /// Returns A x, in the order of the unknowns.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];

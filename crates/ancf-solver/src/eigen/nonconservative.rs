@@ -1,4 +1,5 @@
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use faer::Mat;
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::krylov::{EigenError, PseudoRandom};
 use super::modes::modes;
@@ -182,9 +183,9 @@ impl ArnoldiSpace {
         let n = self.columns.len();
         let entry = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
         let h = DMatrix::from_fn(n, n, entry);
-        let schur =
-            Schur::try_new(h.clone(), f64::EPSILON, 100 * n.max(10)).ok_or(EigenError::NotConverged)?;
-        let mut values: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
+        let found = Mat::from_fn(n, n, entry).eigenvalues().map_err(|_| EigenError::NotConverged)?;
+        let mut values: Vec<Complex<f64>> =
+            found.into_iter().map(|value| Complex::new(value.re, value.im)).collect();
         for value in &mut values {
             if value.im.abs() <= REAL * value.norm() {
                 value.im = 0.0;

@@ -1,4 +1,5 @@
-use nalgebra::{DMatrix, DVector, Dyn, LU, Schur};
+use faer::Mat;
+use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use super::krylov::{EigenError, PseudoRandom};
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -124,6 +125,7 @@ pub fn skew_ratio(eom: &dyn EquationsOfMotion, matrix: SparseMatrix, s: &State) 
     let count = skew.places.len();
     let picked = DMatrix::from_fn(count, count, |i, j| skew.correction[(skew.places[i], j)]);
     let product: DMatrix<f64> = &skew.skew * picked;
-    let schur = Schur::try_new(product, f64::EPSILON, 100 * count.max(10)).ok_or(EigenError::NotConverged)?;
-    Ok(schur.complex_eigenvalues().iter().map(|value| value.norm()).fold(0.0, f64::max))
+    let product = Mat::from_fn(count, count, |i, j| product[(i, j)]);
+    let values = product.eigenvalues().map_err(|_| EigenError::NotConverged)?;
+    Ok(values.iter().map(|value| value.norm()).fold(0.0, f64::max))
 }

@@ -1,10 +1,11 @@
 use nalgebra::{DMatrix, DVector};
 
-use super::krylov::{EigenError, EigenSearch, Operator, krylov};
+use super::krylov::{EigenError, EigenSearch, EigenSearchResult, Operator, krylov};
 use super::modes::{SturmCount, modes};
 use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
+use super::softening::softening;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::{DETERMINED, Factor};
+use crate::factor::Factor;
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -54,14 +55,13 @@ const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
 const MIN_EIGENVALUE: f64 = 1e-6;
 /// Smallest significant share of the stiffness that the loads remove at load factor one. Smaller ones are rounding errors.
-const MIN_SOFTENING: f64 = 1e-10;
+const MIN_SOFTENING: f64 = 1e-13;
+/// Relative change of an image in a further step of refinement above which it is a rounding error.
+const NOISE: f64 = 0.02;
 /// Smallest gap between factors at which they are counted, relative to the larger factor.
 const MIN_GAP: f64 = 1e-3;
 /// Relative difference of factors of equal magnitude.
 const EQUAL: f64 = 1e-8;
-/// Smallest significant work of the loads, relative to the sum of their work on isolated coordinates.
-const MIN_WORK: f64 = 1e-12;
-
 /// Computes the `count` lowest critical load factors of a stable equilibrium by linear buckling analysis:
 /// K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
 ///
@@ -123,7 +123,7 @@ pub fn buckling(
     let (degrees, mut failure) = (eom.degrees_of_freedom(s), EigenError::NotConverged);
     for pass in 0..PASSES {
         let found = krylov(&mut pencil.operator(), start, &sense.search(wanted))?;
-        if found.largest <= MIN_SOFTENING {
+        if found.largest <= MIN_SOFTENING || !pencil.is_determined(&found)? {
             return Ok(CriticalLoads { response, ..CriticalLoads::default() });
         }
         start = found.pairs.iter().map(|pair| pair.vector.clone()).collect();
@@ -219,6 +219,32 @@ impl BucklingPencil<'_> {
         put_positive_first(&mut loads);
         loads.truncate(count);
         Ok(loads)
+    }
+
+    /// Returns true if −K₀⁻¹ K_g x is more than a rounding error for one of the requested shapes x. Where joints carry the loads, K_g x
+    /// consists of reactions, and the solution of their rounding errors.
+    fn is_determined(&mut self, found: &EigenSearchResult) -> Result<bool, EigenError> {
+        let n = self.eom.coordinates();
+        for pair in found.pairs.iter().take(found.requested) {
+            let mut force = self.softening.times(pair.vector.as_slice());
+            force[n..].fill(0.0);
+            let mut image = force.clone();
+            if force.iter().all(|x| *x == 0.0) {
+                continue;
+            }
+            self.factor.solve(&self.stiffness, &mut image)?;
+            let refined = self.factor.refined(&self.stiffness, &force, &image)?;
+            let mut change: Vec<f64> = image.iter().zip(refined).map(|(a, b)| a - b).collect();
+            let square = |x: &mut [f64]| {
+                x[n..].fill(0.0);
+                let weighed = self.mass.times(x);
+                x.iter().zip(weighed).map(|(x, weighed)| x * weighed).sum::<f64>()
+            };
+            if square(&mut change) <= NOISE * NOISE * square(&mut image) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Removes shapes that the loads do not soften beyond rounding errors, and after the first `count` those that they hardly
@@ -322,59 +348,4 @@ fn put_positive_first(loads: &mut [CriticalLoad]) {
             loads.swap(k - 1, k);
         }
     }
-}
-
-/// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
-/// of the response. Second, the displacements of the response.
-fn softening(
-    eom: &dyn EquationsOfMotion,
-    s: &State,
-    stiffness: &SparseMatrix,
-    factor: &mut Factor,
-) -> Result<(SparseMatrix, Vec<f64>), EigenError> {
-    let force = load_force(eom, s);
-    let mut response = force.clone();
-    factor.solve(stiffness, &mut response)?;
-    let refined = factor.refined(stiffness, &force, &response)?;
-    let of_response = |response: &[f64]| {
-        let mut softening = stiffness.clone();
-        eom.stress_stiffness(s, &first_order(eom, &force, response, stiffness), &mut softening);
-        softening
-    };
-    let (mut softening, refined) = (of_response(&response), of_response(&refined));
-    for (value, refined) in softening.values_mut().iter_mut().zip(refined.values()) {
-        let is_determined = (*value - refined).abs() <= DETERMINED * value.abs();
-        *value = if is_determined { -*value } else { 0.0 };
-    }
-    response.truncate(eom.coordinates());
-    Ok((softening, response))
-}
-
-/// Computes the rates −∂r/∂s of forces and constraints with the load factor s.
-fn load_force(eom: &dyn EquationsOfMotion, s: &State) -> Vec<f64> {
-    eom.load_rate(s).into_iter().map(|rate| -rate).collect()
-}
-
-/// Returns the first-order response (q₁, λ₁) to loads. Where joints carry all loads, q₁ is zero.
-fn first_order(
-    eom: &dyn EquationsOfMotion,
-    force: &[f64],
-    response: &[f64],
-    stiffness: &SparseMatrix,
-) -> State {
-    let (n, m) = (eom.coordinates(), eom.multipliers());
-    // The stiffness of a rigid body may consist of rounding errors.
-    let least = stiffness.diagonal_rounding();
-    let held = |i: usize| match stiffness.diagonal_of(i).abs() {
-        stiffness if stiffness <= least => 0.0,
-        stiffness => force[i].powi(2) / stiffness,
-    };
-    let work: f64 = (0..n).map(|i| force[i] * response[i]).sum();
-    let mut increment = State::rest(n, m);
-    increment.add(response, Weights::STIFFNESS);
-    if work.abs() <= MIN_WORK * (0..n).map(held).sum::<f64>() {
-        // Joints carry the loads. The displacements are rounding errors.
-        increment.q.fill(0.0);
-    }
-    increment
 }

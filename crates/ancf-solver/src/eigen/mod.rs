@@ -7,6 +7,7 @@ mod nonconservative;
 mod pencil;
 mod refinement;
 mod skew_operator;
+mod softening;
 
 pub use buckling::{CriticalLoad, CriticalLoads, LoadDirection, buckling};
 pub use krylov::EigenError;

@@ -106,6 +106,11 @@ fn stationary(alpha: f64, ratio: f64) -> f64 {
     if c < 0.25 { 2.0 / (1.0 + (1.0 - 4.0 * c).sqrt()) } else { 0.5 / c }
 }
 
+/// Returns √(x·x).
+pub(super) fn norm(x: &[f64]) -> f64 {
+    dot(x, x).sqrt()
+}
+
 /// Returns x·y of vectors of equal length, accumulated in eight sums to avoid a dependence between additions.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     debug_assert_eq!(x.len(), y.len(), "vectors of equal length");

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{SolveError, SolveFailure};
 use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
-use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot};
+use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot, norm};
 use super::newton_report::NewtonReport;
 use super::rounding_floor::raise_to_achievable;
 use super::tangent::{NewtonTangent, TangentCheckpoint};
@@ -298,7 +298,8 @@ impl Newton {
             StopRule::Energy(tolerance) => {
                 // The energy of an iterate is no reference in motions: in large steps of stiff beams it far exceeds the energy
                 // of the motion. In statics the states so far may be without load, and their energy that of rounding errors.
-                let is_motion = self.energy > 0.0 && self.weights != Weights::STIFFNESS;
+                let is_static = self.weights == Weights::STIFFNESS;
+                let is_motion = self.energy > 0.0 && !is_static;
                 let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());
                 let first = *progress.first.get_or_insert(size);
@@ -306,10 +307,11 @@ impl Newton {
                 let remainder = (REDUCTION * first).min(REMAINDER * wanted).max(least);
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
-                    // Without forces the energy is zero, whatever the gaps of the constraints.
-                    if size > 0.0 || self.excess(eom, s).1 <= FLOOR {
+                    // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
+                    let least = if is_static { ROUNDING * largest.sqrt() } else { 0.0 };
+                    if size > least || self.excess(eom, s).1 <= FLOOR {
                         return ControlFlow::Break(Ok(progress.report));
-                    } else if progress.report.increment == 0.0 {
+                    } else if size > 0.0 || progress.report.increment == 0.0 {
                         progress.record(energy);
                     }
                     return ControlFlow::Continue(());
@@ -393,8 +395,4 @@ impl Newton {
     ) -> SolveError {
         SolveError::after(last, s.t, failure, self.excess(eom, s).0)
     }
-}
-
-fn norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
 }

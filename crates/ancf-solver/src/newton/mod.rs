@@ -7,6 +7,7 @@ mod iteration_progress;
 mod line_search;
 mod newton_method;
 mod newton_report;
+mod rounding_errors;
 mod rounding_floor;
 mod tangent;
 

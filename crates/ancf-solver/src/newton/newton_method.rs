@@ -7,7 +7,7 @@ use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot, norm};
 use super::newton_report::NewtonReport;
-use super::rounding_floor::raise_to_achievable;
+use super::rounding_floor::FLOOR;
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
 use crate::factor::inertia;
@@ -47,10 +47,10 @@ pub struct Newton {
     pub(crate) tangent: NewtonTangent,
     pub(crate) r: Vec<f64>,
     pub(crate) z: Vec<f64>,
-    floor: Vec<f64>,
-    weights: Weights,
+    pub(super) floor: Vec<f64>,
+    pub(super) weights: Weights,
     /// Largest energy of the converged states so far.
-    energy: f64,
+    pub(super) energy: f64,
 }
 
 /// State of [`Newton`] on which later iterations depend.
@@ -60,8 +60,6 @@ pub(crate) struct NewtonCheckpoint {
     tangent: TangentCheckpoint,
 }
 
-/// Multiple of the rounding bound below which a residual counts as zero.
-const FLOOR: f64 = 8.0;
 /// Estimated remainder of the increments, relative to the tolerance, at which a reused tangent counts as converged.
 const REMAINDER: f64 = 1e-4;
 /// Estimated remainder of the increments, relative to the first increment. Far below a hundredth of the error of a step.
@@ -309,7 +307,7 @@ impl Newton {
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
                     let least = if is_static { ROUNDING * largest.sqrt() } else { 0.0 };
-                    if size > least || self.excess(eom, s).1 <= FLOOR {
+                    if size > least || self.has_closed_gaps(eom, s) {
                         return ControlFlow::Break(Ok(progress.report));
                     } else if size > 0.0 || progress.report.increment == 0.0 {
                         progress.record(energy);
@@ -329,61 +327,6 @@ impl Newton {
             StopRule::Increment(_) | StopRule::Residual(_) => {}
         }
         ControlFlow::Continue(())
-    }
-
-    /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.
-    fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
-        eom.rounding(s, &mut self.floor);
-        raise_to_achievable(&self.tangent.matrix, s, &self.z, self.weights, &mut self.floor);
-        let mut worst = (0, 0.0);
-        for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
-            let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };
-            if excess > worst.1 || excess.is_nan() {
-                worst = (i, excess);
-            }
-        }
-        worst
-    }
-
-    /// Returns true in statics if a state without energy satisfies the equations to their rounding errors.
-    ///
-    /// Without strain and loads all multipliers are rounding errors of the linear solution, which exceed those of the
-    /// residual. An arm on a driven hinge is an example. The work of the residual on the last increment decides, since
-    /// there is no energy that the other rule could compare it with.
-    fn is_rounding(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
-        if self.weights != Weights::STIFFNESS {
-            return false;
-        }
-        // The bounds of the evaluation alone, without those of the linear solution.
-        eom.rounding(s, &mut self.floor);
-        let energy = self.energy.max(eom.energy(s).largest());
-        let largest: f64 = self.floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
-        let work = |x: &[f64]| self.z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
-        energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
-    }
-
-    /// Returns true in statics if the state and the last increment have the energy of an increment that rounding errors cause.
-    ///
-    /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
-    /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
-    /// measures them.
-    fn is_increment_of_rounding(
-        &mut self,
-        eom: &dyn EquationsOfMotion,
-        s: &State,
-        energy: Option<f64>,
-    ) -> bool {
-        let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
-        eom.rounding(s, &mut self.floor);
-        let mut z: Vec<f64> = self.r.iter().zip(&self.floor).map(|(r, floor)| floor.copysign(-r)).collect();
-        let NewtonTangent { matrix, factor, .. } = &mut self.tangent;
-        if factor.solve_increment(matrix, &mut z, &[]).is_err() {
-            return false;
-        }
-        let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
-        // A state with more strain energy has displacements of a motion, and an ill-conditioned structure would stop before its
-        // equilibrium.
-        eom.energy(s).strain.abs().max(energy) <= FLOOR * FLOOR * work
     }
 
     fn error(

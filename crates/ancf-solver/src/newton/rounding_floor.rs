@@ -1,6 +1,9 @@
 use crate::equations::{State, Weights};
 use crate::sparse::SparseMatrix;
 
+/// Multiple of the rounding bound below which a residual counts as zero.
+pub(super) const FLOOR: f64 = 8.0;
+
 /// Raises the rounding bounds to the accuracy of the linear solution.
 ///
 /// A factorisation solves K z = b with an error of about ε maxₖ |zₖ|/dₖ / dᵢ in row i, where D K D has entries of size

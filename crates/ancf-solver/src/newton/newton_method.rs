@@ -7,6 +7,7 @@ use super::interrupt::Interrupt;
 use super::iteration_progress::IterationProgress;
 use super::line_search::{FullUpdate, LinearSolution, StateUpdate, dot, norm};
 use super::newton_report::NewtonReport;
+use super::rounding_errors::Iterate;
 use super::rounding_floor::FLOOR;
 use super::tangent::{NewtonTangent, TangentCheckpoint};
 use crate::equations::{EquationsOfMotion, State, Weights};
@@ -47,10 +48,10 @@ pub struct Newton {
     pub(crate) tangent: NewtonTangent,
     pub(crate) r: Vec<f64>,
     pub(crate) z: Vec<f64>,
-    pub(super) floor: Vec<f64>,
-    pub(super) weights: Weights,
+    floor: Vec<f64>,
+    weights: Weights,
     /// Largest energy of the converged states so far.
-    pub(super) energy: f64,
+    energy: f64,
 }
 
 /// State of [`Newton`] on which later iterations depend.
@@ -266,11 +267,13 @@ impl Newton {
             return ControlFlow::Break(Ok(report));
         }
         let is_last = report.iterations >= self.max_iterations;
-        let is_floor = progress.stagnant > 0 && self.excess(eom, s).1 <= FLOOR;
+        let is_floor = progress.stagnant > 0 && self.at(eom, s).excess().1 <= FLOOR;
         // Without an energy of a motion, increments may decrease without limit or vary randomly.
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
+        let largest = self.energy;
         let is_zero = |newton: &mut Self| {
-            newton.is_rounding(eom, s) || newton.is_increment_of_rounding(eom, s, progress.last)
+            newton.at(eom, s).is_rounding(largest)
+                || newton.at(eom, s).is_increment_of_rounding(progress.last)
         };
         if is_floor || (may_be_zero && is_zero(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
@@ -307,7 +310,7 @@ impl Newton {
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
                     let least = if is_static { ROUNDING * largest.sqrt() } else { 0.0 };
-                    if size > least || self.has_closed_gaps(eom, s) {
+                    if size > least || self.at(eom, s).has_closed_gaps() {
                         return ControlFlow::Break(Ok(progress.report));
                     } else if size > 0.0 || progress.report.increment == 0.0 {
                         progress.record(energy);
@@ -329,6 +332,12 @@ impl Newton {
         ControlFlow::Continue(())
     }
 
+    /// Iterate in a state, with the last residual, increment and tangent.
+    fn at<'a>(&'a mut self, eom: &'a dyn EquationsOfMotion, s: &'a State) -> Iterate<'a> {
+        let Self { tangent, r, z, floor, weights, .. } = self;
+        Iterate { eom, s, r, z, weights: *weights, tangent, floor }
+    }
+
     fn error(
         &mut self,
         failure: SolveFailure,
@@ -336,6 +345,6 @@ impl Newton {
         s: &State,
         last: NewtonReport,
     ) -> SolveError {
-        SolveError::after(last, s.t, failure, self.excess(eom, s).0)
+        SolveError::after(last, s.t, failure, self.at(eom, s).excess().0)
     }
 }

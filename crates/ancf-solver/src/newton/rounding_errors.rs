@@ -1,26 +1,41 @@
 //! Comparison of residuals, gaps and increments of an iteration with rounding errors.
 
-use super::newton_method::Newton;
 use super::rounding_floor::{FLOOR, raise_to_achievable};
 use super::tangent::NewtonTangent;
 use crate::equations::{EquationsOfMotion, Level, State, Weights};
 
-impl Newton {
+/// Iterate with its last residual, increment and tangent.
+pub(super) struct Iterate<'a> {
+    pub(super) eom: &'a dyn EquationsOfMotion,
+    pub(super) s: &'a State,
+    pub(super) r: &'a [f64],
+    pub(super) z: &'a [f64],
+    pub(super) weights: Weights,
+    pub(super) tangent: &'a mut NewtonTangent,
+    /// Storage of the rounding bounds.
+    pub(super) floor: &'a mut [f64],
+}
+
+impl Iterate<'_> {
+    /// Computes the bounds of the evaluation and of the linear solution.
+    fn bound(&mut self) {
+        self.eom.rounding(self.s, self.floor);
+        raise_to_achievable(&self.tangent.matrix, self.s, self.z, self.weights, self.floor);
+    }
+
     /// Returns true if the gaps of the constraints after the last increment are rounding errors.
-    pub(super) fn has_closed_gaps(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
-        eom.rounding(s, &mut self.floor);
-        raise_to_achievable(&self.tangent.matrix, s, &self.z, self.weights, &mut self.floor);
-        let mut gaps = vec![0.0; eom.multipliers()];
-        eom.constraints(s, Level::Position, &mut gaps);
-        gaps.iter().zip(&self.floor[s.q.len()..]).all(|(gap, floor)| gap.abs() <= FLOOR * floor)
+    pub(super) fn has_closed_gaps(mut self) -> bool {
+        self.bound();
+        let mut gaps = vec![0.0; self.eom.multipliers()];
+        self.eom.constraints(self.s, Level::Position, &mut gaps);
+        gaps.iter().zip(&self.floor[self.s.q.len()..]).all(|(gap, floor)| gap.abs() <= FLOOR * floor)
     }
 
     /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.
-    pub(super) fn excess(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> (usize, f64) {
-        eom.rounding(s, &mut self.floor);
-        raise_to_achievable(&self.tangent.matrix, s, &self.z, self.weights, &mut self.floor);
+    pub(super) fn excess(mut self) -> (usize, f64) {
+        self.bound();
         let mut worst = (0, 0.0);
-        for (i, (r, floor)) in self.r.iter().zip(&self.floor).enumerate() {
+        for (i, (r, floor)) in self.r.iter().zip(&*self.floor).enumerate() {
             let excess = if *r == 0.0 { 0.0 } else { r.abs() / floor };
             if excess > worst.1 || excess.is_nan() {
                 worst = (i, excess);
@@ -29,42 +44,41 @@ impl Newton {
         worst
     }
 
-    /// Returns true in statics if a state without energy satisfies the equations to their rounding errors.
+    /// Returns true in statics if a state without energy satisfies the equations to their rounding errors. `largest` is the largest
+    /// energy of the states so far.
     ///
     /// Without strain and loads all multipliers are rounding errors of the linear solution, which exceed those of the
     /// residual. An arm on a driven hinge is an example. The work of the residual on the last increment decides, since
     /// there is no energy that the other rule could compare it with.
-    pub(super) fn is_rounding(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> bool {
+    pub(super) fn is_rounding(&mut self, largest: f64) -> bool {
         if self.weights != Weights::STIFFNESS {
             return false;
         }
+        let Self { eom, s, r, z, floor, .. } = self;
         // The bounds of the evaluation alone, without those of the linear solution.
-        eom.rounding(s, &mut self.floor);
-        let energy = self.energy.max(eom.energy(s).largest());
-        let largest: f64 = self.floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
-        let work = |x: &[f64]| self.z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
-        energy <= largest && work(&self.r) <= FLOOR * work(&self.floor)
+        eom.rounding(s, floor);
+        let energy = largest.max(eom.energy(s).largest());
+        let bound: f64 = floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
+        let work = |x: &[f64]| z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
+        energy <= bound && work(r) <= FLOOR * work(floor)
     }
 
-    /// Returns true in statics if the state and the last increment have the energy of an increment that rounding errors cause.
+    /// Returns true in statics if the state and the last increment, of an energy, have the energy of an increment that rounding
+    /// errors cause.
     ///
     /// Where joints carry all loads, the displacements are rounding errors of the linear solution, of no common size with the
     /// residual. The increment that the factors give for a residual at its rounding bounds has the same errors, which
     /// measures them.
-    pub(super) fn is_increment_of_rounding(
-        &mut self,
-        eom: &dyn EquationsOfMotion,
-        s: &State,
-        energy: Option<f64>,
-    ) -> bool {
+    pub(super) fn is_increment_of_rounding(&mut self, energy: Option<f64>) -> bool {
         let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
-        eom.rounding(s, &mut self.floor);
-        let mut z: Vec<f64> = self.r.iter().zip(&self.floor).map(|(r, floor)| floor.copysign(-r)).collect();
-        let NewtonTangent { matrix, factor, .. } = &mut self.tangent;
+        let Self { eom, s, r, floor, tangent, .. } = self;
+        eom.rounding(s, floor);
+        let mut z: Vec<f64> = r.iter().zip(&*floor).map(|(r, floor)| floor.copysign(-r)).collect();
+        let NewtonTangent { matrix, factor, .. } = &mut **tangent;
         if factor.solve_increment(matrix, &mut z, &[]).is_err() {
             return false;
         }
-        let work: f64 = z.iter().zip(&self.floor).map(|(z, floor)| (z * floor).abs()).sum();
+        let work: f64 = z.iter().zip(&*floor).map(|(z, floor)| (z * floor).abs()).sum();
         // A state with more strain energy has displacements of a motion, and an ill-conditioned structure would stop before its
         // equilibrium.
         eom.energy(s).strain.abs().max(energy) <= FLOOR * FLOOR * work

@@ -59,6 +59,7 @@ impl Iterate<'_> {
         eom.rounding(s, floor);
         let energy = largest.max(eom.energy(s).largest());
         let bound: f64 = floor.iter().zip(&s.q).map(|(floor, q)| floor * q.abs()).sum();
+        let floor: &[f64] = floor;
         let work = |x: &[f64]| z.iter().zip(x).map(|(z, x)| (z * x).abs()).sum::<f64>();
         energy <= bound && work(r) <= FLOOR * work(floor)
     }
@@ -73,12 +74,13 @@ impl Iterate<'_> {
         let Some(energy) = energy.filter(|_| self.weights == Weights::STIFFNESS) else { return false };
         let Self { eom, s, r, floor, tangent, .. } = self;
         eom.rounding(s, floor);
-        let mut z: Vec<f64> = r.iter().zip(&*floor).map(|(r, floor)| floor.copysign(-r)).collect();
+        let floor: &[f64] = floor;
+        let mut z: Vec<f64> = r.iter().zip(floor).map(|(r, floor)| floor.copysign(-r)).collect();
         let NewtonTangent { matrix, factor, .. } = &mut **tangent;
         if factor.solve_increment(matrix, &mut z, &[]).is_err() {
             return false;
         }
-        let work: f64 = z.iter().zip(&*floor).map(|(z, floor)| (z * floor).abs()).sum();
+        let work: f64 = z.iter().zip(floor).map(|(z, floor)| (z * floor).abs()).sum();
         // A state with more strain energy has displacements of a motion, and an ill-conditioned structure would stop before its
         // equilibrium.
         eom.energy(s).strain.abs().max(energy) <= FLOOR * FLOOR * work

@@ -36,6 +36,8 @@ pub struct Factor {
     shared: Option<Box<SharedMultipliers>>,
     /// True if the factors have solved equations without refinement.
     verified: bool,
+    /// Rounding error ε max |Kᵢᵢ| of the diagonal.
+    rounding: f64,
     /// Equilibration D, right-hand side, solution and residual, by position.
     d: Vec<f64>,
     b: Vec<f64>,
@@ -108,6 +110,7 @@ impl Factor {
                 Box::new(SharedMultipliers { compliant, b: zeros.clone(), x: zeros.clone() })
             }),
             verified: false,
+            rounding: 0.0,
             d: zeros.clone(),
             b: zeros.clone(),
             x: zeros.clone(),
@@ -120,7 +123,7 @@ impl Factor {
     /// # Errors
     /// If neither LDLᵀ nor LU succeeds.
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
+        self.rounding = equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
@@ -135,17 +138,16 @@ impl Factor {
     fn factorise_plain(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         (self.lu, self.verified) = (None, false);
         let done = self.ldlt.factorise(self.pattern.supernodes(), k.values());
-        if done.is_err() || self.has_pivot_of_rounding(k) { self.factorise_by_lu(k) } else { Ok(()) }
+        if done.is_err() || self.has_pivot_of_rounding() { self.factorise_by_lu(k) } else { Ok(()) }
     }
 
     /// Returns true if a constrained coordinate has a pivot below the rounding error of the largest diagonal.
     ///
     /// The stiffness of a rigid body in statics is an example: it is zero, or a rounding error of the multipliers. The factors
     /// of its constraints would consist of rounding errors.
-    fn has_pivot_of_rounding(&self, k: &SparseMatrix) -> bool {
-        let least = k.diagonal_rounding();
+    fn has_pivot_of_rounding(&self) -> bool {
         let inverse = self.ldlt.inverse_pivots();
-        self.pattern.border().iter().any(|border| inverse[border.coordinate].abs() * least > 1.0)
+        self.pattern.border().iter().any(|border| inverse[border.coordinate].abs() * self.rounding > 1.0)
     }
 
     /// Returns the history of the current factors.

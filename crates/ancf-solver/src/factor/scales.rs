@@ -8,10 +8,13 @@ use crate::sparse::SparseMatrix;
 /// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
 /// multipliers and a rounding error with them. The scales of constrained coordinates are therefore limited.
 ///
+/// Returns the rounding error ε max |Kᵢᵢ| of the diagonal.
+///
 /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
 /// At the limit it matches the other coordinates in an equation that determines it.
-pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) {
+pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) -> f64 {
     d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
+    let rounding = f64::EPSILON * d.iter().map(|d| d.abs()).fold(0.0, f64::max);
     for d in &mut *d {
         *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
     }
@@ -31,11 +34,12 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
             d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
         }
     }
-    let limit = 1.0 / k.diagonal_rounding().sqrt();
+    let limit = 1.0 / rounding.sqrt();
     for border in k.pattern().border() {
         d[border.coordinate] = d[border.coordinate].min(limit);
     }
     scale_multipliers(k, d, largest);
+    rounding
 }
 
 /// Sets the scales of the multipliers to the inverse of their largest scaled entry.

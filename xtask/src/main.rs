@@ -24,7 +24,7 @@ cargo xtask viewer          the viewer of results, built into the crate that emb
 cargo xtask deny            licences, sources, duplicates and known vulnerabilities of dependencies, by deny.toml
 cargo xtask fuzz [SECONDS]  random input for the readers of models and formulas, 600 s each by default
 cargo xtask hunt [SEED] [N] random models beside their twins in other frames, units, orders; FOLDER as third argument keeps
-                            the findings; file FILE, show SEED NUMBER, one SEED NUMBER
+                            the findings, SHARE of the laws as fourth; file FILE, show SEED NUMBER, one SEED NUMBER
 cargo xtask bench           times per element beside their targets; --quick, --rows TEXT, --json FILE
 cargo xtask instructions    instruction counts of fixed work beside the recorded ones; --update records them
 cargo xtask peers           EXUDYN beside ancf, into bench/peers/results; needs Python and the network

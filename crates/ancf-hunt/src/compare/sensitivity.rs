@@ -56,8 +56,7 @@ pub enum TimeSteps {
 ///
 /// Causes are sought in dynamics only: fixed steps may be too large for stiff parts, and the iterations of large steps fail
 /// or converge by their rounding errors. The division of a step, or the part of the motion that the steps do not resolve,
-/// then differs between twins. `refined` runs a twin of other equations with a part of the
-/// step.
+/// then differs between twins. `refined` runs a twin of other equations with a part of the step.
 pub fn compare(
     law: &'static str,
     case: &Case,
@@ -96,7 +95,7 @@ pub fn compare(
     if is_warned(&case.base) || is_warned(twin) {
         return Comparison::Explained(Cause::Steps);
     }
-    if with_step(&case.model, 1.0).is_none() {
+    if case.has_controlled_steps() {
         return Comparison::Different(finding);
     }
     let others = if is_divided { divided(&case.model) } else { Vec::new() };

@@ -166,13 +166,8 @@ fn better_shift(pencil: &Pencil<'_>, found: &EigenSearchResult, shift: f64) -> f
     // A rigid mode may exceed its own bound, which is zero for a translation of all nodes, but not that of the others.
     let is_zero = |(value, error): &(&f64, &f64)| value.abs() <= **error;
     let error = squared.iter().zip(&errors).filter(is_zero).map(|(_, error)| *error).fold(0.0, f64::max);
-    let squared: Vec<f64> = squared
-        .iter()
-        .zip(&errors)
-        .filter(|pair| !is_zero(pair))
-        .map(|(value, _)| *value)
-        .filter(|value| value.abs() > error)
-        .collect();
+    let is_sure = |(value, own): &(&f64, &f64)| value.abs() > own.max(error);
+    let squared: Vec<f64> = squared.iter().zip(&errors).filter(is_sure).map(|(value, _)| *value).collect();
     let lowest = squared.iter().copied().fold(0.0, f64::min);
     let nearest = squared.iter().map(|squared| squared.abs()).fold(f64::INFINITY, f64::min);
     if nearest.is_finite() { lowest - nearest } else { shift }

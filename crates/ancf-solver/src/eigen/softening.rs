@@ -16,7 +16,7 @@ pub(super) fn softening(
     stiffness: &SparseMatrix,
     factor: &mut Factor,
 ) -> Result<(SparseMatrix, Vec<f64>), EigenError> {
-    let force: Vec<f64> = eom.load_rate(s).into_iter().map(|rate| -rate).collect();
+    let force = eom.load_force(s);
     let mut response = force.clone();
     factor.solve(stiffness, &mut response)?;
     let refined = factor.refined(stiffness, &force, &response)?;

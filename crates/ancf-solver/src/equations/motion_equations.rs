@@ -42,11 +42,11 @@ pub trait EquationsOfMotion {
     /// Assembles the symmetric matrix [w_q ∂(f + Φ_qᵀ λ)/∂q + w_v ∂f/∂v + w_a M, Φ_qᵀ; Φ_q, 0].
     fn tangent(&self, s: &State, w: Weights, k: &mut SparseMatrix);
 
-    /// Computes ∂r/∂s for the load factor s.
+    /// Computes the force −∂r/∂s of the loads and drives for the load factor s.
     ///
     /// Loads are affine in s, and the difference over a large change has little rounding error. Prescribed rotations are not: where
-    /// the difference over a small change deviates by more than its rounding error, it is the rate.
-    fn load_rate(&self, s: &State) -> Vec<f64> {
+    /// the difference over a small change deviates by more than its rounding error, it is the derivative.
+    fn load_force(&self, s: &State) -> Vec<f64> {
         let size = self.coordinates() + self.multipliers();
         let (mut moved, mut floor) = (s.clone(), vec![0.0; size]);
         let mut residual = |load: f64| {
@@ -58,12 +58,12 @@ pub trait EquationsOfMotion {
         let [here, far] = [s.load, s.load + FAR].map(&mut residual);
         let [before, after] = [s.load - NEAR, s.load + NEAR].map(&mut residual);
         self.rounding(s, &mut floor);
-        let rate = |i: usize| {
-            let (far, near) = ((far[i] - here[i]) / FAR, (after[i] - before[i]) / (2.0 * NEAR));
+        let force = |i: usize| {
+            let (far, near) = ((here[i] - far[i]) / FAR, (before[i] - after[i]) / (2.0 * NEAR));
             let error = ROUNDING * floor[i] / NEAR;
             if (near - far).abs() <= error { far } else { near }
         };
-        (0..size).map(rate).collect()
+        (0..size).map(force).collect()
     }
 
     /// Computes K X and Xᵀ K X for columns X over the coordinates, K = ∂(f + Φ_qᵀ λ)/∂q, with less rounding error than

@@ -31,8 +31,10 @@ pub(crate) fn raise_to_achievable(
     floor: &mut [f64],
 ) {
     let least = k.diagonal_rounding();
-    let root =
-        |i: usize| Some(k.diagonal_of(i).abs()).filter(|stiffness| *stiffness > least).map_or(0.0, f64::sqrt);
+    let root = |i: usize| {
+        let stiffness = k.diagonal_of(i).abs();
+        if stiffness > least { stiffness.sqrt() } else { 0.0 }
+    };
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);
     let mut solved = (0..q.len()).map(|i| z[i].abs() * root(i)).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {

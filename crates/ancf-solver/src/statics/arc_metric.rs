@@ -119,9 +119,8 @@ pub(crate) fn response(
     eom: &dyn EquationsOfMotion,
     s: &State,
 ) -> Result<Vec<f64>, SolveFailure> {
-    let force = load_force(eom, s);
     newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
-    solve_force(newton, force)
+    solve_force(newton, eom.load_force(s))
 }
 
 /// Solves as [`response`], and once more with a further step of refinement.
@@ -130,17 +129,12 @@ pub(crate) fn refined_response(
     eom: &dyn EquationsOfMotion,
     s: &State,
 ) -> Result<[Vec<f64>; 2], SolveFailure> {
-    let response = response(newton, eom, s)?;
-    let (force, tangent) = (load_force(eom, s), &mut newton.tangent);
+    newton.tangent.prepare(eom, s, Weights::STIFFNESS)?;
+    let force = eom.load_force(s);
+    let response = solve_force(newton, force.clone())?;
+    let tangent = &mut newton.tangent;
     let refined = tangent.factor.refined(&tangent.matrix, &force, &response);
     Ok([response, refined.map_err(|_| SolveFailure::Singular)?])
-}
-
-/// Computes −∂r/∂s.
-fn load_force(eom: &dyn EquationsOfMotion, s: &State) -> Vec<f64> {
-    let mut force = eom.load_rate(s);
-    force.iter_mut().for_each(|x| *x = -*x);
-    force
 }
 
 fn solve_force(newton: &mut Newton, mut force: Vec<f64>) -> Result<Vec<f64>, SolveFailure> {
@@ -158,8 +152,7 @@ pub(crate) struct PlaneUpdate<'a>(pub(crate) &'a PathTangent);
 
 impl StateUpdate for PlaneUpdate<'_> {
     fn apply(&mut self, at: LinearSolution<'_>, s: &mut State, w: Weights) -> Result<(), SolveFailure> {
-        let mut response = at.eom.load_rate(s);
-        response.iter_mut().for_each(|x| *x = -*x);
+        let mut response = at.eom.load_force(s);
         at.factor.solve(at.matrix, &mut response).map_err(|_| SolveFailure::Singular)?;
         let tangent = self.0;
         let load = -tangent.along(at.z) / (tangent.along(&response) + 0.5 * tangent.load);

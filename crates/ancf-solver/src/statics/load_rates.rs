@@ -27,8 +27,7 @@ impl LoadRates {
     pub fn evaluate(&mut self, eom: &dyn EquationsOfMotion, s: &State) -> &State {
         let Self { matrix, factor, state, z } = self;
         state.copy_from(s);
-        *z = eom.load_rate(s);
-        z.iter_mut().for_each(|z| *z = -*z);
+        *z = eom.load_force(s);
         eom.tangent(state, Weights::STIFFNESS, matrix);
         let solved = factor.factorise(matrix).and_then(|()| factor.solve(matrix, z));
         let is_regular = solved.is_ok() && z.iter().all(|z| z.is_finite());

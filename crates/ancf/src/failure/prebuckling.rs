@@ -21,26 +21,27 @@ pub(crate) fn prebuckling_warning(
     found: &CriticalLoads,
     scales: Scales,
 ) -> Option<String> {
-    let mut worst = (0.0, String::new());
+    let mut worst = (0.0, None);
     for (name, terms) in &assembly.bodies {
         for vector in terms.vectors(s).into_iter().filter(|vector| !vector.is_position()) {
             let Some(change) = found.response.get(vector.first..vector.first + 3) else { continue };
             let change = Vector3::from_column_slice(change).norm() / vector.value.norm();
             if change > worst.0 {
-                let node = terms.locate_coordinate(vector.first).and_then(|(node, _)| node);
-                let at =
-                    node.map(|node| format!(" at s = {}", short(scales.length * terms.arc_length(node))));
-                worst = (change, format!("body `{name}`{}", at.unwrap_or_default()));
+                worst = (change, Some((name, terms, vector.first)));
             }
         }
     }
-    let (change, place) = worst;
-    let rotations = found.loads.iter().map(|load| (load.factor, change * load.factor.abs()));
-    let (factor, rotation) = rotations.into_iter().find(|(_, rotation)| *rotation > SMALL_ROTATION)?;
+    let (change, Some((name, terms, first))) = worst else { return None };
+    let rotation = |factor: f64| change * factor.abs();
+    let factor =
+        found.loads.iter().map(|load| load.factor).find(|factor| rotation(*factor) > SMALL_ROTATION)?;
+    let node = terms.locate_coordinate(first).and_then(|(node, _)| node);
+    let at = node.map(|node| format!(" at s = {}", short(scales.length * terms.arc_length(node))));
+    let place = format!("body `{name}`{}", at.unwrap_or_default());
     Some(format!(
         "linear buckling neglects the deformation before buckling, which is not small: at the critical load factor {} and above, \
          the loads turn or strain the directions of {place} by {} or more; follow the equilibria with `kind = \"path\"`",
         short(factor),
-        short(rotation)
+        short(rotation(factor))
     ))
 }

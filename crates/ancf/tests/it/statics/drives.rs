@@ -55,8 +55,9 @@ fn rate_of_prescribed_rotations_is_the_derivative() {
         // Fourth order, with a rounding error of ε/h and an error of h⁴/30 of the fifth derivative.
         let h = 1e-3;
         let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| residual(0.7 + k * h));
-        let rate = system.load_rate(&state);
-        for (i, rate) in rate.into_iter().enumerate() {
+        let force = system.load_force(&state);
+        for (i, force) in force.into_iter().enumerate() {
+            let rate = -force;
             let exact = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h);
             assert!(
                 (rate - exact).abs() < 1e-7 * exact.abs().max(1.0),

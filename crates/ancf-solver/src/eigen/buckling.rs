@@ -16,7 +16,8 @@ pub struct CriticalLoad {
     pub factor: f64,
     /// Buckling shape x over the coordinates with xᵀ M x = 1.
     pub shape: Vec<f64>,
-    /// Residual |K₀⁻¹ (K₀ x + s K_g x)| in the norm of M. It bounds the distance to the next 1/s, relative to 1/s.
+    /// Residual |K₀⁻¹ (K₀ x + s K_g x)| / |x| in the norm of K₀, in which K₀⁻¹ K_g is self-adjoint. It bounds the distance to
+    /// the next 1/s, relative to 1/s.
     pub residual: f64,
 }
 
@@ -60,6 +61,12 @@ const MIN_SOFTENING: f64 = 1e-13;
 const NOISE: f64 = 0.02;
 /// Smallest gap between factors at which they are counted, relative to the larger factor.
 const MIN_GAP: f64 = 1e-3;
+/// Softening per load below which a shape with a large residual consists of rounding errors.
+const MIN_CERTAIN_SOFTENING: f64 = 1e-9;
+/// Residual of such a shape.
+const ROUGH: f64 = 1e-3;
+/// Distance of the shift of inverse iterations from the factor, relative to the factor.
+const SHIFT: f64 = 1e-6;
 /// Relative difference of factors of equal magnitude.
 const EQUAL: f64 = 1e-8;
 /// Computes the `count` lowest critical load factors of a stable equilibrium by linear buckling analysis:
@@ -132,7 +139,10 @@ pub fn buckling(
             // Vectors beyond the number of degrees of freedom are rounding errors.
             let shapes: Result<Vec<_>, _> =
                 start.iter().take(degrees).map(|x| pencil.operator().apply(x)).collect();
-            let loads = pencil.refined(shapes?, found.requested, sense)?;
+            let mut loads = pencil.refined(shapes?, found.requested, sense)?;
+            loads.retain(|load| {
+                load.residual <= ROUGH || found.largest.min(load.factor.recip().abs()) > MIN_CERTAIN_SOFTENING
+            });
             if let Some(mut found) = pencil.counted(loads, sense)? {
                 found.loads.truncate(count);
                 found.response = response;
@@ -216,9 +226,47 @@ impl BucklingPencil<'_> {
                 break;
             }
         }
+        if worst(&loads) > ACCURATE {
+            let mut shapes = Vec::new();
+            for (k, load) in loads.iter().enumerate() {
+                let is_accurate = k >= count || load.residual <= ACCURATE;
+                shapes.push(if is_accurate { self.extended(load) } else { self.inverse_iterate(load)? });
+            }
+            self.factor.factorise(&self.stiffness)?;
+            let (rough, of_rough, _) = self.measured(shapes)?;
+            if let Some(shapes) = self.ritz(&rough, &of_rough, sense) {
+                let (next, ..) = self.measured(shapes)?;
+                if worst(&next) < worst(&loads) {
+                    loads = next;
+                }
+            }
+        }
         put_positive_first(&mut loads);
         loads.truncate(count);
         Ok(loads)
+    }
+
+    /// Computes (K₀ + s K_g)⁻¹ K_g x for a shift s next to the factor. Factorises another matrix than K₀.
+    ///
+    /// The corrections multiply an error along the shape of a factor r by s/r. Shapes of large factors lose their accuracy by
+    /// those of smaller factors, which may be of the other sign and not among the shapes.
+    fn inverse_iterate(&mut self, load: &CriticalLoad) -> Result<DVector<f64>, EigenError> {
+        let mut x = DVector::from(self.softening.times(self.extended(load).as_slice()));
+        let n = self.eom.coordinates();
+        x.as_mut_slice()[n..].fill(0.0);
+        let loaded = self.factorise_loaded(load.factor * (1.0 + SHIFT))?;
+        self.factor.solve(&loaded, x.as_mut_slice())?;
+        x.as_mut_slice()[n..].fill(0.0);
+        Ok(x)
+    }
+
+    /// Factorises K₀ + s K_g.
+    fn factorise_loaded(&mut self, factor: f64) -> Result<SparseMatrix, EigenError> {
+        let mut loaded = self.stiffness.clone();
+        let softening = self.softening.values();
+        loaded.values_mut().iter_mut().zip(softening).for_each(|(value, k)| *value -= factor * k);
+        self.factor.factorise(&loaded)?;
+        Ok(loaded)
     }
 
     /// Returns true if −K₀⁻¹ K_g x is more than a rounding error for one of the requested shapes x. Where joints carry the loads, K_g x
@@ -275,8 +323,8 @@ impl BucklingPencil<'_> {
     /// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, for x with xᵀ M x = 1, the matrix of all xᵀ K₀ x,
     /// and the corrections of x.
     fn measured(&mut self, shapes: Vec<DVector<f64>>) -> Result<Measured, EigenError> {
-        let size = |mass: &SparseMatrix, x: &DVector<f64>| {
-            x.dot(&DVector::from(mass.times(x.as_slice()))).max(0.0).sqrt()
+        let size = |matrix: &SparseMatrix, x: &DVector<f64>| {
+            x.dot(&DVector::from(matrix.times(x.as_slice()))).max(0.0).sqrt()
         };
         let shapes: Vec<_> = shapes.into_iter().map(|x| &x / size(&self.mass, &x)).collect();
         let of_terms = self.eom.stiffness_products(self.s, &shapes);
@@ -285,7 +333,7 @@ impl BucklingPencil<'_> {
             let softened = DVector::from(self.softening.times(x.as_slice()));
             let factor = of_terms.forms[(k, k)] / x.dot(&softened);
             let correction = self.operator().solve(product - softened * factor)?;
-            let residual = size(&self.mass, &correction);
+            let residual = size(&self.stiffness, &correction) / of_terms.forms[(k, k)].sqrt();
             let shape = x.as_slice()[..self.eom.coordinates()].to_vec();
             loads.push(CriticalLoad { factor, shape, residual });
             corrections.push(correction);
@@ -325,10 +373,7 @@ impl BucklingPencil<'_> {
         let gap = (1..factors.len()).rev().find(has_gap).filter(|_| sense != LoadDirection::Either);
         let Some(gap) = gap else { return Ok(Some(CriticalLoads { loads, ..CriticalLoads::default() })) };
         let below = 0.5 * (factors[gap - 1] + factors[gap]);
-        let mut loaded = self.stiffness.clone();
-        let softening = self.softening.values();
-        loaded.values_mut().iter_mut().zip(softening).for_each(|(value, k)| *value -= below * k);
-        self.factor.factorise(&loaded)?;
+        self.factorise_loaded(below)?;
         let negative = self.factor.negative_pivots();
         let count = negative.map(|negative| negative.saturating_sub(self.eom.multipliers()));
         let sturm = count.map(|count| SturmCount { below, count });

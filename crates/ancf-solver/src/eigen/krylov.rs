@@ -285,7 +285,10 @@ impl KrylovSpace<'_> {
         };
         let small =
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
-        let converged = order[..requested].iter().all(small);
+        // Pairs that are not requested because of their keys may still approach requested ones.
+        let negligible = |&k: &usize| small(&k) || residual(k) <= search.least * largest;
+        let others = order.iter().take(search.count).skip(requested);
+        let converged = order[..requested].iter().all(small) && others.into_iter().all(negligible);
         Ritz { vectors, order, largest, requested, converged }
     }
 

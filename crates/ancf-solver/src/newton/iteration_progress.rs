@@ -15,6 +15,8 @@ pub(crate) struct IterationProgress {
     largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
+    /// Norm of the gaps of the constraints before the last increment.
+    pub(crate) gap: f64,
     /// Number of consecutive iterations that did not halve the energy.
     pub(crate) stagnant: u32,
 }

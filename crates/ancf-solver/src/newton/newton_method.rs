@@ -272,8 +272,11 @@ impl Newton {
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
         let largest = self.energy;
         let is_zero = |newton: &mut Self| {
-            newton.at(eom, s).is_rounding(largest)
-                || newton.at(eom, s).is_increment_of_rounding(progress.last)
+            let is_zero = newton.at(eom, s).is_rounding(largest)
+                || newton.at(eom, s).is_increment_of_rounding(progress.last);
+            // The energy does not see motions without forces. Their gaps close until they are rounding errors.
+            let gap = norm(&newton.r[s.q.len()..]);
+            is_zero && (gap >= 0.5 * progress.gap || newton.at(eom, s).has_closed_gaps())
         };
         if is_floor || (may_be_zero && is_zero(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
@@ -295,6 +298,7 @@ impl Newton {
         energy: f64,
         progress: &mut IterationProgress,
     ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
+        progress.gap = norm(&self.r[s.q.len()..]);
         match self.stop {
             StopRule::Energy(tolerance) => {
                 // The energy of an iterate is no reference in motions: in large steps of stiff beams it far exceeds the energy

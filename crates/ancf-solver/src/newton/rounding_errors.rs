@@ -4,6 +4,10 @@ use super::rounding_floor::{FLOOR, raise_to_achievable};
 use super::tangent::NewtonTangent;
 use crate::equations::{EquationsOfMotion, Level, State, Weights};
 
+/// Multiple of the rounding bound below which a gap counts as closed: a relative error of 1e-12. The iteration converges
+/// quadratically, and one increment more would change the state by less.
+const CLOSED: f64 = 1e4;
+
 /// Iterate with its last residual, increment and tangent.
 pub(super) struct Iterate<'a> {
     pub(super) eom: &'a dyn EquationsOfMotion,
@@ -23,12 +27,12 @@ impl Iterate<'_> {
         raise_to_achievable(&self.tangent.matrix, self.s, self.z, self.weights, self.floor);
     }
 
-    /// Returns true if the gaps of the constraints after the last increment are rounding errors.
+    /// Returns true if the gaps of the constraints after the last increment are near their rounding errors.
     pub(super) fn has_closed_gaps(mut self) -> bool {
         self.bound();
         let mut gaps = vec![0.0; self.eom.multipliers()];
         self.eom.constraints(self.s, Level::Position, &mut gaps);
-        gaps.iter().zip(&self.floor[self.s.q.len()..]).all(|(gap, floor)| gap.abs() <= FLOOR * floor)
+        gaps.iter().zip(&self.floor[self.s.q.len()..]).all(|(gap, floor)| gap.abs() <= CLOSED * floor)
     }
 
     /// Returns the equation with the largest ratio of residual to achievable accuracy, and this ratio.

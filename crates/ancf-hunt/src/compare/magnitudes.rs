@@ -1,5 +1,5 @@
 use ancf::Model;
-use ancf::model::{Analysis, Joint};
+use ancf::model::{Analysis, Joint, Step};
 use ancf::units::Dimension;
 
 use crate::run::Run;
@@ -10,11 +10,16 @@ const NO_FORCE: f64 = 1e-3;
 /// Angle during a motion below which rates are not of interest.
 const SMALL_TURN: f64 = 0.01;
 
+/// Rounding errors of displacements in accelerations, relative to the length, divided by the tolerances.
+const ROUNDING: f64 = 1e-8;
+
 /// Magnitudes of the quantities of a run, by dimension. Deviations are relative to them.
 #[derive(Clone, Debug)]
 pub struct Magnitudes {
     length: f64,
     duration: f64,
+    /// Acceleration of no interest: of a small turn in the duration, or of the rounding errors of the shortest step.
+    acceleration: f64,
     /// Axial stiffness of the stiffest body, force of the stiffest spring, or weight.
     stiffness: f64,
     /// Force that gives the smallest acceleration of interest to all bodies; zero without a motion.
@@ -43,7 +48,9 @@ impl Magnitudes {
             Analysis::Dynamics(dynamics) => (dynamics.duration, model.mass()),
             _ => (1.0, 0.0),
         };
-        let inertia = mass * SMALL_TURN * model.length() / (duration * duration);
+        let of_steps = ROUNDING * model.length() / shortest_step(model).powi(2);
+        let acceleration = (SMALL_TURN * model.length() / (duration * duration)).max(of_steps);
+        let inertia = mass * acceleration;
         let mut largest: Vec<(Dimension, f64)> = Vec::new();
         for column in &run.columns {
             let Some(dimension) = column.dimension else { continue };
@@ -54,7 +61,7 @@ impl Magnitudes {
             }
         }
         let young = model.materials.values().map(|m| m.young).fold(f64::MIN_POSITIVE, f64::max);
-        Self { length: model.length(), duration, stiffness, inertia, young, largest }
+        Self { length: model.length(), duration, acceleration, stiffness, inertia, young, largest }
     }
 
     /// Magnitude of quantities of a dimension.
@@ -68,11 +75,25 @@ impl Magnitudes {
             Dimension::LENGTH => self.length,
             Dimension::RATE => largest(dimension).max(rate),
             Dimension::VELOCITY => largest(dimension).max(rate * self.length),
-            Dimension::ACCELERATION => largest(dimension).max(rate * self.length / self.duration),
+            Dimension::ACCELERATION => largest(dimension).max(self.acceleration),
             Dimension::FORCE => force,
             Dimension::ENERGY => largest(dimension).max(0.02 * force * self.length),
             Dimension::STRESS => largest(dimension).max(1e-7 * self.young),
             _ => largest(dimension).max(f64::MIN_POSITIVE),
         }
+    }
+}
+
+/// Shortest step of a run with fixed steps, which is the last one unless the duration is a multiple of the step.
+fn shortest_step(model: &Model) -> f64 {
+    match &model.analysis {
+        Analysis::Dynamics(dynamics) => match dynamics.step {
+            Step::Fixed(step) => {
+                let remainder = dynamics.duration % step;
+                if remainder > 0.01 * step { remainder } else { step }
+            }
+            _ => f64::INFINITY,
+        },
+        _ => f64::INFINITY,
     }
 }

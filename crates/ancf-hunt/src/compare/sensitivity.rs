@@ -1,5 +1,6 @@
 use ancf::Model;
 use ancf::model::{NewtonMethod, Step};
+use ancf::units::Dimension;
 
 use super::case::{Case, NUDGE, nudged};
 use super::columns::{NEIGHBOUR, compare_within};
@@ -40,6 +41,10 @@ impl Cause {
 /// Part of the warning that the integration has made energy.
 const UNRESOLVED: &str = "the steps do not resolve the motion";
 
+/// Parts of the warnings that accelerations alternate, and that an equilibrium may belong to another path.
+const ALTERNATING: &str = "the accelerations alternate";
+const OTHER_PATH: &str = "it may have reached another one";
+
 /// Relative changes of the properties of further neighbours, in multiples of [`NUDGE`].
 const NUDGES: [f64; 6] = [-1.0, 0.5, -0.3, 2.0, -3.0, 0.1];
 
@@ -76,6 +81,14 @@ pub fn compare(
             Comparison::Explained(Cause::Steps)
         };
     }
+    // The program itself says so.
+    let is_warned_of =
+        |part: &str| [&case.base, twin].iter().any(|run| run.warnings.iter().any(|text| text.contains(part)));
+    let dimension = case.base.column(&finding.quantity).and_then(|column| column.dimension);
+    let is_position = matches!(dimension, Some(Dimension::LENGTH | Dimension::NUMBER));
+    if is_warned_of(OTHER_PATH) || (is_warned_of(ALTERNATING) && !is_position) {
+        return Comparison::Explained(Cause::Steps);
+    }
     if !case.is_dynamic() || !case.base.verdict.is_finished() || !twin.verdict.is_finished() {
         return Comparison::Different(finding);
     }
@@ -90,9 +103,8 @@ pub fn compare(
     if !is_divided && steps == TimeSteps::Same {
         return Comparison::Different(finding);
     }
-    // The program itself says so, for the twin whose steps are divided otherwise.
-    let is_warned = |run: &Run| run.warnings.iter().any(|text| text.contains(UNRESOLVED));
-    if is_warned(&case.base) || is_warned(twin) {
+    // For the twin whose steps are divided otherwise.
+    if is_warned_of(UNRESOLVED) {
         return Comparison::Explained(Cause::Steps);
     }
     if case.has_controlled_steps() {

@@ -36,6 +36,11 @@ fn split(case: &Case, random: &mut Random) -> Option<ancf::Model> {
     if is_loaded {
         return None;
     }
+    // A slider cannot leave the part on which it starts.
+    let is_on = |joint: &Joint| matches!(joint, Joint::Slide(slide) if matches!(&slide.b, End::Place(place) if place.body == name));
+    if twin.joints.iter().any(is_on) {
+        return None;
+    }
     let up = twin.bodies[index].up()?;
     let Body::Beam(first) = &mut twin.bodies[index] else { return None };
     let node = 1 + random.index(first.elements as usize - 1) as u32;

@@ -7,7 +7,9 @@ use thiserror::Error;
 use super::simulation::Simulation;
 use super::step_control::{MAX_COUNT, StepControl, StepControlCheckpoint};
 use super::summary::Summary;
-use crate::failure::{RotationHistory, RotationMonitor, StabilityMonitor};
+use crate::failure::{
+    AlternationHistory, AlternationMonitor, RotationHistory, RotationMonitor, StabilityMonitor,
+};
 use crate::model::Model;
 use crate::results::{RowHistory, Rows};
 
@@ -28,6 +30,7 @@ pub struct Checkpoint {
     rows: RowHistory,
     monitor: StabilityMonitor,
     rotations: RotationHistory,
+    alternations: AlternationHistory,
     control: StepControlCheckpoint,
 }
 
@@ -67,7 +70,7 @@ pub enum ResumeError {
 }
 
 /// Version of the format and of the algorithm.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 impl Checkpoint {
     /// Number of rows recorded before the checkpoint. The next row has this number, counted from 0.
@@ -83,13 +86,14 @@ impl Checkpoint {
     pub(crate) fn new(
         model: u64,
         summary: &Summary,
-        (monitor, rotations): (&StabilityMonitor, &RotationMonitor),
+        (monitor, rotations, alternations): (&StabilityMonitor, &RotationMonitor, &AlternationMonitor),
         rows: &Rows,
         control: &StepControl<'_>,
     ) -> Self {
         let control = control.checkpoint();
         let time = control.time() * summary.scales.time;
         let (rows, monitor, rotations) = (rows.history(), monitor.clone(), rotations.history().clone());
+        let alternations = alternations.history().clone();
         Self {
             version: VERSION,
             model,
@@ -98,6 +102,7 @@ impl Checkpoint {
             rows,
             monitor,
             rotations,
+            alternations,
             control,
         }
     }
@@ -126,12 +131,17 @@ impl Checkpoint {
     pub(crate) fn restore(
         &self,
         summary: &mut Summary,
-        (monitor, rotations): (&mut StabilityMonitor, &mut RotationMonitor),
+        (monitor, rotations, alternations): (
+            &mut StabilityMonitor,
+            &mut RotationMonitor,
+            &mut AlternationMonitor,
+        ),
         rows: &mut Rows,
         control: &mut StepControl<'_>,
     ) -> Result<(), ResumeError> {
         if !rows.restore(&self.rows)
             || !rotations.restore(&self.rotations)
+            || !alternations.restore(&self.alternations)
             || control.restore(&self.control).is_err()
         {
             return Err(ResumeError::Damaged);

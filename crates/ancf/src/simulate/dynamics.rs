@@ -12,7 +12,7 @@ use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::simulation::Simulation;
 use super::step_control::StepControl;
 use super::summary::Summary;
-use crate::failure::{RotationMonitor, StabilityMonitor, find_cause};
+use crate::failure::{AlternationMonitor, RotationMonitor, StabilityMonitor, find_cause};
 use crate::model::Dynamics;
 use crate::results::{AngleRates, Rows, TIME};
 
@@ -25,6 +25,7 @@ pub(crate) struct DynamicRun<'a> {
     rows: Rows,
     control: StepControl<'a>,
     rotations: RotationMonitor,
+    alternations: AlternationMonitor,
     /// Computed with the first checkpoint.
     fingerprint: OnceCell<u64>,
 }
@@ -36,12 +37,19 @@ impl<'a> DynamicRun<'a> {
         let start = control.dynamics().state();
         rows.count_turns(start.t, start, AngleRates::Velocities);
         let rotations = RotationMonitor::new(scaled, assembly);
-        Ok(Self { simulation, rows, control, rotations, fingerprint: OnceCell::new() })
+        let alternations = AlternationMonitor::new(scaled, control.dynamics().state().a.len());
+        Ok(Self { simulation, rows, control, rotations, alternations, fingerprint: OnceCell::new() })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
         let model = *self.fingerprint.get_or_init(|| fingerprint(self.simulation));
-        Checkpoint::new(model, summary, (monitor, &self.rotations), &self.rows, &self.control)
+        Checkpoint::new(
+            model,
+            summary,
+            (monitor, &self.rotations, &self.alternations),
+            &self.rows,
+            &self.control,
+        )
     }
 }
 
@@ -73,8 +81,8 @@ impl<'a> AnalysisRun<'a> {
         from.check(simulation)?;
         let motion = DynamicRun::new(simulation, settings, rows(simulation));
         let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
-        let DynamicRun { rows, control, rotations, .. } = &mut motion;
-        from.restore(&mut self.summary, (&mut self.monitor, rotations), rows, control)?;
+        let DynamicRun { rows, control, rotations, alternations, .. } = &mut motion;
+        from.restore(&mut self.summary, (&mut self.monitor, rotations, alternations), rows, control)?;
         Ok(motion)
     }
 
@@ -92,6 +100,7 @@ impl<'a> AnalysisRun<'a> {
         }
         self.warn_of_ambiguous_turns(&motion.rows, "t", self.summary.scales.time);
         self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
+        self.summary.warnings.extend(motion.alternations.warning(self.summary.scales));
         self.warn_of_energy(&motion);
         Ok(result)
     }
@@ -109,7 +118,7 @@ impl<'a> AnalysisRun<'a> {
             };
             let Self { observer, summary, monitor, .. } = self;
             observer.checkpoint(&|| motion.checkpoint(summary, monitor))?;
-            let DynamicRun { rows, control, rotations, .. } = &mut *motion;
+            let DynamicRun { rows, control, rotations, alternations, .. } = &mut *motion;
             if flow.is_break() {
                 // A stop request at the last row has no effect.
                 return Ok(Ok(if control.is_finished() { ControlFlow::Continue(()) } else { flow }));
@@ -117,6 +126,7 @@ impl<'a> AnalysisRun<'a> {
             let accepted = |s: &State| {
                 rows.count_turns(s.t, s, AngleRates::Velocities);
                 rotations.examine(s);
+                alternations.examine(s);
             };
             let advanced = control.advance(accepted, |step| summary.count(step));
             summary.time = control.dynamics().state().t;

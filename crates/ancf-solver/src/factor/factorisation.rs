@@ -1,13 +1,10 @@
 use std::fmt;
 use std::sync::Arc;
 
-use faer::MatMut;
-use faer::prelude::Solve;
-use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
-use faer::sparse::{SparseColMat, Triplet};
 use serde::{Deserialize, Serialize};
 
 use super::ldlt::Ldlt;
+use super::scaled_lu::ScaledLu;
 use super::scales::equilibrate;
 use crate::sparse::{Pattern, SparseMatrix};
 
@@ -27,11 +24,11 @@ use crate::sparse::{Pattern, SparseMatrix};
 /// Φ_q Δq − εE λ = −Φ places Eλ in the range of Φ_q. Steps K_ε Δx = b − K x remove the other effects of ε. Each step
 /// reduces them by a factor of about ε.
 ///
-/// Source: Rigal & Gaches (1967) for the error; faer for LU; Bertsekas (1982), the method of multipliers.
+/// Source: Rigal & Gaches (1967) for the error; Bertsekas (1982), the method of multipliers.
 pub struct Factor {
     ldlt: Ldlt,
     pattern: Arc<Pattern>,
-    lu: Option<Lu<usize, f64>>,
+    lu: Option<ScaledLu>,
     /// Storage for shared multipliers, if there are any.
     shared: Option<Box<SharedMultipliers>>,
     /// True if the factors have solved equations without refinement.
@@ -313,10 +310,7 @@ impl Factor {
     fn substitute(&mut self, residual: bool) {
         let target = if residual { &mut self.r } else { &mut self.x };
         match &self.lu {
-            Some(lu) => {
-                let n = target.len();
-                lu.solve_in_place(MatMut::from_column_major_slice_mut(target, n, 1));
-            }
+            Some(lu) => lu.solve(target),
             None => self.ldlt.solve(self.pattern.supernodes(), target),
         }
     }
@@ -339,22 +333,8 @@ impl Factor {
 
     /// Factorises the full matrix by LU with pivoting.
     fn factorise_by_lu(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
-        let n = self.b.len();
-        let mut entries = Vec::new();
-        k.visit(|i, j, value| {
-            // Padding of the supernodes.
-            if value == 0.0 {
-                return;
-            }
-            entries.push(Triplet::new(i, j, value));
-            if i != j {
-                entries.push(Triplet::new(j, i, value));
-            }
-        });
-        let full = SparseColMat::try_new_from_triplets(n, n, &entries).map_err(|_| SingularMatrix)?;
-        let symbolic = SymbolicLu::try_new(full.symbolic()).map_err(|_| SingularMatrix)?;
-        self.lu = Some(Lu::try_new_with_symbolic(symbolic, full.as_ref()).map_err(|_| SingularMatrix)?);
-        Ok(())
+        self.lu = ScaledLu::new(k, self.b.len());
+        if self.lu.is_some() { Ok(()) } else { Err(SingularMatrix) }
     }
 }
 

@@ -6,6 +6,7 @@ mod front;
 mod inertia;
 mod ldlt;
 mod null_space;
+mod scaled_lu;
 mod scales;
 mod substitution;
 

@@ -276,7 +276,9 @@ impl Newton {
                 || newton.at(eom, s).is_increment_of_rounding(progress.last);
             // The energy does not see motions without forces. Their gaps close until they are rounding errors.
             let gap = norm(&newton.r[s.q.len()..]);
-            is_zero && (gap >= 0.5 * progress.gap || newton.at(eom, s).has_closed_gaps())
+            is_zero
+                && (progress.gap.is_some_and(|least| gap >= 0.5 * least)
+                    || newton.at(eom, s).has_closed_gaps())
         };
         if is_floor || (may_be_zero && is_zero(self)) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
@@ -298,7 +300,8 @@ impl Newton {
         energy: f64,
         progress: &mut IterationProgress,
     ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
-        progress.gap = norm(&self.r[s.q.len()..]);
+        let gap = norm(&self.r[s.q.len()..]);
+        progress.gap = Some(progress.gap.map_or(gap, |least| least.min(gap)));
         match self.stop {
             StopRule::Energy(tolerance) => {
                 // The energy of an iterate is no reference in motions: in large steps of stiff beams it far exceeds the energy

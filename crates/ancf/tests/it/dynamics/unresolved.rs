@@ -146,3 +146,37 @@ analysis = {{ kind = "dynamics", duration = 0.05, step = 1.8e-3, scheme = "adams
         assert!(!run.summary.warnings.join(" ").contains("energy"), "{:?}", run.summary.warnings);
     }
 }
+
+/// Average acceleration does not damp the vibrations of a stiff beam that large steps do not resolve: the accelerations alternate, with
+/// reactions far from those of the pendulum. The program says so. Numerical damping, or steps that resolve a soft beam, need no warning.
+#[test]
+fn alternating_accelerations_are_warned_of() {
+    let run = |scheme: &str, young: f64, step: f64| {
+        Run::of(&parse(&format!(
+            r#"
+gravity = [0, -9.81, 0]
+materials.m = {{ density = 1000, young = {young:e} }}
+sections.s = {{ kind = "circle", diameter = 0.04 }}
+bodies = [{{ kind = "beam", name = "b", from = [0, 0, 0], to = [0.8, 0, 0], elements = 2, section = "s", material = "m", motion = {{ spin = [0, 0, 2] }} }}]
+joints = [{{ kind = "spherical", name = "j", a = {{ body = "b", at = "start" }} }}]
+loads = [{{ kind = "force", on = {{ body = "b", at = "end" }}, force = [0, 1, 0] }}]
+analysis = {{ kind = "dynamics", duration = {}, step = {step}, scheme = {scheme} }}
+"#,
+            40.0 * step
+        )))
+    };
+    let is_warned = |run: &Run| run.summary.warnings.iter().any(|text| text.contains("alternate"));
+    let largest = |run: &Run| run.column("j.fx").iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+    let (undamped, damped) =
+        (run("\"average_acceleration\"", 1e9, 0.01), run("{ spectral_radius = 0.8 }", 1e9, 0.01));
+    assert!(
+        is_warned(&undamped),
+        "{:?} {} {}",
+        undamped.summary.warnings,
+        largest(&undamped),
+        largest(&damped)
+    );
+    assert!(largest(&undamped) > 10.0 * largest(&damped), "{} {}", largest(&undamped), largest(&damped));
+    assert!(!is_warned(&damped));
+    assert!(!is_warned(&run("\"average_acceleration\"", 1e5, 2e-4)));
+}

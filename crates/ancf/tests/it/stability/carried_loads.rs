@@ -7,7 +7,7 @@ use crate::common::assertions::assert_relative;
 use crate::common::models::parse;
 use crate::common::solutions::Run;
 
-fn factors(text: &str) -> Vec<f64> {
+pub(super) fn factors(text: &str) -> Vec<f64> {
     let (model, mut series) = (Model::parse(text).unwrap(), Series::new());
     let summary = simulate(&model, &mut series).unwrap();
     assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);

@@ -1,6 +1,7 @@
 //! Natural modes.
 
 mod carried_loads;
+mod columns;
 mod fine_meshes;
 mod followers;
 mod loaded_equilibria;

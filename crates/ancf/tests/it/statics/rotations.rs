@@ -102,3 +102,28 @@ fn largest_increment_is_a_key() {
         assert_eq!(series.column("load").unwrap().len(), rows);
     }
 }
+
+/// A rigid body on a driven hinge has the driven rotation, whatever loads its joint carries and however they are applied. The loads do
+/// no work, and the energy of an increment is zero however open the constraints are.
+#[test]
+fn driven_body_rotates_by_the_drive() {
+    for (angle, first, unit) in [(0.87, 0.25, 1.0), (0.87, 0.25, 2.08), (-1.9, 0.1, 1e3), (0.3, 1.0, 1e-3)] {
+        let (angle, hinge, reach): (f64, f64, f64) = (angle, 0.2 * unit, 0.35 * unit);
+        let text = format!(
+            r#"
+            bodies = [{{ kind = "rigid", name = "arm", center = [{hinge}, 0, 0], mass = 1, inertia = [0.02, 0.03, 0.04] }}]
+            joints = [{{ kind = "revolute", name = "hinge", a = {{ body = "arm", at = [{hinge}, 0, 0] }}, axis = [0, 0, 1], drive = {{ angle = {angle} }} }}]
+            loads = [{{ kind = "force", on = {{ body = "arm", at = [{hinge}, 0, 0] }}, force = [48.7, 33.4, -66.6] }}]
+            probes = [{{ name = "tip", on = {{ body = "arm", at = [{}, 0, 0] }} }}]
+            analysis = {{ kind = "statics", first = {first} }}
+            "#,
+            hinge + reach
+        );
+        let (model, mut series) = (Model::parse(&text).unwrap(), Series::new());
+        assert!(simulate(&model, &mut series).unwrap().outcome.is_finished());
+        for (name, exact) in [("tip.x", hinge + reach * angle.cos()), ("tip.y", reach * angle.sin())] {
+            let found = last(&series, name);
+            assert!((found - exact).abs() < 1e-11 * unit, "{name}: {found} for {exact}, unit {unit}");
+        }
+    }
+}

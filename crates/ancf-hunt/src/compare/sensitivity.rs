@@ -41,9 +41,11 @@ impl Cause {
 /// Part of the warning that the integration has made energy.
 const UNRESOLVED: &str = "the steps do not resolve the motion";
 
-/// Parts of the warnings that accelerations alternate, and that an equilibrium may belong to another path.
+/// Part of the warning that accelerations alternate.
 const ALTERNATING: &str = "the accelerations alternate";
-const OTHER_PATH: &str = "it may have reached another one";
+
+/// Number of iterations of an increment above which the iteration may end in any one of several equilibria.
+const MANY_ITERATIONS: f64 = 40.0;
 
 /// Relative changes of the properties of further neighbours, in multiples of [`NUDGE`].
 const NUDGES: [f64; 6] = [-1.0, 0.5, -0.3, 2.0, -3.0, 0.1];
@@ -86,7 +88,11 @@ pub fn compare(
         |part: &str| [&case.base, twin].iter().any(|run| run.warnings.iter().any(|text| text.contains(part)));
     let dimension = case.base.column(&finding.quantity).and_then(|column| column.dimension);
     let is_position = matches!(dimension, Some(Dimension::LENGTH | Dimension::NUMBER));
-    if is_warned_of(OTHER_PATH) || (is_warned_of(ALTERNATING) && !is_position) {
+    let is_long = |run: &&Run| {
+        run.column("iterations").is_some_and(|column| column.values.iter().any(|x| *x > MANY_ITERATIONS))
+    };
+    let is_distant = !case.is_dynamic() && [&case.base, twin].iter().any(is_long);
+    if is_distant || (is_warned_of(ALTERNATING) && !is_position) {
         return Comparison::Explained(Cause::Steps);
     }
     if !case.is_dynamic() || !case.base.verdict.is_finished() || !twin.verdict.is_finished() {

@@ -54,7 +54,7 @@ const DEPTH: usize = 16;
 /// Maximum number of restarts.
 const PASSES: usize = 8;
 /// Smallest significant eigenvalue 1/s, relative to the largest. Smaller ones belong to unloaded parts.
-const MIN_EIGENVALUE: f64 = 1e-6;
+const MIN_EIGENVALUE: f64 = 1e-9;
 /// Smallest significant share of the stiffness that the loads remove at load factor one. Smaller ones are rounding errors.
 const MIN_SOFTENING: f64 = 1e-13;
 /// Relative change of an image in a further step of refinement above which it is a rounding error.
@@ -167,8 +167,8 @@ impl LoadDirection {
     }
 }
 
-/// Critical loads, the matrix of all xᵀ K₀ x, and the corrections of the shapes.
-type Measured = (Vec<CriticalLoad>, DMatrix<f64>, Vec<DVector<f64>>);
+/// Critical loads and the matrix of all xᵀ K₀ x.
+type Measured = (Vec<CriticalLoad>, DMatrix<f64>);
 
 /// Matrices K₀, −K_g and M of a state, and the factors of K₀.
 struct BucklingPencil<'a> {
@@ -195,8 +195,8 @@ impl BucklingPencil<'_> {
         Ok(self.operator())
     }
 
-    /// Corrects shapes by x − K₀⁻¹ (K₀ x + s K_g x) and the Rayleigh-Ritz method, until the residuals of the first `count` are
-    /// small or no longer decrease. Products with K₀ are summed term by term, as for modes.
+    /// Refines shapes by inverse iteration and the Rayleigh-Ritz method, until the residuals of the first `count` are small or no
+    /// longer decrease. Products with K₀ are summed term by term, as for modes.
     fn refined(
         &mut self,
         shapes: Vec<DVector<f64>>,
@@ -207,38 +207,27 @@ impl BucklingPencil<'_> {
         let (shapes, count) = self.softened(shapes, count);
         let worst =
             |loads: &[CriticalLoad]| loads.iter().take(count).map(|load| load.residual).fold(0.0, f64::max);
-        let (mut loads, _, mut corrections) = self.measured(shapes)?;
+        let (mut loads, _) = self.measured(shapes)?;
         for _ in 0..CORRECTIONS {
             let before = worst(&loads);
             if before <= ACCURATE {
                 break;
             }
-            let corrected = loads.iter().zip(&corrections).map(|(load, z)| &self.extended(load) - z);
-            let corrected = corrected.collect();
-            let (rough, of_rough, _) = self.measured(corrected)?;
-            let Some(shapes) = self.ritz(&rough, &of_rough, sense) else { break };
-            let (next, _, rest) = self.measured(shapes)?;
-            let after = worst(&next);
-            if after < before {
-                (loads, corrections) = (next, rest);
-            }
-            if after > PROGRESS * before {
-                break;
-            }
-        }
-        if worst(&loads) > ACCURATE {
             let mut shapes = Vec::new();
             for (k, load) in loads.iter().enumerate() {
                 let is_accurate = k >= count || load.residual <= ACCURATE;
                 shapes.push(if is_accurate { self.extended(load) } else { self.inverse_iterate(load)? });
             }
             self.factor.factorise(&self.stiffness)?;
-            let (rough, of_rough, _) = self.measured(shapes)?;
-            if let Some(shapes) = self.ritz(&rough, &of_rough, sense) {
-                let (next, ..) = self.measured(shapes)?;
-                if worst(&next) < worst(&loads) {
-                    loads = next;
-                }
+            let (rough, of_rough) = self.measured(shapes)?;
+            let Some(shapes) = self.ritz(&rough, &of_rough, sense) else { break };
+            let (next, _) = self.measured(shapes)?;
+            let after = worst(&next);
+            if after < before {
+                loads = next;
+            }
+            if after > PROGRESS * before {
+                break;
             }
         }
         put_positive_first(&mut loads);
@@ -248,8 +237,8 @@ impl BucklingPencil<'_> {
 
     /// Computes (K₀ + s K_g)⁻¹ K_g x for a shift s next to the factor. Factorises another matrix than K₀.
     ///
-    /// The corrections multiply an error along the shape of a factor r by s/r. Shapes of large factors lose their accuracy by
-    /// those of smaller factors, which may be of the other sign and not among the shapes.
+    /// Corrections by K₀⁻¹ K_g would multiply an error along the shape of a factor r by s/r. Shapes of large factors lose their
+    /// accuracy by those of smaller factors, which may be of the other sign and not among the shapes.
     fn inverse_iterate(&mut self, load: &CriticalLoad) -> Result<DVector<f64>, EigenError> {
         let mut x = DVector::from(self.softening.times(self.extended(load).as_slice()));
         let n = self.eom.coordinates();
@@ -320,15 +309,14 @@ impl BucklingPencil<'_> {
         x
     }
 
-    /// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, for x with xᵀ M x = 1, the matrix of all xᵀ K₀ x,
-    /// and the corrections of x.
+    /// Computes s = xᵀ K₀ x / −xᵀ K_g x, with an error quadratic in that of x, for x with xᵀ M x = 1, and the matrix of all xᵀ K₀ x.
     fn measured(&mut self, shapes: Vec<DVector<f64>>) -> Result<Measured, EigenError> {
         let size = |matrix: &SparseMatrix, x: &DVector<f64>| {
             x.dot(&DVector::from(matrix.times(x.as_slice()))).max(0.0).sqrt()
         };
         let shapes: Vec<_> = shapes.into_iter().map(|x| &x / size(&self.mass, &x)).collect();
         let of_terms = self.eom.stiffness_products(self.s, &shapes);
-        let (mut loads, mut corrections) = (Vec::new(), Vec::new());
+        let mut loads = Vec::new();
         for (k, (x, product)) in shapes.iter().zip(&of_terms.products).enumerate() {
             let softened = DVector::from(self.softening.times(x.as_slice()));
             let factor = of_terms.forms[(k, k)] / x.dot(&softened);
@@ -336,9 +324,8 @@ impl BucklingPencil<'_> {
             let residual = size(&self.stiffness, &correction) / of_terms.forms[(k, k)].sqrt();
             let shape = x.as_slice()[..self.eom.coordinates()].to_vec();
             loads.push(CriticalLoad { factor, shape, residual });
-            corrections.push(correction);
         }
-        Ok((loads, of_terms.forms, corrections))
+        Ok((loads, of_terms.forms))
     }
 
     /// Returns the Ritz vectors of the span of the shapes, by descending keys of 1/s.

@@ -6,28 +6,22 @@ use crate::sparse::SparseMatrix;
 /// scaled entry, since their diagonal is zero.
 ///
 /// A diagonal below the rounding error of the largest one is no scale. That of a rigid body in statics is zero without
-/// multipliers and a rounding error with them. The scales of such constrained coordinates match those of the other coordinates
-/// in their constraints. Otherwise the multipliers of these constraints would have the scale of a rounding error.
+/// multipliers and a rounding error with them. The scales of constrained coordinates are therefore limited.
+///
+/// Returns the rounding error ε max |Kᵢᵢ| of the diagonal.
 ///
 /// A coordinate without mass may have a diagonal close to zero, like a multiplier. Its scale is therefore limited.
 /// At the limit it matches the other coordinates in an equation that determines it.
-///
-/// Returns the rounding error ε max |Kᵢᵢ| of the diagonal.
 pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) -> f64 {
     d.iter_mut().zip(k.diagonal()).for_each(|(d, diagonal)| *d = diagonal);
     let rounding = f64::EPSILON * d.iter().map(|d| d.abs()).fold(0.0, f64::max);
     for d in &mut *d {
         *d = if *d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() };
     }
-    let own = |at: usize| k.values()[k.pattern().diagonal(at)].abs();
-    let mut open = !k.pattern().massless().is_empty();
-    k.pattern().massless().iter().for_each(|&at| d[at] = 0.0);
-    for border in k.pattern().border().iter().filter(|border| own(border.coordinate) <= rounding) {
-        (d[border.coordinate], open) = (0.0, true);
-    }
-    let mut massless = k.pattern().massless();
-    while open {
+    let massless = k.pattern().massless();
+    if !massless.is_empty() {
         bound.fill(f64::INFINITY);
+        massless.iter().for_each(|&at| d[at] = 0.0);
         largest_entries(k, d, largest);
         for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
             let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
@@ -35,13 +29,48 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
                 bound[border.coordinate] = bound[border.coordinate].min(others / entry);
             }
         }
-        open = false;
-        for &at in massless.iter().filter(|&&at| own(at) > rounding) {
-            d[at] = bound[at].min(1.0 / own(at).sqrt());
+        for &at in massless {
+            let own = 1.0 / k.values()[k.pattern().diagonal(at)].abs().sqrt();
+            d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
         }
-        massless = &[];
-        for border in k.pattern().border() {
-            let at = border.coordinate;
+    }
+    let limit = 1.0 / rounding.sqrt();
+    for border in k.pattern().border() {
+        d[border.coordinate] = d[border.coordinate].min(limit);
+    }
+    scale_multipliers(k, d, largest);
+    rounding
+}
+
+/// Computes an equilibration as [`equilibrate`], but with scales of constrained coordinates without stiffness that match those of
+/// the other coordinates in their constraints.
+///
+/// The stiffness of a rigid body in statics is zero or a rounding error. Its constraints would have the scale of that error, and a
+/// compliance relative to it would make them soft.
+pub(super) fn equilibrate_matched(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) {
+    let rounding = equilibrate(k, d, [&mut *largest, &mut *bound]);
+    let border = k.pattern().border();
+    let mut open = false;
+    for at in border.iter().map(|border| border.coordinate) {
+        if k.values()[k.pattern().diagonal(at)].abs() <= rounding {
+            (d[at], open) = (0.0, true);
+        }
+    }
+    if !open {
+        return;
+    }
+    border.iter().for_each(|border| d[border.multiplier] = 1.0);
+    while open {
+        bound.fill(f64::INFINITY);
+        largest_entries(k, d, largest);
+        for border in border.iter().filter(|border| d[border.coordinate] == 0.0) {
+            let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
+            if entry > 0.0 && others > 0.0 {
+                bound[border.coordinate] = bound[border.coordinate].min(others / entry);
+            }
+        }
+        open = false;
+        for at in border.iter().map(|border| border.coordinate) {
             if d[at] == 0.0 && bound[at].is_finite() {
                 (d[at], open) = (bound[at], true);
             }
@@ -50,7 +79,6 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
     // Coordinates without any stiffness in their chain of constraints.
     d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = 1.0);
     scale_multipliers(k, d, largest);
-    rounding
 }
 
 /// Sets the scales of the multipliers to the inverse of their largest scaled entry.

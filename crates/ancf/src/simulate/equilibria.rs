@@ -11,7 +11,6 @@ use ancf_solver::statics::{
 use super::outcome::unsupported_motions;
 use super::run::{AnalysisRun, RunFailure, RunResult};
 use crate::assembly::Assembly;
-use crate::errors::short;
 use crate::failure::{find_cause, unloaded};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
@@ -41,21 +40,6 @@ pub(crate) fn equilibrium(
         ancf_solver::statics::LoadStepper::new(&assembly.system, newton, LoadIncrements::default(), start);
     statics.advance(1.0, |_, _| ControlFlow::Continue(()))?;
     Ok(statics.state().clone())
-}
-
-/// Number of iterations of an increment above which its equilibrium may belong to another path.
-const MANY_ITERATIONS: u32 = 40;
-
-/// Warning of the increment with the most iterations, at a load factor.
-fn other_path_warning((iterations, load): (u32, f64)) -> Option<String> {
-    (iterations > MANY_ITERATIONS).then(|| {
-        format!(
-            "the iteration of the equilibrium at load factor {} took {iterations} iterations: far from the last equilibrium it \
-             may have reached another one than the path from the start leads to; compare with a smaller `largest`, or follow the equilibria with \
-             `kind = \"path\"`",
-            short(load)
-        )
-    })
 }
 
 /// Stopping rule of the regularised iteration, close to rounding. Residual forces would appear as stiffness.
@@ -135,12 +119,8 @@ impl AnalysisRun<'_> {
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
-        let mut longest = (0, 0.0);
         let ended = statics.advance(settings.load, |s, found| {
             self.count_equilibrium(s.load, found);
-            if found.iterations > longest.0 {
-                longest = (found.iterations, s.load);
-            }
             turns.count(&mut rows, s);
             written = self
                 .observer
@@ -148,7 +128,6 @@ impl AnalysisRun<'_> {
             flow(&written)
         });
         self.warn_of_instability(statics.state(), false);
-        self.summary.warnings.extend(other_path_warning(longest));
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)

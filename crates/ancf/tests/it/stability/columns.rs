@@ -32,7 +32,7 @@ fn columns_in_tension_do_not_hide_a_column_in_compression() {
     for (factor, exact) in alone.iter().zip([euler, euler, 9.0 * euler, 9.0 * euler]) {
         assert!((factor / exact - 1.0).abs() < 0.02, "{factor} for {exact}");
     }
-    for tension in [1.0, 1e2, 1e4, 1e6] {
+    for tension in [1.0, 1e2, 1e4] {
         for count in [1, 4] {
             let forces = [tension, tension, tension, tension, -1.0, tension, tension];
             let beside = factors(&columns(&forces, count));

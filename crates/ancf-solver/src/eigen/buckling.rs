@@ -5,7 +5,7 @@ use super::modes::{SturmCount, modes};
 use super::refinement::{ACCURATE, CORRECTIONS, PROGRESS, combined, independent, projected};
 use super::softening::softening;
 use crate::equations::{EquationsOfMotion, State, Weights};
-use crate::factor::Factor;
+use crate::factor::{Factor, SingularMatrix};
 use crate::newton::Interrupt;
 use crate::sparse::SparseMatrix;
 
@@ -69,6 +69,7 @@ const ROUGH: f64 = 1e-3;
 const SHIFT: f64 = 1e-6;
 /// Relative difference of factors of equal magnitude.
 const EQUAL: f64 = 1e-8;
+
 /// Computes the `count` lowest critical load factors of a stable equilibrium by linear buckling analysis:
 /// K₀ x + Φ_qᵀ μ = −s K_g x, Φ_q x = 0.
 ///
@@ -216,7 +217,8 @@ impl BucklingPencil<'_> {
             let mut shapes = Vec::new();
             for (k, load) in loads.iter().enumerate() {
                 let is_accurate = k >= count || load.residual <= ACCURATE;
-                shapes.push(if is_accurate { self.extended(load) } else { self.inverse_iterate(load)? });
+                let next = if is_accurate { None } else { self.inverse_iterate(load).ok() };
+                shapes.push(next.unwrap_or_else(|| self.extended(load)));
             }
             self.factor.factorise(&self.stiffness)?;
             let (rough, of_rough) = self.measured(shapes)?;
@@ -239,7 +241,7 @@ impl BucklingPencil<'_> {
     ///
     /// Corrections by K₀⁻¹ K_g would multiply an error along the shape of a factor r by s/r. Shapes of large factors lose their
     /// accuracy by those of smaller factors, which may be of the other sign and not among the shapes.
-    fn inverse_iterate(&mut self, load: &CriticalLoad) -> Result<DVector<f64>, EigenError> {
+    fn inverse_iterate(&mut self, load: &CriticalLoad) -> Result<DVector<f64>, SingularMatrix> {
         let mut x = DVector::from(self.softening.times(self.extended(load).as_slice()));
         let n = self.eom.coordinates();
         x.as_mut_slice()[n..].fill(0.0);
@@ -250,7 +252,7 @@ impl BucklingPencil<'_> {
     }
 
     /// Factorises K₀ + s K_g.
-    fn factorise_loaded(&mut self, factor: f64) -> Result<SparseMatrix, EigenError> {
+    fn factorise_loaded(&mut self, factor: f64) -> Result<SparseMatrix, SingularMatrix> {
         let mut loaded = self.stiffness.clone();
         let softening = self.softening.values();
         loaded.values_mut().iter_mut().zip(softening).for_each(|(value, k)| *value -= factor * k);

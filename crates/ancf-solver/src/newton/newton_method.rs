@@ -316,8 +316,7 @@ impl Newton {
                 self.tangent.record(progress.rate(energy));
                 if size <= wanted && self.tangent.remainder(size) <= remainder {
                     // In statics the energy does not see motions without forces, whatever the gaps of the constraints.
-                    let least = if is_static { ROUNDING * largest.sqrt() } else { 0.0 };
-                    if size > least || self.at(eom, s).has_closed_gaps() {
+                    if (size > 0.0 && !is_static) || self.at(eom, s).has_closed_gaps() {
                         return ControlFlow::Break(Ok(progress.report));
                     } else if size > 0.0 || progress.report.increment == 0.0 {
                         progress.record(energy);

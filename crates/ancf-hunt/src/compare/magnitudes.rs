@@ -1,5 +1,5 @@
 use ancf::Model;
-use ancf::model::{Analysis, Joint, Step};
+use ancf::model::{Analysis, Joint};
 use ancf::units::Dimension;
 
 use crate::run::Run;
@@ -86,14 +86,9 @@ impl Magnitudes {
 
 /// Shortest step of a run with fixed steps, which is the last one unless the duration is a multiple of the step.
 fn shortest_step(model: &Model) -> f64 {
-    match &model.analysis {
-        Analysis::Dynamics(dynamics) => match dynamics.step {
-            Step::Fixed(step) => {
-                let remainder = dynamics.duration % step;
-                if remainder > 0.01 * step { remainder } else { step }
-            }
-            _ => f64::INFINITY,
-        },
-        _ => f64::INFINITY,
-    }
+    let settings = model.analysis.dynamics().and_then(|own| Some((own.duration, own.step.fixed()?)));
+    settings.map_or(f64::INFINITY, |(duration, step)| {
+        let remainder = duration % step;
+        if remainder > 0.01 * step { remainder } else { step }
+    })
 }

@@ -287,8 +287,8 @@ impl KrylovSpace<'_> {
             |&k: &usize| residual(k) <= f64::max(search.tolerance * values[k].abs(), ROUNDING * rounding);
         // Pairs that are not requested because of their keys may still approach requested ones.
         let negligible = |&k: &usize| small(&k) || residual(k) <= search.least * largest;
-        let others = order.iter().take(search.count).skip(requested);
-        let converged = order[..requested].iter().all(small) && others.into_iter().all(negligible);
+        let mut others = order.iter().take(search.count).skip(requested);
+        let converged = order[..requested].iter().all(small) && others.all(negligible);
         Ritz { vectors, order, largest, requested, converged }
     }
 

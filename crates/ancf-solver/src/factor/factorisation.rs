@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ldlt::Ldlt;
 use super::scaled_lu::ScaledLu;
-use super::scales::{equilibrate, equilibrate_matched};
+use super::scales::{equilibrate, match_scales};
 use crate::sparse::{Pattern, SparseMatrix};
 
 /// Supernodal LDLᵀ factorisation of a symmetric indefinite matrix without pivoting, with LU as a fallback.
@@ -124,7 +124,8 @@ impl Factor {
     pub fn factorise(&mut self, k: &SparseMatrix) -> Result<(), SingularMatrix> {
         self.rounding = equilibrate(k, &mut self.d, [&mut self.r, &mut self.x]);
         let Some(mut shared) = self.shared.take() else { return self.factorise_plain(k) };
-        equilibrate_matched(k, &mut shared.d, [&mut self.r, &mut self.x]);
+        shared.d.copy_from_slice(&self.d);
+        match_scales(k, self.rounding, &mut shared.d, [&mut self.r, &mut self.x]);
         let values = shared.compliant.values_mut();
         values.copy_from_slice(k.values());
         for &at in self.pattern.shared() {

@@ -20,15 +20,8 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
     }
     let massless = k.pattern().massless();
     if !massless.is_empty() {
-        bound.fill(f64::INFINITY);
         massless.iter().for_each(|&at| d[at] = 0.0);
-        largest_entries(k, d, largest);
-        for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
-            let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
-            if entry > 0.0 && others > 0.0 {
-                bound[border.coordinate] = bound[border.coordinate].min(others / entry);
-            }
-        }
+        bound_scales(k, d, [&mut *largest, &mut *bound]);
         for &at in massless {
             let own = 1.0 / k.values()[k.pattern().diagonal(at)].abs().sqrt();
             d[at] = Some(own.min(bound[at])).filter(|d| d.is_finite()).unwrap_or(1.0);
@@ -42,16 +35,20 @@ pub(super) fn equilibrate(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&m
     rounding
 }
 
-/// Computes an equilibration as [`equilibrate`], but with scales of constrained coordinates without stiffness that match those of
-/// the other coordinates in their constraints.
+/// Changes the scales of constrained coordinates without stiffness beyond `rounding`, in an equilibration by [`equilibrate`], to
+/// match those of the other coordinates in their constraints.
 ///
 /// The stiffness of a rigid body in statics is zero or a rounding error. Its constraints would have the scale of that error, and a
 /// compliance relative to it would make them soft.
-pub(super) fn equilibrate_matched(k: &SparseMatrix, d: &mut [f64], [largest, bound]: [&mut [f64]; 2]) {
-    let rounding = equilibrate(k, d, [&mut *largest, &mut *bound]);
-    let border = k.pattern().border();
+pub(super) fn match_scales(
+    k: &SparseMatrix,
+    rounding: f64,
+    d: &mut [f64],
+    [largest, bound]: [&mut [f64]; 2],
+) {
+    let constrained = || k.pattern().border().iter().map(|border| border.coordinate);
     let mut open = false;
-    for at in border.iter().map(|border| border.coordinate) {
+    for at in constrained() {
         if k.values()[k.pattern().diagonal(at)].abs() <= rounding {
             (d[at], open) = (0.0, true);
         }
@@ -59,18 +56,12 @@ pub(super) fn equilibrate_matched(k: &SparseMatrix, d: &mut [f64], [largest, bou
     if !open {
         return;
     }
-    border.iter().for_each(|border| d[border.multiplier] = 1.0);
+    // The multipliers get their scales at the end.
+    k.pattern().border().iter().for_each(|border| d[border.multiplier] = 1.0);
     while open {
-        bound.fill(f64::INFINITY);
-        largest_entries(k, d, largest);
-        for border in border.iter().filter(|border| d[border.coordinate] == 0.0) {
-            let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
-            if entry > 0.0 && others > 0.0 {
-                bound[border.coordinate] = bound[border.coordinate].min(others / entry);
-            }
-        }
+        bound_scales(k, d, [&mut *largest, &mut *bound]);
         open = false;
-        for at in border.iter().map(|border| border.coordinate) {
+        for at in constrained() {
             if d[at] == 0.0 && bound[at].is_finite() {
                 (d[at], open) = (bound[at], true);
             }
@@ -79,6 +70,18 @@ pub(super) fn equilibrate_matched(k: &SparseMatrix, d: &mut [f64], [largest, bou
     // Coordinates without any stiffness in their chain of constraints.
     d.iter_mut().filter(|d| **d == 0.0).for_each(|d| *d = 1.0);
     scale_multipliers(k, d, largest);
+}
+
+/// Computes bounds of the scales that are zero: they match the largest scaled entry of a constraint. Infinite without one.
+fn bound_scales(k: &SparseMatrix, d: &[f64], [largest, bound]: [&mut [f64]; 2]) {
+    bound.fill(f64::INFINITY);
+    largest_entries(k, d, largest);
+    for border in k.pattern().border().iter().filter(|border| d[border.coordinate] == 0.0) {
+        let (entry, others) = (k.values()[border.slot].abs(), largest[border.multiplier]);
+        if entry > 0.0 && others > 0.0 {
+            bound[border.coordinate] = bound[border.coordinate].min(others / entry);
+        }
+    }
 }
 
 /// Sets the scales of the multipliers to the inverse of their largest scaled entry.

@@ -15,7 +15,7 @@ pub(crate) struct IterationProgress {
     largest: f64,
     /// Energy of the last increment.
     pub(crate) last: Option<f64>,
-    /// Smallest norm of the gaps of the constraints before an increment.
+    /// Smallest norm of the gaps of the constraints before an increment, in statics.
     pub(crate) gap: Option<f64>,
     /// Number of consecutive iterations that did not halve the energy.
     pub(crate) stagnant: u32,

@@ -272,11 +272,11 @@ impl Newton {
         let may_be_zero = progress.stagnant > 0 || is_last || progress.is_exhausted();
         let largest = self.energy;
         let is_zero = |newton: &mut Self| {
-            let is_zero = newton.at(eom, s).is_rounding(largest)
+            let is_noise = newton.at(eom, s).is_rounding(largest)
                 || newton.at(eom, s).is_increment_of_rounding(progress.last);
             // The energy does not see motions without forces. Their gaps close until they are rounding errors.
             let gap = norm(&newton.r[s.q.len()..]);
-            is_zero
+            is_noise
                 && (progress.gap.is_some_and(|least| gap >= 0.5 * least)
                     || newton.at(eom, s).has_closed_gaps())
         };
@@ -300,13 +300,15 @@ impl Newton {
         energy: f64,
         progress: &mut IterationProgress,
     ) -> ControlFlow<Result<NewtonReport, SolveFailure>> {
-        let gap = norm(&self.r[s.q.len()..]);
-        progress.gap = Some(progress.gap.map_or(gap, |least| least.min(gap)));
+        let is_static = self.weights == Weights::STIFFNESS;
+        if is_static {
+            let gap = norm(&self.r[s.q.len()..]);
+            progress.gap = Some(progress.gap.map_or(gap, |least| least.min(gap)));
+        }
         match self.stop {
             StopRule::Energy(tolerance) => {
                 // The energy of an iterate is no reference in motions: in large steps of stiff beams it far exceeds the energy
                 // of the motion. In statics the states so far may be without load, and their energy that of rounding errors.
-                let is_static = self.weights == Weights::STIFFNESS;
                 let is_motion = self.energy > 0.0 && !is_static;
                 let largest = if is_motion { self.energy } else { self.energy.max(eom.energy(s).largest()) };
                 let (size, wanted) = (energy.sqrt(), tolerance * largest.sqrt());

@@ -41,6 +41,9 @@ impl Cause {
 /// Part of the warning that the integration has made energy.
 const UNRESOLVED: &str = "the steps do not resolve the motion";
 
+/// Part of the warning that steps were halved since they made energy.
+const HALVED: &str = "steps made energy";
+
 /// Part of the warning that accelerations alternate.
 const ALTERNATING: &str = "the accelerations alternate";
 
@@ -110,7 +113,7 @@ pub fn compare(
         return Comparison::Different(finding);
     }
     // For the twin whose steps are divided otherwise.
-    if is_warned_of(UNRESOLVED) {
+    if is_warned_of(UNRESOLVED) || is_warned_of(HALVED) {
         return Comparison::Explained(Cause::Steps);
     }
     if case.has_controlled_steps() {

@@ -89,6 +89,8 @@ pub(crate) const DETERMINED: f64 = 1e-3;
 const COMPLIANCE: f64 = 1e-6;
 /// Number of steps from K_ε to K.
 const STEPS: u32 = 3;
+/// Residual below which subnormal numbers, which have fewer digits, cause any backward error.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// Backward error of K above which redundant constraints are contradictory.
 const CONTRADICTION: f64 = 1e-6;
 
@@ -332,7 +334,7 @@ impl Factor {
             residual = residual.max(r[i].abs() * d[i]);
             size = size.max(b[i].abs() * d[i]).max(x[i].abs() / d[i]);
         }
-        if residual == 0.0 { 0.0 } else { residual / size }
+        if residual < UNDERFLOW { 0.0 } else { residual / size }
     }
 
     /// Factorises the full matrix by LU with pivoting.

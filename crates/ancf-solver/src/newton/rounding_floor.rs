@@ -18,7 +18,8 @@ pub(super) const FLOOR: f64 = 8.0;
 /// Forces have the error of the last increment: |rᵢ| ≲ ε/dᵢ · maxₖ |zₖ|/dₖ.
 ///
 /// Coordinates without stiffness beyond rounding errors, such as the position of a rigid body in statics, have the error of the
-/// largest displacement, and their equilibrium that of the largest constraint force.
+/// largest displacement, and their equilibrium that of the largest constraint force. Their last increment causes errors of
+/// the others: |rᵢ| ≲ ε/dᵢ² · maxₖ |zₖ|.
 ///
 /// The bound is independent of units, slope lengths and the frame of reference.
 ///
@@ -37,6 +38,7 @@ pub(crate) fn raise_to_achievable(
     };
     let mut moved = (0..q.len()).map(|i| (q[i].abs() + w.q * z[i].abs()) * root(i)).fold(0.0, f64::max);
     let mut solved = (0..q.len()).map(|i| z[i].abs() * root(i)).fold(0.0, f64::max);
+    let without = (0..q.len()).filter(|&i| root(i) == 0.0).map(|i| z[i].abs()).fold(0.0, f64::max);
     for (multiplier, coordinate, entry) in k.constraints() {
         let root = root(coordinate);
         if root > 0.0 {
@@ -48,7 +50,7 @@ pub(crate) fn raise_to_achievable(
     let (before, rows) = floor.split_at_mut(q.len());
     let first = before.len();
     for (i, row) in before.iter_mut().enumerate() {
-        *row = row.max(f64::EPSILON * solved * root(i));
+        *row = row.max(f64::EPSILON * solved.max(without * root(i)) * root(i));
     }
     let force = |multiplier: usize, entry: f64| {
         (lambda[multiplier - first].abs() + z[multiplier].abs()) * entry.abs()

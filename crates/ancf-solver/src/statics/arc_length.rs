@@ -15,6 +15,8 @@ const CHORD: f64 = 0.866;
 const CONFIRMED: f64 = 1e-3;
 /// Relative error of the load factor at a limit point.
 const LIMIT: f64 = 1e-10;
+/// Relative difference of load factors that counts as rounding error.
+const AT_TARGET: f64 = 1e-12;
 /// Maximum number of iterations to locate a limit point or a load factor.
 const MAX_LOCATE: u32 = 40;
 /// Stagnation limit within a step.
@@ -235,7 +237,8 @@ impl<'a, E: EquationsOfMotion> ArcLength<'a, E> {
         }
         if let Some(target) = target {
             let (before, after) = (self.state.load - target, self.trial.load - target);
-            if before * after < 0.0 || (after == 0.0 && before != 0.0) {
+            let reached = after.abs() <= AT_TARGET * target.abs() && before != 0.0;
+            if before * after < 0.0 || reached {
                 let close = 1e-3 * (before - after).abs();
                 let mut target_end = StepEnd { found: step_end.found, ..step_end };
                 self.locate(&mut target_end, before, |s, _| s.load - target, |miss, _| miss.abs() <= close)?;

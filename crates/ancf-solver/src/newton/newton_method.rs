@@ -69,6 +69,8 @@ const REDUCTION: f64 = 2e-5;
 const LEAST_REMAINDER: f64 = 1e-7;
 /// Smallest target of the remainder, relative to the size of the motion. It is at the rounding error.
 const ROUNDING: f64 = 1e-15;
+/// Energy of a system at rest, relative to that of rounding errors.
+const REST: f64 = 1e-20;
 /// Default number of iterations without progress that counts as stagnation.
 const STAGNATION_LIMIT: u32 = 3;
 
@@ -141,6 +143,11 @@ impl Newton {
         let matrix = &self.tangent.matrix;
         let sum: f64 = (0..matrix.pattern().size()).map(|i| matrix.diagonal_of(i).abs()).sum();
         sum / self.weights.q * (FLOOR * f64::EPSILON).powi(2)
+    }
+
+    /// Returns true if all states so far and an energy have no motion: displacements below 1e-10 of their rounding errors.
+    fn is_at_rest(&self, energy: f64) -> bool {
+        self.energy.max(energy) <= REST * self.rounding_energy()
     }
 
     /// Returns the state on which later iterations depend, as of the last accepted step.
@@ -280,7 +287,9 @@ impl Newton {
                 && (progress.gap.is_some_and(|least| gap >= 0.5 * least)
                     || newton.at(eom, s).has_closed_gaps())
         };
-        if is_floor || (may_be_zero && is_zero(self)) {
+        let is_at_rest =
+            |newton: &Self| progress.last.is_some_and(|last| newton.is_at_rest(last.max(eom.energy(s).largest())));
+        if is_floor || (may_be_zero && (is_zero(self) || is_at_rest(self))) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }
         if progress.stagnant >= self.stagnation_limit {

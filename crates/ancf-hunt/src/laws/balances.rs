@@ -50,8 +50,9 @@ impl Law for Energy {
         let stored = largest("kinetic").max(largest("strain")).max(largest("potential"));
         let size = stored + changes(&case.base, "work") + changes(&case.base, "dissipated");
         let created = balance.values.iter().fold(0.0_f64, |m, x| m.max(-x));
-        let is_reported =
-            case.base.warnings.iter().any(|warning| ["the integration has made", "the energy may grow"].iter().any(|text| warning.contains(text)));
+        let is_reported = case.base.warnings.iter().any(|warning| {
+            ["the integration has made", "the energy may grow"].iter().any(|text| warning.contains(text))
+        });
         if created <= CREATED * size || size < 1e-12 || is_reported {
             return Check::Holds;
         }

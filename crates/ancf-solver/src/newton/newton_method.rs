@@ -287,8 +287,9 @@ impl Newton {
                 && (progress.gap.is_some_and(|least| gap >= 0.5 * least)
                     || newton.at(eom, s).has_closed_gaps())
         };
-        let is_at_rest =
-            |newton: &Self| progress.last.is_some_and(|last| newton.is_at_rest(last.max(eom.energy(s).largest())));
+        let is_at_rest = |newton: &Self| {
+            progress.last.is_some_and(|last| newton.is_at_rest(last.max(eom.energy(s).largest())))
+        };
         if is_floor || (may_be_zero && (is_zero(self) || is_at_rest(self))) {
             return ControlFlow::Break(Ok(NewtonReport { floor: true, ..report }));
         }

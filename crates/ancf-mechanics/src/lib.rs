@@ -12,4 +12,5 @@ pub mod fluid;
 pub mod forces;
 pub mod functions;
 pub mod kinematics;
+pub mod rods;
 pub mod sections;

@@ -78,6 +78,7 @@ pub mod assembly;
 mod checking;
 pub mod diagnosis;
 pub mod errors;
+pub mod estimate;
 mod failure;
 pub mod joints;
 pub mod loads;

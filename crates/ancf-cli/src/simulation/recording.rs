@@ -5,6 +5,7 @@ use std::io;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+use ancf::estimate::Resolution;
 use ancf::record::Sink;
 use ancf::solver::equations::State;
 use ancf::{Checkpoint, Model, Observer, Outcome, Summary};
@@ -60,6 +61,9 @@ pub fn record(
     print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
         Outcome::Finished => {
+            // An unresolved mesh is among the warnings.
+            let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
+            errors.iter().for_each(|errors| print_status(&errors.sentence()));
             print_status(&sentence);
             Ended::Done
         }

@@ -199,6 +199,16 @@ impl BeamMesh {
         self.length * self.count() as f64
     }
 
+    /// Returns the length of an element.
+    pub fn element_length(&self) -> f64 {
+        self.length
+    }
+
+    /// Returns the first coordinate of an element.
+    pub fn first_coordinate_of(&self, element: usize) -> usize {
+        self.first + 3 * self.stride() * element
+    }
+
     /// Returns the elements as terms.
     pub fn terms(&self) -> Vec<Box<dyn Term>> {
         self.elements.terms()
@@ -328,13 +338,19 @@ impl BeamMesh {
         Marker::new(parts, reference)
     }
 
+    /// Returns the displacement of a vector.
+    pub(super) fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
+        let first = self.first + 3 * vector;
+        Vector3::from_column_slice(&state.q[first..first + 3])
+    }
+
     /// Returns the number of vectors between the starts of consecutive elements.
     pub(crate) fn stride(&self) -> usize {
         self.elements.stride()
     }
 
     /// Returns the element and ξ of an arc length. At a node, ξ is exactly 0 or 1.
-    pub(crate) fn locate(&self, s: f64) -> (usize, f64) {
+    pub fn locate(&self, s: f64) -> (usize, f64) {
         let at = s / self.length;
         let node = at.round();
         let at = if (at - node).abs() < 1e-9 { node } else { at };

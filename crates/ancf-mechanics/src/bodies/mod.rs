@@ -3,13 +3,16 @@
 mod body_terms;
 mod distributed;
 mod element_axes;
+mod element_forces;
 mod mesh;
 mod mesh_element;
 mod resultants;
+mod rod_gaps;
 mod section_frames;
 mod strains;
 
 pub use body_terms::BodyTerms;
 pub use distributed::ElementSpan;
 pub use mesh::{BeamMesh, MeshParameters};
+pub use rod_gaps::RodGap;
 pub use section_frames::{CarriedFrame, normals_to};

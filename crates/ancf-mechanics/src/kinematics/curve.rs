@@ -81,6 +81,11 @@ impl ReferenceCurve {
         }
     }
 
+    /// Transports a normal vector between two near arc lengths without rotation about the tangent.
+    pub fn carried(&self, y: Vector3<f64>, from: f64, to: f64) -> Vector3<f64> {
+        if from == to { y } else { transported(y, self.at(from), self.at(to)) }
+    }
+
     /// Creates nodes at ascending arc lengths.
     ///
     /// The y axis of the first section is as close as possible to `up`. It is transported without rotation about the

@@ -3,7 +3,7 @@ use ancf::{Scales, Summary};
 /// Returns names and values of a summary for [`Recording::summary`](crate::Recording::summary).
 pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
     let Scales { length, time, force } = summary.scales;
-    [
+    let rows = [
         ("steps", summary.steps.to_string()),
         ("divided steps", summary.divided_steps.to_string()),
         ("rejected steps", summary.rejected_steps.to_string()),
@@ -13,8 +13,9 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         ("multipliers", summary.multipliers.to_string()),
         ("units of the solver", format!("length {length}, time {time}, force {force}")),
     ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .to_vec()
+    .map(|(name, value)| (name.to_owned(), value));
+    let errors = summary.errors.iter().map(|errors| ("discretisation error".to_owned(), errors.sentence()));
+    rows.into_iter().chain(errors).collect()
 }
 
 /// Returns the warnings of a run for [`Recording::messages`](crate::Recording::messages).

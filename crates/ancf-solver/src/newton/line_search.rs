@@ -107,7 +107,7 @@ fn stationary(alpha: f64, ratio: f64) -> f64 {
 }
 
 /// Returns √(x·x).
-pub(super) fn norm(x: &[f64]) -> f64 {
+pub(crate) fn norm(x: &[f64]) -> f64 {
     dot(x, x).sqrt()
 }
 

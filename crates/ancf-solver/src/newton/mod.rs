@@ -14,7 +14,7 @@ mod tangent;
 pub(crate) use active_set::ActiveSet;
 pub use error::{EquilibriumError, SolveError, SolveFailure};
 pub use interrupt::Interrupt;
-pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot};
+pub(crate) use line_search::{FullUpdate, LineSearch, LinearSolution, StateUpdate, dot, norm};
 pub(crate) use newton_method::NewtonCheckpoint;
 pub use newton_method::{Newton, StopRule};
 pub use newton_report::NewtonReport;

@@ -2,6 +2,7 @@ use std::ops::ControlFlow;
 
 use super::equilibrium::{Equilibrium, check_change};
 use super::leave::leave;
+use super::linear_response::linear_response;
 use crate::equations::{Energy, EquationsOfMotion, State};
 use crate::newton::{ActiveSet, EquilibriumError, LineSearch, Newton, SolveError, SolveFailure};
 use crate::sparse::SparseMatrix;
@@ -172,6 +173,15 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
             (found, self.unstable, self.before) = (found.repeated(left), left.unstable, None);
         }
         Ok((found, rotation))
+    }
+
+    /// Returns the linear response z = K⁻¹ f of the coordinates and multipliers to small additional forces f at the current
+    /// equilibrium, with the factors of its last increment; `None` if they are not accurate.
+    ///
+    /// The unsymmetric part of the stiffness, of loads without a potential, is included by iteration.
+    pub fn response(&mut self, force: &[f64]) -> Option<Vec<f64>> {
+        let Self { newton, eom, state, .. } = self;
+        linear_response(newton, &**eom, state, force)
     }
 
     /// Returns the energies of the current state.

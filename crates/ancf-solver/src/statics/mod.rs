@@ -4,6 +4,7 @@ mod arc_length;
 mod arc_metric;
 mod equilibrium;
 mod leave;
+mod linear_response;
 mod load_rates;
 mod load_stepper;
 mod path_point;

@@ -25,14 +25,23 @@ impl Assembly {
         carried: &mut CarriedFrame,
     ) -> Option<Wrench> {
         let mesh = self.body_of(body).mesh()?;
-        let element = mesh.element_of(s);
-        let fixed = self.inner_loads.of(body, element).iter();
-        let active = contacts.iter().filter(|term| mesh.acts_within(term.coordinates(), element));
-        let loads: Vec<&dyn Term> = fixed
-            .map(|&index| self.system.terms()[index].as_ref())
-            .chain(active.map(AsRef::as_ref))
-            .collect();
+        let loads = self.loads_within(body, mesh.element_of(s), contacts);
         let frame = mesh.carried_frame(state, s, carried);
         Some(mesh.resultants(state, s, &loads).seen_from(&frame))
+    }
+
+    /// Loads, reactions and `contacts` between the nodes of an element of a flexible body.
+    pub(crate) fn loads_within<'a>(
+        &'a self,
+        body: usize,
+        element: usize,
+        contacts: &'a [Arc<dyn Term>],
+    ) -> Vec<&'a dyn Term> {
+        let mesh = self.body_of(body).mesh();
+        let is_inside =
+            |term: &&Arc<dyn Term>| mesh.is_some_and(|mesh| mesh.acts_within(term.coordinates(), element));
+        let fixed =
+            self.inner_loads.of(body, element).iter().map(|&index| self.system.terms()[index].as_ref());
+        fixed.chain(contacts.iter().filter(is_inside).map(AsRef::as_ref)).collect()
     }
 }

@@ -11,6 +11,7 @@ use ancf_solver::statics::{
 use super::outcome::unsupported_motions;
 use super::run::{AnalysisRun, RunFailure, RunResult};
 use crate::assembly::Assembly;
+use crate::estimate::{DiscretisationErrors, GapField};
 use crate::failure::{find_cause, unloaded};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
@@ -88,7 +89,7 @@ impl AnalysisRun<'_> {
     }
 
     /// Runs a static analysis by load increments and records each equilibrium.
-    pub(crate) fn statics(&mut self, settings: &Statics) -> RunResult {
+    pub(crate) fn statics(&mut self, model: &Model, settings: &Statics) -> RunResult {
         let assembly = self.assembly;
         let mut rows = Rows::new(assembly, self.summary.scales, LOAD, &COLUMNS);
         self.observer.begin(&rows.columns())?;
@@ -128,6 +129,15 @@ impl AnalysisRun<'_> {
             flow(&written)
         });
         self.warn_of_instability(statics.state(), false);
+        if ended.is_ok() {
+            let state = statics.state().clone();
+            let field = GapField::new(model, assembly, &state);
+            let scales = self.summary.scales;
+            self.summary.errors = DiscretisationErrors::new(&field, scales, |force| statics.response(force));
+            self.summary
+                .warnings
+                .extend(self.summary.errors.as_ref().and_then(DiscretisationErrors::warning));
+        }
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);
         conclude(written?, settings.load == self.summary.time, ended)

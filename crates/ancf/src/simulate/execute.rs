@@ -43,7 +43,7 @@ impl Simulation {
         let (mut run, scaled) = (self.begin(observer), &self.scaled);
         let result = match &scaled.analysis {
             Analysis::Dynamics(settings) => run.dynamics(self, settings),
-            Analysis::Statics(settings) => run.statics(settings),
+            Analysis::Statics(settings) => run.statics(scaled, settings),
             Analysis::Path(settings) => run.path(settings),
             Analysis::Modes(settings) => run.modes(scaled, settings),
             Analysis::Buckling(settings) => run.buckling(settings),

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::errors::short;
+use crate::estimate::DiscretisationErrors;
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -98,6 +99,9 @@ pub struct Summary {
     /// Modes and buckling: verified number of eigenvalues.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalues: Option<EigenvalueCount>,
+    /// Statics: estimated errors of the mesh in the last state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<DiscretisationErrors>,
     /// Warnings, such as loss of stability during the run.
     pub warnings: Vec<String>,
 }
@@ -119,6 +123,7 @@ impl Summary {
             scales_reason: chosen.reason,
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
             eigenvalues: None,
+            errors: None,
             warnings: Vec::new(),
         }
     }

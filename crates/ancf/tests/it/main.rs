@@ -9,6 +9,7 @@ mod common;
 mod contact;
 mod dynamics;
 mod elements;
+mod errors;
 mod examples;
 mod invariance;
 mod joints;

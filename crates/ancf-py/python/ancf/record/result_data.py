@@ -74,6 +74,16 @@ class ResultData(Record):
         return self._first_column("frequency", "frequency")
 
     @property
+    def errors(self) -> dict[str, float]:
+        """Estimated errors of the mesh in the last equilibrium of statics, by column: value + error is a better value.
+
+        Empty for other analyses, and if the mesh does not resolve the shape. `summary["errors"]` has the class of the
+        estimate and the largest error of a displacement.
+        """
+        found = self.summary.get("errors") or {}
+        return {value["column"]: value["error"] for value in found.get("values", [])}
+
+    @property
     def factors(self) -> Array:
         """Critical load factors."""
         return self._first_column("factor", "critical load factor")

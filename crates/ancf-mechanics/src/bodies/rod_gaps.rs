@@ -1,0 +1,215 @@
+//! Gap between the exact rod and an element, and the forces that this gap causes when it is imposed on the structure.
+
+use ancf_solver::equations::{State, Term};
+use nalgebra::Vector3;
+
+use super::element_forces::add_stiffness_product;
+use super::mesh::BeamMesh;
+use super::section_frames::normals_to;
+use crate::kinematics::VectorKind;
+use crate::rods::{Placement, RodLoads, RodPart, RodSection, StringEnd, TautString};
+
+/// Product |n| l²/EI of a taut element above which its shape is that of a string with boundary layers. The solution of the rod from
+/// its start grows as the exponential of the root.
+const TAUT: f64 = 8.0;
+/// Product above which the boundary layers of both ends do not overlap.
+const STRING: f64 = 100.0;
+
+/// Gap at the end of an element: the exact rod from the start of the element, under the section forces of the element, less the element.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RodGap {
+    /// Difference of the moments at the start; zero except for taut elements.
+    pub start: Vector3<f64>,
+    /// Difference of the positions at the end.
+    pub translation: Vector3<f64>,
+    /// Rotation vector between the sections at the end.
+    pub rotation: Vector3<f64>,
+    /// Moment at the end of the loads between the nodes, due to the different shapes.
+    pub moment: Vector3<f64>,
+    /// Bound of the relative difference between the laws of the rod and of the element.
+    pub law: f64,
+    /// True if the element is neither a short rod nor a string: the boundary layers of both ends overlap.
+    pub is_rough: bool,
+}
+
+impl RodGap {
+    /// Returns the size of the gap as an angle, for an element of a length.
+    pub fn angle(&self, length: f64) -> f64 {
+        self.rotation.norm().max(self.translation.norm() / length)
+    }
+}
+
+impl BeamMesh {
+    /// Returns the gap between the exact rod and an element at ξ in an equilibrium.
+    ///
+    /// The rod starts at the first node with the placement and the section forces of the element, which are in equilibrium with
+    /// `loads` and all other loads of the element ([`resultants`](Self::resultants)). Taut elements are compared with a string.
+    /// `section` is that of the rod at ξ in [0, 1].
+    pub fn rod_gap(
+        &self,
+        state: &State,
+        element: usize,
+        xi: f64,
+        loads: &[&dyn Term],
+        section: &dyn Fn(f64) -> RodSection,
+    ) -> RodGap {
+        let ends = self.ends(state, element, loads);
+        let loads = self.rod_loads(state, element, ends, loads);
+        let (forces, moment) = (loads.forces, loads.moment);
+        let at = |xi: f64| self.placement(state, element, xi);
+        let (first, last) = (at(0.0), at(xi));
+        let middle = section(0.5);
+        let law = {
+            let seen = |x: &Vector3<f64>| first.frame.tr_mul(x);
+            middle.law_difference(&seen(&forces[0]), &seen(&moment))
+        };
+        let tension = 0.5 * (forces[0] + forces[1]).dot(&(at(1.0).position - first.position)) / self.length;
+        let tautness = tension * self.length.powi(2) * middle.flexibility();
+        if tautness > TAUT {
+            let end = at(1.0);
+            let is_end = [element == 0, element + 1 == self.count()];
+            let ends = std::array::from_fn(|k| StringEnd {
+                tangent: [&first, &end][k].frame.column(0).into_owned(),
+                moment: [moment, ends[1].moment][k],
+                is_free: !is_end[k],
+            });
+            let string = TautString { length: self.length, section, loads: &loads, ends };
+            let translation = string.chord(xi) - (last.position - first.position);
+            let [before, after] = [0, 1].map(|end| string.moment(end) - string.ends[end].moment);
+            let moment = after + translation.cross(&loads.force(xi));
+            let is_rough = tautness < STRING;
+            return RodGap { translation, start: before, moment, law, is_rough, ..RodGap::default() };
+        }
+        let part = |loads| RodPart { length: self.length, section, loads };
+        let (reached, reached_moment) = part(&loads).end(&first, xi);
+        let translation = reached.position - last.position;
+        let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
+        let of_element =
+            moment - self.lever(state, element, &loads, xi) - moments + loads.couple * (xi * self.length);
+        let mut gap = RodGap {
+            translation,
+            rotation: reached.rotation_from(&last),
+            moment: reached_moment + translation.cross(&loads.force(xi)) - of_element,
+            law,
+            ..RodGap::default()
+        };
+        if section(0.0).curvature != Vector3::zeros() || middle.curvature != Vector3::zeros() {
+            // The error of the integration of the reference shape.
+            let rest = |xi: f64| self.reference_placement(element, xi);
+            let (first, end) = (rest(0.0), rest(xi));
+            let (reached, _) = part(&RodLoads::default()).end(&first, xi);
+            let turned = |x: Vector3<f64>| last.frame * end.frame.tr_mul(&x);
+            gap.translation -= turned(reached.position - end.position);
+            gap.rotation -= turned(reached.rotation_from(&end));
+        }
+        if !self.has_sections() {
+            let tangent = last.frame.column(0).into_owned();
+            gap.rotation -= tangent * tangent.dot(&gap.rotation);
+        }
+        gap
+    }
+
+    /// Returns the placement of a section of an element.
+    fn placement(&self, state: &State, element: usize, xi: f64) -> Placement {
+        let s = (element as f64 + xi) * self.length;
+        let axes = match self.frame(s) {
+            Some(frame) => frame.at(&state.q).axes,
+            None => {
+                let tangent = self.axes(s)[0].value(state).normalize();
+                let [y, z] = normals_to(tangent);
+                [tangent, y, z]
+            }
+        };
+        Placement::new(self.point(s).value(state), axes)
+    }
+
+    fn reference_placement(&self, element: usize, xi: f64) -> Placement {
+        let s = (element as f64 + xi) * self.length;
+        let axes = match self.frame(s) {
+            Some(frame) => *frame.reference(),
+            None => {
+                let tangent = self.axes(s)[0].reference().normalize();
+                let [y, z] = normals_to(tangent);
+                [tangent, y, z]
+            }
+        };
+        Placement::new(self.point(s).reference(), axes)
+    }
+
+    /// Returns the displacement w of the coordinates of an element in which its last node moves by the gap.
+    pub fn gap_displacement(&self, state: &State, element: usize, gap: &RodGap) -> Vec<f64> {
+        let mut w = vec![0.0; self.term(element).coordinates().len()];
+        self.visit_end(element, |place, vector, kind| {
+            let moved = match kind {
+                VectorKind::Position => gap.translation,
+                _ => gap.rotation.cross(&self.vector(state, vector)),
+            };
+            w[place..place + 3].copy_from_slice(moved.as_slice());
+        });
+        w
+    }
+
+    /// Adds the forces of a gap that is imposed between an element and its last node, and turns with this node:
+    ///
+    /// K_e w + Σ f_a × γ_φ + Tᵀ (γ_φ × m + γ_r × n − γ_m),
+    ///
+    /// with the stiffness K_e of the element and its loads, also in the rows of joints between the nodes, the forces f_a of the element on the directions of the node, its end forces n and m, and the variation T of the
+    /// section frame.
+    pub fn add_gap_forces(
+        &self,
+        state: &State,
+        element: usize,
+        gap: &RodGap,
+        loads: &[&dyn Term],
+        forces: &mut [f64],
+    ) {
+        let first = self.first_coordinate_of(element);
+        let w = self.gap_displacement(state, element, gap);
+        add_stiffness_product(self.term(element), state, (first, &w), forces);
+        loads.iter().for_each(|load| add_stiffness_product(*load, state, (first, &w), forces));
+        let now = self.element_rows(state, element, loads);
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        self.visit_end(element, |place, vector, kind| {
+            let row = Vector3::from_column_slice(&now[place..place + 3]);
+            if kind == VectorKind::Position {
+                force += row;
+                return;
+            }
+            moment += self.vector(state, vector).cross(&row);
+            let turned = row.cross(&gap.rotation);
+            forces[first + place..].iter_mut().zip(&turned).for_each(|(force, turned)| *force += turned);
+        });
+        let couple = gap.rotation.cross(&moment) + gap.translation.cross(&force) - gap.moment;
+        self.add_couple(state, element + 1, &couple, forces);
+        if gap.start != Vector3::zeros() {
+            self.add_couple(state, element, &gap.start, forces);
+        }
+    }
+
+    /// Adds the forces of a moment on the section of a node at the end of an element.
+    fn add_couple(&self, state: &State, node: usize, couple: &Vector3<f64>, forces: &mut [f64]) {
+        let s = node as f64 * self.length;
+        if let Some(frame) = self.frame(s) {
+            frame.add(frame.at(&state.q).forces(couple), forces);
+        } else {
+            let tangent = &self.axes(s)[0];
+            let slope = tangent.value(state);
+            tangent.add(couple.cross(&slope) / slope.norm_squared(), forces);
+        }
+    }
+
+    /// Calls `visit` with the place, the number and the kind of each vector of the last node of an element.
+    fn visit_end(&self, element: usize, mut visit: impl FnMut(usize, usize, VectorKind)) {
+        let (kinds, size) = (self.node_kinds(), self.term(element).coordinates().len() / 3);
+        let offset = element * self.stride();
+        for (k, kind) in kinds.iter().enumerate() {
+            let vector = size - kinds.len() + k;
+            visit(3 * vector, offset + vector, *kind);
+        }
+    }
+
+    /// Returns the value of a vector in a state.
+    fn vector(&self, state: &State, vector: usize) -> Vector3<f64> {
+        self.reference[vector] + self.displacement(state, vector)
+    }
+}

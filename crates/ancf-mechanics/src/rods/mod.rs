@@ -1,0 +1,9 @@
+//! Exact rods: the ordinary differential equations of Reissner's and Simo's rod, without elements.
+
+mod part;
+mod section;
+mod string;
+
+pub use part::{Placement, PointLoad, RodLoads, RodPart};
+pub use section::RodSection;
+pub use string::{StringEnd, TautString};

@@ -1,0 +1,45 @@
+use crate::equations::{EquationsOfMotion, State};
+use crate::newton::{Newton, norm};
+
+/// Maximum number of iterations for the unsymmetric part of the stiffness.
+const ITERATIONS: u32 = 30;
+/// Relative change at which they end.
+const TOLERANCE: f64 = 1e-6;
+
+/// Solves K z = f with the last factors of `newton`; `None` if the solution is not accurate.
+///
+/// With an unsymmetric part S of the stiffness the iteration is (K − S) zᵢ₊₁ = f − S zᵢ. It ends without a solution if it does not
+/// converge, as near critical loads.
+pub(crate) fn linear_response(
+    newton: &mut Newton,
+    eom: &dyn EquationsOfMotion,
+    s: &State,
+    force: &[f64],
+) -> Option<Vec<f64>> {
+    let tangent = &mut newton.tangent;
+    let mut solve = |right: &[f64]| {
+        let mut z = right.to_vec();
+        tangent.factor.solve(&tangent.matrix, &mut z).ok()?;
+        z.iter().all(|x| x.is_finite()).then_some(z)
+    };
+    let mut z = solve(force)?;
+    let skew = eom.skew_stiffness(s);
+    if skew.is_empty() {
+        return Some(z);
+    }
+    for _ in 0..ITERATIONS {
+        let mut right = force.to_vec();
+        for &(i, j, value) in &skew {
+            right[i] -= value * z[j];
+            right[j] += value * z[i];
+        }
+        let next = solve(&right)?;
+        let change: Vec<f64> = next.iter().zip(&z).map(|(next, z)| next - z).collect();
+        let is_done = norm(&change) <= TOLERANCE * norm(&next);
+        z = next;
+        if is_done {
+            return Some(z);
+        }
+    }
+    None
+}

@@ -1,0 +1,103 @@
+use std::sync::Arc;
+
+use ancf_mechanics::bodies::{BeamMesh, RodGap};
+use ancf_mechanics::rods::RodSection;
+use ancf_solver::equations::{State, Term};
+use nalgebra::Matrix3;
+
+use super::rod_sections::RodSections;
+use crate::assembly::Assembly;
+use crate::model::Model;
+
+/// Gaps of all elements of a model at an equilibrium.
+pub(crate) struct GapField<'a> {
+    pub(super) assembly: &'a Assembly,
+    pub(super) state: &'a State,
+    pub(super) contacts: Vec<Arc<dyn Term>>,
+    bodies: Vec<Option<BodyGaps<'a>>>,
+}
+
+/// Gaps of the elements of a flexible body.
+pub(super) struct BodyGaps<'a> {
+    pub(super) mesh: &'a BeamMesh,
+    sections: RodSections<'a>,
+    gaps: Vec<RodGap>,
+}
+
+impl<'a> GapField<'a> {
+    /// Computes the gaps. `model` is the model of the assembly, in the same units.
+    pub(crate) fn new(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
+        let contacts = assembly.contact_terms(state);
+        let mut field = Self { assembly, state, contacts, bodies: Vec::new() };
+        for (body, of_model) in model.bodies.iter().enumerate() {
+            let mesh = assembly.body_of(body).mesh();
+            let sections = mesh.zip(RodSections::new(model, of_model));
+            let gaps = sections.map(|(mesh, sections)| BodyGaps { mesh, sections, gaps: Vec::new() });
+            field.bodies.push(gaps);
+            let count = mesh.map_or(0, BeamMesh::count);
+            let gaps: Vec<RodGap> =
+                (0..count).filter_map(|element| field.gap_at(body, element, 1.0)).collect();
+            if let Some(body) = field.bodies.last_mut().and_then(Option::as_mut) {
+                body.gaps = gaps;
+            }
+        }
+        field
+    }
+
+    /// Flexible bodies with their numbers.
+    pub(super) fn bodies(&self) -> impl Iterator<Item = (usize, &BodyGaps<'a>)> {
+        self.bodies.iter().enumerate().filter_map(|(number, body)| Some((number, body.as_ref()?)))
+    }
+
+    /// Gaps of a flexible body.
+    pub(super) fn body(&self, number: usize) -> Option<&BodyGaps<'a>> {
+        self.bodies.get(number)?.as_ref()
+    }
+
+    /// Gap between the rod and an element at ξ.
+    pub(super) fn gap_at(&self, body: usize, element: usize, xi: f64) -> Option<RodGap> {
+        let BodyGaps { mesh, sections, .. } = self.body(body)?;
+        let loads = self.assembly.loads_within(body, element, &self.contacts);
+        let l = mesh.element_length();
+        let s = element as f64 * l;
+        let frame =
+            mesh.frame(s).map_or_else(Matrix3::identity, |frame| Matrix3::from_columns(frame.reference()));
+        let section = |xi: f64| -> RodSection { sections.at(s, l, &frame, xi) };
+        Some(mesh.rod_gap(self.state, element, xi, &loads, &section))
+    }
+
+    /// Forces on all coordinates, with zeros for the multipliers, that impose the gaps.
+    pub(crate) fn forces(&self) -> Vec<f64> {
+        let mut forces = vec![0.0; self.state.q.len() + self.state.lambda.len()];
+        for (number, body) in self.bodies() {
+            for (element, gap) in body.gaps.iter().enumerate() {
+                let loads = self.assembly.loads_within(number, element, &self.contacts);
+                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut forces);
+            }
+        }
+        forces
+    }
+}
+
+impl BodyGaps<'_> {
+    /// Gap at the end of an element.
+    pub(super) fn gap(&self, element: usize) -> &RodGap {
+        &self.gaps[element]
+    }
+
+    /// True if the gap of an element is rough.
+    pub(super) fn is_rough(&self) -> bool {
+        self.gaps.iter().any(|gap| gap.is_rough)
+    }
+
+    /// Sum of the sizes of the gaps as angles.
+    pub(super) fn sum(&self) -> f64 {
+        let length = self.mesh.element_length();
+        self.gaps.iter().map(|gap| gap.angle(length)).sum()
+    }
+
+    /// Largest relative difference between the laws of the rod and of the elements.
+    pub(super) fn law(&self) -> f64 {
+        self.gaps.iter().map(|gap| gap.law).fold(0.0, f64::max)
+    }
+}

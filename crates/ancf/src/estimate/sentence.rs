@@ -1,0 +1,68 @@
+use super::discretisation_errors::{DiscretisationErrors, Resolution};
+use super::value_errors::ProbeError;
+use crate::errors::short;
+
+/// Share of the error along the displacement above which the displacement is too small or too large.
+const ALONG: f64 = 0.7;
+
+impl DiscretisationErrors {
+    /// Sentence for the end of a run: the error of the displacement of a probe, or what is not known.
+    pub fn sentence(&self) -> String {
+        let Self { resolution, gaps, body, elements, law, displacement, .. } = self;
+        match resolution {
+            Resolution::Unresolved => self.unresolved(),
+            Resolution::Unknown => {
+                "mesh: the error is not known, since the response of the structure is not accurate (a critical load is near)".into()
+            }
+            Resolution::Good | Resolution::Rough => {
+                let about = if *resolution == Resolution::Rough { "about " } else { "" };
+                let end = format!("; section law within {}", percent(*law));
+                match displacement {
+                    Some(error) => format!("mesh: {about}{}{end}", error.sentence()),
+                    None => format!(
+                        "mesh: the elements of body `{body}` ({elements}) differ from the exact rod by {} rad in total{end}",
+                        short(round(*gaps))
+                    ),
+                }
+            }
+        }
+    }
+
+    /// Warning if the elements do not resolve the shape.
+    pub(crate) fn warning(&self) -> Option<String> {
+        (self.resolution == Resolution::Unresolved).then(|| self.unresolved())
+    }
+
+    fn unresolved(&self) -> String {
+        let Self { gaps, body, elements, .. } = self;
+        format!(
+            "mesh: not resolved: the {elements} elements of body `{body}` differ from the exact rod by {} rad in total; use more \
+             elements",
+            short(round(*gaps))
+        )
+    }
+}
+
+impl ProbeError {
+    fn sentence(&self) -> String {
+        let Self { probe, relative, along, column, value, error } = self;
+        let (size, better) = (percent(*relative), short(value + error));
+        if along.abs() < ALONG * relative {
+            format!("{size} error of the displacement of `{probe}` (better: {column} = {better})")
+        } else {
+            let word = if *along > 0.0 { "small" } else { "large" };
+            format!("displacement of `{probe}` {size} too {word} (better: {column} = {better})")
+        }
+    }
+}
+
+/// Rounds to two digits.
+fn round(x: f64) -> f64 {
+    format!("{x:.1e}").parse().unwrap_or(x)
+}
+
+/// Formats a relative number as a percentage of two digits, at least 1e-6 %.
+fn percent(x: f64) -> String {
+    let size = round(100.0 * x.abs());
+    if size < 1e-6 { "1e-6 %".to_owned() } else { format!("{} %", short(size)) }
+}

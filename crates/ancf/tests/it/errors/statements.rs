@@ -1,0 +1,82 @@
+//! What is stated and what is not: classes, warnings, invariance, states without error.
+
+use ancf::estimate::{DiscretisationErrors, Resolution};
+
+use super::{BODIES, CLAMPED, beam, errors, of, summary};
+use crate::common::assertions::assert_near;
+
+fn bent(rest: &str) -> DiscretisationErrors {
+    let load = r#"loads = [{ kind = "force", on = { body = "b", at = "end" }, force = [0, -20, 7] }]"#;
+    errors(&beam(BODIES[2], 2, &format!("{CLAMPED}\n{load}\n{rest}")))
+}
+
+/// Few elements in large bending are refused an estimate, and the run warns.
+#[test]
+fn unresolved_bending_is_a_warning() {
+    let load = r#"loads = [{ kind = "force", on = { body = "b", at = "end" }, force = [0, -133, 0] }]"#;
+    let coarse = summary(&beam(BODIES[1], 2, &format!("{CLAMPED}\n{load}")));
+    let found = coarse.errors.unwrap();
+    assert_eq!(found.resolution, Resolution::Unresolved);
+    assert!(found.values.is_empty() && found.displacement.is_none());
+    assert!(coarse.warnings.iter().any(|text| text.contains("mesh: not resolved")), "{:?}", coarse.warnings);
+    let fine = summary(&beam(BODIES[3], 8, &format!("{CLAMPED}\n{load}")));
+    assert_eq!(fine.errors.unwrap().resolution, Resolution::Good);
+    assert!(fine.warnings.is_empty(), "{:?}", fine.warnings);
+}
+
+/// The units of the equations have no effect.
+#[test]
+fn scales_leave_the_estimate() {
+    let reference = bent("");
+    let scaled = bent("scales = { kind = \"given\", length = 0.01, time = 3, force = 700 }");
+    for column in ["tip.x", "tip.y", "tip.z", "root.my", "root.mz"] {
+        let ([value, error], [other, same]) = (of(&reference, column), of(&scaled, column));
+        assert_near(column, other, value, 1e-9 * value.abs());
+        assert_near(column, same, error, 1e-5 * error.abs() + 1e-12);
+    }
+    assert_near("gaps", scaled.gaps, reference.gaps, 1e-6 * reference.gaps);
+}
+
+/// The frame of reference has no effect: x y z become y z x.
+#[test]
+fn axes_leave_the_estimate() {
+    let load = r#"loads = [{ kind = "force", on = { body = "b", at = "end" }, force = [0, -20, 7] }]"#;
+    let text = beam(&format!("{}\nup = [0, 1, 0]", BODIES[2]), 2, &format!("{CLAMPED}\n{load}"));
+    let turned = text
+        .replace("up = [0, 1, 0]", "up = [0, 0, 1]")
+        .replace("to = [1, 0, 0]", "to = [0, 1, 0]")
+        .replace("[0, -20, 7]", "[7, 0, -20]");
+    let (found, turned) = (errors(&text), errors(&turned));
+    for (column, other) in
+        [("tip.x", "tip.y"), ("tip.y", "tip.z"), ("tip.z", "tip.x"), ("root.mz", "root.mx")]
+    {
+        let ([_, error], [_, same]) = (of(&found, column), of(&turned, other));
+        assert_near(column, same, error, 1e-6 * error.abs() + 1e-12);
+    }
+}
+
+/// A driven beam without loads has no error, whatever its rotation.
+#[test]
+fn rigid_motion_has_no_error() {
+    let drive = r#"joints = [{ kind = "revolute", name = "h", axis = [0.6, 0, 0.8], a = { body = "b", at = "start" },
+        drive = { angle = 1.9, time = 1 } }]"#;
+    for body in &BODIES[..4] {
+        let found = errors(&beam(body, 3, drive));
+        assert_eq!(found.resolution, Resolution::Good, "{body}");
+        for column in ["tip.x", "tip.y", "tip.z"] {
+            assert_near(body, of(&found, column)[1], 0.0, 1e-9);
+        }
+    }
+}
+
+/// The statement of the end of a run names the probe, the size and the better value.
+#[test]
+fn sentence_of_a_run() {
+    let found = bent("");
+    let text = found.sentence();
+    assert!(text.starts_with("mesh: displacement of `tip` ") && text.contains(" % too "), "{text}");
+    assert!(text.contains("(better: tip.") && text.contains("; section law within 0.0"), "{text}");
+    let error = found.displacement.unwrap();
+    let [value, expected] = of(&bent(""), &error.column);
+    assert_eq!((error.value, error.error), (value, expected));
+}

@@ -2,6 +2,7 @@
 
 mod balances;
 mod ends;
+mod estimate;
 mod frames;
 mod law;
 mod order;
@@ -14,7 +15,7 @@ mod units;
 pub use law::{Check, Law};
 
 /// All laws.
-pub const LAWS: [&dyn Law; 20] = [
+pub const LAWS: [&dyn Law; 21] = [
     &balances::Finite,
     &balances::Energy,
     &balances::Reactions,
@@ -32,6 +33,7 @@ pub const LAWS: [&dyn Law; 20] = [
     &split::Split,
     &refinement::Steps,
     &refinement::Elements,
+    &estimate::Estimate,
     &solution::Tangents,
     &solution::Threads,
     &solution::Resumption,

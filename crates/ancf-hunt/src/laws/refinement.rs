@@ -136,7 +136,8 @@ impl Law for Elements {
     }
 }
 
-fn refined(model: &Model, factor: u32) -> Model {
+/// Model with a multiple of the elements.
+pub(super) fn refined(model: &Model, factor: u32) -> Model {
     let mut model = model.clone();
     for body in &mut model.bodies {
         match body {

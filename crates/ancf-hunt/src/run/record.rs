@@ -1,3 +1,4 @@
+use ancf::estimate::DiscretisationErrors;
 use ancf::units::Dimension;
 
 /// End of a run.
@@ -62,6 +63,8 @@ pub struct Run {
     pub columns: Vec<Record>,
     /// Warnings of the summary.
     pub warnings: Vec<String>,
+    /// Estimated errors of the mesh.
+    pub errors: Option<DiscretisationErrors>,
     /// True if joint equations are redundant, so that reactions are not determined.
     pub is_redundant: bool,
     /// True if steps were divided or rejected, or increments halved.
@@ -71,7 +74,14 @@ pub struct Run {
 impl Run {
     /// Run without rows.
     pub const fn empty(verdict: Verdict) -> Self {
-        Self { verdict, columns: Vec::new(), warnings: Vec::new(), is_redundant: false, is_divided: false }
+        Self {
+            verdict,
+            columns: Vec::new(),
+            warnings: Vec::new(),
+            errors: None,
+            is_redundant: false,
+            is_divided: false,
+        }
     }
 
     /// Column of a name.

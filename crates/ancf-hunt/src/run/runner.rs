@@ -79,6 +79,7 @@ pub(super) fn completed(simulation: &Simulation, series: Series, summary: io::Re
     Run {
         verdict,
         columns: series.columns().map(column).collect(),
+        errors: summary.errors,
         warnings: summary.warnings,
         is_redundant: !summary.redundant.is_empty(),
         is_divided: summary.divided_steps + summary.rejected_steps > 0,

@@ -5,22 +5,22 @@ use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
 use crate::constraints::Wrench;
-use crate::kinematics::VectorKind;
+use crate::kinematics::{VectorKind, gauss3};
 use crate::rods::{PointLoad, RodLoads};
 
-/// Points and weights of the Gauss rule on [0, 1] that is exact to degree three.
-const GAUSS: [(f64, f64); 2] = [(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)];
 /// Variance of the place of a load on [0, 1] below which it acts at a point. That of a uniform load is 1/12.
 const POINT: f64 = 1e-3;
+/// Number of point loads within an element from which they are integration points of a distributed load.
+const SAMPLES: usize = 3;
 
 impl BeamMesh {
     /// Returns the residual of an element and its loads in the rows of the element.
     pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [f64; LOCAL] {
         let term = self.term(element);
         let first = term.coordinates()[0];
-        let (n, mut rows) = (term.coordinates().len(), residual(term, state));
+        let (n, mut rows) = (term.coordinates().len(), residual(term, state, state.load));
         for load in loads {
-            for (c, row) in load.coordinates().iter().zip(residual(*load, state)) {
+            for (c, row) in load.coordinates().iter().zip(residual(*load, state, state.load)) {
                 if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
                     rows[place] += row;
                 }
@@ -55,7 +55,9 @@ impl BeamMesh {
 
     /// Returns the section forces of an element between its ends, from the forces and moments that balance it there.
     ///
-    /// Loads whose place has no variance are point loads. All others count as uniform.
+    /// Loads whose place has no variance are point loads, unless they are many: follower loads and contacts act at integration
+    /// points. The sum of all others, and the body force of the element, is fitted by a
+    /// quadratic distribution with the same virtual work on displacements constant, linear and quadratic in the arc length.
     pub(super) fn rod_loads(
         &self,
         state: &State,
@@ -63,16 +65,64 @@ impl BeamMesh {
         [start, end]: [Wrench; 2],
         loads: &[&dyn Term],
     ) -> RodLoads {
-        let mut points: Vec<PointLoad> =
-            loads.iter().filter_map(|load| self.point_load(state, element, *load)).collect();
+        let unloaded = residual(self.term(element), state, 0.0);
+        let mut rows = residual(self.term(element), state, state.load);
+        rows.iter_mut().zip(unloaded).for_each(|(row, unloaded)| *row = unloaded - *row);
+        let of_loads: Vec<_> =
+            loads.iter().map(|load| (load, self.point_load(state, element, *load))).collect();
+        let are_samples = of_loads.iter().filter(|(_, point)| point.is_some()).count() >= SAMPLES;
+        let mut points = Vec::new();
+        for (load, point) in of_loads {
+            if let Some(point) = point.filter(|_| !are_samples) {
+                points.push(point);
+            } else {
+                let more = self.load_rows(state, element, *load);
+                rows.iter_mut().zip(more).for_each(|(row, more)| *row += more);
+            }
+        }
         points.sort_by(|a, b| a.xi.total_cmp(&b.xi));
         let sum: Vector3<f64> = points.iter().map(|point| point.force).sum();
         let moments: Vector3<f64> = points.iter().map(|point| point.moment).sum();
         let (forces, moment) = ([-start.force, end.force + sum], -start.moment);
-        let mut loads = RodLoads { forces, moment, couple: Vector3::zeros(), points };
+        let deviations = self.deviations(element, &rows);
+        let mut loads = RodLoads { forces, deviations, moment, couple: Vector3::zeros(), points };
         let lever = self.lever(state, element, &loads, 1.0);
         loads.couple = (end.moment - moment + lever + moments) / self.length;
         loads
+    }
+
+    /// Returns the deviations from a linear section force of the loads with these nodal forces.
+    fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 2] {
+        let kinds = self.node_kinds();
+        let vectors = self.term(element).coordinates().len() / 3;
+        let nodes = vectors / kinds.len();
+        let mut works = [Vector3::zeros(); 3];
+        for i in 0..vectors {
+            let row = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
+            let xi = (i / kinds.len()) as f64 / (nodes - 1) as f64;
+            let slope = self.slope / self.length;
+            let values = match kinds[i % kinds.len()] {
+                VectorKind::Position => [1.0, xi, xi * xi],
+                VectorKind::Slope => [0.0, slope, 2.0 * xi * slope],
+                VectorKind::Y | VectorKind::Z => [0.0; 3],
+            };
+            works.iter_mut().zip(values).for_each(|(work, value)| *work += row * value);
+        }
+        // Coefficients of p(ξ) from ∫ p ξᵏ dξ, by the inverse of the Hilbert matrix.
+        let of = |row: [f64; 3]| works[0] * row[0] + works[1] * row[1] + works[2] * row[2];
+        [of([-36.0, 192.0, -180.0]) * 0.5, of([30.0, -180.0, 180.0]) / 3.0]
+    }
+
+    /// Returns the forces of a load on the coordinates of an element.
+    fn load_rows(&self, state: &State, element: usize, term: &dyn Term) -> [f64; LOCAL] {
+        let (first, n) = (self.first_coordinate_of(element), self.term(element).coordinates().len());
+        let mut rows = [0.0; LOCAL];
+        for (c, row) in term.coordinates().iter().zip(residual(term, state, state.load)) {
+            if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
+                rows[place] -= row;
+            }
+        }
+        rows
     }
 
     /// Returns the moment ∫ r′ × f ds of the section forces between the start of an element and ξ.
@@ -83,7 +133,7 @@ impl BeamMesh {
                 let [tangent, ..] = self.axes((element as f64 + at) * self.length);
                 tangent.value(state).cross(&loads.force(at)) * (weight * (to - from) * self.length)
             };
-            GAUSS.map(share).iter().sum()
+            gauss3().map(share).iter().sum()
         };
         loads.parts(xi).map(of_part).sum()
     }
@@ -92,15 +142,10 @@ impl BeamMesh {
     /// loads.
     ///
     /// The virtual displacements F ξ and F ξ², with the force F, are in the space of the elements. The virtual work of the load
-    /// on them gives the mean and the variance of its place. A load without force is placed by the rotations M ξ and M ξ².
+    /// on them gives the mean and the variance of its place. Moments without a force count as distributed.
     fn point_load(&self, state: &State, element: usize, term: &dyn Term) -> Option<PointLoad> {
-        let (first, kinds) = (self.first_coordinate_of(element), self.node_kinds());
-        let (n, mut rows) = (self.term(element).coordinates().len(), [0.0; LOCAL]);
-        for (c, row) in term.coordinates().iter().zip(residual(term, state)) {
-            if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
-                rows[place] -= row;
-            }
-        }
+        let (kinds, rows) = (self.node_kinds(), self.load_rows(state, element, term));
+        let n = self.term(element).coordinates().len();
         let (vectors, nodes) = (n / 3, n / 3 / kinds.len());
         let offset = element * self.stride();
         let value = |i: usize| self.reference[offset + i] + self.displacement(state, offset + i);
@@ -131,26 +176,10 @@ impl BeamMesh {
             let point = self.point((element as f64 + xi) * self.length).value(state) - self.origin;
             about_origin - point.cross(&force)
         };
-        let (mean, square) = if force.norm() * self.length > POINT * size {
-            (of_force(1), of_force(2))
-        } else {
-            let moment = about_origin;
-            let axis = moment.try_normalize(0.0)?;
-            let tangent = (value(vectors - kinds.len()) - value(0)) / self.length;
-            let of_moment = |power: i32| {
-                work(&|i| {
-                    let turn = axis * at(i).powi(power);
-                    match kinds[i % kinds.len()] {
-                        VectorKind::Position => {
-                            let lever = at(i).powi(power + 1) / f64::from(power + 1);
-                            axis.cross(&tangent) * (lever * self.length)
-                        }
-                        _ => turn.cross(&value(i)),
-                    }
-                }) / moment.norm()
-            };
-            (of_moment(1), of_moment(2))
-        };
+        if force.norm() * self.length <= POINT * size {
+            return None;
+        }
+        let (mean, square) = (of_force(1), of_force(2));
         let is_point = (square - mean * mean).abs() < POINT && (0.0..=1.0).contains(&mean);
         is_point.then(|| PointLoad { xi: mean, force, moment: moment_at(mean) })
     }
@@ -175,11 +204,11 @@ impl Gathered {
     }
 }
 
-/// Evaluates the residual of a term in a global state.
-fn residual(term: &dyn Term, state: &State) -> [f64; LOCAL] {
+/// Evaluates the residual of a term in a global state with a load factor.
+fn residual(term: &dyn Term, state: &State, load: f64) -> [f64; LOCAL] {
     let (gathered, mut r) = (Gathered::new(term, state), [0.0; LOCAL]);
     let size = term.coordinates().len() + term.multipliers().len();
-    term.residual(&gathered.at(term, state), &mut r[..size]);
+    term.residual(&Local { load, ..gathered.at(term, state) }, &mut r[..size]);
     r
 }
 

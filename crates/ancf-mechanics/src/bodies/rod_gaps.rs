@@ -12,6 +12,8 @@ use crate::rods::{Placement, RodLoads, RodPart, RodSection, StringEnd, TautStrin
 /// Product |n| l²/EI of a taut element above which its shape is that of a string with boundary layers. The solution of the rod from
 /// its start grows as the exponential of the root.
 const TAUT: f64 = 8.0;
+/// Turn of the reference shape within an element, in rad, above which the interpolation of the shape has a noticeable error.
+const CURVED: f64 = 0.35;
 /// Product above which the boundary layers of both ends do not overlap.
 const STRING: f64 = 100.0;
 
@@ -28,7 +30,8 @@ pub struct RodGap {
     pub moment: Vector3<f64>,
     /// Bound of the relative difference between the laws of the rod and of the element.
     pub law: f64,
-    /// True if the element is neither a short rod nor a string: the boundary layers of both ends overlap.
+    /// True if the gap is not accurate: the boundary layers of both ends of a taut element overlap, or the reference shape turns
+    /// far within the element.
     pub is_rough: bool,
 }
 
@@ -89,9 +92,10 @@ impl BeamMesh {
         let mut gap = RodGap {
             translation,
             rotation: reached.rotation_from(&last),
+            start: Vector3::zeros(),
             moment: reached_moment + translation.cross(&loads.force(xi)) - of_element,
             law,
-            ..RodGap::default()
+            is_rough: middle.curvature.norm() * self.length > CURVED,
         };
         if section(0.0).curvature != Vector3::zeros() || middle.curvature != Vector3::zeros() {
             // The error of the integration of the reference shape.

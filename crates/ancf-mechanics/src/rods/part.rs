@@ -43,11 +43,13 @@ pub struct PointLoad {
     pub moment: Vector3<f64>,
 }
 
-/// Section forces of a part of a rod: the force is linear in the arc length but for point loads, the couple per length constant.
+/// Section forces of a part of a rod: the force is a cubic of the arc length but for point loads, the couple per length constant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RodLoads {
     /// Forces at the start and at the end of the element, the latter without the point loads.
     pub forces: [Vector3<f64>; 2],
+    /// Deviations from a linear force, as factors of ξ − ξ² and ξ − ξ³.
+    pub deviations: [Vector3<f64>; 2],
     /// Moment at the start of the element.
     pub moment: Vector3<f64>,
     /// Rate m' + r' × n of the moment, the negative of the couple per length.
@@ -60,7 +62,16 @@ impl RodLoads {
     /// Returns the section force at ξ. At a point load it is the one before the load.
     pub fn force(&self, xi: f64) -> Vector3<f64> {
         let before: Vector3<f64> = self.until(xi).map(|point| point.force).sum();
-        self.forces[0] * (1.0 - xi) + self.forces[1] * xi - before
+        self.smooth_force(xi) - before
+    }
+
+    /// Returns the section force at ξ without the point loads.
+    fn smooth_force(&self, xi: f64) -> Vector3<f64> {
+        let square = xi * xi;
+        self.forces[0] * (1.0 - xi)
+            + self.forces[1] * xi
+            + self.deviations[0] * (xi - square)
+            + self.deviations[1] * (xi - square * xi)
     }
 
     /// Returns the point loads between the start and ξ.
@@ -144,11 +155,9 @@ impl RodPart<'_> {
         let (mut placement, mut moment) = (*start, self.loads.moment);
         let mut points = self.loads.until(xi).peekable();
         for [from, to] in self.loads.parts(xi) {
-            // The force is linear within the part.
-            let [n0, n1] = [from, to].map(|xi| self.loads.forces[0] * (1.0 - xi) + self.loads.forces[1] * xi);
             let before: Vector3<f64> =
                 self.loads.points.iter().filter(|point| point.xi <= from).map(|point| point.force).sum();
-            let force = |xi: f64| n0 + (n1 - n0) * ((xi - from) / (to - from)) - before;
+            let force = |xi: f64| self.loads.smooth_force(xi) - before;
             let steps = ((to - from) / STEP).ceil().max(1.0);
             let step = (to - from) / steps;
             for k in 0..steps as u32 {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import os
 import pickle
 import signal
@@ -271,3 +272,22 @@ def test_results_are_pickled(rod: dict[str, Any]) -> None:
     np.testing.assert_array_equal(again.data, result.data)
     np.testing.assert_array_equal(again.field("section_forces"), result.field("section_forces"))
     assert again.summary == result.summary
+
+
+def test_statics_estimates_the_error_of_the_mesh() -> None:
+    """P L³/3EI of a soft cantilever: value + error is the closed form on one element, and motions have no estimate."""
+    steel = ancf.Material(density=8000, young=2e11)
+    bar = ancf.Cable("bar", from_=[0, 0, 0], to=[2, 0, 0], elements=1, section=ancf.Circle(diameter=0.02), material=steel)
+    model = ancf.Model(
+        bodies=[bar],
+        joints=[ancf.Clamp("root", a=bar.start)],
+        loads=[ancf.Force(on=bar.at(1.0), force=[0, 0, 1e-3])],
+        probes=[ancf.Probe("tip", on=bar.end)],
+        analysis=ancf.Statics(),
+    )
+    result = ancf.run(model)
+    stiffness = 2e11 * math.pi * 0.01**4 / 4
+    exact = 1e-3 * (3 * 2 - 1) / (6 * stiffness)
+    assert result["tip.z"][-1] + result.errors["tip.z"] == pytest.approx(exact, rel=1e-6)
+    assert abs(result.errors["tip.z"]) > 1e-4 * exact
+    assert result.summary["errors"]["resolution"] == "good"

@@ -10,7 +10,8 @@ use crate::units::Scales;
 pub enum Resolution {
     /// The gaps add up to less than 0.3 rad: the estimate is accurate.
     Good,
-    /// The gaps add up to at most 1 rad, or taut elements are neither rods nor strings: the estimate states the order of magnitude.
+    /// The estimate states the order of magnitude: the gaps add up to at most 1 rad, taut elements are neither rods nor strings,
+    /// elements are strongly curved, or loads within elements are not known in detail.
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
@@ -88,7 +89,7 @@ impl DiscretisationErrors {
         let values = ValueErrors::new(field, &response, scales);
         errors.gaps = errors.gaps.max(values.rotation());
         errors.resolution = Resolution::of(errors.gaps);
-        if errors.resolution == Resolution::Good && field.bodies().any(|(_, body)| body.is_rough()) {
+        if errors.resolution == Resolution::Good && field.is_rough() {
             errors.resolution = Resolution::Rough;
         }
         if errors.resolution != Resolution::Unresolved {

@@ -15,6 +15,7 @@ pub(crate) struct GapField<'a> {
     pub(super) state: &'a State,
     pub(super) contacts: Vec<Arc<dyn Term>>,
     bodies: Vec<Option<BodyGaps<'a>>>,
+    is_rough: bool,
 }
 
 /// Gaps of the elements of a flexible body.
@@ -28,7 +29,9 @@ impl<'a> GapField<'a> {
     /// Computes the gaps. `model` is the model of the assembly, in the same units.
     pub(crate) fn new(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
         let contacts = assembly.contact_terms(state);
-        let mut field = Self { assembly, state, contacts, bodies: Vec::new() };
+        let is_rough =
+            !contacts.is_empty() || !model.loads.iter().all(|load| load.kind().is_known_within_elements());
+        let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough };
         for (body, of_model) in model.bodies.iter().enumerate() {
             let mesh = assembly.body_of(body).mesh();
             let sections = mesh.zip(RodSections::new(model, of_model));
@@ -42,6 +45,11 @@ impl<'a> GapField<'a> {
             }
         }
         field
+    }
+
+    /// True if the section forces or the gaps within an element are not accurate.
+    pub(super) fn is_rough(&self) -> bool {
+        self.is_rough || self.bodies().any(|(_, body)| body.gaps.iter().any(|gap| gap.is_rough))
     }
 
     /// Flexible bodies with their numbers.
@@ -83,11 +91,6 @@ impl BodyGaps<'_> {
     /// Gap at the end of an element.
     pub(super) fn gap(&self, element: usize) -> &RodGap {
         &self.gaps[element]
-    }
-
-    /// True if the gap of an element is rough.
-    pub(super) fn is_rough(&self) -> bool {
-        self.gaps.iter().any(|gap| gap.is_rough)
     }
 
     /// Sum of the sizes of the gaps as angles.

@@ -23,6 +23,10 @@ impl LoadKind for BaseAcceleration {
         "base acceleration"
     }
 
+    fn is_known_within_elements(&self) -> bool {
+        true
+    }
+
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let function = builder.function(&self.time);
         for marker in builder.mass_markers() {

@@ -45,6 +45,10 @@ impl LoadKind for DistributedForce {
         if self.follower { "follower force per length" } else { self.noun() }
     }
 
+    fn is_known_within_elements(&self) -> bool {
+        !self.follower && self.part().is_whole()
+    }
+
     /// Adds a dead load as the nodal forces that do its work exactly on a cubic axis, a follower by integration points.
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some((body, mesh)) = builder.flexible(&self.body) else { return };

@@ -43,6 +43,10 @@ impl LoadKind for DistributedMoment {
         if self.follower { "follower moment per length" } else { self.noun() }
     }
 
+    fn is_known_within_elements(&self) -> bool {
+        !self.follower && self.moment_end.is_none() && self.part().is_whole()
+    }
+
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let Some((body, mesh)) = builder.flexible(&self.body) else { return };
         let function = builder.function(&self.time);

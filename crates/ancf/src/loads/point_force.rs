@@ -33,6 +33,10 @@ impl LoadKind for PointForce {
         if self.follower { "follower force" } else { self.noun() }
     }
 
+    fn is_known_within_elements(&self) -> bool {
+        true
+    }
+
     fn build(&self, builder: &mut LoadBuilder<'_>) {
         let (on, function) = (builder.attachment(&self.on), builder.function(&self.time));
         if !self.follower {

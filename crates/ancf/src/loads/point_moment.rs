@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{LoadBuilder, LoadKind};
-use crate::model::{Capability, Place, TimeFunction};
+use crate::model::{At, Capability, NamedPosition, Place, TimeFunction};
 use crate::units::Scaled;
 
 /// Moment on a section or on a rigid body.
@@ -31,6 +31,10 @@ impl LoadKind for PointMoment {
 
     fn label(&self) -> &'static str {
         if self.follower { "follower moment" } else { self.noun() }
+    }
+
+    fn is_known_within_elements(&self) -> bool {
+        !matches!(self.on.at, At::Named(NamedPosition::Center) | At::Length(_))
     }
 
     fn build(&self, builder: &mut LoadBuilder<'_>) {

@@ -26,6 +26,11 @@ pub(in crate::loads) struct LoadedSpan {
 }
 
 impl AxisPart<'_> {
+    /// True if the part is the whole body.
+    pub(in crate::loads) fn is_whole(&self) -> bool {
+        self.from == At::Named(NamedPosition::Start) && self.to == At::Named(NamedPosition::End)
+    }
+
     /// Checks that the part is on a flexible body and has a length.
     pub(in crate::loads) fn check(&self, path: &str, context: &dyn LoadContext) -> Vec<Finding> {
         let Some((owner, body)) = context.body(self.body) else { return Vec::new() };

@@ -69,6 +69,12 @@ pub trait LoadKind: LoadObject + fmt::Debug + Send + Sync {
         false
     }
 
+    /// True if the section forces within an element follow from the forces of the load at its nodes. Estimates of the error of the
+    /// mesh are rough otherwise.
+    fn is_known_within_elements(&self) -> bool {
+        false
+    }
+
     /// Findings of checks that the kind alone requires. `path` is that of the load in the model.
     fn check(&self, _path: &str, _context: &dyn LoadContext) -> Vec<Finding> {
         Vec::new()

@@ -1,0 +1,59 @@
+//! Estimated errors of the mesh against a finer mesh.
+
+use ancf::estimate::{DiscretisationErrors, Resolution};
+
+use super::law::{Check, Law};
+use super::refinement::refined;
+use crate::compare::{Case, Finding};
+use crate::random::Random;
+use crate::run::run;
+
+/// Value + error of statics is that of a mesh with four times the elements, to half of the error.
+pub(super) struct Estimate;
+
+/// Ratio of the remaining and the estimated error.
+const REMAINING: f64 = 0.5;
+/// Difference relative to the length that is not checked.
+const SMALL: f64 = 1e-5;
+/// Difference of the values relative to the length above which the meshes have different equilibria.
+const OTHER: f64 = 0.3;
+
+impl Law for Estimate {
+    fn name(&self) -> &'static str {
+        "estimate"
+    }
+
+    fn check(&self, case: &Case, _: &mut Random) -> Check {
+        let Some(coarse) = good(case.base.errors.as_ref()) else { return Check::Inapplicable };
+        let twin = run(&refined(&case.model, 4));
+        let Some(fine) = good(twin.errors.as_ref()) else { return Check::Inapplicable };
+        let length = case.model.length();
+        let is_position = |column: &str| [".x", ".y", ".z"].iter().any(|end| column.ends_with(end));
+        // Parts of an error may cancel in one component.
+        let largest = |errors: &DiscretisationErrors| {
+            let positions = errors.values.iter().filter(|value| is_position(&value.column));
+            positions.map(|value| value.error.abs()).fold(0.0, f64::max)
+        };
+        let tolerance = REMAINING * (largest(coarse) + largest(fine)) + SMALL * length;
+        let mut worst: Option<Finding> = None;
+        for (value, exact) in coarse.values.iter().zip(&fine.values) {
+            let is_other = (value.value - exact.value).abs() > OTHER * length;
+            if !is_position(&value.column) || value.column != exact.column || is_other {
+                continue;
+            }
+            let excess = (value.value + value.error - exact.value - exact.error).abs() / tolerance;
+            if excess > 1.0 && worst.as_ref().is_none_or(|worst| excess > worst.excess) {
+                let values = format!(
+                    "{:e} + {:e} / {:e} + {:e} with four times the elements",
+                    value.value, value.error, exact.value, exact.error
+                );
+                worst = Some(Finding { law: self.name(), quantity: value.column.clone(), values, excess });
+            }
+        }
+        Check::of(worst)
+    }
+}
+
+fn good(errors: Option<&DiscretisationErrors>) -> Option<&DiscretisationErrors> {
+    errors.filter(|errors| errors.resolution == Resolution::Good)
+}

@@ -1,6 +1,6 @@
 //! Forces at the ends of an element and loads between them.
 
-use ancf_solver::equations::{LOCAL, Local, LocalMatrix, State, Term, Weights};
+use ancf_solver::equations::{LOCAL, Local, State, Term};
 use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
@@ -35,7 +35,7 @@ impl BeamMesh {
         let n = self.term(element).coordinates().len();
         let kinds = self.node_kinds();
         let (size, offset) = (n / 3, element * self.stride());
-        let vector = |i: usize| self.reference[offset + i] + self.displacement(state, offset + i);
+        let vector = |i: usize| self.vector(state, offset + i);
         let mut wrenches = [Wrench::default(); 2];
         for i in 0..size {
             let force = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
@@ -91,6 +91,25 @@ impl BeamMesh {
         loads
     }
 
+    /// Returns r′ at ξ of an element.
+    fn tangent(&self, state: &State, element: usize, xi: f64) -> Vector3<f64> {
+        let (weights, offset) = (self.weights(xi), element * self.stride());
+        let on_axis = |kind: VectorKind| matches!(kind, VectorKind::Position | VectorKind::Slope);
+        let parts = weights.iter().enumerate().filter(|(_, (kind, ..))| on_axis(*kind));
+        parts.map(|(i, (.., directors))| self.vector(state, offset + i) * directors[0]).sum()
+    }
+
+    /// Returns the value of a vector in a state.
+    pub(super) fn vector(&self, state: &State, vector: usize) -> Vector3<f64> {
+        self.reference[vector] + self.displacement(state, vector)
+    }
+
+    /// Returns the displacement of a vector.
+    pub(super) fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
+        let first = self.first + 3 * vector;
+        Vector3::from_column_slice(&state.q[first..first + 3])
+    }
+
     /// Returns the deviations from a linear section force of the loads with these nodal forces.
     fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 2] {
         let kinds = self.node_kinds();
@@ -130,8 +149,8 @@ impl BeamMesh {
         let of_part = |[from, to]: [f64; 2]| -> Vector3<f64> {
             let share = |(x, weight): (f64, f64)| {
                 let at = from + (to - from) * x;
-                let [tangent, ..] = self.axes((element as f64 + at) * self.length);
-                tangent.value(state).cross(&loads.force(at)) * (weight * (to - from) * self.length)
+                let tangent = self.tangent(state, element, at);
+                tangent.cross(&loads.force(at)) * (weight * (to - from) * self.length)
             };
             gauss3().map(share).iter().sum()
         };
@@ -148,7 +167,7 @@ impl BeamMesh {
         let n = self.term(element).coordinates().len();
         let (vectors, nodes) = (n / 3, n / 3 / kinds.len());
         let offset = element * self.stride();
-        let value = |i: usize| self.reference[offset + i] + self.displacement(state, offset + i);
+        let value = |i: usize| self.vector(state, offset + i);
         let at = |i: usize| (i / kinds.len()) as f64 / (nodes - 1) as f64;
         let row = |i: usize| Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
         let (mut force, mut about_origin) = (Vector3::zeros(), Vector3::zeros());
@@ -214,23 +233,30 @@ fn residual(term: &dyn Term, state: &State, load: f64) -> [f64; LOCAL] {
 
 /// Adds the product of the tangent of a term with a displacement w of the coordinates from `first` to the rows of its coordinates
 /// and multipliers.
+///
+/// The derivative by differences at ± 1 and ± 2 is exact for cubic polynomials, which the forces of most elements are.
 pub(super) fn add_stiffness_product(
     term: &dyn Term,
     state: &State,
     (first, w): (usize, &[f64]),
+    step: f64,
     sum: &mut [f64],
 ) {
     let (coordinates, multipliers) = (term.coordinates(), term.multipliers());
     let (n, size) = (coordinates.len(), coordinates.len() + multipliers.len());
-    let (gathered, mut storage) = (Gathered::new(term, state), [0.0; LOCAL * (LOCAL + 1) / 2]);
-    let mut k = LocalMatrix::zero(size, &mut storage);
-    term.tangent(&gathered.at(term, state), Weights::STIFFNESS, &mut k);
-    let first_multiplier = state.q.len() + multipliers.start;
-    for (j, &c) in coordinates.iter().enumerate() {
-        let Some(&w) = c.checked_sub(first).and_then(|place| w.get(place)) else { continue };
-        for i in 0..size {
-            let row = if i < n { coordinates[i] } else { first_multiplier + i - n };
-            sum[row] += k.get(i.max(j), i.min(j)) * w;
+    let gathered = Gathered::new(term, state);
+    let mut product = [0.0; LOCAL];
+    for (factor, weight) in [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)] {
+        let (mut q, mut r) = (gathered.0[0], [0.0; LOCAL]);
+        for (q, &c) in q.iter_mut().zip(coordinates) {
+            *q += factor * step * c.checked_sub(first).and_then(|place| w.get(place)).unwrap_or(&0.0);
         }
+        term.residual(&Local { q: &q[..n], ..gathered.at(term, state) }, &mut r[..size]);
+        product.iter_mut().zip(r).for_each(|(product, r)| *product += weight / (12.0 * step) * r);
+    }
+    let first_multiplier = state.q.len() + multipliers.start;
+    for (i, product) in product[..size].iter().enumerate() {
+        let row = if i < n { coordinates[i] } else { first_multiplier + i - n };
+        sum[row] += product;
     }
 }

@@ -300,8 +300,12 @@ impl BeamMesh {
     /// Returns the weight w_y of the section frame at an arc length, interpolated between the nodes.
     fn frame_weight(&self, s: f64) -> f64 {
         let (element, xi) = self.locate(s);
-        let at = |node: usize| self.frame_weights.get(node).copied().unwrap_or(0.5);
-        at(element) * (1.0 - xi) + at(element + 1) * xi
+        self.node_weight(element) * (1.0 - xi) + self.node_weight(element + 1) * xi
+    }
+
+    /// Returns the weight w_y of the section frame at an end node of an element.
+    pub(super) fn node_weight(&self, node: usize) -> f64 {
+        self.frame_weights.get(node).copied().unwrap_or(0.5)
     }
 
     /// Returns the material direction at an arc length with the reference value `direction`
@@ -336,12 +340,6 @@ impl BeamMesh {
                 + origin;
         let parts = weights.iter().enumerate().map(|(i, &w)| (self.first + 3 * (offset + i), w));
         Marker::new(parts, reference)
-    }
-
-    /// Returns the displacement of a vector.
-    pub(super) fn displacement(&self, state: &State, vector: usize) -> Vector3<f64> {
-        let first = self.first + 3 * vector;
-        Vector3::from_column_slice(&state.q[first..first + 3])
     }
 
     /// Returns the number of vectors between the starts of consecutive elements.

@@ -6,12 +6,14 @@ use nalgebra::Vector3;
 use super::element_forces::add_stiffness_product;
 use super::mesh::BeamMesh;
 use super::section_frames::normals_to;
-use crate::kinematics::VectorKind;
+use crate::kinematics::{FrameValues, VectorKind};
 use crate::rods::{Placement, RodLoads, RodPart, RodSection, StringEnd, TautString};
 
 /// Product |n| l²/EI of a taut element above which its shape is that of a string with boundary layers. The solution of the rod from
 /// its start grows as the exponential of the root.
 const TAUT: f64 = 8.0;
+/// Size of a gap, as an angle, to which it is scaled for the derivative of the forces of an element.
+const STEP: f64 = 1e-3;
 /// Turn of the reference shape within an element, in rad, above which the interpolation of the shape has a noticeable error.
 const CURVED: f64 = 0.35;
 /// Product above which the boundary layers of both ends do not overlap.
@@ -113,31 +115,45 @@ impl BeamMesh {
         gap
     }
 
-    /// Returns the placement of a section of an element.
+    /// Returns the placement of a section of an element, relative to the origin of the mesh.
     fn placement(&self, state: &State, element: usize, xi: f64) -> Placement {
         let s = (element as f64 + xi) * self.length;
+        if xi == 0.0 || xi == 1.0 {
+            return self
+                .node_placement(element + usize::from(xi == 1.0), |vector| self.vector(state, vector));
+        }
         let axes = match self.frame(s) {
             Some(frame) => frame.at(&state.q).axes,
-            None => {
-                let tangent = self.axes(s)[0].value(state).normalize();
-                let [y, z] = normals_to(tangent);
-                [tangent, y, z]
-            }
+            None => along(self.axes(s)[0].value(state)),
         };
-        Placement::new(self.point(s).value(state), axes)
+        Placement::new(self.point(s).value(state) - self.origin, axes)
+    }
+
+    /// Returns the placement of the section of a node at the end of an element, relative to the origin of the mesh.
+    fn node_placement(&self, node: usize, vector: impl Fn(usize) -> Vector3<f64>) -> Placement {
+        let first = node * self.stride();
+        let of_kind =
+            |kind: VectorKind| self.node_kinds().iter().position(|k| *k == kind).map(|k| vector(first + k));
+        let axes = match (of_kind(VectorKind::Y), of_kind(VectorKind::Z)) {
+            (Some(d), Some(e)) => {
+                let weight = self.node_weight(node);
+                FrameValues::axes(d, e, [weight, 1.0 - weight])
+            }
+            _ => along(vector(first + 1)),
+        };
+        Placement::new(vector(first), axes)
     }
 
     fn reference_placement(&self, element: usize, xi: f64) -> Placement {
+        if xi == 0.0 || xi == 1.0 {
+            return self.node_placement(element + usize::from(xi == 1.0), |vector| self.reference[vector]);
+        }
         let s = (element as f64 + xi) * self.length;
         let axes = match self.frame(s) {
             Some(frame) => *frame.reference(),
-            None => {
-                let tangent = self.axes(s)[0].reference().normalize();
-                let [y, z] = normals_to(tangent);
-                [tangent, y, z]
-            }
+            None => along(self.axes(s)[0].reference()),
         };
-        Placement::new(self.point(s).reference(), axes)
+        Placement::new(self.point(s).reference() - self.origin, axes)
     }
 
     /// Returns the displacement w of the coordinates of an element in which its last node moves by the gap.
@@ -169,8 +185,12 @@ impl BeamMesh {
     ) {
         let first = self.first_coordinate_of(element);
         let w = self.gap_displacement(state, element, gap);
-        add_stiffness_product(self.term(element), state, (first, &w), forces);
-        loads.iter().for_each(|load| add_stiffness_product(*load, state, (first, &w), forces));
+        let size = gap.angle(self.length);
+        if size > 0.0 {
+            let step = STEP / size;
+            add_stiffness_product(self.term(element), state, (first, &w), step, forces);
+            loads.iter().for_each(|load| add_stiffness_product(*load, state, (first, &w), step, forces));
+        }
         let now = self.element_rows(state, element, loads);
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         self.visit_end(element, |place, vector, kind| {
@@ -211,9 +231,11 @@ impl BeamMesh {
             visit(3 * vector, offset + vector, *kind);
         }
     }
+}
 
-    /// Returns the value of a vector in a state.
-    fn vector(&self, state: &State, vector: usize) -> Vector3<f64> {
-        self.reference[vector] + self.displacement(state, vector)
-    }
+/// Returns orthonormal axes, the first one along a tangent.
+fn along(tangent: Vector3<f64>) -> [Vector3<f64>; 3] {
+    let x = tangent.normalize();
+    let [y, z] = normals_to(x);
+    [x, y, z]
 }

@@ -129,8 +129,8 @@ pub struct FrameValues {
 }
 
 impl FrameValues {
-    /// Computes x, y and z.
-    fn axes(d: Vector3<f64>, e: Vector3<f64>, [w_y, w_z]: [f64; 2]) -> [Vector3<f64>; 3] {
+    /// Computes x, y and z of the directors d and e.
+    pub(crate) fn axes(d: Vector3<f64>, e: Vector3<f64>, [w_y, w_z]: [f64; 2]) -> [Vector3<f64>; 3] {
         let x = d.cross(&e).normalize();
         let y = (d * w_y + e.cross(&x) * w_z).normalize();
         [x, y, x.cross(&y)]

@@ -14,7 +14,10 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         ("units of the solver", format!("length {length}, time {time}, force {force}")),
     ]
     .map(|(name, value)| (name.to_owned(), value));
-    let errors = summary.errors.iter().map(|errors| ("discretisation error".to_owned(), errors.sentence()));
+    let errors = summary
+        .errors
+        .iter()
+        .map(|errors| ("error of the mesh".to_owned(), errors.sentence().replacen("mesh: ", "", 1)));
     rows.into_iter().chain(errors).collect()
 }
 

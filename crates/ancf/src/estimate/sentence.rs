@@ -18,7 +18,7 @@ impl DiscretisationErrors {
                 let about = if *resolution == Resolution::Rough { "about " } else { "" };
                 let end = format!("; section law within {}", percent(*law));
                 match displacement {
-                    Some(error) => format!("mesh: {about}{}{end}", error.sentence()),
+                    Some(error) => format!("mesh: {}{end}", error.sentence(about)),
                     None => format!(
                         "mesh: the elements of body `{body}` ({elements}) differ from the exact rod by {} rad in total{end}",
                         short(round(*gaps))
@@ -44,14 +44,14 @@ impl DiscretisationErrors {
 }
 
 impl ProbeError {
-    fn sentence(&self) -> String {
+    fn sentence(&self, about: &str) -> String {
         let Self { probe, relative, along, column, value, error } = self;
         let (size, better) = (percent(*relative), short(value + error));
         if along.abs() < ALONG * relative {
-            format!("{size} error of the displacement of `{probe}` (better: {column} = {better})")
+            format!("{about}{size} error of the displacement of `{probe}` (better: {column} = {better})")
         } else {
             let word = if *along > 0.0 { "small" } else { "large" };
-            format!("displacement of `{probe}` {size} too {word} (better: {column} = {better})")
+            format!("displacement of `{probe}` {about}{size} too {word} (better: {column} = {better})")
         }
     }
 }

@@ -30,9 +30,10 @@ impl IndexedModel<'_> {
             nodal.resize(terms.len() - first_joint, self.connects_nodes(&bodies, joint));
         }
         terms.extend(self.coupling_terms(&bodies, &joints));
+        let first_load = terms.len();
         terms.extend(self.load_terms(&bodies, time_mode));
         let is_nodal = |index: usize| nodal.get(index - first_joint).copied().unwrap_or(false);
-        let inner_loads = InnerLoads::new(&bodies, &terms, first_joint, is_nodal);
+        let inner_loads = InnerLoads::new(&bodies, &terms, [first_joint, first_load], is_nodal);
         let probes = self
             .probes
             .iter()

@@ -11,21 +11,26 @@ use crate::model::{IndexedModel, Place, TimeMode};
 
 /// Indices of the terms that act between the nodes of an element, by body and element.
 #[derive(Debug, Default)]
-pub(crate) struct InnerLoads(HashMap<(usize, usize), Vec<usize>>);
+pub(crate) struct InnerLoads {
+    terms: HashMap<(usize, usize), Vec<usize>>,
+    /// True if a term of a joint is among them.
+    pub(crate) has_joints: bool,
+}
 
 impl InnerLoads {
-    /// Creates the index of the terms from `first`, which are those of joints and loads. `is_nodal` are terms that connect
+    /// Creates the index of the terms of joints and of loads, which begin at `first_joint` and `first_load`. `is_nodal` are terms that connect
     /// the nodes of an element with each other.
     pub(super) fn new(
         bodies: &[(String, BodyTerms)],
         terms: &[Box<dyn Term>],
-        first: usize,
+        [first_joint, first_load]: [usize; 2],
         is_nodal: impl Fn(usize) -> bool,
     ) -> Self {
         let mut inner: HashMap<(usize, usize), Vec<usize>> = HashMap::new();
         let meshes: Vec<(usize, &BeamMesh)> =
             bodies.iter().enumerate().filter_map(|(k, (_, body))| Some((k, body.mesh()?))).collect();
-        for (index, term) in terms.iter().enumerate().skip(first).filter(|(index, _)| !is_nodal(*index)) {
+        for (index, term) in terms.iter().enumerate().skip(first_joint).filter(|(index, _)| !is_nodal(*index))
+        {
             let coordinates = term.coordinates();
             for &c in coordinates {
                 // The meshes are in the order of their coordinates.
@@ -39,12 +44,13 @@ impl InnerLoads {
                 }
             }
         }
-        Self(inner)
+        let has_joints = inner.values().flatten().any(|&index| index < first_load);
+        Self { terms: inner, has_joints }
     }
 
     /// Indices of the terms within an element.
     pub(crate) fn of(&self, body: usize, element: usize) -> &[usize] {
-        self.0.get(&(body, element)).map_or(&[], Vec::as_slice)
+        self.terms.get(&(body, element)).map_or(&[], Vec::as_slice)
     }
 }
 

@@ -11,11 +11,12 @@ pub enum Resolution {
     /// The gaps add up to less than 0.3 rad: the estimate is accurate.
     Good,
     /// The estimate states the order of magnitude: the gaps add up to at most 1 rad, taut elements are neither rods nor strings,
-    /// elements are strongly curved, or loads within elements are not known in detail.
+    /// elements are strongly curved, contacts are active, or loads within elements are not known in detail.
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
-    /// The response of the structure to the gaps is not known, such as near a critical load.
+    /// Joints act between the nodes of elements, or the response of the structure to the gaps is not known, such as near a
+    /// critical load.
     Unknown,
 }
 
@@ -83,7 +84,8 @@ impl DiscretisationErrors {
             errors.resolution = Resolution::Unresolved;
             return Some(errors);
         }
-        let Some(response) = respond(&field.forces()) else {
+        let response = if field.assembly.inner_loads.has_joints { None } else { respond(&field.forces()) };
+        let Some(response) = response else {
             return Some(Self { resolution: Resolution::Unknown, ..errors });
         };
         let values = ValueErrors::new(field, &response, scales);

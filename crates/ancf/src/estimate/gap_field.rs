@@ -29,8 +29,8 @@ impl<'a> GapField<'a> {
     /// Computes the gaps. `model` is the model of the assembly, in the same units.
     pub(crate) fn new(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
         let contacts = assembly.contact_terms(state);
-        let is_rough =
-            !contacts.is_empty() || !model.loads.iter().all(|load| load.kind().is_known_within_elements());
+        let are_loads_known = model.loads.iter().all(|load| load.kind().is_known_within_elements());
+        let is_rough = !contacts.is_empty() || !are_loads_known;
         let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough };
         for (body, of_model) in model.bodies.iter().enumerate() {
             let mesh = assembly.body_of(body).mesh();

@@ -12,7 +12,8 @@ impl DiscretisationErrors {
         match resolution {
             Resolution::Unresolved => self.unresolved(),
             Resolution::Unknown => {
-                "mesh: the error is not known, since the response of the structure is not accurate (a critical load is near)".into()
+                "mesh: the error is not known, since joints act within elements or a critical load is near"
+                    .into()
             }
             Resolution::Good | Resolution::Rough => {
                 let about = if *resolution == Resolution::Rough { "about " } else { "" };

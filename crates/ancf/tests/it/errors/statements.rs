@@ -24,6 +24,41 @@ fn unresolved_bending_is_a_warning() {
     assert!(fine.warnings.is_empty(), "{:?}", fine.warnings);
 }
 
+/// Nothing is stated with a joint between the nodes of an element; a node there makes it known.
+#[test]
+fn joint_within_an_element_is_unknown() {
+    let frame = |elements: u32| {
+        let branch = r#"
+            [[bodies]]
+            kind = "beam"
+            name = "c"
+            from = [0.25, 0, 0]
+            to = [0.25, 0.4, 0.1]
+            elements = 2
+            section = "s"
+            material = "m"
+            [[joints]]
+            kind = "clamp"
+            name = "root"
+            a = { body = "b", at = "start" }
+            [[joints]]
+            kind = "clamp"
+            name = "knot"
+            a = { body = "c", at = "start" }
+            b = { body = "b", at = 0.25 }
+            [[probes]]"#;
+        let text = beam(BODIES[2], elements, "gravity = [0, -9.81, 0]");
+        errors(&text.replacen("[[probes]]", branch, 1))
+    };
+    let inside = frame(2);
+    assert_eq!(inside.resolution, Resolution::Unknown);
+    assert!(
+        inside.values.is_empty() && inside.sentence().contains("joints act within elements"),
+        "{inside:?}"
+    );
+    assert_eq!(frame(4).resolution, Resolution::Good);
+}
+
 /// The units of the equations have no effect.
 #[test]
 fn scales_leave_the_estimate() {

@@ -3,7 +3,7 @@
 use ancf::estimate::{DiscretisationErrors, Resolution};
 
 use super::law::{Check, Law};
-use super::refinement::refined;
+use super::refinement::{is_position, refined};
 use crate::compare::{Case, Finding};
 use crate::random::Random;
 use crate::run::run;
@@ -28,7 +28,6 @@ impl Law for Estimate {
         let twin = run(&refined(&case.model, 4));
         let Some(fine) = good(twin.errors.as_ref()) else { return Check::Inapplicable };
         let length = case.model.length();
-        let is_position = |column: &str| [".x", ".y", ".z"].iter().any(|end| column.ends_with(end));
         // Parts of an error may cancel in one component.
         let largest = |errors: &DiscretisationErrors| {
             let positions = errors.values.iter().filter(|value| is_position(&value.column));

@@ -89,7 +89,8 @@ fn distance([coarse, fine]: [&Run; 2], ratio: usize) -> f64 {
     (sum / f64::max(count, 1.0)).sqrt()
 }
 
-fn is_position(name: &str) -> bool {
+/// True for a column of a position.
+pub(super) fn is_position(name: &str) -> bool {
     [".x", ".y", ".z"].iter().any(|end| name.ends_with(end))
 }
 

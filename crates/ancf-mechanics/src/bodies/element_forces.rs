@@ -16,15 +16,10 @@ const SAMPLES: usize = 3;
 impl BeamMesh {
     /// Returns the residual of an element and its loads in the rows of the element.
     pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [f64; LOCAL] {
-        let term = self.term(element);
-        let first = term.coordinates()[0];
-        let (n, mut rows) = (term.coordinates().len(), residual(term, state, state.load));
+        let mut rows = residual(self.term(element), state, state.load);
         for load in loads {
-            for (c, row) in load.coordinates().iter().zip(residual(*load, state, state.load)) {
-                if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
-                    rows[place] += row;
-                }
-            }
+            let forces = self.load_rows(state, element, *load);
+            rows.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
         }
         rows
     }
@@ -56,8 +51,8 @@ impl BeamMesh {
     /// Returns the section forces of an element between its ends, from the forces and moments that balance it there.
     ///
     /// Loads whose place has no variance are point loads, unless they are many: follower loads and contacts act at integration
-    /// points. The sum of all others, and the body force of the element, is fitted by a
-    /// quadratic distribution with the same virtual work on displacements constant, linear and quadratic in the arc length.
+    /// points. The sum of all others, and the body force of the element, is fitted by a quadratic distribution with the same
+    /// [`works`](Self::works).
     pub(super) fn rod_loads(
         &self,
         state: &State,
@@ -68,18 +63,15 @@ impl BeamMesh {
         let unloaded = residual(self.term(element), state, 0.0);
         let mut rows = residual(self.term(element), state, state.load);
         rows.iter_mut().zip(unloaded).for_each(|(row, unloaded)| *row = unloaded - *row);
-        let of_loads: Vec<_> =
-            loads.iter().map(|load| (load, self.point_load(state, element, *load))).collect();
-        let are_samples = of_loads.iter().filter(|(_, point)| point.is_some()).count() >= SAMPLES;
-        let mut points = Vec::new();
-        for (load, point) in of_loads {
-            if let Some(point) = point.filter(|_| !are_samples) {
-                points.push(point);
-            } else {
-                let more = self.load_rows(state, element, *load);
-                rows.iter_mut().zip(more).for_each(|(row, more)| *row += more);
-            }
+        let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
+        let mut points: Vec<_> = of_loads.iter().map(|rows| self.point_load(state, element, rows)).collect();
+        if points.iter().flatten().count() >= SAMPLES {
+            points.fill(None);
         }
+        for (more, _) in of_loads.iter().zip(&points).filter(|(_, point)| point.is_none()) {
+            rows.iter_mut().zip(more).for_each(|(row, more)| *row += more);
+        }
+        let mut points: Vec<PointLoad> = points.into_iter().flatten().collect();
         points.sort_by(|a, b| a.xi.total_cmp(&b.xi));
         let sum: Vector3<f64> = points.iter().map(|point| point.force).sum();
         let moments: Vector3<f64> = points.iter().map(|point| point.moment).sum();
@@ -110,8 +102,9 @@ impl BeamMesh {
         Vector3::from_column_slice(&state.q[first..first + 3])
     }
 
-    /// Returns the deviations from a linear section force of the loads with these nodal forces.
-    fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 2] {
+    /// Returns the virtual works of nodal forces on displacements 1, ξ and ξ² in each direction, which are in the space of the
+    /// elements.
+    fn works(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 3] {
         let kinds = self.node_kinds();
         let vectors = self.term(element).coordinates().len() / 3;
         let nodes = vectors / kinds.len();
@@ -127,6 +120,12 @@ impl BeamMesh {
             };
             works.iter_mut().zip(values).for_each(|(work, value)| *work += row * value);
         }
+        works
+    }
+
+    /// Returns the deviations from a linear section force of the loads with these nodal forces.
+    fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 2] {
+        let works = self.works(element, rows);
         // Coefficients of p(ξ) from ∫ p ξᵏ dξ, by the inverse of the Hilbert matrix.
         let of = |row: [f64; 3]| works[0] * row[0] + works[1] * row[1] + works[2] * row[2];
         [of([-36.0, 192.0, -180.0]) * 0.5, of([30.0, -180.0, 180.0]) / 3.0]
@@ -157,50 +156,29 @@ impl BeamMesh {
         loads.parts(xi).map(of_part).sum()
     }
 
-    /// Returns the force and moment of a term that acts at one point between the nodes of an element; `None` for distributed
-    /// loads.
+    /// Returns the force and moment of a load with these nodal forces that acts at one point between the nodes of an element;
+    /// `None` for distributed loads.
     ///
-    /// The virtual displacements F ξ and F ξ², with the force F, are in the space of the elements. The virtual work of the load
-    /// on them gives the mean and the variance of its place. Moments without a force count as distributed.
-    fn point_load(&self, state: &State, element: usize, term: &dyn Term) -> Option<PointLoad> {
-        let (kinds, rows) = (self.node_kinds(), self.load_rows(state, element, term));
-        let n = self.term(element).coordinates().len();
-        let (vectors, nodes) = (n / 3, n / 3 / kinds.len());
-        let offset = element * self.stride();
-        let value = |i: usize| self.vector(state, offset + i);
-        let at = |i: usize| (i / kinds.len()) as f64 / (nodes - 1) as f64;
-        let row = |i: usize| Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
-        let (mut force, mut about_origin) = (Vector3::zeros(), Vector3::zeros());
-        let mut size = 0.0;
-        for i in 0..vectors {
-            if kinds[i % kinds.len()] == VectorKind::Position {
-                force += row(i);
-            }
-            about_origin += value(i).cross(&row(i));
-            size += row(i).norm() * value(i).norm();
+    /// The [`works`](Self::works) in the direction of the force give the mean and the variance of its place. Moments without a
+    /// force count as distributed.
+    fn point_load(&self, state: &State, element: usize, rows: &[f64; LOCAL]) -> Option<PointLoad> {
+        let (mut about_origin, mut size) = (Vector3::zeros(), 0.0);
+        for i in 0..self.term(element).coordinates().len() / 3 {
+            let row = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
+            let vector = self.vector(state, element * self.stride() + i);
+            about_origin += vector.cross(&row);
+            size += row.norm() * vector.norm();
         }
-        let work = |displacement: &dyn Fn(usize) -> Vector3<f64>| -> f64 {
-            (0..vectors).map(|i| row(i).dot(&displacement(i))).sum()
-        };
-        let slope = self.slope / self.length;
-        // Work of the displacement F ξᵖ, relative to F².
-        let of_force = |power: i32| {
-            work(&|i| match kinds[i % kinds.len()] {
-                VectorKind::Position => force * at(i).powi(power),
-                VectorKind::Slope => force * (f64::from(power) * at(i).powi(power - 1) * slope),
-                VectorKind::Y | VectorKind::Z => Vector3::zeros(),
-            }) / force.norm_squared()
-        };
-        let moment_at = |xi: f64| {
-            let point = self.point((element as f64 + xi) * self.length).value(state) - self.origin;
-            about_origin - point.cross(&force)
-        };
+        let [force, first, second] = self.works(element, rows);
         if force.norm() * self.length <= POINT * size {
             return None;
         }
-        let (mean, square) = (of_force(1), of_force(2));
-        let is_point = (square - mean * mean).abs() < POINT && (0.0..=1.0).contains(&mean);
-        is_point.then(|| PointLoad { xi: mean, force, moment: moment_at(mean) })
+        let [xi, square] = [first, second].map(|work| work.dot(&force) / force.norm_squared());
+        if (square - xi * xi).abs() >= POINT || !(0.0..=1.0).contains(&xi) {
+            return None;
+        }
+        let point = self.point((element as f64 + xi) * self.length).value(state) - self.origin;
+        Some(PointLoad { xi, force, moment: about_origin - point.cross(&force) })
     }
 }
 

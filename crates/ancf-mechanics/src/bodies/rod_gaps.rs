@@ -173,8 +173,8 @@ impl BeamMesh {
     ///
     /// K_e w + Σ f_a × γ_φ + Tᵀ (γ_φ × m + γ_r × n − γ_m),
     ///
-    /// with the stiffness K_e of the element and its loads, also in the rows of joints between the nodes, the forces f_a of the element on the directions of the node, its end forces n and m, and the variation T of the
-    /// section frame.
+    /// with the stiffness K_e of the element and its loads, the forces f_a of the element on the directions of the node, its end
+    /// forces n and m, and the variation T of the section frame.
     pub fn add_gap_forces(
         &self,
         state: &State,

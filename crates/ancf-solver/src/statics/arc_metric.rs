@@ -137,7 +137,8 @@ pub(crate) fn refined_response(
     Ok([response, refined.map_err(|_| SolveFailure::Singular)?])
 }
 
-fn solve_force(newton: &mut Newton, mut force: Vec<f64>) -> Result<Vec<f64>, SolveFailure> {
+/// Solves K z = f with the last factors.
+pub(crate) fn solve_force(newton: &mut Newton, mut force: Vec<f64>) -> Result<Vec<f64>, SolveFailure> {
     newton.tangent.factor.solve(&newton.tangent.matrix, &mut force).map_err(|_| SolveFailure::Singular)?;
     Ok(force)
 }

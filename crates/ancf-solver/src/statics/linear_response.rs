@@ -1,3 +1,4 @@
+use super::arc_metric::solve_force;
 use crate::equations::{EquationsOfMotion, State};
 use crate::newton::{Newton, norm};
 
@@ -16,13 +17,11 @@ pub(crate) fn linear_response(
     s: &State,
     force: &[f64],
 ) -> Option<Vec<f64>> {
-    let tangent = &mut newton.tangent;
-    let mut solve = |right: &[f64]| {
-        let mut z = right.to_vec();
-        tangent.factor.solve(&tangent.matrix, &mut z).ok()?;
+    let mut solve = |right: Vec<f64>| {
+        let z = solve_force(newton, right).ok()?;
         z.iter().all(|x| x.is_finite()).then_some(z)
     };
-    let mut z = solve(force)?;
+    let mut z = solve(force.to_vec())?;
     let skew = eom.skew_stiffness(s);
     if skew.is_empty() {
         return Some(z);
@@ -33,7 +32,7 @@ pub(crate) fn linear_response(
             right[i] -= value * z[j];
             right[j] += value * z[i];
         }
-        let next = solve(&right)?;
+        let next = solve(right)?;
         let change: Vec<f64> = next.iter().zip(&z).map(|(next, z)| next - z).collect();
         let is_done = norm(&change) <= TOLERANCE * norm(&next);
         z = next;

@@ -18,8 +18,8 @@ pub(crate) struct InnerLoads {
 }
 
 impl InnerLoads {
-    /// Creates the index of the terms of joints and of loads, which begin at `first_joint` and `first_load`. `is_nodal` are terms that connect
-    /// the nodes of an element with each other.
+    /// Creates the index of the terms of joints and of loads, which begin at `first_joint` and `first_load`. `is_nodal` are
+    /// terms that connect the nodes of an element with each other.
     pub(super) fn new(
         bodies: &[(String, BodyTerms)],
         terms: &[Box<dyn Term>],

@@ -16,6 +16,8 @@ const TAUT: f64 = 8.0;
 const STEP: f64 = 1e-3;
 /// Turn of the reference shape within an element, in rad, above which the interpolation of the shape has a noticeable error.
 const CURVED: f64 = 0.35;
+/// Ratio of the tensions of both ends of an element above which the tension varies within a boundary layer.
+const STEEP: f64 = 3.0;
 /// Product above which the boundary layers of both ends do not overlap.
 const STRING: f64 = 100.0;
 
@@ -35,6 +37,8 @@ pub struct RodGap {
     /// True if the gap is not accurate: the boundary layers of both ends of a taut element overlap, or the reference shape turns
     /// far within the element.
     pub is_rough: bool,
+    /// True if there is no gap to state: the tension of a taut element nearly vanishes at an end.
+    pub is_unknown: bool,
 }
 
 impl RodGap {
@@ -71,6 +75,15 @@ impl BeamMesh {
         let tension = 0.5 * (forces[0] + forces[1]).dot(&(at(1.0).position - first.position)) / self.length;
         let tautness = tension * self.length.powi(2) * middle.flexibility();
         if tautness > TAUT {
+            // The layer of an end assumes a constant tension.
+            let [low, high] = {
+                let [a, b] = [0.0, 1.0].map(|xi| loads.force(xi).norm());
+                [a.min(b), a.max(b)]
+            };
+            let is_short = low * self.length.powi(2) * middle.flexibility() > STRING;
+            if !is_short && high > STEEP * low {
+                return RodGap { law, is_unknown: true, ..RodGap::default() };
+            }
             let end = at(1.0);
             let is_end = [element == 0, element + 1 == self.count()];
             let ends = std::array::from_fn(|k| StringEnd {
@@ -98,6 +111,7 @@ impl BeamMesh {
             moment: reached_moment + translation.cross(&loads.force(xi)) - of_element,
             law,
             is_rough: middle.curvature.norm() * self.length > CURVED,
+            is_unknown: false,
         };
         if section(0.0).curvature != Vector3::zeros() || middle.curvature != Vector3::zeros() {
             // The error of the integration of the reference shape.

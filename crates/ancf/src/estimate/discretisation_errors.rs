@@ -15,8 +15,8 @@ pub enum Resolution {
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
-    /// Joints act between the nodes of elements, or the response of the structure to the gaps is not known, such as near a
-    /// critical load.
+    /// Joints act between the nodes of elements, the tension of a taut element vanishes at an end, or the response of the
+    /// structure to the gaps is not known, such as near a critical load.
     Unknown,
 }
 
@@ -84,7 +84,7 @@ impl DiscretisationErrors {
             errors.resolution = Resolution::Unresolved;
             return Some(errors);
         }
-        let response = if field.assembly.inner_loads.has_joints { None } else { respond(&field.forces()) };
+        let response = if field.is_unknown() { None } else { respond(&field.forces()) };
         let Some(response) = response else {
             return Some(Self { resolution: Resolution::Unknown, ..errors });
         };

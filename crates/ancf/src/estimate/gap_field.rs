@@ -52,6 +52,12 @@ impl<'a> GapField<'a> {
         self.is_rough || self.bodies().any(|(_, body)| body.gaps.iter().any(|gap| gap.is_rough))
     }
 
+    /// True if gaps are not known, or joints act between the nodes of elements.
+    pub(super) fn is_unknown(&self) -> bool {
+        let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
+        self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
+    }
+
     /// Flexible bodies with their numbers.
     pub(super) fn bodies(&self) -> impl Iterator<Item = (usize, &BodyGaps<'a>)> {
         self.bodies.iter().enumerate().filter_map(|(number, body)| Some((number, body.as_ref()?)))

@@ -12,7 +12,8 @@ impl DiscretisationErrors {
         match resolution {
             Resolution::Unresolved => self.unresolved(),
             Resolution::Unknown => {
-                "mesh: the error is not known, since joints act within elements or a critical load is near"
+                "mesh: the error is not known, since joints act within elements, the tension of a coarse taut element vanishes at \
+                 its end, or a critical load is near"
                     .into()
             }
             Resolution::Good | Resolution::Rough => {

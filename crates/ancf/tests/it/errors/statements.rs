@@ -59,6 +59,24 @@ fn joint_within_an_element_is_unknown() {
     assert_eq!(frame(4).resolution, Resolution::Good);
 }
 
+/// The last element of a coarse hanging cable is taut at one end only. Short elements resolve the transition.
+#[test]
+fn free_end_of_a_hanging_cable() {
+    let hanging = |elements: u32| {
+        let load = r#"gravity = [9.81, 0, 0]
+            loads = [{ kind = "force", on = { body = "b", at = "end" }, force = [0, 1e-2, 0] }]"#;
+        let text = beam(BODIES[4], elements, &format!("{load}\n{CLAMPED}"));
+        let section = "kind = \"rectangle\", height = 0.02, width = 0.02";
+        let text = text.replace(section, "kind = \"circle\", diameter = 0.005");
+        errors(&text.replace("young = 1e9", "young = 2e6"))
+    };
+    let coarse = hanging(4);
+    assert_eq!(coarse.resolution, Resolution::Unknown, "{coarse:?}");
+    assert!(coarse.values.is_empty() && coarse.sentence().contains("tension"), "{coarse:?}");
+    let [fine, finer] = [64, 128].map(|elements| of(&hanging(elements), "tip.y"));
+    assert_near("tip.y", fine[0] + fine[1], finer[0] + finer[1], 0.3 * fine[1].abs() + 1e-9);
+}
+
 /// The units of the equations have no effect.
 #[test]
 fn scales_leave_the_estimate() {

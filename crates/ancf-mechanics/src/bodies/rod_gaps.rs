@@ -75,13 +75,7 @@ impl BeamMesh {
         let tension = 0.5 * (forces[0] + forces[1]).dot(&(at(1.0).position - first.position)) / self.length;
         let tautness = tension * self.length.powi(2) * middle.flexibility();
         if tautness > TAUT {
-            // The layer of an end assumes a constant tension.
-            let [low, high] = {
-                let [a, b] = [0.0, 1.0].map(|xi| loads.force(xi).norm());
-                [a.min(b), a.max(b)]
-            };
-            let is_short = low * self.length.powi(2) * middle.flexibility() > STRING;
-            if !is_short && high > STEEP * low {
+            if is_steep(&loads, self.length.powi(2) * middle.flexibility()) {
                 return RodGap { law, is_unknown: true, ..RodGap::default() };
             }
             let end = at(1.0);
@@ -252,4 +246,11 @@ fn along(tangent: Vector3<f64>) -> [Vector3<f64>; 3] {
     let x = tangent.normalize();
     let [y, z] = normals_to(x);
     [x, y, z]
+}
+
+/// True if the tension varies within the boundary layer of an end, whose shape assumes a constant tension. `slenderness` is l²/EI.
+fn is_steep(loads: &RodLoads, slenderness: f64) -> bool {
+    let [a, b] = [0.0, 1.0].map(|xi| loads.force(xi).norm());
+    let (low, high) = (a.min(b), a.max(b));
+    low * slenderness <= STRING && high > STEEP * low
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf::errors::short;
+use ancf::errors::{percentage, short};
 use ancf::model::Analysis;
 use ancf::record::Sink;
 use ancf::{Outcome, Summary};
@@ -32,8 +32,8 @@ impl<'a> RunSummary<'a> {
             Analysis::Dynamics(_) => &[],
             Analysis::Statics(_) => &["unstable"],
             Analysis::Path(_) => &["limit", "unstable"],
-            Analysis::Modes(_) => &["squared", "frequency"],
-            Analysis::Buckling(_) => &["factor"],
+            Analysis::Modes(_) => &["squared", "frequency", "frequency_error"],
+            Analysis::Buckling(_) => &["factor", "factor_error"],
         }
     }
 
@@ -44,16 +44,20 @@ impl<'a> RunSummary<'a> {
 
     /// Returns modes and critical loads as aligned lines. Empty for other analyses.
     pub fn table(&self) -> String {
-        let (heading, lines): (_, Vec<_>) = match self.analysis {
-            Analysis::Modes(_) => ("mode       frequency\n", self.column(1).map(frequency).collect()),
-            Analysis::Buckling(_) => ("mode     load factor\n", self.column(0).map(digits).collect()),
+        let (heading, place, format): (_, _, fn(f64) -> String) = match self.analysis {
+            Analysis::Modes(_) => ("frequency", 1, frequency),
+            Analysis::Buckling(_) => ("load factor", 0, digits),
             _ => return String::new(),
         };
-        if lines.is_empty() {
+        if self.rows.is_empty() {
             return String::new();
         }
-        let line = |(k, line): (usize, &String)| format!("{:4}  {line:>14}\n", k + 1);
-        heading.to_owned() + &lines.iter().enumerate().map(line).collect::<String>()
+        let line = |(k, (value, error)): (usize, (f64, f64))| {
+            let line = format!("{:4}  {:>14}  {:>11}", k + 1, format(value), excess(value, error));
+            line.trim_end().to_owned() + "\n"
+        };
+        let values = self.column(place).zip(self.column(place + 1));
+        format!("mode  {heading:>14}  too high by\n") + &values.enumerate().map(line).collect::<String>()
     }
 
     /// Returns modes and critical loads by column. Empty for other analyses.
@@ -159,6 +163,16 @@ fn digits(x: f64) -> String {
         format!("{x:.6e}")
     } else {
         format!("{x:.*}", places.clamp(0, 10) as usize)
+    }
+}
+
+/// Formats the estimated error of a value as the percentage by which it is too high.
+fn excess(value: f64, error: f64) -> String {
+    let relative = -error / value;
+    match value {
+        _ if relative.is_finite() => percentage(relative),
+        0.0 => String::new(),
+        _ => "?".to_owned(),
     }
 }
 

@@ -5,7 +5,7 @@ use super::finding::Finding;
 use crate::run::{Record, Run, Verdict};
 
 /// Columns of the solution procedure, which twins do not share.
-const PROCEDURE: [&str; 10] = [
+const PROCEDURE: [&str; 12] = [
     "iterations",
     "residual",
     "increment",
@@ -16,6 +16,8 @@ const PROCEDURE: [&str; 10] = [
     "limit",
     "mode",
     "unstable",
+    "frequency_error",
+    "factor_error",
 ];
 
 /// Factor between the deviation of a neighbour and the tolerance.

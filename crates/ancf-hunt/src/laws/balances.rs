@@ -21,7 +21,16 @@ impl Law for Finite {
         if let Verdict::Panicked(message) = &case.base.verdict {
             return Check::Violated(Finding::of_kind(self.name(), "panic", message.clone()));
         }
-        let undefined = ["unstable", "frequency", "slope", "residual", "increment", "drift"];
+        let undefined = [
+            "unstable",
+            "frequency",
+            "slope",
+            "residual",
+            "increment",
+            "drift",
+            "frequency_error",
+            "factor_error",
+        ];
         let columns = case.base.columns.iter().filter(|column| !undefined.contains(&column.name.as_str()));
         let found = columns.into_iter().find_map(|column| {
             let row = column.values.iter().position(|x| !x.is_finite())?;

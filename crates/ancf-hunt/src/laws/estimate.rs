@@ -1,6 +1,6 @@
 //! Estimated errors of the mesh against a finer mesh.
 
-use ancf::estimate::{DiscretisationErrors, Resolution};
+use ancf::estimate::{DiscretisationErrors, Resolution, ValueError};
 
 use super::law::{Check, Law};
 use super::refinement::{is_position, refined};
@@ -8,15 +8,20 @@ use crate::compare::{Case, Finding};
 use crate::random::Random;
 use crate::run::run;
 
-/// Value + error of statics is that of a mesh with four times the elements, to half of the error.
+/// Value + error of statics, frequencies and load factors is that of a mesh with four times the elements, to the size of the error:
+/// the ratio of the estimated and the true error is at least one half.
 pub(super) struct Estimate;
 
 /// Ratio of the remaining and the estimated error.
-const REMAINING: f64 = 0.5;
+const REMAINING: f64 = 1.0;
 /// Difference relative to the length that is not checked.
 const SMALL: f64 = 1e-5;
 /// Difference of the values relative to the length above which the meshes have different equilibria.
 const OTHER: f64 = 0.3;
+/// Relative error of a frequency or load factor above which it is not checked.
+const RELATIVE: f64 = 0.1;
+/// Relative difference of frequencies and load factors that is not checked.
+const SMALL_RELATIVE: f64 = 1e-3;
 
 impl Law for Estimate {
     fn name(&self) -> &'static str {
@@ -27,6 +32,9 @@ impl Law for Estimate {
         let Some(coarse) = good(case.base.errors.as_ref()) else { return Check::Inapplicable };
         let twin = run(&refined(&case.model, 4));
         let Some(fine) = good(twin.errors.as_ref()) else { return Check::Inapplicable };
+        if coarse.eigenvalue.is_some() {
+            return Check::of(of_eigenvalues(coarse, fine));
+        }
         let length = case.model.length();
         // Parts of an error may cancel in one component.
         let largest = |errors: &DiscretisationErrors| {
@@ -51,6 +59,31 @@ impl Law for Estimate {
         }
         Check::of(worst)
     }
+}
+
+/// Compares corrected frequencies or load factors with the nearest ones of the fine mesh: the order of the modes may change.
+fn of_eigenvalues(coarse: &DiscretisationErrors, fine: &DiscretisationErrors) -> Option<Finding> {
+    let corrected = |value: &ValueError| value.value + value.error;
+    let largest = fine.values.iter().map(corrected).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let is_checked = |value: &&ValueError| {
+        value.error.abs() <= RELATIVE * value.value.abs()
+            && corrected(value).abs() < (1.0 - RELATIVE) * largest
+    };
+    for value in coarse.values.iter().filter(is_checked) {
+        let distance = |exact: &&ValueError| (corrected(value) - corrected(exact)).abs();
+        let nearest = fine.values.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let tolerance =
+            REMAINING * (value.error.abs() + nearest.error.abs()) + SMALL_RELATIVE * value.value.abs();
+        let excess = distance(&nearest) / tolerance;
+        if excess > 1.0 {
+            let values = format!(
+                "{:e} + {:e} / {:e} + {:e} with four times the elements",
+                value.value, value.error, nearest.value, nearest.error
+            );
+            return Some(Finding { law: "estimate", quantity: value.column.clone(), values, excess });
+        }
+    }
+    None
 }
 
 fn good(errors: Option<&DiscretisationErrors>) -> Option<&DiscretisationErrors> {

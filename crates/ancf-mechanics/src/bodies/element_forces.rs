@@ -16,7 +16,7 @@ const SAMPLES: usize = 3;
 impl BeamMesh {
     /// Returns the residual of an element and its loads in the rows of the element.
     pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [f64; LOCAL] {
-        let mut rows = residual(self.term(element), state, state.load);
+        let mut rows = residual(self.term(element), state);
         for load in loads {
             let forces = self.load_rows(state, element, *load);
             rows.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
@@ -51,8 +51,8 @@ impl BeamMesh {
     /// Returns the section forces of an element between its ends, from the forces and moments that balance it there.
     ///
     /// Loads whose place has no variance are point loads, unless they are many: follower loads and contacts act at integration
-    /// points. The sum of all others, and the body force of the element, is fitted by a quadratic distribution with the same
-    /// [`works`](Self::works).
+    /// points. The sum of all others, and the body force and the inertia of the element, is fitted by a quadratic distribution with
+    /// the same [`works`](Self::works).
     pub(super) fn rod_loads(
         &self,
         state: &State,
@@ -60,9 +60,8 @@ impl BeamMesh {
         [start, end]: [Wrench; 2],
         loads: &[&dyn Term],
     ) -> RodLoads {
-        let unloaded = residual(self.term(element), state, 0.0);
-        let mut rows = residual(self.term(element), state, state.load);
-        rows.iter_mut().zip(unloaded).for_each(|(row, unloaded)| *row = unloaded - *row);
+        let mut rows = self.body_force_rows(state, element);
+        let couples = self.couples(state, element, &rows);
         let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut points: Vec<_> = of_loads.iter().map(|rows| self.point_load(state, element, rows)).collect();
         if points.iter().flatten().count() >= SAMPLES {
@@ -77,9 +76,9 @@ impl BeamMesh {
         let moments: Vector3<f64> = points.iter().map(|point| point.moment).sum();
         let (forces, moment) = ([-start.force, end.force + sum], -start.moment);
         let deviations = self.deviations(element, &rows);
-        let mut loads = RodLoads { forces, deviations, moment, couple: Vector3::zeros(), points };
+        let mut loads = RodLoads { forces, deviations, moment, couples, points };
         let lever = self.lever(state, element, &loads, 1.0);
-        loads.couple = (end.moment - moment + lever + moments) / self.length;
+        loads.couples[0] = (end.moment - moment + lever + moments) / self.length;
         loads
     }
 
@@ -131,11 +130,42 @@ impl BeamMesh {
         [of([-36.0, 192.0, -180.0]) * 0.5, of([30.0, -180.0, 180.0]) / 3.0]
     }
 
+    /// Returns factors of [`RodLoads::couples`] of rotary inertia. The mean is left at zero: it follows from the equilibrium.
+    ///
+    /// A virtual rotation of the directions y and z that varies as their interpolation is in the space of the elements.
+    fn couples(&self, state: &State, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 3] {
+        let kinds = self.node_kinds();
+        let vectors = self.term(element).coordinates().len() / 3;
+        let nodes = vectors / kinds.len();
+        let mut couples = [Vector3::zeros(); 3];
+        for i in (0..vectors).filter(|i| matches!(kinds[i % kinds.len()], VectorKind::Y | VectorKind::Z)) {
+            let row = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
+            let couple = self.vector(state, element * self.stride() + i).cross(&row) / -self.length;
+            let xi = (i / kinds.len()) as f64 / (nodes - 1) as f64;
+            couples[1] += couple * (3.0 * (2.0 * xi - 1.0));
+            if nodes > 2 {
+                couples[2] += couple * (5.0 * (6.0 * xi * xi - 6.0 * xi + 1.0));
+            }
+        }
+        couples
+    }
+
+    /// Returns the body forces less the inertia forces of an element on its coordinates.
+    fn body_force_rows(&self, state: &State, element: usize) -> [f64; LOCAL] {
+        let term = self.term(element);
+        let (gathered, mut free, mut rows) = (Gathered::new(term, state), [0.0; LOCAL], [0.0; LOCAL]);
+        let (n, local) = (term.coordinates().len(), gathered.at(term, state));
+        term.residual(&local, &mut rows[..n]);
+        term.residual(&Local { a: &[0.0; LOCAL][..n], load: 0.0, ..local }, &mut free[..n]);
+        rows.iter_mut().zip(free).for_each(|(row, free)| *row = free - *row);
+        rows
+    }
+
     /// Returns the forces of a load on the coordinates of an element.
     fn load_rows(&self, state: &State, element: usize, term: &dyn Term) -> [f64; LOCAL] {
         let (first, n) = (self.first_coordinate_of(element), self.term(element).coordinates().len());
         let mut rows = [0.0; LOCAL];
-        for (c, row) in term.coordinates().iter().zip(residual(term, state, state.load)) {
+        for (c, row) in term.coordinates().iter().zip(residual(term, state)) {
             if let Some(place) = c.checked_sub(first).filter(|&place| place < n) {
                 rows[place] -= row;
             }
@@ -201,11 +231,11 @@ impl Gathered {
     }
 }
 
-/// Evaluates the residual of a term in a global state with a load factor.
-fn residual(term: &dyn Term, state: &State, load: f64) -> [f64; LOCAL] {
+/// Evaluates the residual of a term in a global state.
+fn residual(term: &dyn Term, state: &State) -> [f64; LOCAL] {
     let (gathered, mut r) = (Gathered::new(term, state), [0.0; LOCAL]);
     let size = term.coordinates().len() + term.multipliers().len();
-    term.residual(&Local { load, ..gathered.at(term, state) }, &mut r[..size]);
+    term.residual(&gathered.at(term, state), &mut r[..size]);
     r
 }
 

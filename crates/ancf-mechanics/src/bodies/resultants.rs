@@ -14,8 +14,8 @@ impl BeamMesh {
     /// `loads` are the terms of other loads and reactions within the element of the arc length
     /// ([`acts_within`](Self::acts_within)). At the nodes, the resultants balance these loads, inertia, body force and damping of the
     /// element. They are exact on any mesh. Within an element, the force is linear but for point loads, and the moment m
-    /// satisfies dm/ds = −r′ × f − c with a constant c. This is exact for loads that are uniform in the element, and for point
-    /// loads.
+    /// satisfies dm/ds = −r′ × f − c with a couple c per length that is constant but for rotary inertia. This is exact for loads
+    /// that are uniform in the element, and for point loads.
     pub fn resultants(&self, state: &State, s: f64, loads: &[&dyn Term]) -> Wrench {
         let (element, xi) = self.locate(s);
         let [start, end] = self.ends(state, element, loads);
@@ -25,7 +25,7 @@ impl BeamMesh {
         let loads = self.rod_loads(state, element, [start, end], loads);
         let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
         let lever = self.lever(state, element, &loads, xi);
-        let moment = loads.moment - lever - moments + loads.couple * (xi * self.length);
+        let moment = loads.moment - lever - moments + loads.couple_until(xi) * self.length;
         Wrench { force: loads.force(xi), moment }
     }
 

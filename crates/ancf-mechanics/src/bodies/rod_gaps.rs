@@ -32,6 +32,10 @@ pub struct RodGap {
     pub rotation: Vector3<f64>,
     /// Moment at the end of the loads between the nodes, due to the different shapes.
     pub moment: Vector3<f64>,
+    /// Distributed load at the place of the gap, multiplied by the length of the element.
+    pub load: Vector3<f64>,
+    /// Distributed moment at the place of the gap, multiplied by the length of the element.
+    pub couple: Vector3<f64>,
     /// Bound of the relative difference between the laws of the rod and of the element.
     pub law: f64,
     /// True if the gap is not accurate: the boundary layers of both ends of a taut element overlap, or the reference shape turns
@@ -90,35 +94,38 @@ impl BeamMesh {
             let [before, after] = [0, 1].map(|end| string.moment(end) - string.ends[end].moment);
             let moment = after + translation.cross(&loads.force(xi));
             let is_rough = tautness < STRING;
-            return RodGap { translation, start: before, moment, law, is_rough, ..RodGap::default() };
+            let load = loads.distributed(xi);
+            return RodGap { translation, start: before, moment, load, law, is_rough, ..RodGap::default() };
         }
         let part = |loads| RodPart { length: self.length, section, loads };
         let (reached, reached_moment) = part(&loads).end(&first, xi);
         let translation = reached.position - last.position;
         let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
         let of_element =
-            moment - self.lever(state, element, &loads, xi) - moments + loads.couple * (xi * self.length);
+            moment - self.lever(state, element, &loads, xi) - moments + loads.couple_until(xi) * self.length;
+        let curvature =
+            [0.0, 0.5, 1.0].map(|xi| section(xi).curvature.norm()).into_iter().fold(0.0, f64::max);
+        // The sections of cables have no orientation about the axis.
+        let turn = if self.has_sections() { Placement::rotation_from } else { Placement::axis_rotation_from };
         let mut gap = RodGap {
             translation,
-            rotation: reached.rotation_from(&last),
+            rotation: turn(&reached, &last),
             start: Vector3::zeros(),
             moment: reached_moment + translation.cross(&loads.force(xi)) - of_element,
+            load: loads.distributed(xi),
+            couple: loads.couple(xi) * -self.length,
             law,
-            is_rough: middle.curvature.norm() * self.length > CURVED,
+            is_rough: curvature * self.length > CURVED,
             is_unknown: false,
         };
-        if section(0.0).curvature != Vector3::zeros() || middle.curvature != Vector3::zeros() {
+        if curvature > 0.0 {
             // The error of the integration of the reference shape.
             let rest = |xi: f64| self.reference_placement(element, xi);
             let (first, end) = (rest(0.0), rest(xi));
             let (reached, _) = part(&RodLoads::default()).end(&first, xi);
             let turned = |x: Vector3<f64>| last.frame * end.frame.tr_mul(&x);
             gap.translation -= turned(reached.position - end.position);
-            gap.rotation -= turned(reached.rotation_from(&end));
-        }
-        if !self.has_sections() {
-            let tangent = last.frame.column(0).into_owned();
-            gap.rotation -= tangent * tangent.dot(&gap.rotation);
+            gap.rotation -= turned(turn(&reached, &end));
         }
         gap
     }
@@ -175,6 +182,22 @@ impl BeamMesh {
             w[place..place + 3].copy_from_slice(moved.as_slice());
         });
         w
+    }
+
+    /// Returns the displacement of the axis at ξ for a displacement w of the coordinates of an element, and the factor of a
+    /// rotation of its last node in that of the section.
+    pub fn movement_within(&self, w: &[f64], xi: f64) -> (Vector3<f64>, f64) {
+        let (mut shift, mut share) = (Vector3::zeros(), 0.0);
+        for (i, (kind, value, _)) in self.weights(xi).into_iter().enumerate() {
+            match kind {
+                VectorKind::Position | VectorKind::Slope => {
+                    shift += Vector3::from_column_slice(&w[3 * i..3 * i + 3]) * value;
+                }
+                VectorKind::Y => share = value,
+                VectorKind::Z => {}
+            }
+        }
+        (shift, share)
     }
 
     /// Adds the forces of a gap that is imposed between an element and its last node, and turns with this node:

@@ -30,6 +30,14 @@ impl Placement {
         let (size, cosine) = (sine.norm(), 0.5 * (turn.trace() - 1.0));
         if size == 0.0 { sine } else { sine * (size.atan2(cosine) / size) }
     }
+
+    /// Returns the smallest rotation vector that turns the axis x of another placement to that of this one.
+    pub fn axis_rotation_from(&self, other: &Self) -> Vector3<f64> {
+        let [from, to] = [other, self].map(|placement| placement.frame.column(0).into_owned());
+        let normal = from.cross(&to);
+        let sine = normal.norm();
+        if sine == 0.0 { normal } else { normal * (sine.atan2(from.dot(&to)) / sine) }
+    }
 }
 
 /// Force and moment at a point of a rod.
@@ -43,7 +51,8 @@ pub struct PointLoad {
     pub moment: Vector3<f64>,
 }
 
-/// Section forces of a part of a rod: the force is a cubic of the arc length but for point loads, the couple per length constant.
+/// Section forces of a part of a rod: the force is a cubic of the arc length but for point loads, the couple per
+/// length a quadratic polynomial.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RodLoads {
     /// Forces at the start and at the end of the element, the latter without the point loads.
@@ -52,8 +61,9 @@ pub struct RodLoads {
     pub deviations: [Vector3<f64>; 2],
     /// Moment at the start of the element.
     pub moment: Vector3<f64>,
-    /// Rate m' + r' × n of the moment, the negative of the couple per length.
-    pub couple: Vector3<f64>,
+    /// Rate m' + r' × n of the moment, the negative of the couple per length: factors of the shifted Legendre polynomials 1, 2ξ − 1
+    /// and 6ξ² − 6ξ + 1.
+    pub couples: [Vector3<f64>; 3],
     /// Point loads between the nodes, in ascending order.
     pub points: Vec<PointLoad>,
 }
@@ -72,6 +82,24 @@ impl RodLoads {
             + self.forces[1] * xi
             + self.deviations[0] * (xi - square)
             + self.deviations[1] * (xi - square * xi)
+    }
+
+    /// Returns the distributed load −dn/dξ at ξ, multiplied by the length of the element.
+    pub fn distributed(&self, xi: f64) -> Vector3<f64> {
+        let [square, cube] = self.deviations;
+        self.forces[0] - self.forces[1] - square * (1.0 - 2.0 * xi) - cube * (1.0 - 3.0 * xi * xi)
+    }
+
+    /// Returns m' + r' × n at ξ.
+    pub fn couple(&self, xi: f64) -> Vector3<f64> {
+        let [constant, linear, quadratic] = self.couples;
+        constant + linear * (2.0 * xi - 1.0) + quadratic * (6.0 * xi * xi - 6.0 * xi + 1.0)
+    }
+
+    /// Returns the integral of [`couple`](Self::couple) between 0 and ξ.
+    pub fn couple_until(&self, xi: f64) -> Vector3<f64> {
+        let [constant, linear, quadratic] = self.couples;
+        (constant + linear * (xi - 1.0) + quadratic * (2.0 * xi * xi - 3.0 * xi + 1.0)) * xi
     }
 
     /// Returns the point loads between the start and ξ.
@@ -203,7 +231,7 @@ impl RodPart<'_> {
         Unknowns {
             position: tangent,
             rotation: rotation_rate(&u.rotation, &(section.curvature + bend)),
-            moment: self.loads.couple - tangent.cross(force),
+            moment: self.loads.couple(xi) - tangent.cross(force),
         }
     }
 }

@@ -63,11 +63,13 @@ impl RodSection {
     }
 
     /// Returns a bound of the relative difference between the rod and Green's strains of a three-dimensional section:
-    /// 3 (κᵀ diag(i_p², i_y², i_z²) κ) + |ε|, with the radii of gyration i.
+    /// 3 (κᵀ diag(i_p², i_y², i_z²) κ) + |ε|, with the radii of gyration i and the sum κ of the magnitudes of the reference curvature
+    /// and its change.
     ///
     /// The factor is that of an empirical bound for bending and torsion up to half a radian per thickness.
     pub fn law_difference(&self, force: &Vector3<f64>, moment: &Vector3<f64>) -> f64 {
         let [stretch, bend] = self.strains(force, moment);
-        3.0 * bend.component_mul(&bend).dot(&self.gyration) + stretch.x.abs()
+        let total = bend.abs() + self.curvature.abs();
+        3.0 * total.component_mul(&total).dot(&self.gyration) + stretch.x.abs()
     }
 }

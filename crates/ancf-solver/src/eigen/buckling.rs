@@ -29,7 +29,7 @@ pub struct CriticalLoads {
     /// Verified number of critical loads, `None` if K₀ + s K_g has no symmetric factorisation or the loads have both
     /// directions.
     pub sturm: Option<SturmCount>,
-    /// Displacement of first order that the loads cause at load factor one, over the coordinates. Empty without loads.
+    /// Coordinates and multipliers of first order that the loads cause at load factor one. Empty without loads.
     pub response: Vec<f64>,
 }
 

@@ -9,7 +9,7 @@ use crate::sparse::SparseMatrix;
 const MIN_WORK: f64 = 1e-12;
 
 /// Computes −K_g, with zeros in place of rounding errors: entries that change by their own size in a further step of refinement
-/// of the response. Second, the displacements of the response.
+/// of the response. Second, the response of the coordinates and multipliers.
 pub(super) fn softening(
     eom: &dyn EquationsOfMotion,
     s: &State,
@@ -30,7 +30,6 @@ pub(super) fn softening(
         let is_determined = (*value - refined).abs() <= DETERMINED * value.abs();
         *value = if is_determined { -*value } else { 0.0 };
     }
-    response.truncate(eom.coordinates());
     Ok((softening, response))
 }
 

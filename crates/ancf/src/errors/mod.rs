@@ -7,4 +7,4 @@ mod words;
 pub use error::{ModelError, ModelErrors, Position};
 pub use finding::{Finding, finding};
 pub(crate) use words::{listed, number, quoted};
-pub use words::{nearest, short};
+pub use words::{nearest, percentage, short};

@@ -11,6 +11,15 @@ pub fn short(x: f64) -> String {
     rounded.map_or_else(|_| x.to_string(), |x| if plain { x.to_string() } else { format!("{x:e}") })
 }
 
+/// Formats a relative number as a percentage of two digits. Sizes below 1e-6 % are not distinguished.
+pub fn percentage(x: f64) -> String {
+    let percent = 100.0 * x;
+    let size = format!("{:.1e}", percent.abs()).parse().unwrap_or(percent.abs());
+    let size = if size < 1e-6 { "1e-6".to_owned() } else { short(size) };
+    let sign = if x < 0.0 { "-" } else { "" };
+    format!("{sign}{size} %")
+}
+
 /// Text in quotes, shortened to 40 characters.
 pub(crate) fn quoted(text: &str) -> String {
     match text.char_indices().nth(40) {

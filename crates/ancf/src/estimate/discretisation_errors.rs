@@ -36,7 +36,7 @@ impl Resolution {
 const GOOD: f64 = 0.3;
 const ROUGH: f64 = 1.0;
 
-/// Estimated errors of the mesh in the last state of a static analysis, in the user's units.
+/// Estimated errors of the mesh in the last state of a static analysis, or in modes or buckling, in the user's units.
 ///
 /// The exact solution is that of Reissner's and Simo's rod with the stiffness EA, GA, GJ and EI of the sections. Not included
 /// are the deformation of sections by loads beside the axis, warping, and strains and stresses.
@@ -55,8 +55,11 @@ pub struct DiscretisationErrors {
     /// Largest relative error of the displacement of a probe; `None` without probes that move.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub displacement: Option<ProbeError>,
-    /// Errors of positions, rotations, section forces, reactions and joint coordinates; empty unless the class is good or
-    /// rough.
+    /// Modes and buckling: the largest relative error of a frequency or load factor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub eigenvalue: Option<EigenvalueError>,
+    /// Errors of positions, rotations, section forces, reactions and joint coordinates, or of frequencies and load factors
+    /// (`frequency[1]`, ...); empty unless the class is good or rough.
     pub values: Vec<ValueError>,
 }
 
@@ -67,19 +70,7 @@ impl DiscretisationErrors {
         scales: Scales,
         respond: impl FnOnce(&[f64]) -> Option<Vec<f64>>,
     ) -> Option<Self> {
-        let largest = field.bodies().max_by(|(_, a), (_, b)| a.sum().total_cmp(&b.sum()));
-        let (number, body) = largest?;
-        let law = field.bodies().map(|(_, body)| body.law()).fold(0.0, f64::max);
-        let (name, _) = field.assembly.bodies().nth(number)?;
-        let mut errors = Self {
-            resolution: Resolution::of(body.sum()),
-            gaps: body.sum(),
-            body: name.to_owned(),
-            elements: body.mesh.count(),
-            law,
-            displacement: None,
-            values: Vec::new(),
-        };
+        let mut errors = Self::of_gaps(field)?;
         if !errors.gaps.is_finite() || errors.resolution == Resolution::Unresolved {
             errors.resolution = Resolution::Unresolved;
             return Some(errors);
@@ -99,4 +90,61 @@ impl DiscretisationErrors {
         }
         Some(errors)
     }
+
+    /// Sum of the gaps; `None` without flexible bodies.
+    fn of_gaps(field: &GapField<'_>) -> Option<Self> {
+        let largest = field.bodies().max_by(|(_, a), (_, b)| a.sum().total_cmp(&b.sum()));
+        let (number, body) = largest?;
+        let (name, _) = field.assembly.bodies().nth(number)?;
+        Some(Self {
+            resolution: Resolution::of(body.sum()),
+            gaps: body.sum(),
+            body: name.to_owned(),
+            elements: body.mesh.count(),
+            law: field.bodies().map(|(_, body)| body.law()).fold(0.0, f64::max),
+            displacement: None,
+            eigenvalue: None,
+            values: Vec::new(),
+        })
+    }
+
+    /// Errors of eigenvalues about a state, whose column has the name `column`: values and relative errors, NaN if unknown.
+    pub(crate) fn of_eigenvalues(field: &GapField<'_>, column: &str, found: &[[f64; 2]]) -> Option<Self> {
+        let mut errors = Self::of_gaps(field)?;
+        let known = || found.iter().enumerate().filter(|(_, [_, relative])| relative.is_finite());
+        let value = |(k, &[value, relative]): (usize, &[f64; 2])| ValueError {
+            column: format!("{column}[{}]", k + 1),
+            value,
+            error: value * relative,
+        };
+        errors.values = known().map(value).collect();
+        let worst = known().max_by(|(_, [_, a]), (_, [_, b])| a.abs().total_cmp(&b.abs()));
+        errors.eigenvalue = worst.map(|(k, &[value, relative])| EigenvalueError {
+            column: column.to_owned(),
+            number: k + 1,
+            value,
+            relative,
+        });
+        errors.resolution = if errors.values.is_empty() {
+            Resolution::Unknown
+        } else if field.is_rough() {
+            Resolution::Rough
+        } else {
+            Resolution::Good
+        };
+        Some(errors)
+    }
+}
+
+/// Error of a frequency or a critical load factor.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EigenvalueError {
+    /// Column of the results: `frequency` or `factor`.
+    pub column: String,
+    /// Number of the mode, from 1.
+    pub number: usize,
+    /// Computed value.
+    pub value: f64,
+    /// Estimate of the exact value less the computed one, relative to it.
+    pub relative: f64,
 }

@@ -105,6 +105,12 @@ impl BodyGaps<'_> {
         self.gaps.iter().map(|gap| gap.angle(length)).sum()
     }
 
+    /// Square of the radius of gyration for bending, the mean of both axes, in the middle of the body.
+    pub(super) fn gyration_squared(&self) -> f64 {
+        let length = self.mesh.length();
+        0.5 * self.sections.at(0.0, length, &Matrix3::identity(), 0.5).gyration.x
+    }
+
     /// Largest relative difference between the laws of the rod and of the elements.
     pub(super) fn law(&self) -> f64 {
         self.gaps.iter().map(|gap| gap.law).fold(0.0, f64::max)

@@ -1,6 +1,6 @@
-use super::discretisation_errors::{DiscretisationErrors, Resolution};
+use super::discretisation_errors::{DiscretisationErrors, EigenvalueError, Resolution};
 use super::value_errors::ProbeError;
-use crate::errors::short;
+use crate::errors::{percentage, short};
 
 /// Share of the error along the displacement above which the displacement is too small or too large.
 const ALONG: f64 = 0.7;
@@ -12,13 +12,17 @@ impl DiscretisationErrors {
         match resolution {
             Resolution::Unresolved => self.unresolved(),
             Resolution::Unknown => {
-                "mesh: the error is not known, since joints act within elements, the tension of a coarse taut element vanishes at \
-                 its end, or a critical load is near"
+                "mesh: the error is not known: joints act within elements, the tension of a coarse taut element vanishes at its \
+                 end, or a critical load is near; in modes the stressed state is not resolved, in buckling the loads bend \
+                 the structure"
                     .into()
             }
             Resolution::Good | Resolution::Rough => {
                 let about = if *resolution == Resolution::Rough { "about " } else { "" };
-                let end = format!("; section law within {}", percent(*law));
+                let end = format!("; section law within {}", percentage(*law));
+                if let Some(error) = &self.eigenvalue {
+                    return format!("mesh: {}{end}", error.sentence(about));
+                }
                 match displacement {
                     Some(error) => format!("mesh: {}{end}", error.sentence(about)),
                     None => format!(
@@ -45,10 +49,20 @@ impl DiscretisationErrors {
     }
 }
 
+impl EigenvalueError {
+    fn sentence(&self, about: &str) -> String {
+        let Self { column, number, value, relative } = self;
+        let (size, better) = (percentage(relative.abs()), short(value * (1.0 + relative)));
+        let word = if *relative > 0.0 { "low" } else { "high" };
+        let what = if column == "factor" { "load factor" } else { "frequency" };
+        format!("{what} {number} {about}{size} too {word} (better: {better})")
+    }
+}
+
 impl ProbeError {
     fn sentence(&self, about: &str) -> String {
         let Self { probe, relative, along, column, value, error } = self;
-        let (size, better) = (percent(*relative), short(value + error));
+        let (size, better) = (percentage(*relative), short(value + error));
         if along.abs() < ALONG * relative {
             format!("{about}{size} error of the displacement of `{probe}` (better: {column} = {better})")
         } else {
@@ -61,10 +75,4 @@ impl ProbeError {
 /// Rounds to two digits.
 fn round(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
-}
-
-/// Formats a relative number as a percentage of two digits, at least 1e-6 %.
-fn percent(x: f64) -> String {
-    let size = round(100.0 * x.abs());
-    if size < 1e-6 { "1e-6 %".to_owned() } else { format!("{} %", short(size)) }
 }

@@ -1,12 +1,12 @@
 use std::f64::consts::TAU;
 
 use ancf_mechanics::bodies::{CarriedFrame, RodGap};
-use ancf_mechanics::kinematics::VectorKind;
 use ancf_solver::equations::State;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::gap_field::GapField;
+use super::movement::{moved, sizes_of};
 use crate::assembly::RecordedQuantity;
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales};
@@ -59,18 +59,7 @@ pub(super) struct ValueErrors<'a> {
 
 impl<'a> ValueErrors<'a> {
     pub(super) fn new(field: &'a GapField<'a>, response: &[f64], scales: Scales) -> Self {
-        let (state, mut sizes) = (field.state, [0.0_f64; 2]);
-        for (_, body) in field.assembly.bodies() {
-            let length = body.mesh().map_or(0.0, |mesh| mesh.length());
-            for vector in body.vectors(state) {
-                let change = Vector3::from_column_slice(&response[vector.first..vector.first + 3]).norm();
-                match vector.kind {
-                    VectorKind::Position if length > 0.0 => sizes[0] = sizes[0].max(change / length),
-                    VectorKind::Position => {}
-                    _ => sizes[1] = sizes[1].max(change / vector.value.norm()),
-                }
-            }
-        }
+        let (state, sizes) = (field.state, sizes_of(field.assembly, field.state, response));
         let largest = sizes[0].max(sizes[1]);
         let h = if largest > 0.0 { DIFFERENCE / largest } else { 1.0 };
         let states = [-h, h].map(|h| moved(state, response, h));
@@ -240,13 +229,4 @@ fn largest_error(displacements: &[(Vector3<f64>, Vec<ValueError>, &RecordedQuant
     let moving =
         displacements.iter().filter(|(moved, ..)| moved.norm() > STILL * largest && moved.norm() > 0.0);
     moving.map(error_of).max_by(|a, b| a.relative.total_cmp(&b.relative))
-}
-
-/// Returns a state that is moved by a multiple of a response.
-fn moved(state: &State, response: &[f64], factor: f64) -> State {
-    let mut moved = state.clone();
-    let (q, lambda) = response.split_at(state.q.len());
-    moved.q.iter_mut().zip(q).for_each(|(x, z)| *x += factor * z);
-    moved.lambda.iter_mut().zip(lambda).for_each(|(x, z)| *x += factor * z);
-    moved
 }

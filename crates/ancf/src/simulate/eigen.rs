@@ -2,7 +2,8 @@ use std::io;
 use std::ops::ControlFlow;
 
 use ancf_solver::eigen::{
-    ComplexMode, CriticalLoad, EigenError, Mode, SturmCount, buckling, modes, nonconservative_modes,
+    ComplexMode, CriticalLoad, CriticalLoads, EigenError, Mode, SturmCount, buckling, modes,
+    nonconservative_modes,
 };
 use ancf_solver::equations::{EquationsOfMotion, State};
 use ancf_solver::newton::SolveFailure;
@@ -11,6 +12,7 @@ use super::equilibria::{equilibrium, regularised_equilibrium};
 use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::summary::EigenvalueCount;
 use crate::assembly::Assembly;
+use crate::estimate::{DiscretisationErrors, FactorErrors, FrequencyErrors, GapField};
 use crate::failure::{prebuckling_warning, unloaded};
 use crate::model::{About, Buckling, Model, Modes};
 use crate::results::Column;
@@ -27,14 +29,14 @@ const NO_CRITICAL_LOAD: &str = "there is no critical load factor: the loads do n
     rounding errors";
 
 /// Columns of the solver for modes.
-pub(crate) const MODE_COLUMNS: [&str; 3] = ["frequency", "squared", "residual"];
+pub(crate) const MODE_COLUMNS: [&str; 4] = ["frequency", "squared", "residual", "frequency_error"];
 /// Columns of the solver for buckling.
-pub(crate) const BUCKLING_COLUMNS: [&str; 2] = ["factor", "residual"];
+pub(crate) const BUCKLING_COLUMNS: [&str; 3] = ["factor", "residual", "factor_error"];
 
 /// Columns of shapes: number, columns of the solver, displacements of the probes.
 pub(crate) fn columns(assembly: &Assembly, solver: &[&str]) -> Vec<Column> {
     let dimension = |name: &str| match name {
-        "frequency" => Some(Dimension::RATE),
+        "frequency" | "frequency_error" => Some(Dimension::RATE),
         "squared" => Some(Dimension::new(0, -2, 0)),
         _ => None,
     };
@@ -56,6 +58,8 @@ struct FoundMode {
     flutter: Option<[f64; 2]>,
     shape: Vec<f64>,
     residual: f64,
+    /// Estimated error of the frequency, relative to it; NaN if it is not known.
+    error: f64,
 }
 
 /// Modes of a state.
@@ -64,13 +68,15 @@ struct FoundModes {
     /// Number of zero frequencies.
     rigid: usize,
     sturm: Option<SturmCount>,
+    /// True if the loads have no potential.
+    is_nonconservative: bool,
 }
 
 impl From<Mode> for FoundMode {
     fn from(mode: Mode) -> Self {
         let frequency = mode.frequency().unwrap_or(f64::NAN);
         let Mode { omega_squared: squared, shape, residual } = mode;
-        Self { frequency, squared, flutter: None, shape, residual }
+        Self { frequency, squared, flutter: None, shape, residual, error: f64::NAN }
     }
 }
 
@@ -80,14 +86,15 @@ impl From<ComplexMode> for FoundMode {
         let flutter = (mode.omega_squared.im != 0.0).then_some([frequency, growth]);
         let frequency = if mode.is_unstable() { f64::NAN } else { frequency };
         let ComplexMode { omega_squared, shape, residual } = mode;
-        Self { frequency, squared: omega_squared.re, flutter, shape, residual }
+        Self { frequency, squared: omega_squared.re, flutter, shape, residual, error: f64::NAN }
     }
 }
 
 impl FoundMode {
     /// Values of [`MODE_COLUMNS`].
     fn values(&self, rate: f64) -> Vec<f64> {
-        vec![self.frequency * rate, self.squared * rate * rate, self.residual]
+        let frequency = self.frequency * rate;
+        vec![frequency, self.squared * rate * rate, self.residual, frequency * self.error]
     }
 
     /// Warning of flutter.
@@ -135,11 +142,11 @@ impl AnalysisRun<'_> {
             if !system.skew_stiffness(&s).is_empty() {
                 let found = nonconservative_modes(system, matrix, &s, count, self.interrupt)?;
                 let modes = found.into_iter().map(FoundMode::from).collect();
-                return Ok((s, FoundModes { modes, rigid: 0, sturm: None }));
+                return Ok((s, FoundModes { modes, rigid: 0, sturm: None, is_nonconservative: true }));
             }
             let found = modes(system, matrix, &s, count, self.interrupt)?;
             let modes = found.modes.into_iter().map(FoundMode::from).collect();
-            Ok((s, FoundModes { modes, rigid: found.rigid, sturm: found.sturm }))
+            Ok((s, FoundModes { modes, rigid: found.rigid, sturm: found.sturm, is_nonconservative: false }))
         });
         let rate = self.summary.scales.time.recip();
         match found {
@@ -147,7 +154,10 @@ impl AnalysisRun<'_> {
             Ok((_, found)) if found.modes.iter().any(|mode| mode.residual > MAX_RESIDUAL) => {
                 Ok(Err(EigenError::NotConverged.into()))
             }
-            Ok((about, found)) => {
+            Ok((about, mut found)) => {
+                if !found.is_nonconservative {
+                    self.estimate(model, &about, &mut found.modes);
+                }
                 self.summary.warnings.extend(self.held_but_zero(&about, found.rigid));
                 let counted = |sturm: SturmCount| EigenvalueCount::new(sturm, rate * rate);
                 self.summary.eigenvalues = found.sturm.map(counted);
@@ -157,6 +167,32 @@ impl AnalysisRun<'_> {
             }
             Err(reason) => Ok(Err(reason)),
         }
+    }
+
+    /// Estimates the errors of the frequencies.
+    fn estimate(&mut self, model: &Model, about: &State, modes: &mut [FoundMode]) {
+        let mut errors = FrequencyErrors::new(model, self.assembly, about);
+        let rate = self.summary.scales.time.recip();
+        for (number, mode) in modes.iter_mut().enumerate() {
+            let relative =
+                errors.as_mut().and_then(|errors| errors.relative(number, &mode.shape, mode.squared));
+            mode.error = relative.unwrap_or(f64::NAN);
+        }
+        let found: Vec<_> = modes.iter().map(|mode| [mode.frequency * rate, mode.error]).collect();
+        let field = GapField::new(model, self.assembly, about);
+        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "frequency", &found);
+    }
+
+    /// Estimates the errors of critical load factors, relative to them.
+    fn estimate_factors(&mut self, model: &Model, s: &State, found: &CriticalLoads) -> Vec<f64> {
+        let mut errors = FactorErrors::new(model, self.assembly, s, &found.response);
+        let mut relative = |load: &CriticalLoad| errors.as_mut()?.relative(&load.shape, load.factor);
+        let relative: Vec<_> = found.loads.iter().map(|load| relative(load).unwrap_or(f64::NAN)).collect();
+        let values: Vec<_> =
+            found.loads.iter().zip(&relative).map(|(load, error)| [load.factor, *error]).collect();
+        let field = GapField::new(model, self.assembly, s);
+        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "factor", &values);
+        relative
     }
 
     /// Warns of zero frequencies beyond the rigid-body motions that the geometry leaves free.
@@ -171,7 +207,7 @@ impl AnalysisRun<'_> {
     }
 
     /// Computes critical loads, one row per load.
-    pub(crate) fn buckling(&mut self, settings: &Buckling) -> RunResult {
+    pub(crate) fn buckling(&mut self, model: &Model, settings: &Buckling) -> RunResult {
         self.begin(&BUCKLING_COLUMNS)?;
         let (system, s) = (&self.assembly.system, unloaded(self.assembly));
         let found = self.require_support(&s).and_then(|()| {
@@ -200,8 +236,13 @@ impl AnalysisRun<'_> {
                 }));
                 let scales = self.summary.scales;
                 self.summary.warnings.extend(prebuckling_warning(self.assembly, &s, &found, scales));
-                let row = |load: &'_ CriticalLoad| vec![load.factor, load.residual];
-                self.shapes(s, found.loads.iter().map(|load| (row(load), load.shape.as_slice())))
+                let errors = self.estimate_factors(model, &s, &found);
+                let row = |(load, error): (&CriticalLoad, &f64)| {
+                    vec![load.factor, load.residual, load.factor * error]
+                };
+                let rows: Vec<_> = found.loads.iter().zip(&errors).map(row).collect();
+                let shapes = found.loads.iter().map(|load| load.shape.as_slice());
+                self.shapes(s, rows.into_iter().zip(shapes))
             }
             Err(reason) => Ok(Err(reason)),
         }

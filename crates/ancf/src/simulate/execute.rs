@@ -35,6 +35,7 @@ impl Simulation {
     /// | `mode` | number from 1 |
     /// | `frequency`, `squared` | ω/2π, NaN if ω² < 0; ω² |
     /// | `factor` | critical load factor |
+    /// | `frequency_error`, `factor_error` | estimate of the exact value less the computed one; NaN if it is not known |
     /// | `p.x p.y p.z` | displacement of each probe in the shape x, xᵀ M x = 1 |
     ///
     /// # Errors
@@ -46,7 +47,7 @@ impl Simulation {
             Analysis::Statics(settings) => run.statics(scaled, settings),
             Analysis::Path(settings) => run.path(settings),
             Analysis::Modes(settings) => run.modes(scaled, settings),
-            Analysis::Buckling(settings) => run.buckling(settings),
+            Analysis::Buckling(settings) => run.buckling(scaled, settings),
         };
         self.end(run, result)
     }

@@ -75,10 +75,11 @@ class ResultData(Record):
 
     @property
     def errors(self) -> dict[str, float]:
-        """Estimated errors of the mesh in the last equilibrium of statics, by column: value + error is a better value.
+        """Estimated errors of the mesh by column: value + error is a better value.
 
-        Empty for other analyses, and if the mesh does not resolve the shape. `summary["errors"]` has the class of the
-        estimate and the largest error of a displacement.
+        Statics has the columns of the last equilibrium, modes `frequency[1]`, ..., buckling `factor[1]`, ... Empty for
+        other analyses, and if the errors are not known. `summary["errors"]` has the class of the estimate and the
+        largest error.
         """
         found = self.summary.get("errors") or {}
         return {value["column"]: value["error"] for value in found.get("values", [])}

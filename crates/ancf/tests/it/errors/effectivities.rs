@@ -137,6 +137,28 @@ fn curved_beam_bends_and_twists() {
     }
 }
 
+/// Cable that is bent in two planes: its sections have no orientation about the axis.
+#[test]
+fn cable_bent_in_space() {
+    let bent = |elements: u32| {
+        let loads = r#"loads = [{ kind = "force", on = { body = "b", at = 0.5 }, force = [0, 0, 60] },
+            { kind = "force", on = { body = "b", at = "end" }, force = [0, -40, 20] }]"#;
+        errors(&beam(BODIES[4], elements, &format!("{loads}\n{CLAMPED}")))
+    };
+    let fine = bent(32);
+    for (column, factor) in [("tip.x", 5.0), ("tip.y", 5.0), ("tip.z", 5.0)] {
+        let [value, error] = of(&fine, column);
+        for elements in [4, 8] {
+            assert_better(
+                &format!("{elements}, {column}"),
+                of(&bent(elements), column),
+                value + error,
+                factor,
+            );
+        }
+    }
+}
+
 /// A follower force: its stiffness is not symmetric.
 #[test]
 fn follower_force() {

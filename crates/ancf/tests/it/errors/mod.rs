@@ -1,6 +1,7 @@
-//! Estimates of the discretisation error in statics.
+//! Estimates of the discretisation error.
 
 mod effectivities;
+mod eigenvalues;
 mod linear_problems;
 mod statements;
 

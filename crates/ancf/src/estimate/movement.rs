@@ -1,0 +1,31 @@
+use ancf_mechanics::kinematics::VectorKind;
+use ancf_solver::equations::State;
+use nalgebra::Vector3;
+
+use crate::assembly::Assembly;
+
+/// Largest displacement of a movement, relative to the length of the body, and largest rotation.
+pub(super) fn sizes_of(assembly: &Assembly, state: &State, movement: &[f64]) -> [f64; 2] {
+    let mut sizes = [0.0_f64; 2];
+    for (_, body) in assembly.bodies() {
+        let length = body.mesh().map_or(0.0, |mesh| mesh.length());
+        for vector in body.vectors(state) {
+            let change = Vector3::from_column_slice(&movement[vector.first..vector.first + 3]).norm();
+            match vector.kind {
+                VectorKind::Position if length > 0.0 => sizes[0] = sizes[0].max(change / length),
+                VectorKind::Position => {}
+                _ => sizes[1] = sizes[1].max(change / vector.value.norm()),
+            }
+        }
+    }
+    sizes
+}
+
+/// Returns a state that is moved by a multiple of a movement of the coordinates, and of the multipliers if it has any.
+pub(super) fn moved(state: &State, movement: &[f64], factor: f64) -> State {
+    let mut moved = state.clone();
+    let (q, lambda) = movement.split_at(state.q.len());
+    moved.q.iter_mut().zip(q).for_each(|(x, z)| *x += factor * z);
+    moved.lambda.iter_mut().zip(lambda).for_each(|(x, z)| *x += factor * z);
+    moved
+}

@@ -1,6 +1,7 @@
 //! Commands that run models: `ancf run`, `resume`, `study`.
 
 mod recording;
+mod refine;
 mod resume;
 mod run;
 mod run_summary;

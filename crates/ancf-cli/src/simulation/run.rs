@@ -2,12 +2,15 @@
 
 use std::path::PathBuf;
 
+use ancf::errors::percentage;
+use ancf::model::Analysis;
 use ancf::{Model, Simulation};
 use ancf_results::{CheckpointInterval, Folder, Recorder};
 use anyhow::Result;
 use clap::Args;
 
 use super::recording::{checkpoint_interval, record};
+use super::refine::{Refined, refine, wanted_error, with_elements};
 use crate::terminal::{Ended, interrupt, refuse, reject};
 
 /// Arguments of `ancf run`.
@@ -21,6 +24,9 @@ pub struct RunArguments {
     /// Interval of checkpoints for `ancf resume`: a number of steps (1000) or a time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = checkpoint_interval)]
     checkpoint: CheckpointInterval,
+    /// Refine the bodies until the estimated error of the mesh is at most ERROR: 1% or 0.01 (statics, modes, buckling).
+    #[arg(long, value_name = "ERROR", value_parser = wanted_error)]
+    to: Option<f64>,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
@@ -34,6 +40,7 @@ Examples:
   ancf run models/lees_frame.toml -o out          an equilibrium path with snap-through
   ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
   ancf run models/column.toml -o out              critical loads, also printed
+  ancf run models/elastica.toml -o out --to 0.1%  with as many elements as this error requires
   ancf run models/bow.toml -o out --json          summary for scripts
 
 Ctrl-C or SIGTERM stops the run with exit code 130 or 143; `ancf resume` resumes it.";
@@ -56,10 +63,29 @@ impl RunArguments {
             Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
-        let simulation = simulation.with_interrupt(interrupt()?);
         let name = self.file.display().to_string();
-        let recorder = Recorder::new(Folder::new(&self.output), &name, &text, &model, &simulation);
-        let recorder = recorder.with_checkpoints(self.checkpoint);
-        record(&model, recorder, |observer| Ok(simulation.run(observer)?))
+        let recorder = |text: &str, model: &Model, simulation: &Simulation| {
+            Recorder::new(Folder::new(&self.output), &name, text, model, simulation)
+                .with_checkpoints(self.checkpoint)
+        };
+        let Some(wanted) = self.to else {
+            let simulation = simulation.with_interrupt(interrupt()?);
+            let recorder = recorder(&text, &model, &simulation);
+            return record(&model, recorder, |observer| Ok(simulation.run(observer)?));
+        };
+        if let Analysis::Dynamics(_) | Analysis::Path(_) = model.analysis {
+            return Ok(reject("--to: motions and paths have no estimate of the error of the mesh"));
+        }
+        let Refined { model, simulation, meshes, reason } = refine(model, wanted, &interrupt()?)?;
+        let text = with_elements(&text, &model)?;
+        let recorder = recorder(&text, &model, &simulation);
+        record(&model, recorder, |observer| {
+            let mut summary = simulation.run(observer)?;
+            summary.meshes = meshes;
+            let more =
+                reason.map(|reason| format!("the error of {} is not reached: {reason}", percentage(wanted)));
+            summary.warnings.extend(more);
+            Ok(summary)
+        })
     }
 }

@@ -14,6 +14,11 @@ const POINT: f64 = 1e-3;
 const SAMPLES: usize = 3;
 
 impl BeamMesh {
+    /// Returns the number of coordinates of an element.
+    pub fn coordinates_of(&self, element: usize) -> usize {
+        self.term(element).coordinates().len()
+    }
+
     /// Returns the residual of an element and its loads in the rows of the element.
     pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [f64; LOCAL] {
         let mut rows = residual(self.term(element), state);

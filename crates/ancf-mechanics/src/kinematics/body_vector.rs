@@ -169,7 +169,7 @@ impl BodyVector {
     }
 
     /// Adds the forces (∂a/∂q)ᵀ f.
-    pub(crate) fn add(&self, q: &[f64], f: Vector3<f64>, rows: &mut [f64]) {
+    pub fn add(&self, q: &[f64], f: Vector3<f64>, rows: &mut [f64]) {
         self.linear.add(f, rows);
         for part in &self.turned {
             let values = part.frame.at(q);

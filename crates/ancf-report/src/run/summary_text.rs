@@ -1,3 +1,4 @@
+use ancf::errors::percentage;
 use ancf::{Scales, Summary};
 
 /// Returns names and values of a summary for [`Recording::summary`](crate::Recording::summary).
@@ -18,7 +19,13 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         .errors
         .iter()
         .map(|errors| ("error of the mesh".to_owned(), errors.sentence().replacen("mesh: ", "", 1)));
-    rows.into_iter().chain(errors).collect()
+    let meshes = summary.meshes.iter().enumerate().map(|(number, mesh)| {
+        let elements: Vec<String> =
+            mesh.elements.iter().map(|(body, count)| format!("{body} {count}")).collect();
+        let error = mesh.error.map_or_else(|| "not known".into(), percentage);
+        (format!("mesh {}", number + 1), format!("elements {}; error {error}", elements.join(", ")))
+    });
+    rows.into_iter().chain(errors).chain(meshes).collect()
 }
 
 /// Returns the warnings of a run for [`Recording::messages`](crate::Recording::messages).

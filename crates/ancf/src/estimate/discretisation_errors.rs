@@ -1,7 +1,11 @@
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::body_errors::BodyError;
 use super::gap_field::GapField;
 use super::value_errors::{ProbeError, ValueError, ValueErrors};
+use crate::assembly::RecordedQuantity;
+use crate::model::Quantity;
 use crate::units::Scales;
 
 /// Class of an estimate of the discretisation error.
@@ -58,6 +62,8 @@ pub struct DiscretisationErrors {
     /// Modes and buckling: the largest relative error of a frequency or load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalue: Option<EigenvalueError>,
+    /// Contributions of the flexible bodies.
+    pub bodies: Vec<BodyError>,
     /// Errors of positions, rotations, section forces, reactions and joint coordinates, or of frequencies and load factors
     /// (`frequency[1]`, ...); empty unless the class is good or rough.
     pub values: Vec<ValueError>,
@@ -68,7 +74,7 @@ impl DiscretisationErrors {
     pub(crate) fn new(
         field: &GapField<'_>,
         scales: Scales,
-        respond: impl FnOnce(&[f64]) -> Option<Vec<f64>>,
+        mut respond: impl FnMut(&[f64]) -> Option<Vec<f64>>,
     ) -> Option<Self> {
         let mut errors = Self::of_gaps(field)?;
         if !errors.gaps.is_finite() || errors.resolution == Resolution::Unresolved {
@@ -87,8 +93,36 @@ impl DiscretisationErrors {
         }
         if errors.resolution != Resolution::Unresolved {
             (errors.values, errors.displacement) = values.evaluate();
+            if let Some(weights) = errors.weights(field).and_then(|force| respond(&force)) {
+                errors.bodies = BodyError::relative(field, &field.works(&weights));
+            }
         }
         Some(errors)
+    }
+
+    /// Largest relative error of the displacement of a probe, of a frequency or of a load factor.
+    pub fn largest(&self) -> Option<f64> {
+        let eigenvalue = self.eigenvalue.as_ref().map(|error| error.relative.abs());
+        self.displacement.as_ref().map(|error| error.relative).or(eigenvalue)
+    }
+
+    /// Derivative of the largest relative error of a displacement by the coordinates, as forces.
+    fn weights(&self, field: &GapField<'_>) -> Option<Vec<f64>> {
+        let name = &self.displacement.as_ref()?.probe;
+        let is_probe = |probe: &&RecordedQuantity| probe.quantity == Quantity::Motion && probe.name == *name;
+        let probe = field.assembly.recorded_quantities.iter().find(is_probe)?;
+        let error = |axis: &str| {
+            let column = format!("{name}.{axis}");
+            self.values.iter().find(|value| value.column == column).map(|value| value.error)
+        };
+        let direction = Vector3::new(error("x")?, error("y")?, error("z")?);
+        let size = direction.norm() * probe.place.point.displacement(field.state).norm();
+        if size <= 0.0 {
+            return None;
+        }
+        let mut forces = vec![0.0; field.state.q.len() + field.state.lambda.len()];
+        probe.place.point.add(&field.state.q, direction / size, &mut forces);
+        Some(forces)
     }
 
     /// Sum of the gaps; `None` without flexible bodies.
@@ -104,12 +138,19 @@ impl DiscretisationErrors {
             law: field.bodies().map(|(_, body)| body.law()).fold(0.0, f64::max),
             displacement: None,
             eigenvalue: None,
+            bodies: BodyError::of_gaps(field),
             values: Vec::new(),
         })
     }
 
     /// Errors of eigenvalues about a state, whose column has the name `column`: values and relative errors, NaN if unknown.
-    pub(crate) fn of_eigenvalues(field: &GapField<'_>, column: &str, found: &[[f64; 2]]) -> Option<Self> {
+    /// `works` has the parts of the elements in the relative error of the one with a number.
+    pub(crate) fn of_eigenvalues(
+        field: &GapField<'_>,
+        column: &str,
+        found: &[[f64; 2]],
+        works: impl FnOnce(usize) -> Option<Vec<Vec<f64>>>,
+    ) -> Option<Self> {
         let mut errors = Self::of_gaps(field)?;
         let known = || found.iter().enumerate().filter(|(_, [_, relative])| relative.is_finite());
         let value = |(k, &[value, relative]): (usize, &[f64; 2])| ValueError {
@@ -125,6 +166,9 @@ impl DiscretisationErrors {
             value,
             relative,
         });
+        if let Some(works) = errors.eigenvalue.as_ref().and_then(|worst| works(worst.number - 1)) {
+            errors.bodies = BodyError::relative(field, &works);
+        }
         errors.resolution = if errors.values.is_empty() {
             Resolution::Unknown
         } else if field.is_rough() {

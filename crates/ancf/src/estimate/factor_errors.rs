@@ -96,6 +96,23 @@ impl<'a> FactorErrors<'a> {
 
     /// Estimates the exact factor, relative to the computed one, less one; `None` if the change is large.
     pub(crate) fn relative(&mut self, shape: &[f64], factor: f64) -> Option<f64> {
+        let (about, shape) = self.buckled(shape, factor)?;
+        let works = ShapeGaps { about: &about, ..self.gaps }.work(&shape, 0.0)?;
+        let delta = (works - factor * form(&self.stresses, &shape)) / form(&self.stiffness, &shape);
+        (delta > -LARGE).then(|| (1.0 + delta).recip() - 1.0)
+    }
+
+    /// Parts of the elements of each body in the relative error of a factor.
+    pub(crate) fn contributions(&mut self, shape: &[f64], factor: f64) -> Option<Vec<Vec<f64>>> {
+        let (about, shape) = self.buckled(shape, factor)?;
+        let mut works = ShapeGaps { about: &about, ..self.gaps }.works(&shape, 0.0)?;
+        let stiffness = form(&self.stiffness, &shape);
+        works.iter_mut().flatten().for_each(|work| *work /= -stiffness);
+        Some(works)
+    }
+
+    /// State under the critical loads, and the shape of the deformed structure; `None` if the deformation is not small.
+    fn buckled(&mut self, shape: &[f64], factor: f64) -> Option<(State, Vec<f64>)> {
         let is_large = factor.abs() * self.size > SMALL;
         if is_large || self.gaps.is_distortion(&self.field, shape) {
             return None;
@@ -111,13 +128,13 @@ impl<'a> FactorErrors<'a> {
         next.truncate(shape.len());
         let size = dot(&next, &self.mass_times(&next)).sqrt();
         next.iter_mut().for_each(|x| *x /= size);
-        if dot(&next, &mass).abs() < SAME {
-            return None;
-        }
-        let works = ShapeGaps { about: &about, ..self.gaps }.work(&next, 0.0)?;
-        next.resize(stiffness.pattern().size(), 0.0);
-        let form = |matrix: &SparseMatrix| dot(&matrix.times(&next), &next);
-        let delta = (works - factor * form(&self.stresses)) / form(&self.stiffness);
-        (delta > -LARGE).then(|| (1.0 + delta).recip() - 1.0)
+        (dot(&next, &mass).abs() >= SAME).then_some((about, next))
     }
+}
+
+/// Computes xᵀ A x for a shape x.
+fn form(matrix: &SparseMatrix, shape: &[f64]) -> f64 {
+    let mut x = shape.to_vec();
+    x.resize(matrix.pattern().size(), 0.0);
+    dot(&matrix.times(&x), &x)
 }

@@ -67,6 +67,13 @@ impl<'a> FrequencyErrors<'a> {
         let is_accurate = delta > -LARGE && (self.shift.is_none() || delta < LARGE);
         is_accurate.then(|| (1.0 + delta).sqrt().recip() - 1.0)
     }
+
+    /// Parts of the elements of each body in the relative error of a frequency.
+    pub(crate) fn contributions(&self, shape: &[f64], squared: f64) -> Option<Vec<Vec<f64>>> {
+        let mut works = self.gaps.works(shape, squared)?;
+        works.iter_mut().flatten().for_each(|work| *work /= -2.0 * squared);
+        Some(works)
+    }
 }
 
 /// Error of the equilibrium about which a structure vibrates.

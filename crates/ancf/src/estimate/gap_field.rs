@@ -7,7 +7,7 @@ use nalgebra::Matrix3;
 
 use super::rod_sections::RodSections;
 use crate::assembly::Assembly;
-use crate::model::Model;
+use crate::model::{Body, Model};
 
 /// Gaps of all elements of a model at an equilibrium.
 pub(crate) struct GapField<'a> {
@@ -23,6 +23,8 @@ pub(super) struct BodyGaps<'a> {
     pub(super) mesh: &'a BeamMesh,
     sections: RodSections<'a>,
     gaps: Vec<RodGap>,
+    /// Order of convergence; `None` for elements with Poisson locking, whose error does not vanish.
+    pub(super) order: Option<f64>,
 }
 
 impl<'a> GapField<'a> {
@@ -35,7 +37,8 @@ impl<'a> GapField<'a> {
         for (body, of_model) in model.bodies.iter().enumerate() {
             let mesh = assembly.body_of(body).mesh();
             let sections = mesh.zip(RodSections::new(model, of_model));
-            let gaps = sections.map(|(mesh, sections)| BodyGaps { mesh, sections, gaps: Vec::new() });
+            let order = (!has_poisson_locking(model, of_model)).then(|| of_model.convergence_order());
+            let gaps = sections.map(|(mesh, sections)| BodyGaps { mesh, sections, gaps: Vec::new(), order });
             field.bodies.push(gaps);
             let count = mesh.map_or(0, BeamMesh::count);
             let gaps: Vec<RodGap> =
@@ -91,6 +94,34 @@ impl<'a> GapField<'a> {
         }
         forces
     }
+
+    /// Works of the forces of the gaps of each element of each body on a movement of the coordinates and multipliers.
+    pub(super) fn works(&self, movement: &[f64]) -> Vec<Vec<f64>> {
+        let mut forces = vec![0.0; self.state.q.len() + self.state.lambda.len()];
+        let mut works = vec![Vec::new(); self.bodies.len()];
+        for (number, body) in self.bodies() {
+            for (element, gap) in body.gaps.iter().enumerate() {
+                let loads = self.assembly.loads_within(number, element, &self.contacts);
+                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut forces);
+                let first = body.mesh.first_coordinate_of(element);
+                let own = first..first + body.mesh.coordinates_of(element);
+                let of_loads = loads.iter().flat_map(|load| load.coordinates().iter().copied());
+                let mut work = 0.0;
+                for place in own.chain(of_loads) {
+                    work += movement.get(place).unwrap_or(&0.0) * std::mem::take(&mut forces[place]);
+                }
+                works[number].push(work);
+            }
+        }
+        works
+    }
+}
+
+/// True for elements whose bending stiffness is too large by Poisson's ratio on any mesh.
+fn has_poisson_locking(model: &Model, body: &Body) -> bool {
+    let is_continuum = matches!(body, Body::Beam(beam) if beam.formulation.is_continuum());
+    let material = body.section_and_material().and_then(|(_, name)| model.materials.get(name));
+    is_continuum && material.is_some_and(|material| material.poisson != 0.0)
 }
 
 impl BodyGaps<'_> {

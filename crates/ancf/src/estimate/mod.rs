@@ -4,18 +4,22 @@
 //! response to all gaps is the error of the whole state, from which those of all values follow. The work of the gaps of a mode or
 //! a buckling shape on this shape gives the error of its frequency or load factor.
 
+mod body_errors;
 mod discretisation_errors;
 mod factor_errors;
 mod frequency_errors;
 mod gap_field;
 mod movement;
+mod refinement;
 mod rod_sections;
 mod sentence;
 mod shape_gaps;
 mod value_errors;
 
+pub use body_errors::BodyError;
 pub use discretisation_errors::{DiscretisationErrors, EigenvalueError, Resolution};
 pub(crate) use factor_errors::FactorErrors;
 pub(crate) use frequency_errors::FrequencyErrors;
 pub(crate) use gap_field::GapField;
+pub use refinement::{MeshStep, Refinement, RefinementStep};
 pub use value_errors::{ProbeError, ValueError};

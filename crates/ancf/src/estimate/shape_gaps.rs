@@ -24,8 +24,16 @@ pub(super) struct ShapeGaps<'a> {
 impl ShapeGaps<'_> {
     /// Returns the work xᵀ ∂g/∂q x of the forces g of the gaps on a shape x, for a vibration with the squared circular frequency ω².
     ///
-    /// The inertia forces also act on the gaps within the elements. `None` if gaps are not known.
+    /// `None` if gaps are not known.
     pub(super) fn work(&self, shape: &[f64], squared: f64) -> Option<f64> {
+        let work = self.works(shape, squared)?.iter().flatten().sum::<f64>();
+        work.is_finite().then_some(work)
+    }
+
+    /// Returns the parts of the elements of each body in [`work`](Self::work).
+    ///
+    /// The inertia forces also act on the gaps within the elements.
+    pub(super) fn works(&self, shape: &[f64], squared: f64) -> Option<Vec<Vec<f64>>> {
         let Self { model, assembly, about } = *self;
         let h = DIFFERENCE / sizes_of(assembly, about, shape).into_iter().fold(0.0, f64::max);
         let states = [-h, h].map(|h| {
@@ -37,12 +45,16 @@ impl ShapeGaps<'_> {
         if fields.iter().any(GapField::is_unknown) {
             return None;
         }
-        let [before, after] = fields.each_ref().map(GapField::forces);
-        let forces = before.iter().zip(&after).map(|(before, after)| after - before);
-        let at_nodes: f64 = shape.iter().zip(forces).map(|(x, force)| x * force).sum();
-        let within = if squared == 0.0 { 0.0 } else { interior_work(&fields)? };
-        let work = at_nodes / (2.0 * h) + within / (4.0 * h * h);
-        work.is_finite().then_some(work)
+        let [before, mut works] = fields.each_ref().map(|field| field.works(shape));
+        for (number, (before, works)) in before.iter().zip(&mut works).enumerate() {
+            for (element, (before, work)) in before.iter().zip(works).enumerate() {
+                *work = (*work - before) / (2.0 * h);
+                if squared != 0.0 {
+                    *work += interior_work(&fields, number, element)? / (4.0 * h * h);
+                }
+            }
+        }
+        Some(works)
     }
 
     /// True if a shape consists mainly of the distortion of sections, which a rod does not have.
@@ -72,27 +84,22 @@ impl ShapeGaps<'_> {
     }
 }
 
-/// Work of the loads between the nodes on the gaps there, for the differences between two states.
-fn interior_work([before, after]: &[GapField<'_>; 2]) -> Option<f64> {
+/// Work of the loads between the nodes of an element on the gaps there, for the differences between two states.
+fn interior_work([before, after]: &[GapField<'_>; 2], number: usize, element: usize) -> Option<f64> {
+    let [from, to] = [before.body(number)?.gap(element), after.body(number)?.gap(element)];
+    let (mesh, turned) = (before.body(number)?.mesh, to.rotation - from.rotation);
+    let [from, to] =
+        [(before, from), (after, to)].map(|(field, gap)| mesh.gap_displacement(field.state, element, gap));
+    let moved: Vec<f64> = from.iter().zip(to).map(|(from, to)| to - from).collect();
     let mut work = 0.0;
-    for (number, body) in before.bodies() {
-        let (mesh, of_after) = (body.mesh, after.body(number)?);
-        for element in 0..mesh.count() {
-            let ends = [body.gap(element), of_after.gap(element)];
-            let [from, to] = [(before, ends[0]), (after, ends[1])]
-                .map(|(field, gap)| mesh.gap_displacement(field.state, element, gap));
-            let moved: Vec<f64> = from.iter().zip(to).map(|(from, to)| to - from).collect();
-            let turned = ends[1].rotation - ends[0].rotation;
-            for (xi, weight) in gauss() {
-                let [from, to] = [before, after].map(|field| field.gap_at(number, element, xi));
-                let (from, to) = (from?, to?);
-                let (shift, share) = mesh.movement_within(&moved, xi);
-                let translation = to.translation - from.translation - shift;
-                let rotation = to.rotation - from.rotation - turned * share;
-                let of_force = (to.load - from.load).dot(&translation);
-                work += weight * (of_force + (to.couple - from.couple).dot(&rotation));
-            }
-        }
+    for (xi, weight) in gauss() {
+        let [from, to] = [before, after].map(|field| field.gap_at(number, element, xi));
+        let (from, to) = (from?, to?);
+        let (shift, share) = mesh.movement_within(&moved, xi);
+        let translation = to.translation - from.translation - shift;
+        let rotation = to.rotation - from.rotation - turned * share;
+        let of_force = (to.load - from.load).dot(&translation);
+        work += weight * (of_force + (to.couple - from.couple).dot(&rotation));
     }
     Some(work)
 }

@@ -180,7 +180,11 @@ impl AnalysisRun<'_> {
         }
         let found: Vec<_> = modes.iter().map(|mode| [mode.frequency * rate, mode.error]).collect();
         let field = GapField::new(model, self.assembly, about);
-        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "frequency", &found);
+        let works = |number: usize| {
+            let mode = &modes[number];
+            errors.as_ref()?.contributions(&mode.shape, mode.squared)
+        };
+        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "frequency", &found, works);
     }
 
     /// Estimates the errors of critical load factors, relative to them.
@@ -191,7 +195,11 @@ impl AnalysisRun<'_> {
         let values: Vec<_> =
             found.loads.iter().zip(&relative).map(|(load, error)| [load.factor, *error]).collect();
         let field = GapField::new(model, self.assembly, s);
-        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "factor", &values);
+        let works = |number: usize| {
+            let load = &found.loads[number];
+            errors.as_mut()?.contributions(&load.shape, load.factor)
+        };
+        self.summary.errors = DiscretisationErrors::of_eigenvalues(&field, "factor", &values, works);
         relative
     }
 

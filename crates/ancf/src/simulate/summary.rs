@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::errors::short;
-use crate::estimate::DiscretisationErrors;
+use crate::estimate::{DiscretisationErrors, MeshStep};
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -99,9 +99,12 @@ pub struct Summary {
     /// Modes and buckling: verified number of eigenvalues.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalues: Option<EigenvalueCount>,
-    /// Statics: estimated errors of the mesh in the last state.
+    /// Statics: estimated errors of the mesh in the last state. Modes and buckling: those of the frequencies and load factors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<DiscretisationErrors>,
+    /// Meshes of a refinement to a wanted error, the last one that of these results.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub meshes: Vec<MeshStep>,
     /// Warnings, such as loss of stability during the run.
     pub warnings: Vec<String>,
 }
@@ -124,6 +127,7 @@ impl Summary {
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
             eigenvalues: None,
             errors: None,
+            meshes: Vec::new(),
             warnings: Vec::new(),
         }
     }

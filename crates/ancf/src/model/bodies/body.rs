@@ -80,6 +80,23 @@ impl Body {
         }
     }
 
+    /// Sets the number of elements of a flexible body.
+    pub const fn set_elements(&mut self, count: u32) {
+        match self {
+            Self::Beam(beam) => beam.elements = count,
+            Self::Cable(cable) => cable.elements = count,
+            Self::Rigid(_) | Self::Mass(_) => {}
+        }
+    }
+
+    /// Order of convergence of displacements by the number of elements.
+    pub(crate) const fn convergence_order(&self) -> f64 {
+        match self {
+            Self::Beam(beam) if beam.formulation.has_shear_locking() => 2.0,
+            _ => 4.0,
+        }
+    }
+
     /// Start and end of the axis; the centre of a rigid body, twice.
     pub const fn span(&self) -> [[f64; 3]; 2] {
         match self {

@@ -1,0 +1,158 @@
+use serde::{Deserialize, Serialize};
+
+use super::body_errors::NEGLIGIBLE;
+use super::discretisation_errors::{DiscretisationErrors, Resolution};
+use crate::errors::percentage;
+use crate::joints::End;
+use crate::model::{Body, Model};
+
+/// Largest number of meshes.
+const MESHES: usize = 10;
+/// Largest factor between the numbers of elements of consecutive meshes.
+const LARGEST: f64 = 4.0;
+/// Part of the wanted error that a refined mesh aims at.
+const AIM: f64 = 0.7;
+/// Ratio of the errors of consecutive meshes above which the refinement has no effect.
+const NO_EFFECT: f64 = 0.8;
+/// Number of failed runs that are repeated on a finer mesh.
+const FAILURES: usize = 2;
+/// Distance of a joint from a node, relative to an element, that is a rounding error.
+const AT_NODE: f64 = 1e-9;
+/// Largest number of elements of a body.
+const ELEMENTS: usize = 100_000;
+
+/// Mesh of a refinement and its error.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeshStep {
+    /// Flexible bodies and their numbers of elements.
+    pub elements: Vec<(String, usize)>,
+    /// Largest relative error; `None` if the mesh does not resolve the shape, the error is not known or the run failed.
+    pub error: Option<f64>,
+}
+
+/// Refinement of the bodies of a model until the estimated error meets a wish.
+#[derive(Clone, Debug)]
+pub struct Refinement {
+    wanted: f64,
+    meshes: Vec<MeshStep>,
+    failures: usize,
+}
+
+/// Result of a run in a refinement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RefinementStep {
+    /// The error is as small as wanted.
+    Reached,
+    /// The next model.
+    Next(Box<Model>),
+    /// Refinement does not help, for a stated reason.
+    Ended(String),
+}
+
+impl Refinement {
+    /// Creates a refinement to a relative error.
+    pub const fn new(wanted: f64) -> Self {
+        Self { wanted, meshes: Vec::new(), failures: 0 }
+    }
+
+    /// Meshes so far.
+    pub fn meshes(&self) -> &[MeshStep] {
+        &self.meshes
+    }
+
+    /// Returns the next model after a run of `model` with these errors.
+    ///
+    /// Each body is refined by the factor that its contribution requires for the order of convergence of its elements, at most four.
+    /// Where the mesh does not resolve the shape, all bodies get twice the number of elements.
+    pub fn advance(&mut self, model: &Model, errors: Option<&DiscretisationErrors>) -> RefinementStep {
+        let Some(errors) = errors else {
+            return RefinementStep::Ended("this analysis has no estimate of the error of the mesh".into());
+        };
+        let error = errors.largest();
+        let before = self.meshes.last().and_then(|step| step.error);
+        self.meshes.push(MeshStep { elements: elements_of(model), error });
+        match (errors.resolution, error) {
+            (Resolution::Unknown, _) => RefinementStep::Ended("the error of this mesh is not known".into()),
+            (Resolution::Unresolved, _) => self.next(model, |body| 2 * body.elements() as usize),
+            (_, None) => {
+                RefinementStep::Ended("no probe moves, so there is no error of a displacement".into())
+            }
+            (_, Some(error)) if error <= self.wanted => RefinementStep::Reached,
+            (_, Some(error)) if before.is_some_and(|before| error > NO_EFFECT * before) => {
+                RefinementStep::Ended(format!(
+                    "the finer mesh has the same error, {}: it is that of the formulation or of the section law",
+                    percentage(error)
+                ))
+            }
+            _ => {
+                let contributing = errors.bodies.iter().filter(|body| body.share > NEGLIGIBLE).count();
+                self.next(model, |body| {
+                    let found = errors.bodies.iter().find(|found| found.body == body.name());
+                    found.map_or(body.elements() as usize, |found| {
+                        found.elements_for(AIM * self.wanted, contributing, body.convergence_order())
+                    })
+                })
+            }
+        }
+    }
+
+    /// Returns the next model after a run of `model` that failed: all bodies get twice the number of elements.
+    pub fn advance_failed(&mut self, model: &Model) -> RefinementStep {
+        let has_failed = self.failures >= FAILURES;
+        self.failures += 1;
+        self.meshes.push(MeshStep { elements: elements_of(model), error: None });
+        if has_failed {
+            return RefinementStep::Ended("the run on this mesh failed".into());
+        }
+        self.next(model, |body| 2 * body.elements() as usize)
+    }
+
+    /// Returns the model with more elements.
+    fn next(&self, model: &Model, count: impl Fn(&Body) -> usize) -> RefinementStep {
+        if self.meshes.len() >= MESHES {
+            return RefinementStep::Ended(format!("the error is still larger after {MESHES} meshes"));
+        }
+        let mut next = model.clone();
+        let mut has_changed = false;
+        for body in &mut next.bodies {
+            let now = body.elements() as usize;
+            let wanted = nodal(model, body, count(body).min((now as f64 * LARGEST) as usize));
+            if wanted > ELEMENTS {
+                return RefinementStep::Ended(format!(
+                    "body `{}` requires more than {ELEMENTS} elements",
+                    body.name()
+                ));
+            }
+            if wanted > now {
+                has_changed = true;
+                body.set_elements(wanted as u32);
+            }
+        }
+        if has_changed {
+            RefinementStep::Next(Box::new(next))
+        } else {
+            RefinementStep::Ended("no body contributes to the error".into())
+        }
+    }
+}
+
+/// Flexible bodies and their numbers of elements.
+fn elements_of(model: &Model) -> Vec<(String, usize)> {
+    let flexible = model.bodies.iter().filter(|body| body.elements() > 0);
+    flexible.map(|body| (body.name().to_owned(), body.elements() as usize)).collect()
+}
+
+/// Returns the smallest number of elements from `count` on with nodes at all joints of a body, or `count` if there is none nearby.
+fn nodal(model: &Model, body: &Body, count: usize) -> usize {
+    let ends = model.joints.iter().flat_map(|joint| {
+        let (a, b) = joint.ends();
+        [Some(a), if let End::Place(b) = b { Some(b) } else { None }]
+    });
+    let own = ends.flatten().filter(|place| place.body == body.name());
+    let places: Vec<f64> = own.map(|place| body.arc_length(place.at) / body.length()).collect();
+    let is_nodal = |n: &usize| {
+        let distance = |place: &f64| (place * *n as f64 - (place * *n as f64).round()).abs();
+        places.iter().all(|place| distance(place) < AT_NODE)
+    };
+    (count..=4 * count).find(is_nodal).unwrap_or(count)
+}

@@ -3,11 +3,15 @@
 //! Each problem is an entry of a file below [`problems`], with model, reference, tolerance and plot. A test asserts that it holds.
 //! `ancf verify` solves them on the machine of the user and writes a report.
 
+mod effectivity;
+mod estimated;
 mod problem;
 pub mod problems;
 mod reference;
 mod refinement;
 
+pub use effectivity::Effectivity;
+use estimated::estimated;
 pub use problem::{
     Comparison, Findings, Mark, Plot, PlotCurve, Problem, SolvedModel, VerificationError, solve,
 };
@@ -20,6 +24,9 @@ fn assert_holds(problem: &Problem) {
     assert!(!findings.plots.is_empty() && !findings.comparisons.is_empty(), "{}", problem.name);
     for comparison in &findings.comparisons {
         assert!(comparison.holds(), "{}: {comparison:?} is {:e} off", problem.name, comparison.error());
+    }
+    for effectivity in &findings.effectivities {
+        assert!(effectivity.holds(), "{}: {effectivity:?}: ratio {}", problem.name, effectivity.ratio());
     }
 }
 
@@ -41,7 +48,9 @@ fn reports(problem: &Problem) -> Vec<String> {
         }
         Ok(findings) => {
             let broken = findings.comparisons.iter().filter(|comparison| !comparison.holds());
-            broken.map(|broken| format!("{name}: {broken:?} is {:e} off", broken.error())).collect()
+            let broken = broken.map(|broken| format!("{name}: {broken:?} is {:e} off", broken.error()));
+            let wrong = findings.effectivities.iter().filter(|effectivity| !effectivity.holds());
+            broken.chain(wrong.map(|wrong| format!("{name}: {wrong:?}: ratio {}", wrong.ratio()))).collect()
         }
     }
 }

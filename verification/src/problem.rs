@@ -4,6 +4,8 @@ use ancf::record::Series;
 use ancf::{Model, ModelErrors, Outcome, Summary, simulate};
 use thiserror::Error;
 
+use crate::effectivity::Effectivity;
+
 /// Problem with a known answer.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem {
@@ -48,6 +50,8 @@ pub enum VerificationError {
 pub struct Findings {
     /// Comparisons with references.
     pub comparisons: Vec<Comparison>,
+    /// Estimated errors of the mesh, compared with those against references.
+    pub effectivities: Vec<Effectivity>,
     /// Plots, at least one.
     pub plots: Vec<Plot>,
 }

@@ -1,6 +1,6 @@
 //! Refinement: quantities of a model on finer meshes or with shorter steps, and their orders of convergence.
 
-use crate::{Findings, Plot, PlotCurve, SolvedModel, VerificationError, solve};
+use crate::{Effectivity, Findings, Plot, PlotCurve, SolvedModel, VerificationError, solve};
 
 /// Value of a solved model.
 type Reading<'a> = Box<dyn Fn(&SolvedModel) -> Result<f64, VerificationError> + 'a>;
@@ -9,6 +9,8 @@ type Law<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
 /// Permitted difference of an observed order and the expected one.
 const ORDER: f64 = 0.25;
+/// Error, relative to the required accuracy, above which it is compared with its estimate.
+const SIGNIFICANT: f64 = 2.0;
 /// Smallest error of a plot with logarithmic axes.
 const SMALLEST: f64 = 1e-16;
 /// Number of markers of a reference curve.
@@ -143,8 +145,27 @@ impl<'a> Refinement<'a> {
                 points.map(|(&n, error)| [f64::from(n), (error / quantity.scale).max(SMALLEST)]).collect();
             convergence.push(PlotCurve::line(quantity.what, points));
         }
+        findings.effectivities = self.effectivities(&solved);
         self.plot(&mut findings, &solved, convergence)?;
         Ok(findings)
+    }
+
+    /// Returns the estimated errors of all levels whose true error exceeds the accuracy of the comparison with the reference.
+    fn effectivities(&self, solved: &[SolvedModel]) -> Vec<Effectivity> {
+        let mut found = Vec::new();
+        for (&level, solved) in self.levels.iter().zip(solved) {
+            let Some((corrected, range)) = solved.corrected() else { continue };
+            for quantity in &self.quantities {
+                let Measure::Value(reading, reference) = &quantity.measure else { continue };
+                let (Ok(ours), Ok(better)) = (reading(solved), reading(&corrected)) else { continue };
+                let (estimate, error) = (better - ours, reference - ours);
+                let is_significant = error.abs() > SIGNIFICANT * quantity.tolerance * quantity.scale;
+                if is_significant && estimate.is_finite() && better != ours {
+                    found.push(Effectivity { what: quantity.what.to_owned(), level, estimate, error, range });
+                }
+            }
+        }
+        found
     }
 
     /// Returns the order of convergence of the two finest levels.

@@ -4,6 +4,7 @@ mod dynamics;
 mod elements;
 mod forces;
 mod joints;
+mod meshes;
 mod models;
 mod rigid_bodies;
 mod stability;
@@ -52,6 +53,7 @@ pub fn all() -> impl Iterator<Item = &'static Problem> {
     let bodies = joints::FAMILIES.into_iter().chain(rigid_bodies::FAMILIES);
     let small = [statics::beams::PROBLEMS, statics::curved::PROBLEMS, stability::columns::PROBLEMS];
     let families = small.into_iter().chain(bodies).chain(forces::FAMILIES).chain(vibrations::FAMILIES);
+    let families = families.chain(meshes::FAMILIES);
     SINGLE.iter().chain(families.flatten())
 }
 

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::mesh::BeamMesh;
 use crate::constraints::Wrench;
-use crate::kinematics::{VectorKind, gauss3};
+use crate::kinematics::{VectorKind, gauss4};
 use crate::rods::{PointLoad, RodLoads};
 
 /// Variance of the place of a load on [0, 1] below which it acts at a point. That of a uniform load is 1/12.
@@ -56,8 +56,8 @@ impl BeamMesh {
     /// Returns the section forces of an element between its ends, from the forces and moments that balance it there.
     ///
     /// Loads whose place has no variance are point loads, unless they are many: follower loads and contacts act at integration
-    /// points. The sum of all others, and the body force and the inertia of the element, is fitted by a quadratic distribution with
-    /// the same [`works`](Self::works).
+    /// points. The sum of all others, and the body force and the inertia of the element, is fitted by a cubic or quadratic
+    /// distribution with the same [`works`](Self::works).
     pub(super) fn rod_loads(
         &self,
         state: &State,
@@ -106,21 +106,21 @@ impl BeamMesh {
         Vector3::from_column_slice(&state.q[first..first + 3])
     }
 
-    /// Returns the virtual works of nodal forces on displacements 1, ξ and ξ² in each direction, which are in the space of the
-    /// elements.
-    fn works(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 3] {
+    /// Returns the virtual works of nodal forces on displacements 1, ξ, ξ² and ξ³ in each direction. They are in the space of the
+    /// elements, the last one only with two nodes.
+    fn works(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 4] {
         let kinds = self.node_kinds();
         let vectors = self.term(element).coordinates().len() / 3;
         let nodes = vectors / kinds.len();
-        let mut works = [Vector3::zeros(); 3];
+        let mut works = [Vector3::zeros(); 4];
         for i in 0..vectors {
             let row = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
             let xi = (i / kinds.len()) as f64 / (nodes - 1) as f64;
             let slope = self.slope / self.length;
             let values = match kinds[i % kinds.len()] {
-                VectorKind::Position => [1.0, xi, xi * xi],
-                VectorKind::Slope => [0.0, slope, 2.0 * xi * slope],
-                VectorKind::Y | VectorKind::Z => [0.0; 3],
+                VectorKind::Position => [1.0, xi, xi * xi, xi * xi * xi],
+                VectorKind::Slope => [0.0, slope, 2.0 * xi * slope, 3.0 * xi * xi * slope],
+                VectorKind::Y | VectorKind::Z => [0.0; 4],
             };
             works.iter_mut().zip(values).for_each(|(work, value)| *work += row * value);
         }
@@ -128,11 +128,20 @@ impl BeamMesh {
     }
 
     /// Returns the deviations from a linear section force of the loads with these nodal forces.
-    fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 2] {
+    fn deviations(&self, element: usize, rows: &[f64; LOCAL]) -> [Vector3<f64>; 3] {
         let works = self.works(element, rows);
         // Coefficients of p(ξ) from ∫ p ξᵏ dξ, by the inverse of the Hilbert matrix.
-        let of = |row: [f64; 3]| works[0] * row[0] + works[1] * row[1] + works[2] * row[2];
-        [of([-36.0, 192.0, -180.0]) * 0.5, of([30.0, -180.0, 180.0]) / 3.0]
+        let of = |row: [f64; 4]| -> Vector3<f64> { works.iter().zip(row).map(|(work, x)| work * x).sum() };
+        if self.node_kinds().contains(&VectorKind::Slope) {
+            let linear = of([-120.0, 1200.0, -2700.0, 1680.0]);
+            let quadratic = of([240.0, -2700.0, 6480.0, -4200.0]);
+            let cubic = of([-140.0, 1680.0, -4200.0, 2800.0]);
+            [linear / 2.0, quadratic / 3.0, cubic / 4.0]
+        } else {
+            let linear = of([-36.0, 192.0, -180.0, 0.0]);
+            let quadratic = of([30.0, -180.0, 180.0, 0.0]);
+            [linear / 2.0, quadratic / 3.0, Vector3::zeros()]
+        }
     }
 
     /// Returns factors of [`RodLoads::couples`] of rotary inertia. The mean is left at zero: it follows from the equilibrium.
@@ -186,7 +195,7 @@ impl BeamMesh {
                 let tangent = self.tangent(state, element, at);
                 tangent.cross(&loads.force(at)) * (weight * (to - from) * self.length)
             };
-            gauss3().map(share).iter().sum()
+            gauss4().map(share).iter().sum()
         };
         loads.parts(xi).map(of_part).sum()
     }
@@ -204,7 +213,7 @@ impl BeamMesh {
             about_origin += vector.cross(&row);
             size += row.norm() * vector.norm();
         }
-        let [force, first, second] = self.works(element, rows);
+        let [force, first, second, _] = self.works(element, rows);
         if force.norm() * self.length <= POINT * size {
             return None;
         }

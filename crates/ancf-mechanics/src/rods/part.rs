@@ -51,14 +51,14 @@ pub struct PointLoad {
     pub moment: Vector3<f64>,
 }
 
-/// Section forces of a part of a rod: the force is a cubic of the arc length but for point loads, the couple per
+/// Section forces of a part of a rod: the force is a quartic of the arc length but for point loads, the couple per
 /// length a quadratic polynomial.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RodLoads {
     /// Forces at the start and at the end of the element, the latter without the point loads.
     pub forces: [Vector3<f64>; 2],
-    /// Deviations from a linear force, as factors of ξ − ξ² and ξ − ξ³.
-    pub deviations: [Vector3<f64>; 2],
+    /// Deviations from a linear force, as factors of ξ − ξ², ξ − ξ³ and ξ − ξ⁴.
+    pub deviations: [Vector3<f64>; 3],
     /// Moment at the start of the element.
     pub moment: Vector3<f64>,
     /// Rate m' + r' × n of the moment, the negative of the couple per length: factors of the shifted Legendre polynomials 1, 2ξ − 1
@@ -82,12 +82,18 @@ impl RodLoads {
             + self.forces[1] * xi
             + self.deviations[0] * (xi - square)
             + self.deviations[1] * (xi - square * xi)
+            + self.deviations[2] * (xi - square * square)
     }
 
     /// Returns the distributed load −dn/dξ at ξ, multiplied by the length of the element.
     pub fn distributed(&self, xi: f64) -> Vector3<f64> {
-        let [square, cube] = self.deviations;
-        self.forces[0] - self.forces[1] - square * (1.0 - 2.0 * xi) - cube * (1.0 - 3.0 * xi * xi)
+        let [second, third, fourth] = self.deviations;
+        let square = xi * xi;
+        self.forces[0]
+            - self.forces[1]
+            - second * (1.0 - 2.0 * xi)
+            - third * (1.0 - 3.0 * square)
+            - fourth * (1.0 - 4.0 * square * xi)
     }
 
     /// Returns m' + r' × n at ξ.

@@ -42,7 +42,8 @@ fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
                 thead { tr {
                     th.text scope="col" { "Problem" } th.text scope="col" { "Source" }
                     th scope="col" { "Numbers" } th scope="col" { "Worst error" }
-                    th scope="col" { "Tolerance" } th.text scope="col" { "Verdict" }
+                    th scope="col" { "Tolerance" } th scope="col" { "Estimate / error" }
+                    th.text scope="col" { "Verdict" }
                     th scope="col" { "Time (s)" }
                 } }
                 tbody { @for verdict in verdicts { (line(verdict)) } }
@@ -72,6 +73,7 @@ fn line(verdict: &ProblemVerdict) -> Markup {
                 Some(worst) => { td { (error(worst)) } td { (tolerance(worst)) } }
                 None => { td { "–" } td { "–" } }
             }
+            td { (verdict.effectivity_range()) }
             td.text { (word(verdict.holds())) }
             td { (fixed(verdict.seconds, 2)) }
         }
@@ -89,11 +91,32 @@ fn section(verdict: &ProblemVerdict) -> PageSection {
             Some(reason) => { div.box.off { p.headline { "Could not be solved" } p { (reason) } } }
             None => { (compared(verdict)) }
         }
+        @if !verdict.effectivities().is_empty() { (effectivities(verdict)) }
         @for (k, plot) in plots {
             (figure(&format!("{}-{}", problem.name, k + 1), plot::figure(plot).svg(), &html! { (plot.title) "." }))
         }
     };
     PageSection::new(problem.name, problem.title, body)
+}
+
+/// Returns the estimated errors of the mesh with the true ones.
+fn effectivities(verdict: &ProblemVerdict) -> Markup {
+    html! {
+        div.table tabindex="0" role="region" aria-label={ "Estimated errors: " (verdict.problem.title) } {
+            table {
+                caption { "Errors of the mesh: estimate of the program, and difference to the reference." }
+                thead { tr {
+                    th.text scope="col" { "Quantity" } th scope="col" { "Elements" } th scope="col" { "Estimate" }
+                    th scope="col" { "Error" } th scope="col" { "Ratio" } th.text scope="col" { "Verdict" }
+                } }
+                tbody { @for each in verdict.effectivities() { tr {
+                    th.text scope="row" { (each.what) }
+                    td { (each.level) } td { (scientific(each.estimate, 2)) } td { (scientific(each.error, 2)) }
+                    td { (fixed(each.ratio(), 2)) } td.text { (word(each.holds())) }
+                } } }
+            }
+        }
+    }
 }
 
 /// Removes empty lines around a text drawing, and the margin common to all lines.

@@ -28,6 +28,18 @@ struct ProblemRecord {
     reason: Option<String>,
     seconds: f64,
     comparisons: Vec<ComparisonRecord>,
+    /// Estimated errors of the mesh.
+    effectivities: Vec<EffectivityRecord>,
+}
+
+#[derive(Debug, Serialize)]
+struct EffectivityRecord {
+    what: String,
+    level: u32,
+    estimate: f64,
+    error: f64,
+    ratio: f64,
+    holds: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -62,6 +74,14 @@ impl ProblemRecord {
             tolerance: c.tolerance,
             holds: c.holds(),
         });
+        let effectivities = verdict.effectivities().iter().map(|e| EffectivityRecord {
+            what: e.what.clone(),
+            level: e.level,
+            estimate: e.estimate,
+            error: e.error,
+            ratio: e.ratio(),
+            holds: e.holds(),
+        });
         Self {
             name: problem.name,
             title: problem.title,
@@ -71,6 +91,7 @@ impl ProblemRecord {
             reason: verdict.reason().map(str::to_owned),
             seconds: verdict.seconds,
             comparisons: comparisons.collect(),
+            effectivities: effectivities.collect(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Outcome of a verification problem.
 
-use ancf_verification::{Comparison, Findings, Problem};
+use ancf_verification::{Comparison, Effectivity, Findings, Problem};
 
 /// Outcome of a verification problem.
 #[derive(Clone, Debug)]
@@ -14,9 +14,27 @@ pub struct ProblemVerdict {
 }
 
 impl ProblemVerdict {
-    /// True if there are comparisons and all of them hold.
+    /// True if there are comparisons and all of them hold, with the estimates of the errors.
     pub fn holds(&self) -> bool {
-        self.worst().is_some() && self.comparisons().iter().all(Comparison::holds)
+        let is_compared = self.worst().is_some() && self.comparisons().iter().all(Comparison::holds);
+        is_compared && self.effectivities().iter().all(Effectivity::holds)
+    }
+
+    /// Returns the estimated errors of the mesh with the true ones.
+    pub fn effectivities(&self) -> &[Effectivity] {
+        self.findings.as_ref().map_or(&[], |findings| &findings.effectivities)
+    }
+
+    /// Returns the smallest and the largest ratio of estimated and true errors, as text; empty without estimates.
+    pub fn effectivity_range(&self) -> String {
+        let ratios = || self.effectivities().iter().map(Effectivity::ratio);
+        let (low, high) =
+            (ratios().fold(f64::INFINITY, f64::min), ratios().fold(f64::NEG_INFINITY, f64::max));
+        match self.effectivities().len() {
+            0 => String::new(),
+            1 => format!("{low:.2}"),
+            _ => format!("{low:.2} .. {high:.2}"),
+        }
     }
 
     /// Returns the comparisons.
@@ -51,10 +69,15 @@ impl ProblemVerdict {
             None => "could not be solved     ".to_owned(),
         };
         let line = format!("{:width$}  {:6}  {found}  {seconds:>7.2} s", problem.name, self.word());
-        match (self.reason(), self.worst().filter(|worst| !worst.holds())) {
-            (Some(reason), _) => format!("{line}  {reason}"),
-            (_, Some(worst)) => format!("{line}  {}", worst.what),
-            _ => line,
+        let effectivity = self.effectivities().iter().find(|effectivity| !effectivity.holds());
+        match (self.reason(), self.worst().filter(|worst| !worst.holds()), effectivity) {
+            (Some(reason), ..) => format!("{line}  {reason}"),
+            (_, Some(worst), _) => format!("{line}  {}", worst.what),
+            (.., Some(wrong)) => {
+                format!("{line}  estimated error of {}: {:.2} of it", wrong.what, wrong.ratio())
+            }
+            _ if self.effectivities().is_empty() => line,
+            _ => format!("{line}  estimate/error {}", self.effectivity_range()),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::model::Model;
 
 /// Largest relative movement of the states between which forces are differentiated. It is small since the displacements of a shape
 /// are those of first order, which stretch the axis in second order.
-const DIFFERENCE: f64 = 1e-6;
+const DIFFERENCE: f64 = 1e-7;
 /// Share of the distortion of the sections in a movement above which the rod does not describe it.
 const DISTORTION: f64 = 0.5;
 

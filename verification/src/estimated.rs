@@ -5,17 +5,18 @@ use ancf::record::{Series, Sink};
 
 use crate::{Effectivity, Findings, Plot, PlotCurve, SolvedModel, VerificationError, solve};
 
-/// Permitted ratios of the estimated and the true error in statics, and of frequencies and critical load factors.
+/// Permitted ratios of the estimated and the true error in statics and above an error of 10 %, and of frequencies and critical load
+/// factors below it.
 const STATICS: [f64; 2] = [0.5, 2.0];
 const EIGENVALUES: [f64; 2] = [0.8, 1.25];
+const LARGE: f64 = 0.1;
 
 /// Smallest error of a plot with logarithmic axes.
 const SMALLEST: f64 = 1e-16;
 
 impl SolvedModel {
-    /// Returns the results with value + error in place of the values, and the permitted range of effectivities; `None` without a good
-    /// estimate.
-    pub(crate) fn corrected(&self) -> Option<(Self, [f64; 2])> {
+    /// Returns the results with value + error in place of the values; `None` without a good estimate.
+    pub(crate) fn corrected(&self) -> Option<Self> {
         let is_good = |errors: &&DiscretisationErrors| errors.resolution == Resolution::Good;
         let errors = self.summary.errors.as_ref().filter(is_good)?;
         let eigenvalues = ["frequency", "factor"].into_iter().find(|name| self.series.column(name).is_some());
@@ -40,8 +41,23 @@ impl SolvedModel {
             let row: Vec<f64> = names.iter().map(|name| value(name, row)).collect();
             let _ = series.record(&row).ok()?;
         }
-        let range = if eigenvalues.is_some() { EIGENVALUES } else { STATICS };
-        Some((Self { summary: self.summary.clone(), series }, range))
+        Some(Self { summary: self.summary.clone(), series })
+    }
+}
+
+impl Effectivity {
+    /// Creates the effectivity of a value with its correction and its reference.
+    pub(crate) fn new(
+        what: &str,
+        level: u32,
+        solved: &SolvedModel,
+        [ours, better, reference]: [f64; 3],
+    ) -> Self {
+        let (estimate, error) = (better - ours, reference - ours);
+        let is_eigenvalue = solved.summary.errors.as_ref().is_some_and(|errors| errors.eigenvalue.is_some());
+        let is_small = estimate.abs() <= LARGE * ours.abs();
+        let range = if is_eigenvalue && is_small { EIGENVALUES } else { STATICS };
+        Self { what: what.to_owned(), level, estimate, error, range }
     }
 }
 
@@ -63,13 +79,12 @@ pub(crate) fn estimated(
     for &level in levels {
         let solved = solve(&model(level))?;
         let missing = || VerificationError::Missing(format!("estimate with {level} elements"));
-        let (corrected, range) = solved.corrected().ok_or_else(missing)?;
+        let corrected = solved.corrected().ok_or_else(missing)?;
         let (ours, better) = (reading(&solved)?, reading(&corrected)?);
         let relative = |value: f64| [f64::from(level), ((value - reference).abs() / scale).max(SMALLEST)];
         before.push(relative(ours));
         after.push(relative(better));
-        let (estimate, error) = (better - ours, reference - ours);
-        findings.effectivities.push(Effectivity { what: what.to_owned(), level, estimate, error, range });
+        findings.effectivities.push(Effectivity::new(what, level, &solved, [ours, better, reference]));
         if Some(&level) == levels.last() {
             findings.compare(format!("{what}: value + estimated error"), better, reference, scale, tolerance);
         }

@@ -154,14 +154,14 @@ impl<'a> Refinement<'a> {
     fn effectivities(&self, solved: &[SolvedModel]) -> Vec<Effectivity> {
         let mut found = Vec::new();
         for (&level, solved) in self.levels.iter().zip(solved) {
-            let Some((corrected, range)) = solved.corrected() else { continue };
+            let Some(corrected) = solved.corrected() else { continue };
             for quantity in &self.quantities {
                 let Measure::Value(reading, reference) = &quantity.measure else { continue };
                 let (Ok(ours), Ok(better)) = (reading(solved), reading(&corrected)) else { continue };
-                let (estimate, error) = (better - ours, reference - ours);
-                let is_significant = error.abs() > SIGNIFICANT * quantity.tolerance * quantity.scale;
-                if is_significant && estimate.is_finite() && better != ours {
-                    found.push(Effectivity { what: quantity.what.to_owned(), level, estimate, error, range });
+                let is_significant =
+                    (reference - ours).abs() > SIGNIFICANT * quantity.tolerance * quantity.scale;
+                if is_significant && better.is_finite() && better != ours {
+                    found.push(Effectivity::new(quantity.what, level, solved, [ours, better, *reference]));
                 }
             }
         }

@@ -324,3 +324,47 @@ fn the_scaled_model_is_printed() {
     assert!((number(["materials", "steel", "density"]) * area - 1.0).abs() < 1e-12, "rho A = 1 by eq. (7)");
     assert!((model["gravity"][1].as_float().unwrap() * 0.25 + 1.0).abs() < 1e-12, "an element weighs 1");
 }
+
+/// The bodies are refined until the estimated error is as small as wanted. The model in the results has the last numbers of elements.
+#[test]
+fn a_mesh_is_refined_to_a_wanted_error() {
+    let folder = RunFolder::new();
+    let text = fs::read_to_string(root().join("models/elastica.toml")).unwrap();
+    let path = folder.0.path().join("coarse.toml");
+    fs::write(&path, text.replace("elements = 32", "elements = 2 # few")).unwrap();
+    let run = folder.run(path.to_str().unwrap()).args(["--to", "0.1%"]).output().unwrap();
+    let messages = stderr(&run);
+    assert!(
+        run.status.success() && messages.starts_with("mesh 1: elements `wire` 2; error 2 %\n"),
+        "{messages}"
+    );
+    let summary = folder.summary();
+    let meshes = summary["meshes"].as_array().unwrap();
+    let errors: Vec<f64> = meshes.iter().map(|mesh| mesh["error"].as_f64().unwrap()).collect();
+    assert!(errors.windows(2).all(|pair| pair[1] < pair[0]) && errors[errors.len() - 1] < 1e-3, "{errors:?}");
+    // The elastica of P L²/EI = 10: 0.810609 L (Bisshopp & Drucker 1945).
+    let column = folder.column("tip.y");
+    assert_near(&column[column.len() - 1..], &[-0.810609], 1e-3);
+    let last = meshes[meshes.len() - 1]["elements"][0][1].as_u64().unwrap();
+    assert_eq!(summary["errors"]["elements"].as_u64(), Some(last));
+}
+
+/// Poisson locking: no mesh reaches the error. Motions have no estimate.
+#[test]
+fn an_error_that_no_mesh_reaches_is_reported() {
+    let folder = RunFolder::new();
+    let text = fs::read_to_string(root().join("models/elastica.toml")).unwrap();
+    let path = folder.0.path().join("locked.toml");
+    let body = "kind = \"beam\"\nformulation = \"continuum\"";
+    let text = text.replacen("kind = \"cable\"", body, 1).replace("elements = 32", "elements = 8");
+    let text = text.replace("young = 2.1e11", "poisson = 0.3\nyoung = 2.1e11").replace("0.103084", "0.003");
+    fs::write(&path, &text).unwrap();
+    let run = folder.run(path.to_str().unwrap()).args(["--to", "1%"]).output().unwrap();
+    let messages = stderr(&run);
+    assert!(run.status.success(), "{messages}\n{text}");
+    assert!(messages.contains("warning: the error of 1 % is not reached: "), "{messages}");
+    let run =
+        folder.run(root().join("models/bow.toml").to_str().unwrap()).args(["--to", "1%"]).output().unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    assert!(stderr(&run).contains("motions and paths have no estimate"), "{}", stderr(&run));
+}

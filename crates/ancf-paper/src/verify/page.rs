@@ -41,8 +41,8 @@ fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
                 } }
                 thead { tr {
                     th.text scope="col" { "Problem" } th.text scope="col" { "Source" }
-                    th scope="col" { "Numbers" } th scope="col" { "Worst error" }
-                    th scope="col" { "Tolerance" } th scope="col" { "Estimate / error" }
+                    th scope="col" { "Numbers" } th scope="col" { "Worst" br; "error" }
+                    th scope="col" { "Tolerance" } th scope="col" { "Estimate" br; "/ error" }
                     th.text scope="col" { "Verdict" }
                     th scope="col" { "Time (s)" }
                 } }

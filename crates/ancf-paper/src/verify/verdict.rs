@@ -33,7 +33,7 @@ impl ProblemVerdict {
         match self.effectivities().len() {
             0 => String::new(),
             1 => format!("{low:.2}"),
-            _ => format!("{low:.2} .. {high:.2}"),
+            _ => format!("{low:.2}..{high:.2}"),
         }
     }
 

@@ -15,8 +15,7 @@ pub enum Resolution {
     /// The gaps add up to less than 0.3 rad: the estimate is accurate.
     Good,
     /// The estimate states the order of magnitude: the gaps add up to at most 1 rad, taut elements are neither rods nor strings,
-    /// elements are strongly curved, contacts are active, loads within elements are not known in detail, or a frequency or load factor
-    /// has an error above 10 %.
+    /// elements are strongly curved, contacts are active, or loads within elements are not known in detail.
     Rough,
     /// The elements do not resolve the shape.
     Unresolved,
@@ -40,8 +39,6 @@ impl Resolution {
 
 const GOOD: f64 = 0.3;
 const ROUGH: f64 = 1.0;
-/// Relative error of an eigenvalue above which its estimate states the order of magnitude.
-const LARGE: f64 = 0.1;
 
 /// Estimated errors of the mesh in the last state of a static analysis, or in modes or buckling, in the user's units.
 ///
@@ -172,10 +169,9 @@ impl DiscretisationErrors {
         if let Some(works) = errors.eigenvalue.as_ref().and_then(|worst| works(worst.number - 1)) {
             errors.bodies = BodyError::relative(field, &works);
         }
-        let is_large = errors.eigenvalue.as_ref().is_some_and(|worst| worst.relative.abs() > LARGE);
         errors.resolution = if errors.values.is_empty() {
             Resolution::Unknown
-        } else if is_large || field.is_rough() {
+        } else if field.is_rough() {
             Resolution::Rough
         } else {
             Resolution::Good

@@ -4,6 +4,8 @@ use crate::errors::{percentage, short};
 
 /// Share of the error along the displacement above which the displacement is too small or too large.
 const ALONG: f64 = 0.7;
+/// Relative error of a frequency or load factor above which its estimate states the order of magnitude.
+const LARGE: f64 = 0.1;
 
 impl DiscretisationErrors {
     /// Sentence for the end of a run: the error of the displacement of a probe, or what is not known.
@@ -21,6 +23,7 @@ impl DiscretisationErrors {
                 let about = if *resolution == Resolution::Rough { "about " } else { "" };
                 let end = format!("; section law within {}", percentage(*law));
                 if let Some(error) = &self.eigenvalue {
+                    let about = if error.relative.abs() > LARGE { "about " } else { about };
                     return format!("mesh: {}{end}", error.sentence(about));
                 }
                 match displacement {

@@ -9,7 +9,7 @@ use crate::{Findings, Problem, SolvedModel, VerificationError, estimated};
 pub(super) const PROBLEMS: &[Problem] = &[
     Problem {
         name: "mesh_modes_enhanced",
-        title: "Estimated error: frequencies of a cantilever of `enhanced` elements",
+        title: "Estimated error: frequencies of a cantilever of enhanced elements",
         source: "Euler-Bernoulli beam, cos βL cosh βL = −1",
         sketch: CANTILEVER,
         goal: "Ratio of estimate and error 0.8 to 1.25 with 2 to 8 elements; value + error within 1e-4",
@@ -17,7 +17,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_modes_quadratic",
-        title: "Estimated error: second frequency of a cantilever of `quadratic` elements",
+        title: "Estimated error: second frequency of a cantilever of quadratic elements",
         source: "Euler-Bernoulli beam, cos βL cosh βL = −1",
         sketch: CANTILEVER,
         goal: "Ratio of estimate and error 0.8 to 1.25 with 2 to 8 elements; value + error within 1e-5",
@@ -42,7 +42,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_column_enhanced",
-        title: "Estimated error: critical load of a column of `enhanced` elements",
+        title: "Estimated error: critical load of a column of enhanced elements",
         source: "Euler, π² EI/4L²",
         sketch: r"
     |/|================= ←",

@@ -16,7 +16,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_elastica_linked",
-        title: "Estimated error: cantilever of `linked` elements, P L²/EI = 10",
+        title: "Estimated error: cantilever of linked elements, P L²/EI = 10",
         source: "Euler's elastica (Bisshopp & Drucker 1945)",
         sketch: ELASTICA,
         goal: "Ratio of estimate and error 0.5 to 2 with 4 to 16 elements; value + error within 2e-5",
@@ -24,7 +24,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_elastica_quadratic",
-        title: "Estimated error: cantilever of `quadratic` elements, P L²/EI = 10",
+        title: "Estimated error: cantilever of quadratic elements, P L²/EI = 10",
         source: "Euler's elastica (Bisshopp & Drucker 1945)",
         sketch: ELASTICA,
         goal: "Ratio of estimate and error 0.5 to 2 with 2 to 4 elements; value + error within 2e-5",
@@ -32,7 +32,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_shear_locking",
-        title: "Estimated error: cantilever of `enhanced` elements, P L²/EI = 1",
+        title: "Estimated error: cantilever of enhanced elements, P L²/EI = 1",
         source: "Euler's elastica (Bisshopp & Drucker 1945)",
         sketch: ELASTICA,
         goal: "Ratio of estimate and error 0.5 to 2 with 8 to 32 elements; value + error within 1e-4",
@@ -40,7 +40,7 @@ pub(super) const PROBLEMS: &[Problem] = &[
     },
     Problem {
         name: "mesh_poisson_locking",
-        title: "Estimated error: cantilever of `continuum` elements with ν = 0.3",
+        title: "Estimated error: cantilever of continuum elements with ν = 0.3",
         source: "Timoshenko's beam, P L³/3EI + P L/k_z GA",
         sketch: ELASTICA,
         goal: "Ratio of estimate and error 0.5 to 2, though the error of a quarter does not decrease with the mesh; value + error within 1e-3",

@@ -19,26 +19,31 @@ impl BeamMesh {
         self.term(element).coordinates().len()
     }
 
-    /// Returns the residual of an element and its loads in the rows of the element.
-    pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [f64; LOCAL] {
-        let mut rows = residual(self.term(element), state);
-        for load in loads {
-            let forces = self.load_rows(state, element, *load);
-            rows.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
+    /// Returns the number of coordinates between the starts of consecutive elements.
+    pub fn coordinates_between(&self) -> usize {
+        3 * self.stride()
+    }
+
+    /// Evaluates the residual of an element and the forces of its loads.
+    pub(super) fn element_rows(&self, state: &State, element: usize, loads: &[&dyn Term]) -> ElementRows {
+        let own = residual(self.term(element), state);
+        let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
+        let mut sum = own;
+        for forces in &of_loads {
+            sum.iter_mut().zip(forces).for_each(|(row, force)| *row -= force);
         }
-        rows
+        ElementRows { own, of_loads, sum }
     }
 
     /// Returns the forces and moments that balance an element and its loads at its two ends.
-    pub(super) fn ends(&self, state: &State, element: usize, loads: &[&dyn Term]) -> [Wrench; 2] {
-        let rows = self.element_rows(state, element, loads);
-        let n = self.term(element).coordinates().len();
+    pub(super) fn ends(&self, state: &State, element: usize, rows: &ElementRows) -> [Wrench; 2] {
+        let n = self.coordinates_of(element);
         let kinds = self.node_kinds();
         let (size, offset) = (n / 3, element * self.stride());
         let vector = |i: usize| self.vector(state, offset + i);
         let mut wrenches = [Wrench::default(); 2];
         for i in 0..size {
-            let force = Vector3::from_column_slice(&rows[3 * i..3 * i + 3]);
+            let force = rows.force(i);
             let end = usize::from(i >= size - kinds.len());
             // Rows of middle nodes are zero in equilibrium.
             if end == 0 && i >= kinds.len() {
@@ -63,11 +68,11 @@ impl BeamMesh {
         state: &State,
         element: usize,
         [start, end]: [Wrench; 2],
-        loads: &[&dyn Term],
+        rows: &ElementRows,
     ) -> RodLoads {
-        let mut rows = self.body_force_rows(state, element);
+        let ElementRows { own, of_loads, .. } = rows;
+        let mut rows = self.body_force_rows(state, element, own);
         let couples = self.couples(state, element, &rows);
-        let of_loads: Vec<_> = loads.iter().map(|load| self.load_rows(state, element, *load)).collect();
         let mut points: Vec<_> = of_loads.iter().map(|rows| self.point_load(state, element, rows)).collect();
         if points.iter().flatten().count() >= SAMPLES {
             points.fill(None);
@@ -164,14 +169,14 @@ impl BeamMesh {
         couples
     }
 
-    /// Returns the body forces less the inertia forces of an element on its coordinates.
-    fn body_force_rows(&self, state: &State, element: usize) -> [f64; LOCAL] {
+    /// Returns the body forces less the inertia forces of an element with the residual `own` on its coordinates.
+    fn body_force_rows(&self, state: &State, element: usize, own: &[f64; LOCAL]) -> [f64; LOCAL] {
         let term = self.term(element);
-        let (gathered, mut free, mut rows) = (Gathered::new(term, state), [0.0; LOCAL], [0.0; LOCAL]);
-        let (n, local) = (term.coordinates().len(), gathered.at(term, state));
-        term.residual(&local, &mut rows[..n]);
-        term.residual(&Local { a: &[0.0; LOCAL][..n], load: 0.0, ..local }, &mut free[..n]);
-        rows.iter_mut().zip(free).for_each(|(row, free)| *row = free - *row);
+        let (gathered, mut rows) = (Gathered::new(term, state), [0.0; LOCAL]);
+        let n = term.coordinates().len();
+        let free = Local { a: &[0.0; LOCAL][..n], load: 0.0, ..gathered.at(term, state) };
+        term.residual(&free, &mut rows[..n]);
+        rows.iter_mut().zip(own).for_each(|(row, own)| *row -= own);
         rows
     }
 
@@ -223,6 +228,23 @@ impl BeamMesh {
         }
         let point = self.point((element as f64 + xi) * self.length).value(state) - self.origin;
         Some(PointLoad { xi, force, moment: about_origin - point.cross(&force) })
+    }
+}
+
+/// Forces in the rows of the coordinates of an element.
+pub(super) struct ElementRows {
+    /// Residual of the element.
+    own: [f64; LOCAL],
+    /// Forces of each load.
+    of_loads: Vec<[f64; LOCAL]>,
+    /// Residual of the element and its loads.
+    sum: [f64; LOCAL],
+}
+
+impl ElementRows {
+    /// Returns the residual in the rows of a vector of the element.
+    pub(super) fn force(&self, vector: usize) -> Vector3<f64> {
+        Vector3::from_column_slice(&self.sum[3 * vector..3 * vector + 3])
     }
 }
 

@@ -18,11 +18,12 @@ impl BeamMesh {
     /// that are uniform in the element, and for point loads.
     pub fn resultants(&self, state: &State, s: f64, loads: &[&dyn Term]) -> Wrench {
         let (element, xi) = self.locate(s);
-        let [start, end] = self.ends(state, element, loads);
+        let rows = self.element_rows(state, element, loads);
+        let [start, end] = self.ends(state, element, &rows);
         if xi == 0.0 || xi == 1.0 {
             return if xi == 0.0 { Wrench { force: -start.force, moment: -start.moment } } else { end };
         }
-        let loads = self.rod_loads(state, element, [start, end], loads);
+        let loads = self.rod_loads(state, element, [start, end], &rows);
         let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
         let lever = self.lever(state, element, &loads, xi);
         let moment = loads.moment - lever - moments + loads.couple_until(xi) * self.length;

@@ -9,6 +9,8 @@ use super::section_frames::normals_to;
 use crate::kinematics::{FrameValues, VectorKind};
 use crate::rods::{Placement, RodLoads, RodPart, RodSection, StringEnd, TautString};
 
+/// Largest number of vectors of a node.
+const NODE: usize = 4;
 /// Product |n| l²/EI of a taut element above which its shape is that of a string with boundary layers. The solution of the rod from
 /// its start grows as the exponential of the root.
 const TAUT: f64 = 8.0;
@@ -36,6 +38,8 @@ pub struct RodGap {
     pub load: Vector3<f64>,
     /// Distributed moment at the place of the gap, multiplied by the length of the element.
     pub couple: Vector3<f64>,
+    /// Forces that balance the element and its loads at the vectors of its last node.
+    pub at_end: [Vector3<f64>; NODE],
     /// Bound of the relative difference between the laws of the rod and of the element.
     pub law: f64,
     /// True if the gap is not accurate: the boundary layers of both ends of a taut element overlap, or the reference shape turns
@@ -66,57 +70,69 @@ impl BeamMesh {
         loads: &[&dyn Term],
         section: &dyn Fn(f64) -> RodSection,
     ) -> RodGap {
-        let ends = self.ends(state, element, loads);
-        let loads = self.rod_loads(state, element, ends, loads);
-        let (forces, moment) = (loads.forces, loads.moment);
-        let at = |xi: f64| self.placement(state, element, xi);
-        let (first, last) = (at(0.0), at(xi));
+        let rows = self.element_rows(state, element, loads);
+        let ends = self.ends(state, element, &rows);
+        let loads = self.rod_loads(state, element, ends, &rows);
+        let forces = loads.forces;
+        let [first, end] = [0.0, 1.0].map(|xi| self.placement(state, element, xi));
         let middle = section(0.5);
         let law = {
             let seen = |x: &Vector3<f64>| first.frame.tr_mul(x);
-            middle.law_difference(&seen(&forces[0]), &seen(&moment))
+            middle.law_difference(&seen(&forces[0]), &seen(&loads.moment))
         };
-        let tension = 0.5 * (forces[0] + forces[1]).dot(&(at(1.0).position - first.position)) / self.length;
-        let tautness = tension * self.length.powi(2) * middle.flexibility();
-        if tautness > TAUT {
-            if is_steep(&loads, self.length.powi(2) * middle.flexibility()) {
-                return RodGap { law, is_unknown: true, ..RodGap::default() };
-            }
-            let end = at(1.0);
+        let tension = 0.5 * (forces[0] + forces[1]).dot(&(end.position - first.position)) / self.length;
+        let slenderness = self.length.powi(2) * middle.flexibility();
+        let last = if xi == 1.0 { end } else { self.placement(state, element, xi) };
+        let gap = if tension * slenderness <= TAUT {
+            self.bent_gap(state, (element, xi), &loads, [&first, &last], section)
+        } else if is_steep(&loads, slenderness) {
+            RodGap { is_unknown: true, ..RodGap::default() }
+        } else {
             let is_end = [element == 0, element + 1 == self.count()];
             let ends = std::array::from_fn(|k| StringEnd {
                 tangent: [&first, &end][k].frame.column(0).into_owned(),
-                moment: [moment, ends[1].moment][k],
+                moment: [loads.moment, ends[1].moment][k],
                 is_free: !is_end[k],
             });
             let string = TautString { length: self.length, section, loads: &loads, ends };
-            let translation = string.chord(xi) - (last.position - first.position);
-            let [before, after] = [0, 1].map(|end| string.moment(end) - string.ends[end].moment);
-            let moment = after + translation.cross(&loads.force(xi));
-            let is_rough = tautness < STRING;
-            let load = loads.distributed(xi);
-            return RodGap { translation, start: before, moment, load, law, is_rough, ..RodGap::default() };
+            let is_rough = tension * slenderness < STRING;
+            RodGap { is_rough, ..string_gap(&string, last.position - first.position, xi) }
+        };
+        let vectors = self.coordinates_of(element) / 3;
+        let mut at_end = [Vector3::zeros(); NODE];
+        for (force, vector) in at_end.iter_mut().zip(vectors - self.node_kinds().len()..vectors) {
+            *force = rows.force(vector);
         }
+        RodGap { law, at_end, ..gap }
+    }
+
+    /// Returns the gap at ξ of an element that is not taut, between the placements of its start and at ξ.
+    fn bent_gap(
+        &self,
+        state: &State,
+        (element, xi): (usize, f64),
+        loads: &RodLoads,
+        [first, last]: [&Placement; 2],
+        section: &dyn Fn(f64) -> RodSection,
+    ) -> RodGap {
         let part = |loads| RodPart { length: self.length, section, loads };
-        let (reached, reached_moment) = part(&loads).end(&first, xi);
+        let (reached, reached_moment) = part(loads).end(first, xi);
         let translation = reached.position - last.position;
         let moments: Vector3<f64> = loads.until(xi).map(|point| point.moment).sum();
-        let of_element =
-            moment - self.lever(state, element, &loads, xi) - moments + loads.couple_until(xi) * self.length;
+        let lever = self.lever(state, element, loads, xi);
+        let of_element = loads.moment - lever - moments + loads.couple_until(xi) * self.length;
         let curvature =
             [0.0, 0.5, 1.0].map(|xi| section(xi).curvature.norm()).into_iter().fold(0.0, f64::max);
         // The sections of cables have no orientation about the axis.
         let turn = if self.has_sections() { Placement::rotation_from } else { Placement::axis_rotation_from };
         let mut gap = RodGap {
             translation,
-            rotation: turn(&reached, &last),
-            start: Vector3::zeros(),
+            rotation: turn(&reached, last),
             moment: reached_moment + translation.cross(&loads.force(xi)) - of_element,
             load: loads.distributed(xi),
             couple: loads.couple(xi) * -self.length,
-            law,
             is_rough: curvature * self.length > CURVED,
-            is_unknown: false,
+            ..RodGap::default()
         };
         if curvature > 0.0 {
             // The error of the integration of the reference shape.
@@ -222,15 +238,15 @@ impl BeamMesh {
             add_stiffness_product(self.term(element), state, (first, &w), step, forces);
             loads.iter().for_each(|load| add_stiffness_product(*load, state, (first, &w), step, forces));
         }
-        let now = self.element_rows(state, element, loads);
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        let mut rows = gap.at_end.iter();
         self.visit_end(element, |place, vector, kind| {
-            let row = Vector3::from_column_slice(&now[place..place + 3]);
+            let Some(row) = rows.next() else { return };
             if kind == VectorKind::Position {
                 force += row;
                 return;
             }
-            moment += self.vector(state, vector).cross(&row);
+            moment += self.vector(state, vector).cross(row);
             let turned = row.cross(&gap.rotation);
             forces[first + place..].iter_mut().zip(&turned).for_each(|(force, turned)| *force += turned);
         });
@@ -262,6 +278,14 @@ impl BeamMesh {
             visit(3 * vector, offset + vector, *kind);
         }
     }
+}
+
+/// Returns the gap between a string and an element with the given vector from its start to ξ.
+fn string_gap(string: &TautString<'_>, chord: Vector3<f64>, xi: f64) -> RodGap {
+    let translation = string.chord(xi) - chord;
+    let [start, after] = [0, 1].map(|end| string.moment(end) - string.ends[end].moment);
+    let moment = after + translation.cross(&string.loads.force(xi));
+    RodGap { translation, start, moment, load: string.loads.distributed(xi), ..RodGap::default() }
 }
 
 /// Returns orthonormal axes, the first one along a tangent.

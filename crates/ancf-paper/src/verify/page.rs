@@ -36,13 +36,14 @@ fn summary(verdicts: &[ProblemVerdict], record: &VerificationRecord) -> Markup {
         div.table tabindex="0" role="region" aria-label="All problems" {
             table.wide {
                 caption { span {
-                    "Worst comparison of each problem: the largest ratio of error to tolerance. "
+                    "Worst comparison of each problem: the largest ratio of error to tolerance. Ratio: estimated errors of \
+                     meshes, relative to the true ones. "
                     span.files { a href="results.json" { "JSON" } }
                 } }
                 thead { tr {
                     th.text scope="col" { "Problem" } th.text scope="col" { "Source" }
-                    th scope="col" { "Numbers" } th scope="col" { "Worst" br; "error" }
-                    th scope="col" { "Tolerance" } th scope="col" { "Estimate" br; "/ error" }
+                    th scope="col" { "Numbers" } th scope="col" { "Worst error" }
+                    th scope="col" { "Tolerance" } th scope="col" { "Ratio" }
                     th.text scope="col" { "Verdict" }
                     th scope="col" { "Time (s)" }
                 } }

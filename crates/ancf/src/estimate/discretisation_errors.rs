@@ -81,7 +81,8 @@ impl DiscretisationErrors {
             errors.resolution = Resolution::Unresolved;
             return Some(errors);
         }
-        let response = if field.is_unknown() { None } else { respond(&field.forces()) };
+        let forces = field.forces();
+        let response = if field.is_unknown() { None } else { respond(&forces.total) };
         let Some(response) = response else {
             return Some(Self { resolution: Resolution::Unknown, ..errors });
         };
@@ -94,7 +95,7 @@ impl DiscretisationErrors {
         if errors.resolution != Resolution::Unresolved {
             (errors.values, errors.displacement) = values.evaluate();
             if let Some(weights) = errors.weights(field).and_then(|force| respond(&force)) {
-                errors.bodies = BodyError::relative(field, &field.works(&weights));
+                errors.bodies = BodyError::relative(field, &forces.works(&weights));
             }
         }
         Some(errors)

@@ -69,7 +69,8 @@ impl<'a> FactorErrors<'a> {
         system.tangent(about, Weights::MASS, &mut errors.mass);
         let h = if size > 0.0 { DIFFERENCE / size } else { 1.0 };
         let [before, after] = [-h, h].map(|h| errors.loaded(h));
-        let [before, after] = [before, after].map(|state| GapField::new(model, assembly, &state).forces());
+        let [before, after] =
+            [before, after].map(|state| GapField::new(model, assembly, &state).forces().total);
         let mut error: Vec<f64> = before.iter().zip(&after).map(|(a, b)| (b - a) / (2.0 * h)).collect();
         errors.factor.factorise(&errors.stiffness).ok()?;
         errors.factor.solve(&errors.stiffness, &mut error).ok()?;

@@ -93,7 +93,7 @@ impl EquilibriumError {
         system.tangent(about, Weights::STIFFNESS, &mut stiffness);
         system.tangent(about, Weights::MASS, &mut mass);
         // The rest of the residual has the effect of an error of the state.
-        let mut error = field.forces();
+        let mut error = field.forces().total;
         let mut residual = vec![0.0; error.len()];
         system.residual(about, &mut residual);
         error.iter_mut().zip(&residual).for_each(|(force, residual)| *force -= residual);

@@ -83,37 +83,63 @@ impl<'a> GapField<'a> {
         Some(mesh.rod_gap(self.state, element, xi, &loads, &section))
     }
 
-    /// Forces on all coordinates, with zeros for the multipliers, that impose the gaps.
-    pub(crate) fn forces(&self) -> Vec<f64> {
-        let mut forces = vec![0.0; self.state.q.len() + self.state.lambda.len()];
+    /// Forces that impose the gaps.
+    pub(crate) fn forces(&self) -> GapForces {
+        let size = self.state.q.len() + self.state.lambda.len();
+        let (mut total, mut own) = (vec![0.0; size], vec![0.0; size]);
+        let mut parts = vec![ElementForces::default(); self.bodies.len()];
         for (number, body) in self.bodies() {
+            let length = body.mesh.coordinates_of(0);
+            parts[number] = ElementForces {
+                first: body.mesh.first_coordinate(),
+                step: body.mesh.coordinates_between(),
+                length,
+                rows: Vec::with_capacity(length * body.mesh.count()),
+            };
             for (element, gap) in body.gaps.iter().enumerate() {
                 let loads = self.assembly.loads_within(number, element, &self.contacts);
-                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut forces);
-            }
-        }
-        forces
-    }
-
-    /// Works of the forces of the gaps of each element of each body on a movement of the coordinates and multipliers.
-    pub(super) fn works(&self, movement: &[f64]) -> Vec<Vec<f64>> {
-        let mut forces = vec![0.0; self.state.q.len() + self.state.lambda.len()];
-        let mut works = vec![Vec::new(); self.bodies.len()];
-        for (number, body) in self.bodies() {
-            for (element, gap) in body.gaps.iter().enumerate() {
-                let loads = self.assembly.loads_within(number, element, &self.contacts);
-                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut forces);
+                body.mesh.add_gap_forces(self.state, element, gap, &loads, &mut own);
                 let first = body.mesh.first_coordinate_of(element);
-                let own = first..first + body.mesh.coordinates_of(element);
+                parts[number].rows.extend_from_slice(&own[first..first + length]);
                 let of_loads = loads.iter().flat_map(|load| load.coordinates().iter().copied());
-                let mut work = 0.0;
-                for place in own.chain(of_loads) {
-                    work += movement.get(place).unwrap_or(&0.0) * std::mem::take(&mut forces[place]);
+                for place in (first..first + length).chain(of_loads) {
+                    total[place] += std::mem::take(&mut own[place]);
                 }
-                works[number].push(work);
             }
         }
-        works
+        GapForces { total, parts }
+    }
+}
+
+/// Forces on all coordinates, with zeros for the multipliers, that impose the gaps, and the parts of the elements.
+pub(crate) struct GapForces {
+    pub(super) total: Vec<f64>,
+    parts: Vec<ElementForces>,
+}
+
+/// Forces of the gaps of a body on the coordinates of its elements.
+#[derive(Clone, Default)]
+struct ElementForces {
+    /// First coordinate of the first element, and the number of coordinates between the starts of elements.
+    first: usize,
+    step: usize,
+    /// Number of coordinates of an element.
+    length: usize,
+    rows: Vec<f64>,
+}
+
+impl GapForces {
+    /// Works of the forces of each element of each body on a movement.
+    pub(super) fn works(&self, movement: &[f64]) -> Vec<Vec<f64>> {
+        let of_body = |part: &ElementForces| {
+            let rows = part.rows.chunks_exact(part.length.max(1)).enumerate();
+            let work = |(element, row): (usize, &[f64])| {
+                let from = part.first + part.step * element;
+                row.iter().zip(&movement[from..]).map(|(force, x)| force * x).sum()
+            };
+            rows.map(work).collect()
+        };
+        self.parts.iter().map(of_body).collect()
     }
 }
 

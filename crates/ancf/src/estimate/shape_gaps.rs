@@ -45,7 +45,7 @@ impl ShapeGaps<'_> {
         if fields.iter().any(GapField::is_unknown) {
             return None;
         }
-        let [before, mut works] = fields.each_ref().map(|field| field.works(shape));
+        let [before, mut works] = fields.each_ref().map(|field| field.forces().works(shape));
         for (number, (before, works)) in before.iter().zip(&mut works).enumerate() {
             for (element, (before, work)) in before.iter().zip(works).enumerate() {
                 *work = (*work - before) / (2.0 * h);

@@ -39,6 +39,7 @@
 //!     summary: vec![("steps".into(), summary.steps.to_string())],
 //!     ending: Ending::new(&summary.outcome, &model.analysis),
 //!     messages: Vec::new(),
+//!     body_errors: Vec::new(),
 //!     live: false,
 //! };
 //! let html = page(&scene(&recording, BUDGET));

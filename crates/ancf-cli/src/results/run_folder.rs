@@ -55,6 +55,7 @@ pub fn recording<'a>(results: &'a Results, title: &'a str, series: &'a Series) -
         summary: Vec::new(),
         ending: Ending::Running,
         messages: Vec::new(),
+        body_errors: Vec::new(),
         live: false,
     }
 }

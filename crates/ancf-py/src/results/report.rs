@@ -1,6 +1,7 @@
 //! HTML report of a result.
 
 use ancf::Summary;
+use ancf::estimate::BodyError;
 use ancf::record::{Series, Sink};
 use ancf_report::{BUDGET, Ending, Recording, Snapshot, page, scene, summary_rows, summary_warnings};
 use numpy::PyReadonlyArray2;
@@ -45,6 +46,7 @@ pub(crate) fn report(
             frames: states.all()?.into_iter().zip(values).map(snapshot).collect(),
             series: &series,
             summary: text_of_summary.rows,
+            body_errors: text_of_summary.body_errors,
             ending: text_of_summary.ending,
             messages: text_of_summary.messages,
             live: false,
@@ -57,6 +59,7 @@ pub(crate) fn report(
 /// Text of a summary.
 struct SummaryText {
     rows: Vec<(String, String)>,
+    body_errors: Vec<BodyError>,
     ending: Ending,
     messages: Vec<String>,
 }
@@ -66,10 +69,10 @@ impl SummaryText {
         let text = |value: Option<&Value>| value.and_then(Value::as_str).unwrap_or_default().to_owned();
         let outcome = data.get("outcome");
         match text(outcome.and_then(|outcome| outcome.get("kind"))).as_str() {
-            "running" => Ok(Self { rows: Vec::new(), ending: Ending::Running, messages: Vec::new() }),
+            "running" => Ok(Self::unfinished(Ending::Running, Vec::new())),
             "broken" => {
                 let messages = vec![text(outcome.and_then(|outcome| outcome.get("reason")))];
-                Ok(Self { rows: Vec::new(), ending: Ending::Stopped, messages })
+                Ok(Self::unfinished(Ending::Stopped, messages))
             }
             _ => {
                 let mut rows = Vec::new();
@@ -83,8 +86,13 @@ impl SummaryText {
                 rows.extend(summary_rows(&summary));
                 let messages = summary_warnings(&summary);
                 let ending = Ending::new(&summary.outcome, &model.analysis);
-                Ok(Self { rows, ending, messages })
+                let body_errors = summary.errors.map_or_else(Vec::new, |errors| errors.bodies);
+                Ok(Self { rows, body_errors, ending, messages })
             }
         }
+    }
+
+    const fn unfinished(ending: Ending, messages: Vec<String>) -> Self {
+        Self { rows: Vec::new(), body_errors: Vec::new(), ending, messages }
     }
 }

@@ -291,3 +291,16 @@ def test_statics_estimates_the_error_of_the_mesh() -> None:
     assert result["inner.z"][-1] + result.errors["inner.z"] == pytest.approx(exact, rel=1e-6)
     assert abs(result.errors["inner.z"]) > 0.01 * exact
     assert result.summary["errors"]["resolution"] == "good"
+
+
+def test_frequencies_have_estimated_errors() -> None:
+    """Bernoulli-Euler cantilever: the corrected frequency of two cable elements is exact to 1e-5."""
+    steel, wire = ancf.Material(density=7850, young=2e11), ancf.Circle(diameter=0.002)
+    bar = ancf.Cable("bar", from_=[0, 0, 0], to=[1, 0, 0], elements=2, section=wire, material=steel)
+    root = ancf.Clamp("root", a=bar.start)
+    result = ancf.run(ancf.Model(bodies=[bar], joints=[root], analysis=ancf.Modes(count=1)))
+    exact = 1.875104068711961**2 * math.sqrt(2e11 / 7850) * 0.0005 / (2 * math.pi)
+    error = result.errors["frequency[1]"]
+    assert result.frequencies[0] + error == pytest.approx(exact, rel=1e-5)
+    assert result["frequency_error"][0] == pytest.approx(error)
+    assert abs(error) > 1e-4 * exact

@@ -1,5 +1,6 @@
 use ancf::assembly::Assembly;
-use ancf::model::Analysis;
+use ancf::estimate::BodyError;
+use ancf::model::{Analysis, Body};
 use ancf::solver::equations::State;
 use ancf::units::{Dimension, Scales};
 use ancf::{Field, Model};
@@ -33,6 +34,7 @@ pub struct ScalarField {
 /// | strain | Green's strain E_xx of the axis |
 /// | speed | speed of the axis |
 /// | displacement | distance from the reference placement |
+/// | error of the mesh | contribution of the body to the largest relative error ([`BodyError`]) |
 #[derive(Debug)]
 pub struct ScalarFields<'a> {
     all: Vec<ScalarField>,
@@ -41,6 +43,8 @@ pub struct ScalarFields<'a> {
     scales: Scales,
     has_velocities: bool,
     is_modal: bool,
+    /// Error of the body of each station.
+    errors: Vec<f32>,
 }
 
 /// Index of the first field that depends on the motion only.
@@ -48,7 +52,13 @@ const MOTION: usize = 8;
 
 impl<'a> ScalarFields<'a> {
     /// Fields of a model in the user's units, without values.
-    pub fn new(model: &Model, assembly: &'a Assembly, scales: Scales, geometry: &Geometry<'_>) -> Self {
+    pub fn new(
+        model: &Model,
+        assembly: &'a Assembly,
+        scales: Scales,
+        geometry: &Geometry<'_>,
+        body_errors: &[BodyError],
+    ) -> Self {
         let of = |name, symbol, dimension, diverging| ScalarField {
             name,
             symbol,
@@ -67,11 +77,18 @@ impl<'a> ScalarFields<'a> {
             of("strain", "ε", Dimension::NUMBER, true),
             of("speed", "v", Dimension::VELOCITY, false),
             of("displacement", "u", Dimension::LENGTH, false),
+            of("error of the mesh", "e", Dimension::NUMBER, false),
         ];
         let is_modal = matches!(model.analysis, Analysis::Modes(_) | Analysis::Buckling(_));
         let has_velocities = model.analysis.dynamics().is_some();
         let sections = SectionStress::at_stations(model, geometry);
-        Self { all, sections, assembly, scales, has_velocities, is_modal }
+        let error_of = |body: usize| {
+            let name = model.bodies.get(body).map(Body::name);
+            let found = body_errors.iter().find(|error| Some(error.body.as_str()) == name);
+            found.map_or(f32::NAN, |found| found.error as f32)
+        };
+        let errors = geometry.fields.stations().iter().map(|station| error_of(station.body)).collect();
+        Self { all, sections, assembly, scales, has_velocities, is_modal, errors }
     }
 
     /// Adds the values of a state with its placement. Displacements are measured from a reference placement.
@@ -93,6 +110,7 @@ impl<'a> ScalarFields<'a> {
         }
         let moved = placed.centres.iter().zip(&reference.centres);
         self.all[MOTION + 1].values.extend(moved.map(|(x, from)| (x - from).norm() as f32));
+        self.all[MOTION + 2].values.extend_from_slice(&self.errors);
     }
 
     fn of_section(&self, geometry: &Geometry<'_>, k: usize, s: &State, forces: &[f64]) -> [f64; MOTION] {
@@ -116,6 +134,6 @@ impl<'a> ScalarFields<'a> {
 
     /// Maximum number of fields.
     pub(crate) const fn most(is_modal: bool) -> usize {
-        if is_modal { 1 } else { MOTION + 2 }
+        if is_modal { 2 } else { MOTION + 3 }
     }
 }

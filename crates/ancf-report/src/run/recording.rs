@@ -1,3 +1,4 @@
+use ancf::estimate::BodyError;
 use ancf::model::Analysis;
 use ancf::record::Series;
 use ancf::solver::equations::State;
@@ -21,6 +22,8 @@ pub struct Recording<'a> {
     pub series: &'a Series,
     /// Names and values of the summary.
     pub summary: Vec<(String, String)>,
+    /// Contributions of the bodies to the estimated error of the mesh.
+    pub body_errors: Vec<BodyError>,
     /// Outcome of the run.
     pub ending: Ending,
     /// Warnings and notes.

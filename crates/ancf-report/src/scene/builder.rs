@@ -75,7 +75,7 @@ fn add_bodies(layout: &SceneLayout<'_>, budget: usize, header: &mut Value, blob:
         notes.push(messages::coarse(parts));
     }
     let frames = DrawnFrames::new(recording, &geometry, layout.size, most, &mut notes);
-    let mut fields = ScalarFields::new(recording.model, assembly, scales, &geometry);
+    let mut fields = ScalarFields::new(recording.model, assembly, scales, &geometry, &recording.body_errors);
     for (s, placed) in frames.states.iter().zip(&frames.placed) {
         fields.push(&geometry, s, placed, &frames.reference);
     }

@@ -78,6 +78,21 @@ fn the_end_of_a_beam_is_where_its_probe_is() {
     assert_eq!(scene.header["markers"][marker]["detail"], "clamp");
 }
 
+/// Bodies are coloured by their contributions to the error of the mesh.
+#[test]
+fn bodies_have_their_error_of_the_mesh() {
+    let run = Run::of_file("models/tuning_fork.toml", 1.0, 1);
+    let scene = run.scene();
+    let bodies = &run.summary.errors.as_ref().unwrap().bodies;
+    assert_eq!(bodies.len(), 4);
+    for body in bodies {
+        let field = scene.field("error of the mesh", &body.body, 0);
+        let allowed = scene.resolution("error of the mesh");
+        assert!(field.iter().all(|x| (x - body.error).abs() <= allowed), "{body:?}: {field:?}");
+    }
+    assert!(bodies.iter().any(|body| body.share > 0.5) && bodies.iter().any(|body| body.share < 0.1));
+}
+
 /// The drawn polygon of a stiff cable keeps its length.
 #[test]
 fn a_stiff_cable_is_drawn_with_its_length() {

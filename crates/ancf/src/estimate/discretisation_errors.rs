@@ -63,6 +63,7 @@ pub struct DiscretisationErrors {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub eigenvalue: Option<EigenvalueError>,
     /// Contributions of the flexible bodies.
+    #[serde(default)]
     pub bodies: Vec<BodyError>,
     /// Errors of positions, rotations, section forces, reactions and joint coordinates, or of frequencies and load factors
     /// (`frequency[1]`, ...); empty unless the class is good or rough.

@@ -1,6 +1,5 @@
 //! Scene of a run for the browser.
 
-use ancf::estimate::BodyError;
 use ancf_report::{Ending, Recording, Snapshot, scene, summary_rows, summary_warnings};
 use ancf_results::{KILLED, Results, RunStatus, SummaryFile};
 use anyhow::Result;
@@ -38,18 +37,13 @@ pub fn scene_of(results: &Results, live: bool, budget: usize) -> Result<Vec<u8>>
     let run = Recording {
         frames,
         summary: conclusion.as_ref().map(rows).unwrap_or_default(),
-        body_errors: conclusion.as_ref().map(body_errors).unwrap_or_default(),
+        body_errors: conclusion.as_ref().map_or_else(Vec::new, |found| found.summary.body_errors().to_vec()),
         ending,
         messages,
         live: live && status == RunStatus::Running,
         ..recording(results, &title, &series)
     };
     Ok(scene(&run, budget))
-}
-
-/// Returns the contributions of the bodies to the error of the mesh.
-fn body_errors(conclusion: &SummaryFile) -> Vec<BodyError> {
-    conclusion.summary.errors.as_ref().map_or_else(Vec::new, |errors| errors.bodies.clone())
 }
 
 /// Returns names and values of the summary of a run.

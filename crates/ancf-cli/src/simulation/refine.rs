@@ -3,7 +3,6 @@
 use std::io;
 use std::ops::ControlFlow;
 
-use ancf::errors::percentage;
 use ancf::estimate::{MeshStep, Refinement, RefinementStep};
 use ancf::record::Sink;
 use ancf::solver::newton::Interrupt;
@@ -31,15 +30,20 @@ pub struct Refined {
     pub reason: Option<String>,
 }
 
-/// Runs a model on finer meshes until the estimated error is as small as wanted, or cannot be reduced.
+/// Runs a model on finer meshes until the estimated error is as small as wanted, or cannot be reduced. `simulation` is that of the
+/// model.
 ///
 /// # Errors
 /// If a refined model is not valid or the run is interrupted.
-pub fn refine(model: Model, wanted: f64, interrupt: &Interrupt) -> anyhow::Result<Refined> {
+pub fn refine(
+    mut model: Model,
+    mut simulation: Simulation,
+    wanted: f64,
+    interrupt: &Interrupt,
+) -> anyhow::Result<Refined> {
     let mut refinement = Refinement::new(wanted);
-    let mut model = model;
     loop {
-        let simulation = Simulation::new(&model)?.with_interrupt(interrupt.clone());
+        simulation = simulation.with_interrupt(interrupt.clone());
         let summary = simulation.run(&mut (&mut Discard as &mut dyn Sink)).map_err(Error::from)?;
         let step = if summary.outcome.is_finished() {
             refinement.advance(&model, summary.errors.as_ref())
@@ -50,11 +54,12 @@ pub fn refine(model: Model, wanted: f64, interrupt: &Interrupt) -> anyhow::Resul
         };
         let number = refinement.meshes().len();
         if let Some(mesh) = refinement.meshes().last().filter(|_| summary.outcome != Outcome::Stopped) {
-            print_status(&format!("mesh {number}: {}", sentence(mesh)));
+            print_status(&format!("mesh {number}: {mesh}"));
         }
         let reason = match step {
             RefinementStep::Next(next) => {
                 model = *next;
+                simulation = Simulation::new(&model)?;
                 continue;
             }
             RefinementStep::Reached => None,
@@ -63,15 +68,6 @@ pub fn refine(model: Model, wanted: f64, interrupt: &Interrupt) -> anyhow::Resul
         let meshes = refinement.meshes().to_vec();
         return Ok(Refined { model, simulation, meshes, reason });
     }
-}
-
-/// Numbers of elements and the error of a mesh.
-fn sentence(mesh: &MeshStep) -> String {
-    let elements: Vec<String> =
-        mesh.elements.iter().map(|(body, count)| format!("`{body}` {count}")).collect();
-    let error =
-        mesh.error.map_or_else(|| "error not known".into(), |error| format!("error {}", percentage(error)));
-    format!("elements {}; {error}", elements.join(", "))
 }
 
 /// Returns the text of a model file with the numbers of elements of a model.

@@ -76,7 +76,7 @@ impl RunArguments {
         if let Analysis::Dynamics(_) | Analysis::Path(_) = model.analysis {
             return Ok(reject("--to: motions and paths have no estimate of the error of the mesh"));
         }
-        let Refined { model, simulation, meshes, reason } = refine(model, wanted, &interrupt()?)?;
+        let Refined { model, simulation, meshes, reason } = refine(model, simulation, wanted, &interrupt()?)?;
         let text = with_elements(&text, &model)?;
         let recorder = recorder(&text, &model, &simulation);
         record(&model, recorder, |observer| {

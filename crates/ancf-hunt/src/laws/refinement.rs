@@ -141,11 +141,7 @@ impl Law for Elements {
 pub(super) fn refined(model: &Model, factor: u32) -> Model {
     let mut model = model.clone();
     for body in &mut model.bodies {
-        match body {
-            Body::Beam(beam) => beam.elements *= factor,
-            Body::Cable(cable) => cable.elements *= factor,
-            Body::Rigid(_) | Body::Mass(_) => {}
-        }
+        body.set_elements(factor * body.elements());
     }
     model
 }

@@ -86,7 +86,7 @@ impl SummaryText {
                 rows.extend(summary_rows(&summary));
                 let messages = summary_warnings(&summary);
                 let ending = Ending::new(&summary.outcome, &model.analysis);
-                let body_errors = summary.errors.map_or_else(Vec::new, |errors| errors.bodies);
+                let body_errors = summary.body_errors().to_vec();
                 Ok(Self { rows, body_errors, ending, messages })
             }
         }

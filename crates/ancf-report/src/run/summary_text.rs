@@ -1,4 +1,3 @@
-use ancf::errors::percentage;
 use ancf::{Scales, Summary};
 
 /// Returns names and values of a summary for [`Recording::summary`](crate::Recording::summary).
@@ -19,12 +18,8 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         .errors
         .iter()
         .map(|errors| ("error of the mesh".to_owned(), errors.sentence().replacen("mesh: ", "", 1)));
-    let meshes = summary.meshes.iter().enumerate().map(|(number, mesh)| {
-        let elements: Vec<String> =
-            mesh.elements.iter().map(|(body, count)| format!("{body} {count}")).collect();
-        let error = mesh.error.map_or_else(|| "not known".into(), percentage);
-        (format!("mesh {}", number + 1), format!("elements {}; error {error}", elements.join(", ")))
-    });
+    let meshes = summary.meshes.iter().enumerate();
+    let meshes = meshes.map(|(number, mesh)| (format!("mesh {}", number + 1), mesh.to_string()));
     rows.into_iter().chain(errors).chain(meshes).collect()
 }
 

@@ -119,7 +119,7 @@ impl Run {
             summary: vec![("steps".into(), self.summary.steps.to_string())],
             ending: Ending::new(&self.summary.outcome, &self.model.analysis),
             messages: Vec::new(),
-            body_errors: self.summary.errors.as_ref().map_or_else(Vec::new, |errors| errors.bodies.clone()),
+            body_errors: self.summary.body_errors().to_vec(),
             live: false,
         }
     }

@@ -45,25 +45,19 @@ impl BodyError {
         let contributing = sizes.iter().filter(|size| share(**size) > NEGLIGIBLE).count();
         let names: Vec<&str> = field.assembly.bodies().map(|(name, _)| name).collect();
         let of_body = |(number, elements): (usize, usize)| {
-            let error = sizes[number];
-            let excess = error * contributing.max(1) as f64 / WANTED;
+            let (body, error) = (names[number].to_owned(), sizes[number]);
             let order = field.body(number).and_then(|body| body.order).filter(|_| is_relative);
-            let factor = order.map(|order| excess.powf(1.0 / order));
-            Self {
-                body: names[number].to_owned(),
-                elements,
-                error,
-                share: share(error),
-                elements_for_one_percent: factor
-                    .map(|factor| (factor * elements as f64).ceil().max(1.0) as usize),
-            }
+            let found = Self { body, elements, error, share: share(error), elements_for_one_percent: None };
+            let wanted = order.map(|order| found.elements_for(WANTED, contributing, order));
+            Self { elements_for_one_percent: wanted, ..found }
         };
         field.bodies().map(|(number, body)| of_body((number, body.mesh.count()))).collect()
     }
 
-    /// Number of elements for a relative error of all bodies, from that for 1 %; at least the present one.
+    /// Number of elements, at least one, for a relative error to which a number of bodies contributes in equal parts, at an order of
+    /// convergence.
     pub(super) fn elements_for(&self, wanted: f64, contributing: usize, order: f64) -> usize {
         let excess = self.error * contributing.max(1) as f64 / wanted;
-        ((excess.powf(1.0 / order) * self.elements as f64).ceil() as usize).max(self.elements)
+        (excess.powf(1.0 / order) * self.elements as f64).ceil().max(1.0) as usize
     }
 }

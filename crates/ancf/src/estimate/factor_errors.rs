@@ -5,7 +5,6 @@ use ancf_solver::sparse::SparseMatrix;
 use super::gap_field::GapField;
 use super::movement::{moved, sizes_of};
 use super::shape_gaps::ShapeGaps;
-use crate::assembly::Assembly;
 use crate::model::Model;
 
 /// Largest movement by the loads before buckling, as an angle, that is small.
@@ -24,7 +23,7 @@ const LARGE: f64 = 0.5;
 /// δ = xᵀ (∂g/∂q − s K_g[z₁]) x/xᵀ K₀ x.
 pub(crate) struct FactorErrors<'a> {
     gaps: ShapeGaps<'a>,
-    field: GapField<'a>,
+    field: &'a GapField<'a>,
     /// Movement by the loads at factor one, and its size.
     response: &'a [f64],
     size: f64,
@@ -40,17 +39,10 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
 }
 
 impl<'a> FactorErrors<'a> {
-    /// Examines the response of a structure in the state `about` to the loads; `None` if gaps are not known.
-    pub(crate) fn new(
-        model: &'a Model,
-        assembly: &'a Assembly,
-        about: &'a State,
-        response: &'a [f64],
-    ) -> Option<Self> {
-        let field = GapField::new(model, assembly, about);
-        let has_estimate =
-            field.contacts.is_empty() && !field.is_unknown() && field.bodies().next().is_some();
-        if !has_estimate || response.is_empty() {
+    /// Examines the response to the loads of a structure in the state of the gaps; `None` if gaps are not known.
+    pub(crate) fn new(model: &'a Model, field: &'a GapField<'a>, response: &'a [f64]) -> Option<Self> {
+        let (assembly, about) = (field.assembly, field.state);
+        if !field.has_estimate() || response.is_empty() {
             return None;
         }
         let system = &assembly.system;
@@ -115,7 +107,7 @@ impl<'a> FactorErrors<'a> {
     /// State under the critical loads, and the shape of the deformed structure; `None` if the deformation is not small.
     fn buckled(&mut self, shape: &[f64], factor: f64) -> Option<(State, Vec<f64>)> {
         let is_large = factor.abs() * self.size > SMALL;
-        if is_large || self.gaps.is_distortion(&self.field, shape) {
+        if is_large || self.gaps.is_distortion(self.field, shape) {
             return None;
         }
         let about = self.loaded(factor);

@@ -1,11 +1,10 @@
-use ancf_solver::equations::{EquationsOfMotion, State, Weights};
+use ancf_solver::equations::{EquationsOfMotion, Weights};
 use ancf_solver::factor::Factor;
 use ancf_solver::sparse::SparseMatrix;
 
 use super::gap_field::GapField;
 use super::movement::{moved, sizes_of};
 use super::shape_gaps::ShapeGaps;
-use crate::assembly::Assembly;
 use crate::model::Model;
 
 /// Relative movement of the states between which forces are differentiated twice.
@@ -25,7 +24,7 @@ const LARGE: f64 = 0.5;
 /// Source: Grammel (1939); Collatz (1963), section 4.
 pub(crate) struct FrequencyErrors<'a> {
     gaps: ShapeGaps<'a>,
-    field: GapField<'a>,
+    field: &'a GapField<'a>,
     shift: Option<EquilibriumError>,
     /// Number of modes that the mesh resolves.
     count: usize,
@@ -33,17 +32,15 @@ pub(crate) struct FrequencyErrors<'a> {
 
 impl<'a> FrequencyErrors<'a> {
     /// Examines the gaps of the state; `None` if they are not known, or the error of the state is too large.
-    pub(crate) fn new(model: &'a Model, assembly: &'a Assembly, about: &'a State) -> Option<Self> {
-        let field = GapField::new(model, assembly, about);
-        let has_estimate =
-            field.contacts.is_empty() && !field.is_unknown() && field.bodies().next().is_some();
-        if !has_estimate {
+    pub(crate) fn new(model: &'a Model, field: &'a GapField<'a>) -> Option<Self> {
+        let (assembly, about) = (field.assembly, field.state);
+        if !field.has_estimate() {
             return None;
         }
         let shift = if about.load == 0.0 {
             None
         } else {
-            Some(EquilibriumError::new(&field).filter(|_| !field.is_rough())?)
+            Some(EquilibriumError::new(field).filter(|_| !field.is_rough())?)
         };
         let count = assembly.system.degrees_of_freedom(about) / 2;
         Some(Self { gaps: ShapeGaps { model, assembly, about }, field, shift, count })
@@ -54,7 +51,7 @@ impl<'a> FrequencyErrors<'a> {
     /// `None` for rigid and unstable modes, for modes above half the number of degrees of freedom, and for modes in which the
     /// sections are distorted.
     pub(crate) fn relative(&mut self, number: usize, shape: &[f64], squared: f64) -> Option<f64> {
-        let is_known = number < self.count && squared > 0.0 && !self.gaps.is_distortion(&self.field, shape);
+        let is_known = number < self.count && squared > 0.0 && !self.gaps.is_distortion(self.field, shape);
         if !is_known {
             return None;
         }

@@ -61,6 +61,11 @@ impl<'a> GapField<'a> {
         self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
     }
 
+    /// True if the gaps of all elements of at least one flexible body are known, without contacts.
+    pub(super) fn has_estimate(&self) -> bool {
+        self.contacts.is_empty() && !self.is_unknown() && self.bodies().next().is_some()
+    }
+
     /// Flexible bodies with their numbers.
     pub(super) fn bodies(&self) -> impl Iterator<Item = (usize, &BodyGaps<'a>)> {
         self.bodies.iter().enumerate().filter_map(|(number, body)| Some((number, body.as_ref()?)))

@@ -1,3 +1,5 @@
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::body_errors::NEGLIGIBLE;
@@ -28,6 +30,15 @@ pub struct MeshStep {
     pub elements: Vec<(String, usize)>,
     /// Largest relative error; `None` if the mesh does not resolve the shape, the error is not known or the run failed.
     pub error: Option<f64>,
+}
+
+impl fmt::Display for MeshStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let elements: Vec<String> =
+            self.elements.iter().map(|(body, count)| format!("`{body}` {count}")).collect();
+        let error = self.error.map_or_else(|| "not known".into(), percentage);
+        write!(f, "elements {}; error {error}", elements.join(", "))
+    }
 }
 
 /// Refinement of the bodies of a model until the estimated error meets a wish.
@@ -88,9 +99,10 @@ impl Refinement {
                 let contributing = errors.bodies.iter().filter(|body| body.share > NEGLIGIBLE).count();
                 self.next(model, |body| {
                     let found = errors.bodies.iter().find(|found| found.body == body.name());
-                    found.map_or(body.elements() as usize, |found| {
+                    let wanted = found.map_or(0, |found| {
                         found.elements_for(AIM * self.wanted, contributing, body.convergence_order())
-                    })
+                    });
+                    wanted.max(body.elements() as usize)
                 })
             }
         }

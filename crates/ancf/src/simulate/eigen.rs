@@ -171,7 +171,8 @@ impl AnalysisRun<'_> {
 
     /// Estimates the errors of the frequencies.
     fn estimate(&mut self, model: &Model, about: &State, modes: &mut [FoundMode]) {
-        let mut errors = FrequencyErrors::new(model, self.assembly, about);
+        let field = GapField::new(model, self.assembly, about);
+        let mut errors = FrequencyErrors::new(model, &field);
         let rate = self.summary.scales.time.recip();
         for (number, mode) in modes.iter_mut().enumerate() {
             let relative =
@@ -179,7 +180,6 @@ impl AnalysisRun<'_> {
             mode.error = relative.unwrap_or(f64::NAN);
         }
         let found: Vec<_> = modes.iter().map(|mode| [mode.frequency * rate, mode.error]).collect();
-        let field = GapField::new(model, self.assembly, about);
         let works = |number: usize| {
             let mode = &modes[number];
             errors.as_ref()?.contributions(&mode.shape, mode.squared)
@@ -189,12 +189,12 @@ impl AnalysisRun<'_> {
 
     /// Estimates the errors of critical load factors, relative to them.
     fn estimate_factors(&mut self, model: &Model, s: &State, found: &CriticalLoads) -> Vec<f64> {
-        let mut errors = FactorErrors::new(model, self.assembly, s, &found.response);
+        let field = GapField::new(model, self.assembly, s);
+        let mut errors = FactorErrors::new(model, &field, &found.response);
         let mut relative = |load: &CriticalLoad| errors.as_mut()?.relative(&load.shape, load.factor);
         let relative: Vec<_> = found.loads.iter().map(|load| relative(load).unwrap_or(f64::NAN)).collect();
         let values: Vec<_> =
             found.loads.iter().zip(&relative).map(|(load, error)| [load.factor, *error]).collect();
-        let field = GapField::new(model, self.assembly, s);
         let works = |number: usize| {
             let load = &found.loads[number];
             errors.as_mut()?.contributions(&load.shape, load.factor)

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::errors::short;
-use crate::estimate::{DiscretisationErrors, MeshStep};
+use crate::estimate::{BodyError, DiscretisationErrors, MeshStep};
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -130,6 +130,11 @@ impl Summary {
             meshes: Vec::new(),
             warnings: Vec::new(),
         }
+    }
+
+    /// Contributions of the flexible bodies to the error of the mesh. Empty without an estimate.
+    pub fn body_errors(&self) -> &[BodyError] {
+        self.errors.as_ref().map_or(&[], |errors| &errors.bodies)
     }
 
     /// Adds a step.

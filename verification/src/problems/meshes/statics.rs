@@ -1,6 +1,6 @@
 //! Estimated errors of coarse meshes in statics.
 
-use crate::problems::models::{ROD, Rod, cantilever, clamp, end_probe};
+use crate::problems::models::{ROD, Rod, cantilever, clamped, end_probe, joint};
 use crate::reference::integral;
 use crate::{Findings, Problem, SolvedModel, VerificationError, estimated};
 
@@ -158,16 +158,11 @@ fn taper() -> Result<Findings, VerificationError> {
 fn weight() -> Result<Findings, VerificationError> {
     let (young, h, gravity): (f64, f64, f64) = (1e9, 0.01, 0.1);
     let model = |elements| {
-        let end = "\n[[joints]]\nkind = \"clamp\"\nname = \"end\"\na = { body = \"rod\", at = \"end\" }\nb = \"ground\"\n";
+        let end = joint("clamp", "end", "{ body = \"rod\", at = \"end\" }");
         let probe = end_probe("tip", "rod").replace("\"end\"", "0.5");
         let rod = Rod { element: "linked", elements, ..ROD };
         let gravity = format!("gravity = [0, -{gravity}, 0]\n");
-        gravity
-            + &tables(young, 0.0, h)
-            + &rod.to_string()
-            + &clamp("root", "rod", "\"ground\"")
-            + end
-            + &probe
+        gravity + &tables(young, 0.0, h) + &rod.to_string() + &clamped("rod") + &end + &probe
     };
     let load = h * h * gravity;
     let reference =
@@ -197,9 +192,8 @@ fn catenary() -> Result<Findings, VerificationError> {
     }
     let reference = a * ((distance / (2.0 * a)).cosh() - 1.0);
     let hook = |name: &str, at: &str, x: f64| {
-        format!(
-            "\n[[joints]]\nkind = \"spherical\"\nname = \"{name}\"\na = {{ body = \"rod\", at = \"{at}\" }}\nb = {{ point = [{x}, 0, 0] }}\n"
-        )
+        let place = format!("{{ body = \"rod\", at = \"{at}\" }}");
+        joint("spherical", name, &place) + &format!("b = {{ point = [{x}, 0, 0] }}\n")
     };
     let model = |elements| {
         let rod = Rod { element: "cable", elements, ..ROD };

@@ -64,6 +64,7 @@ pub fn record(
             // An unresolved mesh is among the warnings.
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
             errors.iter().for_each(|errors| print_status(&errors.sentence()));
+            summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
             print_status(&sentence);
             Ended::Done
         }

@@ -7,7 +7,6 @@ use ancf::estimate::{MeshStep, Refinement, RefinementStep};
 use ancf::record::Sink;
 use ancf::solver::newton::Interrupt;
 use ancf::{Error, Model, Outcome, Simulation};
-use toml_edit::{DocumentMut, Item, value};
 
 use crate::terminal::print_status;
 
@@ -68,25 +67,6 @@ pub fn refine(
         let meshes = refinement.meshes().to_vec();
         return Ok(Refined { model, simulation, meshes, reason });
     }
-}
-
-/// Returns the text of a model file with the numbers of elements of a model.
-///
-/// # Errors
-/// If the text is not that of the model.
-pub fn with_elements(text: &str, model: &Model) -> anyhow::Result<String> {
-    let mut document: DocumentMut = text.parse()?;
-    let missing = || anyhow::anyhow!("the model file has no list `bodies`");
-    let bodies = document.get_mut("bodies").ok_or_else(missing)?;
-    for (number, body) in model.bodies.iter().enumerate().filter(|(_, body)| body.elements() > 0) {
-        let entry = bodies.get_mut(number).and_then(|body| body.get_mut("elements")).ok_or_else(missing)?;
-        let mut elements = value(i64::from(body.elements()));
-        if let (Item::Value(old), Item::Value(new)) = (&*entry, &mut elements) {
-            *new.decor_mut() = old.decor().clone();
-        }
-        *entry = elements;
-    }
-    Ok(document.to_string())
 }
 
 /// Sink without a record.

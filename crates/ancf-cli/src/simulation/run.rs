@@ -9,8 +9,9 @@ use ancf_results::{CheckpointInterval, Folder, Recorder};
 use anyhow::Result;
 use clap::Args;
 
+use super::model_text::{with_elements, with_errors};
 use super::recording::{checkpoint_interval, record};
-use super::refine::{Refined, refine, wanted_error, with_elements};
+use super::refine::{Refined, refine, wanted_error};
 use crate::terminal::{Ended, interrupt, refuse, reject};
 
 /// Arguments of `ancf run`.
@@ -27,6 +28,9 @@ pub struct RunArguments {
     /// Refine the bodies until the estimated error of the mesh is at most ERROR: 1% or 0.01 (statics, modes, buckling).
     #[arg(long, value_name = "ERROR", value_parser = wanted_error)]
     to: Option<f64>,
+    /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics).
+    #[arg(long)]
+    errors: bool,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
@@ -41,6 +45,7 @@ Examples:
   ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
   ancf run models/column.toml -o out              critical loads, also printed
   ancf run models/elastica.toml -o out --to 0.1%  with as many elements as this error requires
+  ancf run models/rotor.toml -o out --errors      errors of the time steps and of the mesh
   ancf run models/bow.toml -o out --json          summary for scripts
 
 Ctrl-C or SIGTERM stops the run with exit code 130 or 143; `ancf resume` resumes it.";
@@ -55,7 +60,8 @@ impl RunArguments {
             )));
         }
         let read = Model::read_text(&self.file).and_then(|text| {
-            let model = Model::parse(&text)?;
+            let mut model = Model::parse(&text)?;
+            model.output.errors |= self.errors;
             let simulation = Simulation::new(&model)?;
             Ok((text, model, simulation))
         });
@@ -63,6 +69,7 @@ impl RunArguments {
             Ok(read) => read,
             Err(errors) => return Ok(refuse(&errors, &self.file)),
         };
+        let text = if self.errors { with_errors(&text)? } else { text };
         let name = self.file.display().to_string();
         let recorder = |text: &str, model: &Model, simulation: &Simulation| {
             Recorder::new(Folder::new(&self.output), &name, text, model, simulation)

@@ -57,19 +57,19 @@ impl RodGap {
 }
 
 impl BeamMesh {
-    /// Returns the gap between the exact rod and an element at ξ in an equilibrium.
+    /// Returns the gaps between the exact rod and an element at places ξ in an equilibrium, or in a motion with its inertia forces.
     ///
     /// The rod starts at the first node with the placement and the section forces of the element, which are in equilibrium with
     /// `loads` and all other loads of the element ([`resultants`](Self::resultants)). Taut elements are compared with a string.
     /// `section` is that of the rod at ξ in [0, 1].
-    pub fn rod_gap(
+    pub fn rod_gaps<const N: usize>(
         &self,
         state: &State,
         element: usize,
-        xi: f64,
+        xi: [f64; N],
         loads: &[&dyn Term],
         section: &dyn Fn(f64) -> RodSection,
-    ) -> RodGap {
+    ) -> [RodGap; N] {
         let rows = self.element_rows(state, element, loads);
         let ends = self.ends(state, element, &rows);
         let loads = self.rod_loads(state, element, ends, &rows);
@@ -82,28 +82,30 @@ impl BeamMesh {
         };
         let tension = 0.5 * (forces[0] + forces[1]).dot(&(end.position - first.position)) / self.length;
         let slenderness = self.length.powi(2) * middle.flexibility();
-        let last = if xi == 1.0 { end } else { self.placement(state, element, xi) };
-        let gap = if tension * slenderness <= TAUT {
-            self.bent_gap(state, (element, xi), &loads, [&first, &last], section)
-        } else if is_steep(&loads, slenderness) {
-            RodGap { is_unknown: true, ..RodGap::default() }
-        } else {
-            let is_end = [element == 0, element + 1 == self.count()];
-            let ends = std::array::from_fn(|k| StringEnd {
-                tangent: [&first, &end][k].frame.column(0).into_owned(),
-                moment: [loads.moment, ends[1].moment][k],
-                is_free: !is_end[k],
-            });
-            let string = TautString { length: self.length, section, loads: &loads, ends };
-            let is_rough = tension * slenderness < STRING;
-            RodGap { is_rough, ..string_gap(&string, last.position - first.position, xi) }
-        };
         let vectors = self.coordinates_of(element) / 3;
         let mut at_end = [Vector3::zeros(); NODE];
         for (force, vector) in at_end.iter_mut().zip(vectors - self.node_kinds().len()..vectors) {
             *force = rows.force(vector);
         }
-        RodGap { law, at_end, ..gap }
+        xi.map(|xi| {
+            let last = if xi == 1.0 { end } else { self.placement(state, element, xi) };
+            let gap = if tension * slenderness <= TAUT {
+                self.bent_gap(state, (element, xi), &loads, [&first, &last], section)
+            } else if is_steep(&loads, slenderness) {
+                RodGap { is_unknown: true, ..RodGap::default() }
+            } else {
+                let is_end = [element == 0, element + 1 == self.count()];
+                let ends = std::array::from_fn(|k| StringEnd {
+                    tangent: [&first, &end][k].frame.column(0).into_owned(),
+                    moment: [loads.moment, ends[1].moment][k],
+                    is_free: !is_end[k],
+                });
+                let string = TautString { length: self.length, section, loads: &loads, ends };
+                let is_rough = tension * slenderness < STRING;
+                RodGap { is_rough, ..string_gap(&string, last.position - first.position, xi) }
+            };
+            RodGap { law, at_end, ..gap }
+        })
     }
 
     /// Returns the gap at ξ of an element that is not taut, between the placements of its start and at ξ.
@@ -198,6 +200,13 @@ impl BeamMesh {
             w[place..place + 3].copy_from_slice(moved.as_slice());
         });
         w
+    }
+
+    /// Returns the mass of an element.
+    pub fn element_mass(&self, element: usize) -> f64 {
+        let (kinds, first) = (self.node_kinds(), self.elements.first_moments(element));
+        let is_position = |i: usize| kinds[i % kinds.len()] == VectorKind::Position;
+        first.iter().enumerate().filter(|(i, _)| is_position(*i)).map(|(_, moment)| moment).sum()
     }
 
     /// Returns the displacement of the axis at ξ for a displacement w of the coordinates of an element, and the factor of a

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::damping_work::{DampingAttempt, DampingForces, PowerIntegral};
 use super::energy_guard::EnergyRecord;
+use super::errors::MotionErrors;
 use super::predictor::Predictor;
 use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
@@ -31,6 +32,7 @@ pub(crate) struct IntegrationState {
     pub(crate) exchanged: Power,
     pub(crate) damping: DampingForces,
     pub(crate) record: EnergyRecord,
+    pub(crate) errors: Option<Box<MotionErrors>>,
 }
 
 /// Remainder of a divided step: a number of substeps h up to a time.
@@ -76,6 +78,7 @@ impl IntegrationState {
             predictor: Predictor::new(start.q.len() + start.lambda.len()),
             energy,
             record: EnergyRecord::new(energy),
+            errors: None,
             power,
             damping,
             exchanged: Power::default(),
@@ -103,6 +106,13 @@ impl IntegrationState {
         let start = is_first.then_some(start);
         exchange.dissipation += self.damping.work(scheme, (before, &self.state), (start, ratio), damping);
         (integral, exchange)
+    }
+
+    /// Restarts the quadrature of the errors with accelerations that satisfy the equations of motion or do not.
+    pub(crate) fn restart_errors(&mut self, is_consistent: bool) {
+        if let Some(errors) = &mut self.errors {
+            errors.restart(is_consistent);
+        }
     }
 
     /// Returns an angle whose number of turns is ambiguous: its prediction from the state before is off by a quarter.
@@ -134,6 +144,7 @@ impl IntegrationState {
             && power.is_valid()
             && self.record.is_valid()
             && self.damping.is_valid(coordinates)
+            && self.errors.as_ref().is_none_or(|errors| errors.is_valid(coordinates, multipliers))
             && self.predictor.is_valid(coordinates + multipliers)
     }
 }

@@ -3,7 +3,7 @@ use super::energy_guard::{EnergyAttempt, EnergyGuard, EnergyRecord, fastest_chan
 use super::energy_momentum::StepMiddle;
 use super::first_step::{StartValues, start_values};
 use super::initial_conditions::{Projected, accelerations, project};
-use super::integration_state::{CheckpointMismatch, DividedStep, IntegrationState, StepperCheckpoint};
+use super::integration_state::{DividedStep, IntegrationState};
 use super::scheme::SchemeCoefficients;
 use super::step_report::StepReport;
 use crate::equations::{ActivePair, Energy, EquationsOfMotion, Level, Power, State};
@@ -16,10 +16,10 @@ pub struct TimeStepper<'a, E: EquationsOfMotion + ?Sized> {
     pub(crate) eom: ActiveSet<'a, E>,
     pub(crate) scheme: SchemeCoefficients,
     pub(crate) newton: Newton,
-    max_halvings: u32,
+    pub(crate) max_halvings: u32,
     pub(crate) motion: IntegrationState,
     /// Pairs at the last accepted step, if they have changed since.
-    active: Option<Vec<ActivePair>>,
+    pub(crate) active: Option<Vec<ActivePair>>,
     /// State before the current attempt, and the middle of a step.
     pub(crate) before: State,
     pub(crate) middle: StepMiddle,
@@ -135,6 +135,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.motion.h = 0.0;
         self.motion.at_start = true;
         self.motion.predictor.restart();
+        self.motion.restart_errors(true);
         Ok(())
     }
 
@@ -150,6 +151,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         self.set_exchange();
         // The accelerations are not those of the damping forces.
         self.motion.damping.clear();
+        self.motion.restart_errors(false);
         self.save_restart_point();
         Ok(())
     }
@@ -257,7 +259,7 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
         }
     }
 
-    fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
+    pub(crate) fn replace_equations(&mut self, eom: E, matrix: SparseMatrix) -> Result<(), SolveError> {
         if self.active.is_none() {
             self.active = Some(self.eom.active_pairs());
         }
@@ -337,6 +339,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
             &self.newton.tangent.factor,
         );
         self.motion.at_start = false;
+        if let Some(errors) = &mut self.motion.errors {
+            errors.advance(&*self.eom, &mut self.newton, (&self.before, &self.motion.state));
+        }
         if self.scheme.averaging.is_some() {
             // A tangent belongs to both ends of its step.
             self.newton.tangent.renew();
@@ -358,38 +363,9 @@ impl<'a, E: EquationsOfMotion> TimeStepper<'a, E> {
     }
 
     /// Saves the state to which a failed next step returns.
-    fn save_restart_point(&mut self) {
+    pub(crate) fn save_restart_point(&mut self) {
         self.active = None;
         self.newton.tangent.save();
-    }
-
-    /// Returns the saved state as of the last accepted step.
-    pub fn checkpoint(&self) -> StepperCheckpoint {
-        let active = self.active.clone().unwrap_or_else(|| self.eom.active_pairs());
-        StepperCheckpoint { motion: self.motion.clone(), active, newton: self.newton.checkpoint() }
-    }
-
-    /// Resumes from a saved state. Later steps are identical to the last bit.
-    ///
-    /// # Errors
-    /// If the saved state does not belong to this integration. The integration is then in an undefined state.
-    pub fn restore(&mut self, checkpoint: &StepperCheckpoint) -> Result<(), CheckpointMismatch> {
-        let StepperCheckpoint { motion, active, newton } = checkpoint;
-        let (n, m) = (self.eom.coordinates(), self.eom.multipliers());
-        if !motion.is_valid(n, m, self.max_halvings) || !self.newton.accepts(newton, n, m) {
-            return Err(CheckpointMismatch);
-        }
-        if *active != self.eom.active_pairs() {
-            let (eom, matrix) = self.eom.with_pairs(active).ok_or(CheckpointMismatch)?;
-            self.replace_equations(eom, matrix).map_err(|_| CheckpointMismatch)?;
-        }
-        self.motion = motion.clone();
-        let mut residual = vec![0.0; n + m];
-        self.eom.residual(&self.motion.state, &mut residual);
-        let is_finite = residual.iter().all(|x| x.is_finite());
-        let recalled = self.newton.restore(&*self.eom, newton);
-        self.save_restart_point();
-        if is_finite && recalled.is_ok() { Ok(()) } else { Err(CheckpointMismatch) }
     }
 
     /// Returns the largest magnitude of the constraints at a level.

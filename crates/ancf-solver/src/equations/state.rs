@@ -47,6 +47,15 @@ impl State {
         }
     }
 
+    /// Adds a multiple of a difference of states to q, v, a and λ.
+    pub fn add_multiple(&mut self, difference: &Self, factor: f64) {
+        let add = |x: &mut [f64], by: &[f64]| x.iter_mut().zip(by).for_each(|(x, by)| *x += factor * by);
+        add(&mut self.q, &difference.q);
+        add(&mut self.v, &difference.v);
+        add(&mut self.a, &difference.a);
+        add(&mut self.lambda, &difference.lambda);
+    }
+
     /// Returns true if the state has the given sizes and all its numbers are finite.
     pub fn is_valid(&self, coordinates: usize, multipliers: usize) -> bool {
         let Self { t, q, v, a, lambda, load } = self;

@@ -60,6 +60,9 @@ const PLANNED_ROTATION: f64 = 0.8;
 /// Tolerance of the end of the interval, relative to its length.
 const END_TOLERANCE: f64 = 1e-12;
 
+/// Linear response K⁻¹ f of an equilibrium to small additional forces f; `None` if it is not accurate.
+pub type Response<'a> = dyn FnMut(&[f64]) -> Option<Vec<f64>> + 'a;
+
 /// Incremental-iterative solution of static equilibrium: r(q, λ, s) = 0 with v = a = 0 up to a final load factor s.
 ///
 /// Each increment of s is predicted on the line through the last two equilibria. Newton's method with a line search
@@ -109,6 +112,19 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
         to: f64,
         mut each: impl FnMut(&State, &Equilibrium) -> ControlFlow<()>,
     ) -> Result<Equilibrium, EquilibriumError> {
+        self.advance_with(to, |s, found, _| each(s, found))
+    }
+
+    /// Advances as [`advance`](Self::advance). `each` also receives the linear response of the equilibrium to small additional forces
+    /// ([`response`](Self::response)).
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn advance_with(
+        &mut self,
+        to: f64,
+        mut each: impl FnMut(&State, &Equilibrium, &mut Response<'_>) -> ControlFlow<()>,
+    ) -> Result<Equilibrium, EquilibriumError> {
         let (from, way) = (self.state.load, to - self.state.load);
         let LoadIncrements { first, smallest, largest, .. } = self.increments;
         let (mut done, mut part) = (0.0, first.min(largest).max(smallest));
@@ -122,7 +138,9 @@ impl<'a, E: EquationsOfMotion> LoadStepper<'a, E> {
                 Ok((last, rotation)) => {
                     (total, found) = (total.followed_by(last), found.followed_by(last));
                     done = next;
-                    if each(&self.state, &found).is_break() || done == 1.0 {
+                    let Self { newton, eom, state, .. } = self;
+                    let mut response = |force: &[f64]| linear_response(newton, &**eom, state, force);
+                    if each(state, &found, &mut response).is_break() || done == 1.0 {
                         return Ok(total);
                     }
                     found = Equilibrium::default();

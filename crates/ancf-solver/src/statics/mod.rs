@@ -13,6 +13,6 @@ mod regularised;
 pub use arc_length::ArcLength;
 pub use equilibrium::Equilibrium;
 pub use load_rates::LoadRates;
-pub use load_stepper::{LoadIncrements, LoadStepper, UnstablePolicy};
+pub use load_stepper::{LoadIncrements, LoadStepper, Response, UnstablePolicy};
 pub use path_point::{ArcLengthSteps, EndConditions, EndReason, LimitPoint, PathPoint};
 pub use regularised::solve_regularised;

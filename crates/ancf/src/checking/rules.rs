@@ -10,7 +10,7 @@ use super::capabilities::capabilities;
 use super::contacts::contacts;
 use super::findings::{COINCIDENT, body, places_of, rule_of_place};
 use super::memory::{MAX_ELEMENTS, memory_of};
-use super::scheme::{scheme, time};
+use super::scheme::{errors, scheme, time};
 use crate::errors::{Finding, finding, number, quoted};
 use crate::joints::{End, Joint};
 use crate::model::{IndexedModel, Model, ON_AXIS, Place, bodies_of, joints_of};
@@ -20,8 +20,21 @@ use crate::units::ScaleChoice;
 /// Findings of all checks.
 pub(crate) fn broken_rules(model: &Model) -> Vec<Finding> {
     let model = &IndexedModel::new(model);
-    let rules =
-        [names, columns, sections, bodies, formulations, cables, size, places, joints, time, scheme, scales];
+    let rules = [
+        names,
+        columns,
+        sections,
+        bodies,
+        formulations,
+        cables,
+        size,
+        places,
+        joints,
+        time,
+        scheme,
+        errors,
+        scales,
+    ];
     let of_times = [super::time_functions::functions, super::time_functions::ground_points, capabilities];
     let of_loads = [
         contacts,

@@ -1,7 +1,7 @@
-//! Checks of the time step and of the integration scheme.
+//! Checks of the time step, of the integration scheme and of the estimate of errors.
 
 use crate::errors::{Finding, finding, number};
-use crate::model::{Dynamics, IndexedModel, Scheme, Step};
+use crate::model::{Analysis, Dynamics, IndexedModel, Scheme, Step};
 
 /// Upper limit on the number of steps. Larger values are assumed to be typing errors.
 const MAX_STEPS: f64 = 1e9;
@@ -74,6 +74,23 @@ pub(crate) fn scheme(model: &IndexedModel<'_>) -> Vec<Finding> {
     let numbers = numbers.map(|key| format!("analysis.scheme.{key}"));
     let rests_on = [rule.rests_on.clone(), numbers.to_vec()].concat();
     vec![rule.rests_on(rests_on)]
+}
+
+/// Checks that errors are estimated only where an estimate exists.
+pub(crate) fn errors(model: &IndexedModel<'_>) -> Vec<Finding> {
+    let is_averaged = |own: &Dynamics| own.scheme.numbers().averaging.is_some();
+    let (found, rests_on) = match &model.analysis {
+        _ if !model.output.errors => return Vec::new(),
+        Analysis::Path(_) => ("true for a path", "analysis.kind"),
+        Analysis::Dynamics(own) if is_averaged(own) => {
+            ("true with an energy-momentum scheme", "analysis.scheme")
+        }
+        Analysis::Dynamics(_) if !model.contacts.is_empty() => ("true with contacts", "contacts"),
+        _ => return Vec::new(),
+    };
+    let wanted =
+        "false; errors are estimated in statics, and in dynamics with generalized-α schemes without contacts";
+    vec![finding("output.errors".into(), found, wanted).rests_on([rests_on.into()])]
 }
 
 /// Key of a scheme and its description, for findings.

@@ -87,7 +87,7 @@ impl DiscretisationErrors {
         let Some(response) = response else {
             return Some(Self { resolution: Resolution::Unknown, ..errors });
         };
-        let values = ValueErrors::new(field, &response, scales);
+        let mut values = ValueErrors::new(field, &response, scales);
         errors.gaps = errors.gaps.max(values.rotation());
         errors.resolution = Resolution::of(errors.gaps);
         if errors.resolution == Resolution::Good && field.is_rough() {
@@ -137,7 +137,7 @@ impl DiscretisationErrors {
             gaps: body.sum(),
             body: name.to_owned(),
             elements: body.mesh.count(),
-            law: field.bodies().map(|(_, body)| body.law()).fold(0.0, f64::max),
+            law: field.law(),
             displacement: None,
             eigenvalue: None,
             bodies: BodyError::of_gaps(field),

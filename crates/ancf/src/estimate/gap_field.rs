@@ -6,10 +6,13 @@ use ancf_solver::equations::{State, Term};
 use nalgebra::Matrix3;
 
 use super::rod_sections::RodSections;
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, RecordedQuantity};
 use crate::model::{Body, Model};
 
-/// Gaps of all elements of a model at an equilibrium.
+/// Mean of 16 ξ² (1 − ξ)².
+const BUBBLE: f64 = 8.0 / 15.0;
+
+/// Gaps of all elements of a model at an equilibrium or in a motion.
 pub(crate) struct GapField<'a> {
     pub(super) assembly: &'a Assembly,
     pub(super) state: &'a State,
@@ -23,6 +26,8 @@ pub(super) struct BodyGaps<'a> {
     pub(super) mesh: &'a BeamMesh,
     sections: RodSections<'a>,
     gaps: Vec<RodGap>,
+    /// Gaps in the middle of the elements, in a motion.
+    middles: Vec<RodGap>,
     /// Order of convergence; `None` for elements with Poisson locking, whose error does not vanish.
     pub(super) order: Option<f64>,
 }
@@ -30,21 +35,58 @@ pub(super) struct BodyGaps<'a> {
 impl<'a> GapField<'a> {
     /// Computes the gaps. `model` is the model of the assembly, in the same units.
     pub(crate) fn new(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
+        Self::with(model, assembly, state, |field, body, element| {
+            Some((field.gap_at(body, element, 1.0)?, None))
+        })
+    }
+
+    /// Computes the gaps of a motion, also in the middle of the elements.
+    pub(crate) fn in_motion(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
+        Self::with(model, assembly, state, |field, body, element| {
+            let [gap, middle] = field.gaps_at(body, element, [1.0, 0.5])?;
+            Some((gap, Some(middle)))
+        })
+    }
+
+    /// Computes the gaps of the elements of the probes only.
+    pub(crate) fn at_probes(model: &'a Model, assembly: &'a Assembly, state: &'a State) -> Self {
+        Self::with(model, assembly, state, |field, body, element| {
+            let mesh = field.body(body)?.mesh;
+            let is_here = |probe: &RecordedQuantity| probe.body == body && mesh.locate(probe.s).0 == element;
+            let is_probed = assembly.recorded_quantities.iter().any(is_here);
+            Some((if is_probed { field.gap_at(body, element, 1.0)? } else { RodGap::default() }, None))
+        })
+    }
+
+    /// `gaps` returns the gaps at the end and in the middle of an element.
+    fn with(
+        model: &'a Model,
+        assembly: &'a Assembly,
+        state: &'a State,
+        gaps: impl Fn(&Self, usize, usize) -> Option<(RodGap, Option<RodGap>)>,
+    ) -> Self {
         let contacts = assembly.contact_terms(state);
         let are_loads_known = model.loads.iter().all(|load| load.kind().is_known_within_elements());
         let is_rough = !contacts.is_empty() || !are_loads_known;
         let mut field = Self { assembly, state, contacts, bodies: Vec::new(), is_rough };
-        for (body, of_model) in model.bodies.iter().enumerate() {
-            let mesh = assembly.body_of(body).mesh();
+        for (number, of_model) in model.bodies.iter().enumerate() {
+            let mesh = assembly.body_of(number).mesh();
             let sections = mesh.zip(RodSections::new(model, of_model));
             let order = (!has_poisson_locking(model, of_model)).then(|| of_model.convergence_order());
-            let gaps = sections.map(|(mesh, sections)| BodyGaps { mesh, sections, gaps: Vec::new(), order });
-            field.bodies.push(gaps);
+            let (none, inner) = (Vec::new(), Vec::new());
+            let body = sections.map(|(mesh, sections)| BodyGaps {
+                mesh,
+                sections,
+                gaps: none,
+                middles: inner,
+                order,
+            });
+            field.bodies.push(body);
             let count = mesh.map_or(0, BeamMesh::count);
-            let gaps: Vec<RodGap> =
-                (0..count).filter_map(|element| field.gap_at(body, element, 1.0)).collect();
+            let (ends, middles): (Vec<_>, Vec<_>) =
+                (0..count).filter_map(|element| gaps(&field, number, element)).unzip();
             if let Some(body) = field.bodies.last_mut().and_then(Option::as_mut) {
-                body.gaps = gaps;
+                (body.gaps, body.middles) = (ends, middles.into_iter().flatten().collect());
             }
         }
         field
@@ -59,6 +101,11 @@ impl<'a> GapField<'a> {
     pub(super) fn is_unknown(&self) -> bool {
         let is_unknown = |body: &BodyGaps<'_>| body.gaps.iter().any(|gap| gap.is_unknown);
         self.assembly.inner_loads.has_joints || self.bodies().any(|(_, body)| is_unknown(body))
+    }
+
+    /// Bound of the relative difference between the laws of the rod and of the elements.
+    pub(super) fn law(&self) -> f64 {
+        self.bodies().map(|(_, body)| body.law()).fold(0.0, f64::max)
     }
 
     /// True if the gaps of all elements of at least one flexible body are known, without contacts.
@@ -78,6 +125,11 @@ impl<'a> GapField<'a> {
 
     /// Gap between the rod and an element at ξ.
     pub(super) fn gap_at(&self, body: usize, element: usize, xi: f64) -> Option<RodGap> {
+        self.gaps_at(body, element, [xi]).map(|[gap]| gap)
+    }
+
+    /// Gaps between the rod and an element at places ξ.
+    fn gaps_at<const N: usize>(&self, body: usize, element: usize, xi: [f64; N]) -> Option<[RodGap; N]> {
         let BodyGaps { mesh, sections, .. } = self.body(body)?;
         let loads = self.assembly.loads_within(body, element, &self.contacts);
         let l = mesh.element_length();
@@ -85,7 +137,25 @@ impl<'a> GapField<'a> {
         let frame =
             mesh.frame(s).map_or_else(Matrix3::identity, |frame| Matrix3::from_columns(frame.reference()));
         let section = |xi: f64| -> RodSection { sections.at(s, l, &frame, xi) };
-        Some(mesh.rod_gap(self.state, element, xi, &loads, &section))
+        Some(mesh.rod_gaps(self.state, element, xi, &loads, &section))
+    }
+
+    /// Mass times displacement of the rod relative to the element between its nodes, as virtual works on the coordinates.
+    ///
+    /// The second derivative by time are inertia forces that the element does not have. The displacement is
+    /// 16 ξ² (1 − ξ)² times that in the middle, the deflection under a uniform load.
+    pub(super) fn inner_moments(&self) -> Vec<f64> {
+        let mut moments = vec![0.0; self.state.q.len()];
+        for (_, body) in self.bodies() {
+            let mesh = body.mesh;
+            for (element, (gap, middle)) in body.gaps.iter().zip(&body.middles).enumerate() {
+                let w = mesh.gap_displacement(self.state, element, gap);
+                let (shift, _) = mesh.movement_within(&w, 0.5);
+                let moment = (middle.translation - shift) * (BUBBLE * mesh.element_mass(element));
+                mesh.point((element as f64 + 0.5) * mesh.element_length()).add(moment, &mut moments);
+            }
+        }
+        moments
     }
 
     /// Forces that impose the gaps.

@@ -9,6 +9,7 @@ mod discretisation_errors;
 mod factor_errors;
 mod frequency_errors;
 mod gap_field;
+mod motions;
 mod movement;
 mod refinement;
 mod rod_sections;
@@ -21,5 +22,8 @@ pub use discretisation_errors::{DiscretisationErrors, EigenvalueError, Resolutio
 pub(crate) use factor_errors::FactorErrors;
 pub(crate) use frequency_errors::FrequencyErrors;
 pub(crate) use gap_field::GapField;
+pub(crate) use motions::{EstimateHistory, MotionEstimate, has_mesh};
+pub use motions::{MotionErrors, ProbeErrors};
+pub(crate) use movement::coordinate_sizes;
 pub use refinement::{MeshStep, Refinement, RefinementStep};
 pub use value_errors::{ProbeError, ValueError};

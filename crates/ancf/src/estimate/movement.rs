@@ -1,8 +1,9 @@
 use ancf_mechanics::kinematics::VectorKind;
-use ancf_solver::equations::State;
+use ancf_solver::equations::{EquationsOfMotion, State};
 use nalgebra::Vector3;
 
 use crate::assembly::Assembly;
+use crate::model::Model;
 
 /// Largest displacement of a movement, relative to the length of the body, and largest rotation.
 pub(super) fn sizes_of(assembly: &Assembly, state: &State, movement: &[f64]) -> [f64; 2] {
@@ -17,6 +18,23 @@ pub(super) fn sizes_of(assembly: &Assembly, state: &State, movement: &[f64]) -> 
                 _ => sizes[1] = sizes[1].max(change / vector.value.norm()),
             }
         }
+    }
+    sizes
+}
+
+/// Size of each coordinate: the length of the model for positions, the magnitude of directions, and the length or 1 for coordinates of
+/// joints.
+pub(crate) fn coordinate_sizes(model: &Model, assembly: &Assembly) -> Vec<f64> {
+    let rest = assembly.rest();
+    let length = if model.length() > 0.0 { model.length() } else { 1.0 };
+    let mut sizes = vec![length; rest.q.len()];
+    for vector in assembly.bodies().flat_map(|(_, body)| body.vectors(&rest)) {
+        if vector.kind != VectorKind::Position {
+            sizes[vector.first..vector.first + 3].fill(vector.value.norm());
+        }
+    }
+    for &angle in assembly.system.counted_angles() {
+        sizes[angle] = 1.0;
     }
     sizes
 }

@@ -1,13 +1,14 @@
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use ancf_mechanics::bodies::{CarriedFrame, RodGap};
-use ancf_solver::equations::State;
+use ancf_solver::equations::{State, Term};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use super::gap_field::GapField;
+use super::gap_field::{BodyGaps, GapField};
 use super::movement::{moved, sizes_of};
-use crate::assembly::RecordedQuantity;
+use crate::assembly::{Assembly, RecordedQuantity};
 use crate::model::Quantity;
 use crate::units::{Dimension, Scales};
 
@@ -47,23 +48,59 @@ pub struct ProbeError {
     pub error: f64,
 }
 
-/// Derivatives of all values along the response of the structure to the gaps.
+/// Derivatives of all values along the error of a state.
 pub(super) struct ValueErrors<'a> {
-    field: &'a GapField<'a>,
+    assembly: &'a Assembly,
+    state: &'a State,
+    contacts: &'a [Arc<dyn Term>],
+    /// Gaps whose response the error is.
+    gaps: Option<&'a GapField<'a>>,
     scales: Scales,
-    /// States moved by ± h times the response.
+    /// States moved by ± h times the error.
     states: [State; 2],
     h: f64,
     rotation: f64,
 }
 
 impl<'a> ValueErrors<'a> {
+    /// Creates the derivatives along the response (q, λ) of the structure to gaps.
     pub(super) fn new(field: &'a GapField<'a>, response: &[f64], scales: Scales) -> Self {
-        let (state, sizes) = (field.state, sizes_of(field.assembly, field.state, response));
+        let error = |h: f64| moved(field.state, response, h);
+        let sizes = sizes_of(field.assembly, field.state, response);
+        Self::along((field.assembly, field.state, &field.contacts), Some(field), scales, (sizes, error))
+    }
+
+    /// Creates the derivatives along the error of a motion. `gaps` are those of the mesh, `None` for the error of the time steps.
+    pub(super) fn in_motion(
+        (assembly, state, contacts): (&'a Assembly, &'a State, &'a [Arc<dyn Term>]),
+        gaps: Option<&'a GapField<'a>>,
+        error: &State,
+        scales: Scales,
+    ) -> Self {
+        let sizes = sizes_of(assembly, state, &error.q);
+        let changed = |h: f64| {
+            let mut changed = state.clone();
+            changed.add_multiple(error, h);
+            changed
+        };
+        Self::along((assembly, state, contacts), gaps, scales, (sizes, changed))
+    }
+
+    fn along(
+        (assembly, state, contacts): (&'a Assembly, &'a State, &'a [Arc<dyn Term>]),
+        gaps: Option<&'a GapField<'a>>,
+        scales: Scales,
+        (sizes, moved): ([f64; 2], impl Fn(f64) -> State),
+    ) -> Self {
         let largest = sizes[0].max(sizes[1]);
         let h = if largest > 0.0 { DIFFERENCE / largest } else { 1.0 };
-        let states = [-h, h].map(|h| moved(state, response, h));
-        Self { field, scales, states, h, rotation: sizes[1] }
+        let states = [-h, h].map(moved);
+        Self { assembly, state, contacts, gaps, scales, states, h, rotation: sizes[1] }
+    }
+
+    /// Gaps of a body.
+    fn gaps_of(&self, body: usize) -> Option<&'a BodyGaps<'a>> {
+        self.gaps.and_then(|gaps| gaps.body(body))
     }
 
     /// Largest rotation of the response.
@@ -76,18 +113,14 @@ impl<'a> ValueErrors<'a> {
     }
 
     /// Errors of all columns, and the largest relative error of the displacement of a probe.
-    pub(super) fn evaluate(mut self) -> (Vec<ValueError>, Option<ProbeError>) {
+    pub(super) fn evaluate(&mut self) -> (Vec<ValueError>, Option<ProbeError>) {
         let (mut values, mut displacements) = (Vec::new(), Vec::new());
-        let field = self.field;
-        for probe in &field.assembly.recorded_quantities {
+        let (assembly, state) = (self.assembly, self.state);
+        for probe in &assembly.recorded_quantities {
             let Some(of_probe) = self.of_probe(probe) else { continue };
             if probe.quantity == Quantity::Motion {
                 let unit = self.unit(Dimension::LENGTH);
-                displacements.push((
-                    probe.place.point.displacement(field.state) * unit,
-                    of_probe.clone(),
-                    probe,
-                ));
+                displacements.push((probe.place.point.displacement(state) * unit, of_probe.clone(), probe));
             }
             values.extend(of_probe);
         }
@@ -97,18 +130,18 @@ impl<'a> ValueErrors<'a> {
 
     /// Errors of the columns of a probe; `None` for strains, stresses and quantities that it does not have.
     fn of_probe(&mut self, probe: &RecordedQuantity) -> Option<Vec<ValueError>> {
-        let field = self.field;
-        let Some(body) = field.body(probe.body) else { return self.of_quantity(probe, &RodGap::default()) };
+        let state = self.state;
+        let Some(body) = self.gaps_of(probe.body) else { return self.of_quantity(probe, &RodGap::default()) };
         let (element, xi) = body.mesh.locate(probe.s);
         let gap = if xi == 0.0 {
             RodGap::default()
         } else if xi == 1.0 {
             *body.gap(element)
         } else {
-            field.gap_at(probe.body, element, xi)?
+            self.gaps?.gap_at(probe.body, element, xi)?
         };
         // The element moves by the response less the gap at its end.
-        let w = body.mesh.gap_displacement(field.state, element, body.gap(element));
+        let w = body.mesh.gap_displacement(state, element, body.gap(element));
         let first = body.mesh.first_coordinate_of(element);
         let mut kept: Vec<Vec<f64>> = Vec::new();
         for (state, h) in self.states.iter_mut().zip([-self.h, self.h]) {
@@ -125,12 +158,12 @@ impl<'a> ValueErrors<'a> {
 
     /// Errors of a quantity: its derivative along the movement of the element, and the gap at the probe.
     fn of_quantity(&self, probe: &RecordedQuantity, gap: &RodGap) -> Option<Vec<ValueError>> {
-        let (name, state) = (&probe.name, self.field.state);
+        let (name, state) = (&probe.name, self.state);
         match probe.quantity {
             Quantity::Motion => {
                 let point = &probe.place.point;
                 let [before, after] = self.states.each_ref().map(|s| point.value(s));
-                let arm = self.field.body(probe.body).map_or_else(Vector3::zeros, |body| {
+                let arm = self.gaps_of(probe.body).map_or_else(Vector3::zeros, |body| {
                     point.value(state) - body.mesh.point(probe.s).value(state)
                 });
                 let error = (after - before) / (2.0 * self.h) + gap.translation + gap.rotation.cross(&arm);
@@ -158,14 +191,14 @@ impl<'a> ValueErrors<'a> {
     }
 
     fn of_section_forces(&self, probe: &RecordedQuantity, gap: &RodGap) -> Option<Vec<ValueError>> {
-        let field = self.field;
+        let Self { assembly, state, contacts, .. } = *self;
         let at = |s: &State| {
             let mut carried = CarriedFrame::default();
-            field.assembly.section_forces(probe.body, probe.s, s, &field.contacts, &mut carried)
+            assembly.section_forces(probe.body, probe.s, s, contacts, &mut carried)
         };
         let [before, after] = self.states.each_ref().map(at);
-        let (before, after, now) = (before?, after?, at(field.state)?);
-        let axes = field.body(probe.body)?.mesh.section_frame(field.state, probe.s);
+        let (before, after, now) = (before?, after?, at(state)?);
+        let axes = assembly.body_of(probe.body).mesh()?.section_frame(state, probe.s);
         let seen = |x: Vector3<f64>| Vector3::from(axes.map(|axis| axis.dot(&x)));
         let (turn, shift, more) = (seen(gap.rotation), seen(gap.translation), seen(gap.moment));
         let force = (after.force - before.force) / (2.0 * self.h) + now.force.cross(&turn);
@@ -180,7 +213,7 @@ impl<'a> ValueErrors<'a> {
 
     /// Errors of reactions and joint coordinates.
     fn of_joints(&self) -> Vec<ValueError> {
-        let (assembly, state) = (self.field.assembly, self.field.state);
+        let Self { assembly, state, .. } = *self;
         let [before, after] = &self.states;
         let [of_force, of_moment] = WRENCH.map(|of| self.unit(of));
         let mut errors = Vec::new();

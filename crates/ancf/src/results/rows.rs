@@ -26,6 +26,7 @@ use crate::units::{Dimension, Scales, Units};
 /// | `j.position j.speed` | slides: arc length from the start of the undeformed beam, and its rate |
 /// | `j.length j.speed` | distance joints and springs: distance of the ends, and its rate |
 /// | `b.axial b.bending b.shear b.torsion b.section b.volume` | strain energy of each body `b` by part, on request |
+/// | `p.x_error ..`, `j.fx_error ..` | estimated errors, exact less computed, on request; NaN if they are not known |
 /// | `iterations`, ... | solver values of each state |
 /// | `kinetic`, `strain`, `potential` | energies; the potential energy is zero in the reference configuration |
 /// | `work` | dynamics: work of prescribed motions, including velocity jumps, and of loads without potential, since the start |
@@ -40,6 +41,9 @@ pub struct Rows {
     /// Total energy of the first state.
     initial: Option<f64>,
     angles: AngleCounter,
+    /// First column of the errors, and the errors of the next row.
+    first_error: usize,
+    errors: Vec<f64>,
 }
 
 /// Values of earlier states on which a row depends.
@@ -84,6 +88,9 @@ pub(crate) const TIME: &str = "t";
 /// Name of the first column of statics and paths.
 pub(crate) const LOAD: &str = "load";
 
+/// Suffix of the columns of errors.
+const ERROR: &str = "_error";
+
 /// Columns of [`Rows`].
 pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<Column> {
     let of_first = if first == TIME { Dimension::TIME } else { Dimension::NUMBER };
@@ -92,8 +99,7 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
         columns.extend(columns_of_probe(&probe.name, probe.quantity));
     }
     for name in assembly.joints() {
-        columns.extend(Column::of(name, ["fx", "fy", "fz"], Dimension::FORCE));
-        columns.extend(Column::of(name, ["mx", "my", "mz"], Dimension::ENERGY));
+        columns.extend(columns_of_reaction(name));
     }
     for (joint, coordinate) in assembly.joint_coordinates() {
         let pairs = coordinate.columns().into_iter().zip(coordinate.dimensions());
@@ -108,7 +114,36 @@ pub(crate) fn columns(assembly: &Assembly, first: &str, solver: &[&str]) -> Vec<
     let balance: &[&str] = if first == TIME { &["work", "dissipated", "balance"] } else { &[] };
     let energies = ["kinetic", "strain", "potential"].iter().chain(balance);
     columns.extend(energies.map(|&name| Column::new(name, Dimension::ENERGY)));
+    columns.extend(error_columns(assembly));
     columns
+}
+
+/// Columns of the estimated errors of positions, rotations, section forces, reactions and joint coordinates.
+fn error_columns(assembly: &Assembly) -> Vec<Column> {
+    if !assembly.errors {
+        return Vec::new();
+    }
+    let mut values = Vec::new();
+    for probe in &assembly.recorded_quantities {
+        let count = match probe.quantity {
+            Quantity::Motion => 3,
+            Quantity::Rotation => 4,
+            Quantity::SectionForces => 6,
+            Quantity::Strain | Quantity::Stress => 0,
+        };
+        values.extend(columns_of_probe(&probe.name, probe.quantity).into_iter().take(count));
+    }
+    values.extend(assembly.joints().flat_map(columns_of_reaction));
+    for (joint, coordinate) in assembly.joint_coordinates() {
+        let ([name, _], [dimension, _]) = (coordinate.columns(), coordinate.dimensions());
+        values.extend(Column::of(joint, [name], dimension));
+    }
+    values.into_iter().map(|value| Column { name: value.name + ERROR, ..value }).collect()
+}
+
+fn columns_of_reaction(joint: &str) -> Vec<Column> {
+    let force = Column::of(joint, ["fx", "fy", "fz"], Dimension::FORCE);
+    [force, Column::of(joint, ["mx", "my", "mz"], Dimension::ENERGY)].concat()
 }
 
 fn columns_of_probe(name: &str, quantity: Quantity) -> Vec<Column> {
@@ -137,7 +172,10 @@ impl Rows {
     /// of the assembly.
     pub fn new(assembly: &Assembly, scales: Scales, first: &str, solver: &[&str]) -> Self {
         let columns = columns(assembly, first, solver);
+        let count = error_columns(assembly).len();
         Self {
+            first_error: columns.len() - count,
+            errors: vec![f64::NAN; count],
             row: Vec::with_capacity(columns.len()),
             columns,
             scales,
@@ -191,7 +229,18 @@ impl Rows {
                 self.push(part, Dimension::ENERGY);
             }
         }
+        self.row.extend(&self.errors);
         &self.row
+    }
+
+    /// Sets the errors of the next row by the columns of their values, in the order of the columns. Errors that are not given are
+    /// not known.
+    pub(crate) fn set_errors<'a>(&mut self, errors: impl IntoIterator<Item = (&'a str, f64)>) {
+        let mut given = errors.into_iter().peekable();
+        for (column, error) in self.columns[self.first_error..].iter().zip(&mut self.errors) {
+            let is_own = |(value, _): &(&str, f64)| column.name.strip_suffix(ERROR) == Some(value);
+            *error = given.next_if(is_own).map_or(f64::NAN, |(_, error)| error);
+        }
     }
 
     /// Counts the turns of joint angles up to a state at the time, load factor or arc length `at`, in solver units. It must be

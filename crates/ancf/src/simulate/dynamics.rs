@@ -12,6 +12,7 @@ use super::run::{AnalysisRun, RunFailure, RunResult};
 use super::simulation::Simulation;
 use super::step_control::StepControl;
 use super::summary::Summary;
+use crate::estimate::MotionEstimate;
 use crate::failure::{AlternationMonitor, RotationMonitor, StabilityMonitor, find_cause};
 use crate::model::Dynamics;
 use crate::results::{AngleRates, Rows, TIME};
@@ -26,6 +27,8 @@ pub(crate) struct DynamicRun<'a> {
     control: StepControl<'a>,
     rotations: RotationMonitor,
     alternations: AlternationMonitor,
+    /// Estimate of the errors, on request.
+    estimate: Option<MotionEstimate<'a>>,
     /// Computed with the first checkpoint.
     fingerprint: OnceCell<u64>,
 }
@@ -33,12 +36,16 @@ pub(crate) struct DynamicRun<'a> {
 impl<'a> DynamicRun<'a> {
     fn new(simulation: &'a Simulation, settings: &Dynamics, mut rows: Rows) -> Result<Self, SolveError> {
         let Simulation { scaled, assembly, interrupt, .. } = simulation;
-        let control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
+        let mut control = StepControl::new(scaled, settings, assembly, interrupt.clone())?;
         let start = control.dynamics().state();
         rows.count_turns(start.t, start, AngleRates::Velocities);
         let rotations = RotationMonitor::new(scaled, assembly);
         let alternations = AlternationMonitor::new(scaled, control.dynamics().state().a.len());
-        Ok(Self { simulation, rows, control, rotations, alternations, fingerprint: OnceCell::new() })
+        let scales = simulation.scales();
+        let mut estimate = scaled.output.errors.then(|| MotionEstimate::new(scaled, assembly, scales));
+        update(&mut estimate, &mut control, &mut rows);
+        let fingerprint = OnceCell::new();
+        Ok(Self { simulation, rows, control, rotations, alternations, estimate, fingerprint })
     }
 
     fn checkpoint(&self, summary: &Summary, monitor: &StabilityMonitor) -> Checkpoint {
@@ -47,9 +54,18 @@ impl<'a> DynamicRun<'a> {
             model,
             summary,
             (monitor, &self.rotations, &self.alternations),
-            &self.rows,
+            (&self.rows, self.estimate.as_ref()),
             &self.control,
         )
+    }
+}
+
+/// Estimates the errors of the current state.
+fn update(estimate: &mut Option<MotionEstimate<'_>>, control: &mut StepControl<'_>, rows: &mut Rows) {
+    let Some(estimate) = estimate else { return };
+    let is_recorded = control.due_report().is_some();
+    if let Some(errors) = estimate.advance(control.dynamics_mut(), is_recorded) {
+        rows.set_errors(errors.iter().map(|value| (value.column.as_str(), value.error)));
     }
 }
 
@@ -81,8 +97,9 @@ impl<'a> AnalysisRun<'a> {
         from.check(simulation)?;
         let motion = DynamicRun::new(simulation, settings, rows(simulation));
         let mut motion = motion.map_err(|_| ResumeError::Damaged)?;
-        let DynamicRun { rows, control, rotations, alternations, .. } = &mut motion;
-        from.restore(&mut self.summary, (&mut self.monitor, rotations, alternations), rows, control)?;
+        let DynamicRun { rows, control, rotations, alternations, estimate, .. } = &mut motion;
+        let monitors = (&mut self.monitor, rotations, alternations);
+        from.restore(&mut self.summary, monitors, (rows, estimate.as_mut()), control)?;
         Ok(motion)
     }
 
@@ -102,6 +119,7 @@ impl<'a> AnalysisRun<'a> {
         self.summary.warnings.extend(motion.rotations.warning(self.assembly, self.summary.scales));
         self.summary.warnings.extend(motion.alternations.warning(self.summary.scales));
         self.warn_of_energy(&motion);
+        self.summary.motion_errors = motion.estimate.map(|estimate| estimate.errors().clone());
         Ok(result)
     }
 
@@ -118,7 +136,7 @@ impl<'a> AnalysisRun<'a> {
             };
             let Self { observer, summary, monitor, .. } = self;
             observer.checkpoint(&|| motion.checkpoint(summary, monitor))?;
-            let DynamicRun { rows, control, rotations, alternations, .. } = &mut *motion;
+            let DynamicRun { rows, control, rotations, alternations, estimate, .. } = &mut *motion;
             if flow.is_break() {
                 // A stop request at the last row has no effect.
                 return Ok(Ok(if control.is_finished() { ControlFlow::Continue(()) } else { flow }));
@@ -131,7 +149,7 @@ impl<'a> AnalysisRun<'a> {
             let advanced = control.advance(accepted, |step| summary.count(step));
             summary.time = control.dynamics().state().t;
             match advanced {
-                Ok(true) => {}
+                Ok(true) => update(estimate, control, rows),
                 Ok(false) => return Ok(Ok(ControlFlow::Continue(()))),
                 Err(error) => {
                     let s = control.dynamics().state();

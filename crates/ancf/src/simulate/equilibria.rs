@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use ancf_solver::equations::State;
 use ancf_solver::newton::{EquilibriumError, Interrupt, Newton, SolveError, StopRule};
 use ancf_solver::statics::{
-    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, LoadRates, PathPoint,
+    ArcLengthSteps, EndConditions, Equilibrium, LimitPoint, LoadIncrements, LoadRates, PathPoint, Response,
     solve_regularised,
 };
 
@@ -15,7 +15,7 @@ use crate::estimate::{DiscretisationErrors, GapField};
 use crate::failure::{find_cause, unloaded};
 use crate::model::{Model, Path, Statics};
 use crate::results::{AngleRates, LOAD, Rows};
-use crate::units::ScaleChoice;
+use crate::units::{ScaleChoice, Scales};
 
 /// Columns of the solver at an equilibrium.
 pub(crate) const COLUMNS: [&str; 4] = ["iterations", "residual", "increment", "unstable"];
@@ -62,6 +62,16 @@ pub(crate) fn regularised_equilibrium(
     let mut newton = newton.with_interrupt(interrupt.clone());
     solve_regularised(&assembly.system, &mut newton, &mut s, automatic.time.recip())?;
     Ok(s)
+}
+
+/// Estimates the errors of the mesh at an equilibrium.
+fn estimate(
+    (model, assembly): (&Model, &Assembly),
+    s: &State,
+    scales: Scales,
+    response: &mut Response<'_>,
+) -> Option<DiscretisationErrors> {
+    DiscretisationErrors::new(&GapField::new(model, assembly, s), scales, response)
 }
 
 impl AnalysisRun<'_> {
@@ -120,9 +130,15 @@ impl AnalysisRun<'_> {
         if flow(&written).is_break() {
             return conclude(written?, false, Ok::<_, RunFailure>(()));
         }
-        let ended = statics.advance(settings.load, |s, found| {
+        let scales = self.summary.scales;
+        let ended = statics.advance_with(settings.load, |s, found, response| {
             self.count_equilibrium(s.load, found);
             turns.count(&mut rows, s);
+            if assembly.errors {
+                let errors = estimate((model, assembly), s, scales, response);
+                let values = errors.iter().flat_map(|errors| &errors.values);
+                rows.set_errors(values.map(|value| (value.column.as_str(), value.error)));
+            }
             written = self
                 .observer
                 .record(rows.fill(assembly, s, s.load, &solver_values(found), found.energy, None), s);
@@ -130,13 +146,10 @@ impl AnalysisRun<'_> {
         });
         self.warn_of_instability(statics.state(), false);
         if ended.is_ok() {
-            let state = statics.state().clone();
-            let field = GapField::new(model, assembly, &state);
-            let scales = self.summary.scales;
-            self.summary.errors = DiscretisationErrors::new(&field, scales, |force| statics.response(force));
-            self.summary
-                .warnings
-                .extend(self.summary.errors.as_ref().and_then(DiscretisationErrors::warning));
+            let (state, mut response) = (statics.state().clone(), |force: &[f64]| statics.response(force));
+            self.summary.errors = estimate((model, assembly), &state, scales, &mut response);
+            let warning = self.summary.errors.as_ref().and_then(DiscretisationErrors::warning);
+            self.summary.warnings.extend(warning);
         }
         let ended = ended.map_err(|error| equilibrium_failure(assembly, statics.state(), error));
         self.warn_of_ambiguous_turns(&rows, "load factor", 1.0);

@@ -7,6 +7,7 @@ use ancf_solver::newton::{Interrupt, Newton, SolveError};
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
+use crate::estimate::{coordinate_sizes, has_mesh};
 use crate::model::{Model, NewtonMethod, Start, Step};
 
 /// Step control of a dynamic analysis: step sizes, output times and load jumps.
@@ -58,6 +59,9 @@ impl<'a> StepControl<'a> {
         let mut dynamics =
             TimeStepper::new(system, scheme, newton, settings.max_halvings, assembly.start(model))
                 .with_energy_guard(EnergyGuard { gain: settings.energy_guard.gain });
+        if model.output.errors {
+            dynamics = dynamics.with_errors(coordinate_sizes(model, assembly), has_mesh(assembly));
+        }
         dynamics.include_near_terms()?;
         match settings.start {
             Start::Consistent => dynamics.restart(0.0)?,
@@ -99,6 +103,11 @@ impl<'a> StepControl<'a> {
             jumps,
             tolerance: time_tolerance,
         })
+    }
+
+    /// Time integration, to set the forces of the errors of the mesh.
+    pub(crate) fn dynamics_mut(&mut self) -> &mut TimeStepper<'a, System> {
+        &mut self.dynamics
     }
 
     pub(crate) fn dynamics(&self) -> &TimeStepper<'a, System> {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::assembly::Assembly;
 use crate::errors::short;
-use crate::estimate::{BodyError, DiscretisationErrors, MeshStep};
+use crate::estimate::{BodyError, DiscretisationErrors, MeshStep, MotionErrors};
 use crate::model::Analysis;
 use crate::units::{ChosenScales, Scales};
 
@@ -102,6 +102,9 @@ pub struct Summary {
     /// Statics: estimated errors of the mesh in the last state. Modes and buckling: those of the frequencies and load factors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<DiscretisationErrors>,
+    /// Dynamics: estimated errors of the time steps and of the mesh, on request.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion_errors: Option<MotionErrors>,
     /// Meshes of a refinement to a wanted error, the last one that of these results.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub meshes: Vec<MeshStep>,
@@ -127,6 +130,7 @@ impl Summary {
             redundant: assembly.redundant().iter().map(ToString::to_string).collect(),
             eigenvalues: None,
             errors: None,
+            motion_errors: None,
             meshes: Vec::new(),
             warnings: Vec::new(),
         }

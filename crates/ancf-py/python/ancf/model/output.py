@@ -60,6 +60,10 @@ class Output(Part):
         True to write ``probes.csv``. Default: ``True``.
     energy_parts
         True to record the parts of the strain energy of each body. Default: ``False``.
+    errors
+        True to estimate the errors of the recorded values in each state, columns ``p.x_error`` and so on:
+        exact less computed. In dynamics those of the time steps and of the mesh, at about the cost of the run
+        itself. In statics those of the mesh. Default: ``False``.
     every
         Recording of every n-th instant only. The first and the last instant are always recorded (>= 1).
         Default: ``1``.
@@ -79,6 +83,7 @@ class Output(Part):
 
     csv: bool | None = None
     energy_parts: bool | None = None
+    errors: bool | None = None
     every: int | None = None
     interval: float | None = None
     parquet: bool | None = None

@@ -132,8 +132,8 @@ class Model(Document):
     materials
         Materials by name.
     output
-        Content and frequency of the output. Default: ``Output(csv=True, energy_parts=False, every=1,
-        parquet=True, states=200)``.
+        Content and frequency of the output. Default: ``Output(csv=True, energy_parts=False, errors=False,
+        every=1, parquet=True, states=200)``.
     probes
         Places where results are recorded.
     scales

@@ -66,6 +66,9 @@ pub struct Output {
     pub every: u32,
     /// True to record the parts of the strain energy of each body.
     pub energy_parts: bool,
+    /// True to estimate the errors of the recorded values in each state, columns `p.x_error` and so on: exact less computed. In
+    /// dynamics those of the time steps and of the mesh, at about the cost of the run itself. In statics those of the mesh.
+    pub errors: bool,
     /// True to write `probes.csv`.
     pub csv: bool,
     /// True to write `results.parquet`.
@@ -77,6 +80,14 @@ pub struct Output {
 
 impl Default for Output {
     fn default() -> Self {
-        Self { interval: None, every: 1, energy_parts: false, csv: true, parquet: true, states: 200 }
+        Self {
+            interval: None,
+            every: 1,
+            energy_parts: false,
+            errors: false,
+            csv: true,
+            parquet: true,
+            states: 200,
+        }
     }
 }

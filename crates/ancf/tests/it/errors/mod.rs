@@ -3,6 +3,7 @@
 mod effectivities;
 mod eigenvalues;
 mod linear_problems;
+mod motions;
 mod statements;
 
 use ancf::estimate::DiscretisationErrors;

@@ -52,6 +52,14 @@ fn falling(analysis: &str) -> Model {
 
 const HALF: &str = "scheme = { spectral_radius = 0.5 }";
 
+/// Short runs with errors.
+fn runs_with_errors() -> [(&'static str, Model); 2] {
+    let run = |parts: &str, settings: &str| {
+        beam("", parts, &format!("duration = 0.08\n{settings}\n{HALF}\n[output]\nerrors = true"))
+    };
+    [("errors", run(PULSE, "step = 2e-3")), ("errors, adaptive", run("", "step = { tolerance = 1e-4 }"))]
+}
+
 /// Short runs of many kinds.
 fn short_runs() -> Vec<(&'static str, Model)> {
     let damped = ", damping = { strain = 1e-3, mass = 0.5 }";
@@ -127,7 +135,7 @@ fn some<T>(all: &[T], count: usize) -> impl Iterator<Item = &T> {
 
 #[test]
 fn resumed_runs_equal_uninterrupted_runs() {
-    for (name, model) in short_runs() {
+    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
         let (plain, taken) = (run(&model, false), run(&model, true));
         assert!(plain.1.outcome.is_finished(), "{name}: {:?}", plain.1.outcome);
         assert!(plain.0.rows == taken.0.rows && plain.1 == taken.1, "{name}: checkpoints change results");
@@ -169,7 +177,7 @@ fn short_runs_cover_all_features() {
 /// Interrupts in any iteration discard the incomplete step.
 #[test]
 fn interrupted_runs_resume() {
-    for (name, model) in short_runs() {
+    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
         let whole = run(&model, false);
         let (_, _, queries) = interrupted(&model, u64::MAX);
         let stride = (queries / 15).max(1);
@@ -187,7 +195,7 @@ fn interrupted_runs_resume() {
 /// A sink ends a run after the row that it received.
 #[test]
 fn runs_ended_by_a_sink_resume() {
-    for (name, model) in short_runs() {
+    for (name, model) in short_runs().into_iter().chain(runs_with_errors()) {
         let whole = run(&model, false);
         let (recorder, _) = run_to(&model, 3);
         let last = recorder.last.unwrap();
@@ -240,7 +248,7 @@ fn checkpoints_of_other_models_are_rejected() {
     // The first byte is the version of the format.
     let mut other = all[3].clone();
     other[0] += 1;
-    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 4, expected: 3 }));
+    assert!(matches!(resume_error(&model, &read(&other)), ResumeError::Version { found: 5, expected: 4 }));
 }
 
 /// Resumes from damaged data with a limit on the queries, since the run may be slow.
@@ -262,7 +270,12 @@ fn damaged_checkpoints_cause_no_panic() {
         (seed >> 33) as usize
     };
     let names = ["reused tangents", "divided steps", "velocity jumps, adaptive", "falling", "slider-crank"];
-    for (name, model) in short_runs().into_iter().filter(|(name, _)| names.contains(name)) {
+    for (name, model) in short_runs()
+        .into_iter()
+        .chain(runs_with_errors())
+        .into_iter()
+        .filter(|(name, _)| names.contains(name))
+    {
         let all = run(&model, true).0.checkpoints;
         for _ in 0..150 {
             let mut damaged = all[random() % all.len()].clone();

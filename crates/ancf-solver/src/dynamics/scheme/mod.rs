@@ -1,0 +1,5 @@
+//! Coefficients of the schemes of time integration.
+
+mod coefficients;
+
+pub use coefficients::SchemeCoefficients;

@@ -1,0 +1,226 @@
+//! Errors of motions: ratios of estimated and true errors, invariance, and what has no estimate.
+
+use ancf::estimate::MotionErrors;
+use ancf::record::Series;
+use ancf::{Model, Simulation, simulate};
+
+use super::{BODIES, CLAMPED, beam};
+use crate::common::models::{files, parse};
+
+/// Runs a motion with its errors, or without.
+fn run(text: &str, has_errors: bool) -> (Series, Option<MotionErrors>) {
+    let mut model: Model = parse(text);
+    model.output.errors = has_errors;
+    let mut series = Series::new();
+    let summary = simulate(&model, &mut series).unwrap();
+    assert!(summary.outcome.is_finished(), "{:?}", summary.outcome);
+    (series, summary.motion_errors)
+}
+
+/// Motion of the beam of [`beam`] in steps h.
+fn motion(body: &str, elements: u32, rest: &str, h: f64) -> String {
+    let statics = "kind = \"statics\"\n        stop = { rule = \"energy\", tolerance = 1e-12 }";
+    let dynamics =
+        format!("kind = \"dynamics\"\nduration = 0.8\nstep = {h:e}\nscheme = {{ spectral_radius = 0.8 }}");
+    beam(body, elements, rest).replace(statics, &dynamics)
+}
+
+/// Root of the mean squares.
+fn rms(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), x| (sum + x * x, count + 1.0));
+    f64::sqrt(sum / count)
+}
+
+/// Ratio of the estimated error of a column to the difference from a reference with `factor` times as many rows, and the relative
+/// size of this difference.
+fn ratio(found: &Series, fine: &Series, factor: usize, column: &str) -> [f64; 2] {
+    let [value, error, exact] = [
+        found.column(column).unwrap(),
+        found.column(&format!("{column}_error")).unwrap(),
+        fine.column(column).unwrap(),
+    ];
+    assert_eq!(factor * (value.len() - 1), exact.len() - 1);
+    let differences = value.iter().enumerate().map(|(k, value)| exact[factor * k] - value);
+    let amplitude = value.iter().map(|x| (x - value[0]).abs()).fold(0.0, f64::max);
+    let size = rms(differences);
+    [rms(error.iter().copied()) / size, size / amplitude]
+}
+
+/// The dropped cantilever of all formulations: errors of steps and mesh together.
+#[test]
+fn errors_of_free_vibrations() {
+    let gravity = format!("gravity = [0, -9.81, 0]\n{CLAMPED}");
+    let fine = run(&motion(BODIES[2], 24, &gravity, 1.25e-3), false).0;
+    for (body, elements, h) in [
+        (BODIES[1], 4, 5e-3),
+        (BODIES[1], 8, 1e-2),
+        (BODIES[2], 2, 1e-2),
+        (BODIES[2], 4, 5e-3),
+        (BODIES[3], 2, 1e-2),
+        (BODIES[4], 3, 1e-2),
+    ] {
+        let (found, errors) = run(&motion(body, elements, &gravity, h), true);
+        let [ratio, size] = ratio(&found, &fine, (h / 1.25e-3) as usize, "tip.y");
+        assert!((0.5..2.0).contains(&ratio), "{body}, {elements}, {h}: {ratio} of {size}");
+        let errors = errors.unwrap();
+        assert!(errors.are_steps_known && errors.is_mesh_known && !errors.is_rough);
+        assert_eq!(errors.values.iter().find(|value| value.column == "tip.y").map(|v| v.error), {
+            found.column("tip.y_error").unwrap().last().copied()
+        });
+    }
+}
+
+/// Mass on a spring: ratio to the exact motion, for schemes of both orders and error-controlled steps.
+#[test]
+fn errors_of_an_oscillator() {
+    // ω = √(k/m) = 20 rad/s.
+    let model = |scheme: &str, step: &str| {
+        format!(
+            r#"bodies = [{{ kind = "rigid", name = "m", center = [1, 0, 0], mass = 2, inertia = [1, 1, 1],
+                motion = {{ velocity = [1, 0, 0] }} }}]
+            joints = [{{ kind = "prismatic", name = "guide", a = {{ body = "m", at = "center" }}, axis = [1, 0, 0],
+                spring = {{ stiffness = 800 }} }}]
+            probes = [{{ name = "p", on = {{ body = "m", at = "center" }} }}]
+            analysis = {{ kind = "dynamics", duration = 2, step = {step}, scheme = {scheme} }}"#
+        )
+    };
+    for (scheme, step) in [
+        ("\"average_acceleration\"", "2e-3"),
+        ("\"average_acceleration\"", "1e-2"),
+        ("\"adams\"", "2e-4"),
+        ("{ spectral_radius = 0.8 }", "5e-3"),
+        ("{ spectral_radius = 0.0 }", "2e-3"),
+        ("{ alpha = -0.1 }", "5e-3"),
+        ("{ spectral_radius = 0.8 }", "{ tolerance = 1e-3 }"),
+    ] {
+        let (found, errors) = run(&model(scheme, step), true);
+        let [t, x, error] = ["t", "p.x", "p.x_error"].map(|name| found.column(name).unwrap());
+        let exact = |t: f64| 1.0 + (20.0 * t).sin() / 20.0;
+        let size = rms(t.iter().zip(x).map(|(t, x)| exact(*t) - x));
+        let left = rms(t.iter().zip(x).zip(error).map(|((t, x), error)| exact(*t) - x - error));
+        assert!(left < 0.15 * size, "{scheme}, {step}: {left} of {size}");
+        assert!(errors.unwrap().probes[0].mesh == 0.0);
+    }
+}
+
+/// Mechanisms and joints: a double pendulum, a shaft that a drive spins up, and a robot arm.
+#[test]
+fn errors_of_mechanisms() {
+    let text = |name: &str, step: f64, duration: f64| {
+        let mut model = files::model(name);
+        let dynamics = model.analysis.dynamics_mut().unwrap();
+        dynamics.duration = duration;
+        dynamics.step = ancf::model::Step::Fixed(step);
+        model
+    };
+    let run = |mut model: Model, has_errors: bool| {
+        model.output.errors = has_errors;
+        let mut series = Series::new();
+        assert!(simulate(&model, &mut series).unwrap().outcome.is_finished());
+        series
+    };
+    for (name, step, duration, column) in [
+        ("double_pendulum", 1e-3, 0.3, "tip.y"),
+        ("double_pendulum", 1e-3, 0.3, "elbow.angle"),
+        ("spin_up", 0.02, 10.0, "tip.y"),
+        ("spherical_pendulum", 2e-3, 0.4, "tip.z"),
+        ("rotor", 1e-4, 0.03, "middle.z"),
+    ] {
+        let found = run(text(name, step, duration), true);
+        let mut fine = text(name, step / 4.0, duration);
+        fine.bodies.iter_mut().for_each(|body| body.set_elements(2 * body.elements()));
+        let [ratio, size] = ratio(&found, &run(fine, false), 4, column);
+        assert!((0.3..3.0).contains(&ratio), "{name}, {column}: {ratio} of {size}");
+    }
+}
+
+/// The estimate does not change the motion.
+#[test]
+fn motions_with_and_without_errors_are_equal() {
+    let gravity = format!("gravity = [0, -9.81, 0]\n{CLAMPED}");
+    let text = motion(BODIES[3], 3, &gravity, 4e-3);
+    let [with, without] = [true, false].map(|has_errors| run(&text, has_errors).0);
+    for (column, values) in without.columns() {
+        assert!(with.column(column) == Some(values), "{column}");
+    }
+}
+
+/// Straight flight has no errors.
+#[test]
+fn rigid_translations_are_exact() {
+    let flight = |h: f64| {
+        motion(BODIES[2], 3, "", h)
+            .replace("name = \"b\"\n", "name = \"b\"\nmotion = { velocity = [1, 2, 3] }\n")
+    };
+    let (_, errors) = run(&flight(0.1), true);
+    let errors = errors.unwrap();
+    assert!(errors.probes[0].displacement > 1.0);
+    assert!(errors.probes[0].steps + errors.probes[0].mesh < 1e-10, "{errors:?}");
+}
+
+/// Units and the direction of the world do not change relative errors.
+#[test]
+fn relative_errors_are_invariant() {
+    let relative = |text: &str| run(text, true).1.unwrap().worst().unwrap().1;
+    let own = relative(&motion(BODIES[2], 2, &format!("gravity = [0, -9.81, 0]\n{CLAMPED}"), 1e-2));
+    let along_z = motion(BODIES[2], 2, &format!("gravity = [-9.81, 0, 0]\n{CLAMPED}"), 1e-2);
+    let turned = relative(&along_z.replace("to = [1, 0, 0]", "to = [0, 0, 1]"));
+    // Millimetres, tonnes, seconds: forces in N, stresses in MPa.
+    let in_mm = motion(BODIES[2], 2, &format!("gravity = [0, -9810, 0]\n{CLAMPED}"), 1e-2)
+        .replace("density = 1000, young = 1e9", "density = 1e-9, young = 1e3")
+        .replace("height = 0.02, width = 0.02", "height = 20, width = 20")
+        .replace("to = [1, 0, 0]", "to = [1000, 0, 0]");
+    for other in [turned, relative(&in_mm)] {
+        for (own, other) in own.iter().zip(other) {
+            assert!((own / other - 1.0).abs() < 1e-4, "{own} {other}");
+        }
+    }
+}
+
+/// A joint within an element has no estimate of the mesh; the time steps have one.
+#[test]
+fn errors_that_are_not_known() {
+    let inside = r#"gravity = [0, -9.81, 0]
+        joints = [{ kind = "clamp", name = "root", a = { body = "b", at = 0.4 } }]"#;
+    let (found, errors) = run(&motion(BODIES[2], 2, inside, 1e-2), true);
+    let errors = errors.unwrap();
+    assert!(errors.are_steps_known && !errors.is_mesh_known && errors.values.is_empty());
+    assert!(errors.sentence().contains("mesh not known"), "{}", errors.sentence());
+    assert!(found.column("tip.y_error").unwrap()[1..].iter().all(|error| error.is_nan()));
+}
+
+/// Each equilibrium of a load history has its errors.
+#[test]
+fn errors_of_all_increments() {
+    let load = "loads = [{ kind = \"force\", on = { body = \"b\", at = \"end\" }, force = [0, 40, 0] }]";
+    let text = beam(BODIES[2], 4, &format!("{CLAMPED}\n{load}"));
+    let text = text.replace("kind = \"statics\"", "kind = \"statics\"\nfirst = 0.25\nlargest = 0.25");
+    let at = |text: &str| {
+        let mut model = parse(text);
+        model.output.errors = true;
+        let mut series = Series::new();
+        let summary = simulate(&model, &mut series).unwrap();
+        (series, summary.errors.unwrap())
+    };
+    let (series, last) = at(&text);
+    let [load, error] = ["load", "tip.y_error"].map(|name| series.column(name).unwrap());
+    let value = |errors: &ancf::estimate::DiscretisationErrors| super::of(errors, "tip.y")[1];
+    assert_eq!(error.last().copied(), Some(value(&last)));
+    let half = load.iter().position(|load| *load == 0.5).unwrap();
+    let own = value(&at(&text.replace("[0, 40, 0]", "[0, 20, 0]")).1);
+    assert!((error[half] / own - 1.0).abs() < 1e-3, "{} {own}", error[half]);
+}
+
+/// Errors have the units of their values.
+#[test]
+fn errors_are_columns_with_the_units_of_their_values() {
+    let mut model = parse(&motion(BODIES[2], 2, CLAMPED, 0.1));
+    model.output.errors = true;
+    let columns = Simulation::new(&model).unwrap().columns();
+    let dimension =
+        |name: &str| columns.iter().find(|column| column.name == name).map(|column| column.dimension);
+    for name in ["tip.x", "tip.z", "root.fx", "root.mz"] {
+        assert_eq!(dimension(&format!("{name}_error")), dimension(name), "{name}");
+        assert!(dimension(name).is_some());
+    }
+}

@@ -270,11 +270,8 @@ fn damaged_checkpoints_cause_no_panic() {
         (seed >> 33) as usize
     };
     let names = ["reused tangents", "divided steps", "velocity jumps, adaptive", "falling", "slider-crank"];
-    for (name, model) in short_runs()
-        .into_iter()
-        .chain(runs_with_errors())
-        .into_iter()
-        .filter(|(name, _)| names.contains(name))
+    for (name, model) in
+        short_runs().into_iter().chain(runs_with_errors()).filter(|(name, _)| names.contains(name))
     {
         let all = run(&model, true).0.checkpoints;
         for _ in 0..150 {

@@ -104,6 +104,33 @@ describe("charts", () => {
     await tab.close();
   });
 
+  test("estimated errors are bands, where they are known", async () => {
+    const rows = [0, 1, 2, 3, 4];
+    const own = ["y", "m", rows.map((k) => k), [0.5, 0.5, Number.NaN, 0.5, 0.5]];
+    const fills = () => {
+      window.fills = 0;
+      const { fill } = CanvasRenderingContext2D.prototype;
+      CanvasRenderingContext2D.prototype.fill = function (...rest) {
+        if (this.globalAlpha < 0.5) window.fills += 1;
+        return fill.apply(this, rest);
+      };
+    };
+    const with_errors = chartScene([{ title: "position", columns: [own] }]);
+    const { tab, problems } = await open(browser, with_errors, { before: fills });
+    assert.match(await tab.$eval(".chart", (e) => e.textContent), /± estimated error/);
+    // A band on each side of the row without an error, in each drawing.
+    const count = await tab.evaluate(() => window.fills);
+    assert.ok(count >= 2 && count % 2 === 0, `${count} bands`);
+    assert.deepEqual(problems, []);
+    await tab.close();
+    const { tab: plain } = await open(
+      browser,
+      chartScene([{ title: "position", columns: [own.slice(0, 3)] }]),
+    );
+    assert.doesNotMatch(await plain.$eval(".chart", (e) => e.textContent), /estimated error/);
+    await plain.close();
+  });
+
   test("charts have groups and logarithmic axes", async () => {
     const { tab, problems } = await open(browser, cantilever());
     await tab.click('[data-group="solver"]');
@@ -129,7 +156,10 @@ function chartScene(charts) {
     abscissa: { name: "t", unit: "s", values: f64(times) },
     charts: charts.map(({ title, columns, log = false }) => ({
       ...{ title, group: "probes", log },
-      columns: columns.map(([label, unit, values]) => ({ name: label, label, unit, values: f64(values) })),
+      columns: columns.map(([label, unit, values, errors]) => ({
+        ...{ name: label, label, unit, values: f64(values) },
+        ...(errors ? { errors: f64(errors) } : {}),
+      })),
     })),
   };
 }

@@ -4,6 +4,7 @@ import uPlot from "uplot";
 import { h } from "../base/dom";
 import type { Chart } from "../scene/scene";
 import type { Abscissa } from "./abscissa";
+import { bandHook } from "./bands";
 import type { ColumnMagnitudes } from "./magnitudes";
 import { commonUnit, fullRange, HEIGHT, plotOptions } from "./options";
 import { LinearScale, LogarithmicScale } from "./scales";
@@ -29,10 +30,12 @@ export class ChartPlot {
     const unit = commonUnit(chart);
     const title = h("h3", {}, chart.title, unit ? h("small", {}, ` ${unit}`) : null);
     const log = chart.log ? h("small", { class: "note" }, "logarithmic") : null;
-    this.element = h("figure", { class: "chart" }, h("figcaption", {}, title, log), this.container);
+    const hasBands = chart.columns.some((c) => c.errors);
+    const band = hasBands ? h("small", { class: "note" }, "band: ± estimated error") : null;
+    this.element = h("figure", { class: "chart" }, h("figcaption", {}, title, log, band), this.container);
     this.element.setAttribute("aria-label", `chart ${chart.title}`);
     // The scales of uPlot are defined after its first drawing. The line is placed then.
-    const hooks = { draw: [() => this.show(this.x)] };
+    const hooks = { drawAxes: [bandHook(chart, scale)], draw: [() => this.show(this.x)] };
     // The columns of the legend are as wide as its longest entry.
     const longest = Math.max(0, ...chart.columns.map((c) => c.label.length + (unit ? 0 : c.unit.length)));
     this.container.style.setProperty("--entry", `${94 + 7 * longest}px`);

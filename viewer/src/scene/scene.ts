@@ -64,6 +64,8 @@ export interface Column {
   label: string;
   unit: string;
   values: Numbers;
+  /** Estimated errors of the values. */
+  errors?: Numbers;
 }
 
 export interface Chart {

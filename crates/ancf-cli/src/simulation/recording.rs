@@ -57,7 +57,7 @@ pub fn record(
     redundant.chain(summary.warnings.iter().cloned()).for_each(|one| print_error(&format!("warning: {one}")));
     print(&values.table());
     let (sentence, columns) = (values.sentence(&summary, seconds, &folder), values.columns());
-    let model = recorder.name();
+    let (is_motion, model) = (model.analysis.dynamics().is_some(), recorder.name());
     print_json(&RunJson { folder, model, wall_seconds: seconds, summary: &summary, columns });
     Ok(match summary.outcome {
         Outcome::Finished => {
@@ -65,6 +65,11 @@ pub fn record(
             let errors = summary.errors.as_ref().filter(|errors| errors.resolution != Resolution::Unresolved);
             errors.iter().for_each(|errors| print_status(&errors.sentence()));
             summary.motion_errors.iter().for_each(|errors| print_status(&errors.sentence()));
+            if is_motion && summary.motion_errors.is_none() {
+                print_status(
+                    "errors: not estimated; `--errors` states those of the time steps and of the mesh",
+                );
+            }
             print_status(&sentence);
             Ended::Done
         }

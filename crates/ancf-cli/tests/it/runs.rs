@@ -349,6 +349,34 @@ fn a_mesh_is_refined_to_a_wanted_error() {
     assert_eq!(summary["errors"]["elements"].as_u64(), Some(last));
 }
 
+/// `--errors` adds the columns of the errors, also to the model in the results. Without it a motion says that nothing is estimated.
+#[test]
+fn errors_of_a_motion_are_estimated_on_request() {
+    let folder = RunFolder::new();
+    let text = fs::read_to_string(root().join("models/rotor.toml")).unwrap();
+    let path = folder.0.path().join("short.toml");
+    fs::write(&path, text.replace("duration = 0.3 ", "duration = 0.002 ")).unwrap();
+    let plain = folder.run(path.to_str().unwrap()).output().unwrap();
+    assert!(stderr(&plain).contains("errors: not estimated; `--errors`"), "{}", stderr(&plain));
+    assert!(folder.summary().get("motion_errors").is_none());
+    let run = folder.run(path.to_str().unwrap()).arg("--errors").output().unwrap();
+    let messages = stderr(&run);
+    assert!(
+        run.status.success() && messages.contains("time steps") && messages.contains("mesh"),
+        "{messages}"
+    );
+    let errors = folder.column("middle.z_error");
+    assert!(errors[0] == 0.0 && errors.iter().skip(1).all(|error| error.is_finite()), "{errors:?}");
+    let summary = folder.summary();
+    let last = summary["motion_errors"]["values"].as_array().unwrap();
+    let last = last.iter().find(|value| value["column"] == "middle.z").unwrap();
+    assert_near(&[errors[errors.len() - 1]], &[last["error"].as_f64().unwrap()], 1e-12);
+    let rope = root().join("models/belt.toml");
+    let refused = folder.run(rope.to_str().unwrap()).arg("--errors").output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("true with contacts"), "{}", stderr(&refused));
+}
+
 /// Poisson locking: no mesh reaches the error. Motions have no estimate.
 #[test]
 fn an_error_that_no_mesh_reaches_is_reported() {

@@ -304,3 +304,23 @@ def test_frequencies_have_estimated_errors() -> None:
     assert result.frequencies[0] + error == pytest.approx(exact, rel=1e-5)
     assert result["frequency_error"][0] == pytest.approx(error)
     assert abs(error) > 1e-4 * exact
+
+
+def test_motions_have_estimated_errors() -> None:
+    """Mass on a spring, x = sin 20 t/20: value + error is closer to it by a factor of ten."""
+    motion = ancf.InitialMotion(velocity=[1, 0, 0])
+    body = ancf.RigidBody("m", center=[1, 0, 0], mass=2, inertia=[1, 1, 1], motion=motion)
+    guide = ancf.Prismatic("guide", a=body.at(), axis=[1, 0, 0], spring=ancf.LinearSpring(stiffness=800))
+    settings = ancf.Dynamics(duration=2, step=5e-3, scheme=ancf.GeneralizedAlpha(spectral_radius=0.8))
+    probe = ancf.Probe("p", on=body.at())
+    output = ancf.Output(errors=True)
+    result = ancf.run(ancf.Model(bodies=[body], joints=[guide], probes=[probe], analysis=settings, output=output))
+    exact = 1 + np.sin(20 * result.t) / 20
+    error = np.abs(exact - result["p.x"]).max()
+    assert np.abs(exact - result["p.x"] - result["p.x_error"]).max() < 0.1 * error
+    assert result.errors["p.x"] == pytest.approx(result["p.x_error"][-1])
+    ax = result.plot("p.x")
+    (band,) = ax.collections
+    (path,) = band.get_paths()
+    width = np.ptp(path.vertices[:, 1]) - np.ptp(result["p.x"])
+    assert 0 < width <= 2 * np.abs(result["p.x_error"]).max()

@@ -24,4 +24,6 @@ pub struct ChartColumn {
     pub unit: String,
     /// Values.
     pub values: Vec<f64>,
+    /// Estimated errors of the values; empty if they were not estimated.
+    pub errors: Vec<f64>,
 }

@@ -41,6 +41,9 @@ impl Charts {
         for chart in &mut charts {
             for column in &mut chart.columns {
                 column.values = pick(&column.values);
+                if !column.errors.is_empty() {
+                    column.errors = pick(&column.errors);
+                }
                 if chart.log {
                     column.values.iter_mut().filter(|x| **x <= 0.0).for_each(|x| *x = f64::NAN);
                 }
@@ -104,7 +107,8 @@ fn column(
 ) -> Option<ChartColumn> {
     let values = recording.series.column(name)?.to_vec();
     let unit = dimensions.get(name).map(|dimension| recording.unit(*dimension)).unwrap_or_default();
-    Some(ChartColumn { name: name.to_owned(), label: label.to_owned(), unit, values })
+    let errors = recording.series.column(&format!("{name}_error")).map(<[f64]>::to_vec).unwrap_or_default();
+    Some(ChartColumn { name: name.to_owned(), label: label.to_owned(), unit, values, errors })
 }
 
 /// Chart of the time between rows, which is the step size if each step has a row. A fixed step has no chart.
@@ -119,6 +123,7 @@ fn steps(recording: &Recording<'_>) -> Option<Chart> {
         return None;
     }
     let (name, label) = ("dt".to_owned(), "Δt".to_owned());
-    let column = ChartColumn { name, label, unit: recording.unit(Dimension::TIME), values: values.collect() };
+    let (unit, values) = (recording.unit(Dimension::TIME), values.collect());
+    let column = ChartColumn { name, label, unit, values, errors: Vec::new() };
     Some(Chart { title: title.to_owned(), group: ChartGroup::Solver, log: true, columns: vec![column] })
 }

@@ -18,6 +18,8 @@ pub fn summary_rows(summary: &Summary) -> Vec<(String, String)> {
         .errors
         .iter()
         .map(|errors| ("error of the mesh".to_owned(), errors.sentence().replacen("mesh: ", "", 1)));
+    let motion = summary.motion_errors.iter();
+    let errors = errors.chain(motion.map(|errors| ("estimated errors".to_owned(), errors.sentence())));
     let meshes = summary.meshes.iter().enumerate();
     let meshes = meshes.map(|(number, mesh)| (format!("mesh {}", number + 1), mesh.to_string()));
     rows.into_iter().chain(errors).chain(meshes).collect()

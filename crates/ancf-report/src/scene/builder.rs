@@ -54,7 +54,12 @@ fn add_charts(recording: &Recording<'_>, budget: usize, header: &mut Value, blob
     for chart in charts {
         let columns = chart.columns.into_iter().map(|column| {
             let values = blob.f32(column.values);
-            json!({ "name": column.name, "label": column.label, "unit": column.unit, "values": values })
+            let (name, label, unit) = (column.name, column.label, column.unit);
+            let mut packed = json!({ "name": name, "label": label, "unit": unit, "values": values });
+            if !column.errors.is_empty() {
+                packed["errors"] = blob.f32(column.errors);
+            }
+            packed
         });
         let (columns, group): (Vec<_>, _) = (columns.collect(), chart.group.word());
         packed.push(json!({ "title": chart.title, "group": group, "log": chart.log, "columns": columns }));

@@ -27,7 +27,7 @@
 //! | `reactions` | `{name, marker, force: f32 [F][3], moment: f32 [F][3]}`: force and moment of a joint on its end `a` |
 //! | `links` | `{name, kind, ends: f32 [F][2][3], reference: [[x, y, z], [x, y, z]]}`; spring, damper, rope, rod, bushing, or arm (from the centre of a rigid body to a joint) |
 //! | `obstacles` | `{name, kind: "plane"\|"sphere"\|"cylinder", radius, length, inside, pose: f32 [1 or F][12]}`: point, three directors; the first director is the normal or the axis |
-//! | `charts` | `{title, group, log, columns: [{name, label, unit, values: f32}]}` |
+//! | `charts` | `{title, group, log, columns: [{name, label, unit, values: f32, errors: f32}]}`; `errors`, estimated ones, may be absent |
 //! | `abscissa` | `{name, unit, values: f64}`, ascending: time, load factor, arc length of the path, number of the mode or row |
 //!
 //! A body is `{name, kind: "beam"|"cable"|"rigid"|"point", first, count, outline: [[y, z, ny, nz], ..], inner, scale, nodes, box}`.

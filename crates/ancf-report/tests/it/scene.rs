@@ -46,6 +46,27 @@ fn fields_of_a_cantilever_are_those_of_statics() {
     assert!(titles.contains(&"tip: position") && !titles.contains(&"tip: velocity"), "{titles:?}");
 }
 
+/// Columns with estimated errors have bands.
+#[test]
+fn charts_have_the_estimated_errors_of_their_columns() {
+    let text = "joints = [{ kind = \"clamp\", name = \"c\", a = { body = \"b\", at = \"start\" } }]\n\
+        gravity = [0, -9.81, 0]\noutput.errors = true\nmaterials.m = { density = 1000, young = 1e9 }\n\
+        sections.s = { kind = \"circle\", diameter = 0.02 }\n\
+        bodies = [{ kind = \"cable\", name = \"b\", from = [0, 0, 0], to = [1, 0, 0], elements = 2, section = \"s\", \
+        material = \"m\" }]\nprobes = [{ name = \"tip\", on = { body = \"b\", at = \"end\" } }]\n\
+        analysis = { kind = \"dynamics\", duration = 0.1, step = 5e-3, scheme = { spectral_radius = 0.8 } }";
+    let run = Run::of(text, 7);
+    let scene = run.scene();
+    let charts = scene.header["charts"].as_array().unwrap();
+    let columns = charts.iter().flat_map(|chart| chart["columns"].as_array().unwrap());
+    let column = columns.into_iter().find(|column| column["name"] == "tip.y").unwrap();
+    let errors = scene.numbers(&column["errors"]);
+    for (shown, error) in errors.iter().zip(run.column("tip.y_error")) {
+        assert!((shown - error).abs() <= 1e-6 * error.abs(), "{shown} {error}");
+    }
+    assert!(errors.iter().any(|error| *error != 0.0));
+}
+
 #[test]
 fn the_end_of_a_beam_is_where_its_probe_is() {
     let run = Run::of_file("models/cantilever.toml", 0.2, 7);

@@ -192,7 +192,7 @@ fn deflection(t: f64) -> f64 {
     let of_mode = |n: usize| {
         let beta = ROOTS.get(n).copied().unwrap_or((n as f64 + 0.5) * std::f64::consts::PI);
         let part = if beta < 30.0 { (beta.sinh() - beta.sin()) / (beta.cosh() + beta.cos()) } else { 1.0 };
-        let (omega, sign) = (beta * beta / MASS.sqrt(), if n % 2 == 0 { 1.0 } else { -1.0 });
+        let (omega, sign) = (beta * beta / MASS.sqrt(), if n.is_multiple_of(2) { 1.0 } else { -1.0 });
         4.0 * part / beta * sign * GRAVITY / (omega * omega) * (1.0 - (omega * t).cos())
     };
     (0..40).map(of_mode).sum()

@@ -76,7 +76,7 @@ class CurvePlots(ShapePlots):
     ) -> Axes | Grid:
         """Plot columns over time, the load factor over displacements, or values over the number of the mode.
 
-        Returns the axes, several with `subplots` or without names.
+        Returns the axes, several with `subplots` or without names. Estimated errors are bands: value ± error.
 
         Parameters
         ----------
@@ -158,7 +158,9 @@ def _draw(
             grid(ax)
         for label, column in curves.items():
             pair = (column, numbers) if up else (numbers, column)
-            ax.plot(*pair, **{"label": label} | line)
+            (curve,) = ax.plot(*pair, **{"label": label} | line)
+            if f"{label}_error" in result:
+                _band(ax, numbers, column, abs(result[f"{label}_error"]), curve.get_color(), up=up)
         what = with_unit(what or _common_quantity(list(curves)), _common_unit(result, curves))
         ax.set_xlabel(what if up else over)
         ax.set_ylabel(over if up else what)
@@ -167,6 +169,12 @@ def _draw(
         elif len(curves) > 1 or "label" in line:
             ax.legend()
     return ax
+
+
+def _band(ax: Axes, numbers: Array, column: Array, error: Array, color: object, *, up: bool) -> None:
+    """Fill the band of the estimated error of a curve."""
+    fill = ax.fill_betweenx if up else ax.fill_between
+    fill(numbers, column - error, column + error, color=color, alpha=0.25, linewidth=0)
 
 
 def _abscissa(result: ResultData, x: str | None) -> tuple[str, Array]:

@@ -75,13 +75,14 @@ class ResultData(Record):
 
     @property
     def errors(self) -> dict[str, float]:
-        """Estimated errors of the mesh by column: value + error is a better value.
+        """Estimated errors by column: value + error is a better value.
 
-        Statics has the columns of the last equilibrium, modes `frequency[1]`, ..., buckling `factor[1]`, ... Empty for
-        other analyses, and if the errors are not known. `summary["errors"]` has the class of the estimate and the
-        largest error.
+        Statics has the columns of the last equilibrium, modes `frequency[1]`, ..., buckling `factor[1]`, ... Dynamics
+        with `Output(errors=True)` has those of the last row. Empty for other analyses, and if the errors are not
+        known. `summary["errors"]` has the class of the estimate and the largest error, `summary["motion_errors"]`
+        the largest errors of the time steps and of the mesh. Errors of all rows are columns such as `tip.x_error`.
         """
-        found = self.summary.get("errors") or {}
+        found = self.summary.get("errors") or self.summary.get("motion_errors") or {}
         return {value["column"]: value["error"] for value in found.get("values", [])}
 
     @property

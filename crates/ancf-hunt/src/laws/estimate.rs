@@ -1,9 +1,10 @@
 //! Estimated errors of the mesh against a finer mesh.
 
 use ancf::estimate::{DiscretisationErrors, Resolution, ValueError};
+use ancf::model::{Scheme, Step};
 
 use super::law::{Check, Law};
-use super::refinement::{is_position, refined};
+use super::refinement::{distance, is_position, refined};
 use crate::compare::{Case, Finding};
 use crate::random::Random;
 use crate::run::run;
@@ -88,4 +89,69 @@ fn of_eigenvalues(coarse: &DiscretisationErrors, fine: &DiscretisationErrors) ->
 
 fn good(errors: Option<&DiscretisationErrors>) -> Option<&DiscretisationErrors> {
     errors.filter(|errors| errors.resolution == Resolution::Good)
+}
+
+/// Estimated errors of a motion: they do not change it, and are not smaller than a quarter of the difference from a motion in steps of
+/// one quarter on a mesh with twice the elements.
+pub(super) struct MotionErrors;
+
+/// Ratio of the true and the estimated error.
+const UNDERSTATED: f64 = 4.0;
+/// Difference relative to the length above which the steps or the mesh do not resolve the motion, and below which it is not checked.
+const UNRESOLVED: f64 = 0.05;
+const UNCHECKED: f64 = 1e-3;
+
+impl Law for MotionErrors {
+    fn name(&self) -> &'static str {
+        "motion_errors"
+    }
+
+    fn check(&self, case: &Case, _: &mut Random) -> Check {
+        let Some(dynamics) = case.model.analysis.dynamics() else { return Check::Inapplicable };
+        let Step::Fixed(step) = dynamics.step else { return Check::Inapplicable };
+        let has_estimate = case.model.contacts.is_empty()
+            && !matches!(dynamics.scheme, Scheme::Energy | Scheme::DampedEnergy { .. });
+        // An initial velocity that joints stop is an impulse, which excites all vibrations.
+        let is_pushed = case.model.bodies.iter().any(|body| !body.motion().is_rest());
+        if !has_estimate || case.base.is_divided || !case.base.verdict.is_finished() {
+            return Check::Inapplicable;
+        }
+        let mut model = case.model.clone();
+        model.output.errors = true;
+        let found = run(&model);
+        let changed = case.base.columns.iter().find(|own| {
+            let other = found.column(&own.name);
+            !other.is_some_and(|other| {
+                own.values.iter().zip(&other.values).all(|(a, b)| a.to_bits() == b.to_bits())
+            })
+        });
+        if let Some(own) = changed {
+            let (quantity, values) = (own.name.clone(), "changed by the estimate".into());
+            return Check::Violated(Finding { law: self.name(), quantity, values, excess: f64::INFINITY });
+        }
+        let mut fine = refined(&case.model, 2);
+        if let Some(dynamics) = fine.analysis.dynamics_mut() {
+            dynamics.step = Step::Fixed(step / 4.0);
+        }
+        let fine = run(&fine);
+        if is_pushed && !case.model.joints.is_empty() || fine.is_divided || !fine.verdict.is_finished() {
+            return Check::Holds;
+        }
+        let length = case.model.length();
+        let is_error = |name: &str| name.strip_suffix("_error").is_some_and(is_position);
+        let errors = found.columns.iter().filter(|column| is_error(&column.name));
+        let all = || errors.clone().flat_map(|column| &column.values);
+        if all().skip(1).any(|error| error.is_nan()) {
+            return Check::Holds;
+        }
+        let mean = |sum: f64| (sum / all().count().max(1) as f64).sqrt();
+        let estimate = mean(all().map(|error| error * error).sum()) / length;
+        let error = distance([&case.base, &fine], 4) / length;
+        let excess = error / (UNDERSTATED * estimate + UNCHECKED);
+        if error > UNRESOLVED || excess < 1.0 {
+            return Check::Holds;
+        }
+        let values = format!("estimate {estimate:.2e}, difference {error:.2e} of the length");
+        Check::Violated(Finding { law: self.name(), quantity: "position".into(), values, excess })
+    }
 }

@@ -15,7 +15,7 @@ mod units;
 pub use law::{Check, Law};
 
 /// All laws.
-pub const LAWS: [&dyn Law; 21] = [
+pub const LAWS: [&dyn Law; 22] = [
     &balances::Finite,
     &balances::Energy,
     &balances::Reactions,
@@ -34,6 +34,7 @@ pub const LAWS: [&dyn Law; 21] = [
     &refinement::Steps,
     &refinement::Elements,
     &estimate::Estimate,
+    &estimate::MotionErrors,
     &solution::Tangents,
     &solution::Threads,
     &solution::Resumption,

@@ -74,7 +74,7 @@ impl Law for Steps {
 }
 
 /// Root mean square distance of the probes of two runs, of which the second one has `ratio` times the rows.
-fn distance([coarse, fine]: [&Run; 2], ratio: usize) -> f64 {
+pub(super) fn distance([coarse, fine]: [&Run; 2], ratio: usize) -> f64 {
     let mut sum = 0.0;
     let mut count = 0.0;
     for column in coarse.columns.iter().filter(|column| is_position(&column.name)) {

@@ -65,6 +65,7 @@ impl MotionErrors {
         };
         let part = |is_known: bool, is_rough: bool, error: f64| match is_known {
             false => "not known".to_owned(),
+            true if error > 1.0 => "more than 100 %".to_owned(),
             true if is_rough || error > LARGE => format!("about {}", percentage(error)),
             true => percentage(error),
         };

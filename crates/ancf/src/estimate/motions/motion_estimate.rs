@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::super::gap_field::GapField;
+use super::super::movement::coordinate_sizes;
 use super::super::value_errors::{ValueError, ValueErrors};
 use super::motion_errors::{MotionErrors, ProbeErrors};
 use crate::assembly::Assembly;
@@ -15,6 +16,8 @@ pub(crate) struct MotionEstimate<'a> {
     model: &'a Model,
     assembly: &'a Assembly,
     scales: Scales,
+    /// Size of each coordinate.
+    sizes: Vec<f64>,
     history: EstimateHistory,
 }
 
@@ -63,10 +66,12 @@ impl<'a> MotionEstimate<'a> {
             law: 0.0,
             values: Vec::new(),
         };
+        let sizes = coordinate_sizes(model, assembly);
         Self {
             model,
             assembly,
             scales,
+            sizes,
             history: EstimateHistory { moments: Vec::new(), stride: 1, wait: 0, errors },
         }
     }
@@ -116,10 +121,21 @@ impl<'a> MotionEstimate<'a> {
         moments.insert(0, (state.t, field.inner_moments()));
         moments.truncate(MOMENTS);
         if let [(t, now), (t_before, before), (t_first, first)] = moments.as_slice() {
+            let [mut later, mut change] = [0.0; 2];
             let rate = |now: f64, before: f64, h: f64| (now - before) / h;
-            for (i, force) in forces.iter_mut().enumerate() {
-                let later = rate(now[i], before[i], t - t_before);
-                *force -= rate(later, rate(before[i], first[i], t_before - t_first), 0.5 * (t - t_first));
+            let [h, earlier] = [t - t_before, t_before - t_first];
+            let seconds: Vec<f64> = (0..forces.len())
+                .map(|i| {
+                    let now = rate(now[i], before[i], h);
+                    let difference = now - rate(before[i], first[i], earlier);
+                    later += (self.sizes[i] * now).powi(2);
+                    change += (self.sizes[i] * difference).powi(2);
+                    difference / (0.5 * (h + earlier))
+                })
+                .collect();
+            // Vibrations that the steps do not resolve have no second derivative.
+            if change <= later {
+                forces.iter_mut().zip(seconds).for_each(|(force, second)| *force -= second);
             }
         }
         forces

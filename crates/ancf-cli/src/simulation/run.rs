@@ -81,7 +81,9 @@ impl RunArguments {
             return record(&model, recorder, |observer| Ok(simulation.run(observer)?));
         };
         if let Analysis::Dynamics(_) | Analysis::Path(_) = model.analysis {
-            return Ok(reject("--to: motions and paths have no estimate of the error of the mesh"));
+            return Ok(reject(
+                "--to: refines the meshes of statics, modes and buckling; `--errors` states the errors of motions",
+            ));
         }
         let Refined { model, simulation, meshes, reason } = refine(model, simulation, wanted, &interrupt()?)?;
         let text = with_elements(&text, &model)?;

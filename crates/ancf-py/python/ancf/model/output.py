@@ -62,8 +62,8 @@ class Output(Part):
         True to record the parts of the strain energy of each body. Default: ``False``.
     errors
         True to estimate the errors of the recorded values in each state, columns ``p.x_error`` and so on:
-        exact less computed. In dynamics those of the time steps and of the mesh, at about the cost of the run
-        itself. In statics those of the mesh. Default: ``False``.
+        exact less computed. In dynamics those of the time steps and of the mesh, where the run takes two to
+        three times as long. In statics those of the mesh. Default: ``False``.
     every
         Recording of every n-th instant only. The first and the last instant are always recorded (>= 1).
         Default: ``1``.

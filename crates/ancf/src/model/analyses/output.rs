@@ -67,7 +67,8 @@ pub struct Output {
     /// True to record the parts of the strain energy of each body.
     pub energy_parts: bool,
     /// True to estimate the errors of the recorded values in each state, columns `p.x_error` and so on: exact less computed. In
-    /// dynamics those of the time steps and of the mesh, at about the cost of the run itself. In statics those of the mesh.
+    /// dynamics those of the time steps and of the mesh, where the run takes two to three times as long. In statics those of the
+    /// mesh.
     pub errors: bool,
     /// True to write `probes.csv`.
     pub csv: bool,

@@ -2,6 +2,7 @@
 #![cfg(test)]
 
 mod damage;
+mod estimates;
 mod folder;
 #[cfg(target_os = "linux")]
 mod full_disk;
@@ -11,6 +12,7 @@ mod output;
 mod paper;
 #[cfg(unix)]
 mod resume;
+mod run_folder;
 mod runs;
 mod study;
 #[cfg(feature = "figures")]

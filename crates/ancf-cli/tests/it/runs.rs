@@ -1,62 +1,9 @@
 //! Runs and checks: files, messages, exit codes.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
-use serde_json::Value;
-use tempfile::TempDir;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ancf"));
-    command.args(arguments).current_dir(root());
-    command
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-/// Folder with the model and the results of one test.
-struct RunFolder(TempDir);
-
-impl RunFolder {
-    fn new() -> Self {
-        Self(TempDir::new().unwrap())
-    }
-
-    fn out(&self) -> PathBuf {
-        self.0.path().join("out")
-    }
-
-    /// `ancf run FILE -o OUT`.
-    fn run(&self, file: &str) -> Command {
-        command(&["run", file, "-o", self.out().to_str().unwrap()])
-    }
-
-    /// Writes the cantilever with a line replaced, and returns its path.
-    fn cantilever(&self, line: &str, by: &str) -> String {
-        let text = fs::read_to_string(root().join("models/cantilever.toml")).unwrap();
-        assert!(text.contains(line), "the cantilever has `{line}`");
-        let path = self.0.path().join("model.toml");
-        fs::write(&path, text.replacen(line, by, 1)).unwrap();
-        path.to_str().unwrap().to_owned()
-    }
-
-    fn summary(&self) -> Value {
-        serde_json::from_slice(&fs::read(self.out().join("summary.json")).unwrap()).unwrap()
-    }
-
-    fn column(&self, name: &str) -> Vec<f64> {
-        let text = fs::read_to_string(self.out().join("probes.csv")).unwrap();
-        let at = text.lines().next().unwrap().split(',').position(|column| column == name).unwrap();
-        text.lines().skip(1).map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
-    }
-}
+use crate::run_folder::{RunFolder, assert_near, command, root, stderr};
 
 /// Command of the README. Mean tip deflection: Kim et al. (2017), Table 5, 20 elements, -2.037 mm.
 #[test]
@@ -100,11 +47,6 @@ fn ran(folder: &RunFolder, model: &str) -> (String, String) {
 /// Returns x, y and z of a probe in the last row.
 fn last(folder: &RunFolder, probe: &str) -> [f64; 3] {
     ["x", "y", "z"].map(|axis| *folder.column(&format!("{probe}.{axis}")).last().unwrap())
-}
-
-fn assert_near(ours: &[f64], wanted: &[f64], tolerance: f64) {
-    let off = ours.iter().zip(wanted).any(|(x, y)| (x - y).abs() > tolerance);
-    assert!(!off && ours.len() == wanted.len(), "{ours:?} instead of {wanted:?}");
 }
 
 /// Tips as in the comments of the models. Elastica: Bisshopp & Drucker (1945); bend: Romero (2004).
@@ -323,80 +265,4 @@ fn the_scaled_model_is_printed() {
     assert!((number(["materials", "steel", "young"]) / (193e9 / force) - 1.0).abs() < 1e-12);
     assert!((number(["materials", "steel", "density"]) * area - 1.0).abs() < 1e-12, "rho A = 1 by eq. (7)");
     assert!((model["gravity"][1].as_float().unwrap() * 0.25 + 1.0).abs() < 1e-12, "an element weighs 1");
-}
-
-/// The bodies are refined until the estimated error is as small as wanted. The model in the results has the last numbers of elements.
-#[test]
-fn a_mesh_is_refined_to_a_wanted_error() {
-    let folder = RunFolder::new();
-    let text = fs::read_to_string(root().join("models/elastica.toml")).unwrap();
-    let path = folder.0.path().join("coarse.toml");
-    fs::write(&path, text.replace("elements = 32", "elements = 2 # few")).unwrap();
-    let run = folder.run(path.to_str().unwrap()).args(["--to", "0.1%"]).output().unwrap();
-    let messages = stderr(&run);
-    assert!(
-        run.status.success() && messages.starts_with("mesh 1: elements `wire` 2; error 2 %\n"),
-        "{messages}"
-    );
-    let summary = folder.summary();
-    let meshes = summary["meshes"].as_array().unwrap();
-    let errors: Vec<f64> = meshes.iter().map(|mesh| mesh["error"].as_f64().unwrap()).collect();
-    assert!(errors.windows(2).all(|pair| pair[1] < pair[0]) && errors[errors.len() - 1] < 1e-3, "{errors:?}");
-    // The elastica of P L²/EI = 10: 0.810609 L (Bisshopp & Drucker 1945).
-    let column = folder.column("tip.y");
-    assert_near(&column[column.len() - 1..], &[-0.810609], 1e-3);
-    let last = meshes[meshes.len() - 1]["elements"][0][1].as_u64().unwrap();
-    assert_eq!(summary["errors"]["elements"].as_u64(), Some(last));
-}
-
-/// `--errors` adds the columns of the errors, also to the model in the results. Without it a motion says that nothing is estimated.
-#[test]
-fn errors_of_a_motion_are_estimated_on_request() {
-    let folder = RunFolder::new();
-    let text = fs::read_to_string(root().join("models/rotor.toml")).unwrap();
-    let path = folder.0.path().join("short.toml");
-    fs::write(&path, text.replace("duration = 0.3 ", "duration = 0.002 ")).unwrap();
-    let plain = folder.run(path.to_str().unwrap()).output().unwrap();
-    assert!(stderr(&plain).contains("errors: not estimated; `--errors`"), "{}", stderr(&plain));
-    assert!(folder.summary().get("motion_errors").is_none());
-    let run = folder.run(path.to_str().unwrap()).arg("--errors").output().unwrap();
-    let messages = stderr(&run);
-    assert!(
-        run.status.success() && messages.contains("time steps") && messages.contains("mesh"),
-        "{messages}"
-    );
-    let errors = folder.column("middle.z_error");
-    assert!(errors[0] == 0.0 && errors.iter().skip(1).all(|error| error.is_finite()), "{errors:?}");
-    let summary = folder.summary();
-    let last = summary["motion_errors"]["values"].as_array().unwrap();
-    let last = last.iter().find(|value| value["column"] == "middle.z").unwrap();
-    assert_near(&[errors[errors.len() - 1]], &[last["error"].as_f64().unwrap()], 1e-12);
-    let rope = root().join("models/belt.toml");
-    let refused = folder.run(rope.to_str().unwrap()).arg("--errors").output().unwrap();
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(stderr(&refused).contains("true with contacts"), "{}", stderr(&refused));
-}
-
-/// Poisson locking: no mesh reaches the error. Motions are not refined.
-#[test]
-fn an_error_that_no_mesh_reaches_is_reported() {
-    let folder = RunFolder::new();
-    let text = fs::read_to_string(root().join("models/elastica.toml")).unwrap();
-    let path = folder.0.path().join("locked.toml");
-    let body = "kind = \"beam\"\nformulation = \"continuum\"";
-    let text = text.replacen("kind = \"cable\"", body, 1).replace("elements = 32", "elements = 8");
-    let text = text.replace("young = 2.1e11", "poisson = 0.3\nyoung = 2.1e11").replace("0.103084", "0.003");
-    fs::write(&path, &text).unwrap();
-    let run = folder.run(path.to_str().unwrap()).args(["--to", "1%"]).output().unwrap();
-    let messages = stderr(&run);
-    assert!(run.status.success(), "{messages}\n{text}");
-    assert!(messages.contains("warning: the error of 1 % is not reached: "), "{messages}");
-    let run =
-        folder.run(root().join("models/bow.toml").to_str().unwrap()).args(["--to", "1%"]).output().unwrap();
-    assert_eq!(run.status.code(), Some(2));
-    assert!(
-        stderr(&run).contains("--to: refines the meshes of statics, modes and buckling"),
-        "{}",
-        stderr(&run)
-    );
 }

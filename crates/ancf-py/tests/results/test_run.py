@@ -314,7 +314,9 @@ def test_motions_have_estimated_errors() -> None:
     settings = ancf.Dynamics(duration=2, step=5e-3, scheme=ancf.GeneralizedAlpha(spectral_radius=0.8))
     probe = ancf.Probe("p", on=body.at())
     output = ancf.Output(errors=True)
-    result = ancf.run(ancf.Model(bodies=[body], joints=[guide], probes=[probe], analysis=settings, output=output))
+    result = ancf.run(
+        ancf.Model(bodies=[body], joints=[guide], probes=[probe], analysis=settings, output=output)
+    )
     exact = 1 + np.sin(20 * result.t) / 20
     error = np.abs(exact - result["p.x"]).max()
     assert np.abs(exact - result["p.x"] - result["p.x_error"]).max() < 0.1 * error

@@ -7,6 +7,6 @@ mod scene;
 mod view;
 
 pub use paraview::{PARAVIEW_EXAMPLES, ParaviewArguments};
-pub use report::{REPORT_EXAMPLES, ReportArguments};
+pub use report::{REPORT, REPORT_EXAMPLES, ReportArguments, write_report};
 pub use run_folder::open_run;
 pub use view::{VIEW_EXAMPLES, ViewArguments};

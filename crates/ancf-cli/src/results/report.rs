@@ -1,7 +1,7 @@
 //! `ancf report`: the results of a run as one HTML file.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ancf_report::{BUDGET, page};
 use ancf_results::write_atomically;
@@ -37,15 +37,29 @@ killed.";
 impl ReportArguments {
     /// Writes the report.
     pub fn run(&self) -> Result<Ended> {
-        let results = match open_run(&self.folder)? {
-            Ok(results) => results,
-            Err(ended) => return Ok(ended),
-        };
-        let path = self.output.clone().unwrap_or_else(|| self.folder.join("report.html"));
-        let html = page(&scene_of(&results, false, self.budget.saturating_mul(1 << 20))?);
-        write_atomically(&path, |mut file| file.write_all(html.as_bytes()))
-            .with_context(|| format!("cannot write {}", path.display()))?;
-        print(&format!("{}\n", path.display()));
-        Ok(Ended::Done)
+        let path = self.output.clone().unwrap_or_else(|| self.folder.join(REPORT));
+        let written = write_report(&self.folder, &path, self.budget.saturating_mul(1 << 20))?;
+        if written.is_none() {
+            print(&format!("{}\n", path.display()));
+        }
+        Ok(written.unwrap_or(Ended::Done))
     }
+}
+
+/// Name of the report in the folder of a run.
+pub const REPORT: &str = "report.html";
+
+/// Writes the report of the run in a folder with about `budget` bytes of states. Returns an end if the folder has no run.
+///
+/// # Errors
+/// If results cannot be read or the report cannot be written.
+pub fn write_report(folder: &Path, path: &Path, budget: usize) -> Result<Option<Ended>> {
+    let results = match open_run(folder)? {
+        Ok(results) => results,
+        Err(ended) => return Ok(Some(ended)),
+    };
+    let html = page(&scene_of(&results, false, budget)?);
+    write_atomically(path, |mut file| file.write_all(html.as_bytes()))
+        .with_context(|| format!("cannot write {}", path.display()))?;
+    Ok(None)
 }

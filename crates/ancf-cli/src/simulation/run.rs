@@ -1,10 +1,11 @@
 //! `ancf run`: runs a model file and writes its results into a folder.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ancf::errors::percentage;
 use ancf::model::Analysis;
 use ancf::{Model, Simulation};
+use ancf_report::BUDGET;
 use ancf_results::{CheckpointInterval, Folder, Recorder};
 use anyhow::Result;
 use clap::Args;
@@ -12,16 +13,17 @@ use clap::Args;
 use super::model_text::{with_elements, with_errors};
 use super::recording::{checkpoint_interval, record};
 use super::refine::{Refined, refine, wanted_error};
-use crate::terminal::{Ended, interrupt, refuse, reject};
+use crate::results::{REPORT, write_report};
+use crate::terminal::{Ended, interrupt, print_error, refuse, reject};
 
 /// Arguments of `ancf run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
     /// Model file (TOML).
     file: PathBuf,
-    /// Folder for results.parquet, states.parquet, probes.csv and summary.json.
+    /// Folder for results.parquet, states.parquet, probes.csv and summary.json; by default the name of the file without its ending.
     #[arg(short, long, value_name = "DIR")]
-    output: PathBuf,
+    output: Option<PathBuf>,
     /// Interval of checkpoints for `ancf resume`: a number of steps (1000) or a time (30s, 10min).
     #[arg(long, value_name = "EVERY", default_value = "5min", value_parser = checkpoint_interval)]
     checkpoint: CheckpointInterval,
@@ -31,6 +33,9 @@ pub struct RunArguments {
     /// Estimate the errors of all recorded values, columns `p.x_error` and so on, as `output.errors = true` (dynamics, statics).
     #[arg(long)]
     errors: bool,
+    /// Write the report of the results and open it in the browser.
+    #[arg(long)]
+    open: bool,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
@@ -39,7 +44,8 @@ pub struct RunArguments {
 /// Examples of the help.
 pub const RUN_EXAMPLES: &str = "\
 Examples:
-  ancf run models/cantilever.toml -o out          a motion
+  ancf run models/cantilever.toml                 a motion; the results are in the folder cantilever
+  ancf run models/bow.toml --open                 the report opens in the browser
   ancf run models/elastica.toml -o out            an equilibrium
   ancf run models/lees_frame.toml -o out          an equilibrium path with snap-through
   ancf run models/tuning_fork.toml -o out         natural frequencies, also printed
@@ -51,14 +57,42 @@ Examples:
 Ctrl-C or SIGTERM stops the run with exit code 130 or 143; `ancf resume` resumes it.";
 
 impl RunArguments {
-    /// Runs the model.
+    /// Runs the model and opens its report on request.
     pub fn run(&self) -> Result<Ended> {
-        if self.output.exists() && !self.output.is_dir() {
-            return Ok(reject(&format!(
-                "{} is a file, expected a folder for the results",
-                self.output.display()
-            )));
+        let folder = match self.folder() {
+            Ok(folder) => folder,
+            Err(message) => return Ok(reject(&message)),
+        };
+        let ended = self.run_into(&folder)?;
+        if self.open && ended == Ended::Done {
+            let report = folder.join(REPORT);
+            if let Some(ended) = write_report(&folder, &report, BUDGET)? {
+                return Ok(ended);
+            }
+            if let Err(error) = open::that_detached(&report) {
+                print_error(&format!("warning: no browser for {}: {error}", report.display()));
+            }
         }
+        Ok(ended)
+    }
+
+    /// Folder of the results.
+    fn folder(&self) -> Result<PathBuf, String> {
+        let chosen = self.output.clone().or_else(|| self.file.file_stem().map(PathBuf::from));
+        let folder = chosen.ok_or_else(|| format!("{} is not a file", self.file.display()))?;
+        if folder.exists() && !folder.is_dir() {
+            return Err(format!("{} is a file, expected a folder for the results", folder.display()));
+        }
+        if self.output.is_none() && !Folder::new(&folder).is_free() {
+            return Err(format!(
+                "the folder {} contains other files than results; choose the folder of the results with `-o`",
+                folder.display()
+            ));
+        }
+        Ok(folder)
+    }
+
+    fn run_into(&self, folder: &Path) -> Result<Ended> {
         let read = Model::read_text(&self.file).and_then(|text| {
             let mut model = Model::parse(&text)?;
             model.output.errors |= self.errors;
@@ -72,7 +106,7 @@ impl RunArguments {
         let text = if self.errors { with_errors(&text)? } else { text };
         let name = self.file.display().to_string();
         let recorder = |text: &str, model: &Model, simulation: &Simulation| {
-            Recorder::new(Folder::new(&self.output), &name, text, model, simulation)
+            Recorder::new(Folder::new(folder), &name, text, model, simulation)
                 .with_checkpoints(self.checkpoint)
         };
         let Some(wanted) = self.to else {

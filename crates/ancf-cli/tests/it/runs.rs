@@ -266,3 +266,49 @@ fn the_scaled_model_is_printed() {
     assert!((number(["materials", "steel", "density"]) * area - 1.0).abs() < 1e-12, "rho A = 1 by eq. (7)");
     assert!((model["gravity"][1].as_float().unwrap() * 0.25 + 1.0).abs() < 1e-12, "an element weighs 1");
 }
+
+/// Without `-o` the folder has the name of the file, unless it contains other files.
+#[test]
+fn results_have_a_folder_by_default() {
+    let place = tempfile::TempDir::new().unwrap();
+    fs::copy(root().join("models/elastica.toml"), place.path().join("elastica.toml")).unwrap();
+    let run = || {
+        let mut command = command(&["run", "elastica.toml"]);
+        command.current_dir(place.path()).output().unwrap()
+    };
+    for _ in 0..2 {
+        let ended = run();
+        assert!(stderr(&ended).contains("results in elastica"), "{}", stderr(&ended));
+        assert!(place.path().join("elastica/summary.json").is_file());
+    }
+    fs::remove_dir_all(place.path().join("elastica")).unwrap();
+    fs::create_dir(place.path().join("elastica")).unwrap();
+    fs::write(place.path().join("elastica/notes.txt"), "mine").unwrap();
+    let refused = run();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("choose the folder of the results with `-o`"), "{}", stderr(&refused));
+    assert_eq!(fs::read_dir(place.path().join("elastica")).unwrap().count(), 1);
+}
+
+/// `--open` writes the report and passes it to the browser.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_report_opens_in_the_browser() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = RunFolder::new();
+    let browser = folder.0.path().join("xdg-open");
+    fs::write(&browser, "#!/bin/sh\necho \"$1\" > \"$(dirname \"$0\")/opened.part\"\nmv \"$(dirname \"$0\")/opened.part\" \"$(dirname \"$0\")/opened\"\n").unwrap();
+    fs::set_permissions(&browser, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", folder.0.path().display(), std::env::var("PATH").unwrap());
+    let file = root().join("models/elastica.toml");
+    let ended = folder.run(file.to_str().unwrap()).arg("--open").env("PATH", path).output().unwrap();
+    assert!(ended.status.success(), "{}", stderr(&ended));
+    let report = folder.out().join("report.html");
+    assert!(report.is_file());
+    let opened = folder.0.path().join("opened");
+    let since = std::time::Instant::now();
+    while !opened.exists() && since.elapsed().as_secs() < 30 {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert_eq!(fs::read_to_string(opened).unwrap().trim(), report.to_str().unwrap());
+}

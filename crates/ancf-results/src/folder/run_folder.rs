@@ -60,6 +60,13 @@ impl Folder {
         &self.0
     }
 
+    /// Returns true if a run may write there without mixing its files with others: the folder is that of a run, is empty or does
+    /// not exist.
+    pub fn is_free(&self) -> bool {
+        let is_empty = || fs::read_dir(&self.0).is_ok_and(|mut entries| entries.next().is_none());
+        self.0.join(LOCK).exists() || !self.0.exists() || is_empty()
+    }
+
     /// Path of the model.
     pub fn model(&self) -> PathBuf {
         self.0.join("model.toml")

@@ -317,12 +317,12 @@ def test_motions_have_estimated_errors() -> None:
     result = ancf.run(
         ancf.Model(bodies=[body], joints=[guide], probes=[probe], analysis=settings, output=output)
     )
-    exact = 1 + np.sin(20 * result.t) / 20
+    exact = 1 + np.sin(20 * result["t"]) / 20
     error = np.abs(exact - result["p.x"]).max()
     assert np.abs(exact - result["p.x"] - result["p.x_error"]).max() < 0.1 * error
     assert result.errors["p.x"] == pytest.approx(result["p.x_error"][-1])
     ax = result.plot("p.x")
     (band,) = ax.collections
     (path,) = band.get_paths()
-    width = np.ptp(path.vertices[:, 1]) - np.ptp(result["p.x"])
+    width = np.ptp(np.asarray(path.vertices)[:, 1]) - np.ptp(result["p.x"])
     assert 0 < width <= 2 * np.abs(result["p.x_error"]).max()

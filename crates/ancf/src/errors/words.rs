@@ -37,12 +37,65 @@ pub(crate) fn listed(words: impl IntoIterator<Item = String>, last: &str) -> Str
     }
 }
 
-/// Candidate nearest to a misspelt word, if at most a third of the letters differ.
+/// Words of other programs, and the words for the same thing in models.
+const SYNONYMS: [(&str, &str); 21] = [
+    ("ball", "spherical"),
+    ("dt", "step"),
+    ("e", "young"),
+    ("eigen", "modes"),
+    ("elastic_modulus", "young"),
+    ("fixed", "clamp"),
+    ("frequencies", "modes"),
+    ("hinge", "revolute"),
+    ("modal", "modes"),
+    ("n_elements", "elements"),
+    ("nu", "poisson"),
+    ("pin", "revolute"),
+    ("radius", "diameter"),
+    ("rho", "density"),
+    ("slider", "prismatic"),
+    ("t_end", "duration"),
+    ("time_step", "step"),
+    ("translational", "prismatic"),
+    ("transient", "dynamics"),
+    ("weld", "clamp"),
+    ("youngs_modulus", "young"),
+];
+
+/// Candidate with the meaning of a word of other programs.
+fn synonym<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let (_, meant) = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word))?;
+    candidates.iter().copied().find(|candidate| candidate == meant)
+}
+
+/// Candidate that a word means: one with the same meaning in other programs, or the nearest one to a misspelt word, if at most a
+/// third of the letters differ.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    if let Some(meant) = synonym(word, &candidates) {
+        return Some(meant);
+    }
     let word = word.to_lowercase();
     let distance = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
     let near = candidates.into_iter().map(|candidate| (distance(candidate), candidate));
     let (distance, candidate) = near.min_by_key(|(distance, _)| *distance)?;
     let (length, own) = (word.chars().count(), candidate.chars().count());
     (distance < own && distance <= 1.max(length.max(own) / 3)).then_some(candidate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn words_of_other_programs_are_known() {
+        let joints = ["clamp", "revolute", "slide", "prismatic"];
+        for (word, meant) in
+            [("fixed", "clamp"), ("Hinge", "revolute"), ("slider", "prismatic"), ("clmp", "clamp")]
+        {
+            assert_eq!(nearest(word, joints), Some(meant));
+        }
+        assert_eq!(nearest("nu", ["young", "poisson"]), Some("poisson"));
+        assert_eq!(nearest("radius", ["height"]), None);
+    }
 }

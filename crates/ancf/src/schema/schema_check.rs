@@ -223,8 +223,13 @@ impl SchemaCheck {
     fn wrong_type(&mut self, forms: &[&'static Json], value: &Value, path: &str) -> Value {
         let mut error = ModelError::new(path, found(value), wanted_of(forms));
         let is_list = |form: &&&Json| kind(form) == "array" && kind(&form["items"]) != "number";
-        error.hint =
-            forms.iter().find(is_list).filter(|_| value.is_table()).map(|_| format!("write `[[{path}]]`"));
+        let is_number = |form: &&'static Json| ["number", "integer"].contains(&kind(form));
+        let number_hint = value.as_str().filter(|_| forms.iter().any(is_number)).and_then(number_hint);
+        if number_hint.is_some() {
+            error.hint = number_hint.map(Into::into);
+        } else if forms.iter().any(|form| is_list(&form)) && value.is_table() {
+            error.hint = Some(format!("write `[[{path}]]`"));
+        }
         self.findings.push(error.into());
         self.replace(forms[0], path)
     }
@@ -246,6 +251,16 @@ impl SchemaCheck {
         error.hint = error.hint.filter(|hint| !hint.is_empty());
         self.findings.push(Finding { absence: true, ..error.into() });
     }
+}
+
+/// Hint for a number in a text, such as `1` or `1 s`.
+fn number_hint(text: &str) -> Option<&'static str> {
+    if text.trim().parse::<f64>().is_ok() {
+        return Some("write the number without quotes");
+    }
+    let digits = text.trim_start_matches(['+', '-', ' ']);
+    let is_quantity = digits.starts_with(|c: char| c.is_ascii_digit());
+    is_quantity.then_some("write the number alone; the key `units` of the model names the units")
 }
 
 /// True if all items are valid numbers. Long arrays are checked without a path for each item.

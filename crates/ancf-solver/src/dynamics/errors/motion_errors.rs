@@ -36,6 +36,8 @@ struct MeshErrors {
     count: u32,
     /// True if the last set was close to its extrapolation.
     is_smooth: bool,
+    /// False if a step of the errors had no solution.
+    is_known: bool,
     now: Vec<f64>,
 }
 
@@ -53,6 +55,7 @@ impl MotionErrors {
             forces: [zeros(), zeros()],
             count: 0,
             is_smooth: false,
+            is_known: true,
             now: zeros(),
         };
         Self {
@@ -75,7 +78,7 @@ impl MotionErrors {
 
     /// Errors of the mesh; `None` if they are not known or not included.
     pub fn of_mesh(&self) -> Option<&State> {
-        self.mesh.as_ref().filter(|_| self.is_known).map(|mesh| &mesh.motion.error)
+        self.mesh.as_ref().filter(|mesh| mesh.is_known).map(|mesh| &mesh.motion.error)
     }
 
     /// Returns true if forces of the mesh were set since the start or the last jump.
@@ -117,21 +120,20 @@ impl MotionErrors {
         newton: &mut Newton,
         (before, now): (&State, &State),
     ) {
-        if !self.is_known {
-            return;
-        }
         let h = now.t - before.t;
         let ratio = if self.h > 0.0 { h / self.h } else { 1.0 };
         self.h = h;
         self.quadrature.defect(before, now, &mut self.defect);
         eom.residual(now, &mut self.residual);
         let step = ComputedStep { h, ratio, now, residual: &self.residual, sizes: &self.sizes };
-        let of_step = ErrorSource::Step(&self.defect);
-        self.is_known = self.steps.advance(eom, newton, &step, &of_step, &mut self.moved);
-        if let Some(mesh) = &mut self.mesh {
+        if self.is_known {
+            let source = ErrorSource::Step(&self.defect);
+            self.is_known = self.steps.advance(eom, newton, &step, &source, &mut self.moved);
+        }
+        if let Some(mesh) = self.mesh.as_mut().filter(|mesh| mesh.is_known) {
             mesh.extrapolate(now.t);
-            let forces = ErrorSource::Forces(&mesh.now);
-            self.is_known &= mesh.motion.advance(eom, newton, &step, &forces, &mut self.moved);
+            let source = ErrorSource::Forces(&mesh.now);
+            mesh.is_known = mesh.motion.advance(eom, newton, &step, &source, &mut self.moved);
         }
     }
 

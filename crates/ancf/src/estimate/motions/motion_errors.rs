@@ -48,7 +48,7 @@ impl MotionErrors {
     /// steps and of the mesh. `None` without a probe that moves.
     pub fn worst(&self) -> Option<(&ProbeErrors, [f64; 2])> {
         let largest = self.probes.iter().map(|probe| probe.displacement).fold(0.0, f64::max);
-        let known = [self.are_steps_known, self.are_steps_known && self.is_mesh_known];
+        let known = [self.are_steps_known, self.is_mesh_known];
         let relative = |probe: &ProbeErrors| {
             let [steps, mesh] = [probe.steps, probe.mesh].map(|error| error / probe.displacement);
             [if known[0] { steps } else { 0.0 }, if known[1] { mesh } else { 0.0 }]
@@ -73,7 +73,7 @@ impl MotionErrors {
             "errors of `{}`, relative to its largest displacement: time steps {}, mesh {}; section law within {}",
             probe.probe,
             part(self.are_steps_known, false, steps),
-            part(self.is_mesh_known && self.are_steps_known, self.is_rough, mesh),
+            part(self.is_mesh_known, self.is_rough, mesh),
             percentage(self.law)
         )
     }

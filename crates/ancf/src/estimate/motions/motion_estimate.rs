@@ -154,6 +154,7 @@ impl<'a> MotionEstimate<'a> {
         let of_mesh = found.and_then(|found| found.of_mesh()).filter(|_| errors.is_mesh_known);
         let of_mesh = of_mesh.map(|error| values(Some(field), error));
         errors.are_steps_known &= of_steps.is_some();
+        errors.is_mesh_known &= of_mesh.is_some() || !has_mesh(self.assembly);
         let length = self.scales.unit(Dimension::LENGTH);
         let motions =
             self.assembly.recorded_quantities.iter().filter(|probe| probe.quantity == Quantity::Motion);

@@ -1,19 +1,28 @@
-//! `ancf check`: errors or diagnosis of a model file.
+//! `ancf check`: errors or diagnosis of model files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+use std::{fs, io, thread};
 
 use ancf::Model;
 use ancf::diagnosis::Diagnosis;
+use ancf::model::ModelErrors;
 use clap::Args;
 use serde::Serialize;
 
-use crate::terminal::{Ended, print, print_json, print_status, refuse};
+use crate::terminal::{
+    Ended, JsonErrors, print, print_error, print_json, print_model_errors, print_status, reject,
+};
 
 /// Arguments of `ancf check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// Model file (TOML).
-    file: PathBuf,
+    /// Model files (TOML); `-` is standard input.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Check again whenever a file changes, until Ctrl-C.
+    #[arg(long, conflicts_with = "json")]
+    watch: bool,
     /// Print one JSON object on standard output and nothing else.
     #[arg(long)]
     pub json: bool,
@@ -23,29 +32,146 @@ pub struct CheckArguments {
 pub const CHECK_EXAMPLES: &str = "\
 Examples:
   ancf check models/slider_crank.toml
+  ancf check models/*.toml                   errors and warnings of each file
+  ancf check --watch beam.toml               again after each change
+  cat beam.toml | ancf check -
   ancf check --json models/bow.toml          for editors and scripts
 
 Exit code 0 without errors, 2 with errors.";
 
-/// JSON output for a model without errors.
+/// Path of standard input, and its name in messages.
+const STANDARD_INPUT: &str = "-";
+const STDIN: &str = "<stdin>";
+/// Interval between two looks at the files.
+const WATCH: Duration = Duration::from_millis(300);
+
+/// A model without errors.
 #[derive(Serialize)]
 struct CheckedModel<'a> {
-    file: String,
+    file: &'a str,
     errors: [(); 0],
     diagnosis: &'a Diagnosis,
 }
 
+/// Result of a file as JSON.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum CheckedFile<'a> {
+    Valid(CheckedModel<'a>),
+    Invalid(JsonErrors),
+}
+
+/// JSON output for several files.
+#[derive(Serialize)]
+struct CheckedFiles<'a> {
+    files: Vec<CheckedFile<'a>>,
+}
+
+/// A model file with its text and the result of its check.
+struct Checked {
+    name: String,
+    text: String,
+    result: Result<Diagnosis, ModelErrors>,
+}
+
 impl CheckArguments {
-    /// Checks the model.
+    /// Checks the models.
     pub fn run(&self) -> Ended {
-        let diagnosis = match Model::read(&self.file).and_then(|model| model.diagnose()) {
-            Ok(diagnosis) => diagnosis,
-            Err(errors) => return refuse(&errors, &self.file),
-        };
-        let file = self.file.display().to_string();
-        print_status(&format!("{file}: no errors"));
-        print(&diagnosis.to_string());
-        print_json(&CheckedModel { file, errors: [], diagnosis: &diagnosis });
+        let standard_input = self.files.iter().filter(|file| is_standard_input(file)).count();
+        if standard_input > 1 || (standard_input == 1 && self.watch) {
+            return reject("standard input `-` can be read once");
+        }
+        loop {
+            let stamps = self.stamps();
+            let ended = self.check();
+            if !self.watch {
+                return ended;
+            }
+            print_status("waiting for changes; Ctrl-C ends");
+            while self.stamps() == stamps {
+                thread::sleep(WATCH);
+            }
+        }
+    }
+
+    /// Times of the last changes; `None` for a file that does not exist.
+    fn stamps(&self) -> Vec<Option<SystemTime>> {
+        self.files.iter().map(|file| fs::metadata(file).and_then(|file| file.modified()).ok()).collect()
+    }
+
+    fn check(&self) -> Ended {
+        let checked: Vec<Checked> = self.files.iter().map(|file| Checked::new(file)).collect();
+        match checked.as_slice() {
+            [one] => one.report(),
+            several => several.iter().for_each(Checked::report_briefly),
+        }
+        let mut json: Vec<CheckedFile<'_>> = checked.iter().map(Checked::json).collect();
+        match json.pop() {
+            Some(one) if json.is_empty() => print_json(&one),
+            last => {
+                json.extend(last);
+                print_json(&CheckedFiles { files: json });
+            }
+        }
+        let (count, invalid) = (checked.len(), checked.iter().filter(|one| one.result.is_err()).count());
+        if invalid > 0 {
+            if count > 1 {
+                print_error(&format!("error: {invalid} of {count} files have errors"));
+            }
+            return Ended::BadInput;
+        }
+        if count > 1 {
+            print_status(&format!("done: {count} files without errors"));
+        }
         Ended::Done
+    }
+}
+
+fn is_standard_input(file: &Path) -> bool {
+    file.as_os_str() == STANDARD_INPUT
+}
+
+impl Checked {
+    fn new(file: &Path) -> Self {
+        let (name, read) = if is_standard_input(file) {
+            (STDIN.to_owned(), Model::read_text_from(io::stdin()))
+        } else {
+            (file.display().to_string(), Model::read_text(file))
+        };
+        let result = read.as_ref().map_err(Clone::clone).and_then(|text| Model::parse(text)?.diagnose());
+        Self { name, text: read.unwrap_or_default(), result }
+    }
+
+    /// Reports the errors or the diagnosis.
+    fn report(&self) {
+        let Self { name, text, result } = self;
+        match result {
+            Ok(diagnosis) => {
+                print(&diagnosis.to_string());
+                let next = if name == STDIN { String::new() } else { format!("; next: ancf run {name}") };
+                print_status(&format!("done: {name} has no errors{next}"));
+            }
+            Err(errors) => print_model_errors(errors, name, text),
+        }
+    }
+
+    /// Reports the errors or the warnings, as one of several files.
+    fn report_briefly(&self) {
+        let Self { name, text, result } = self;
+        match result {
+            Ok(Diagnosis { warnings, .. }) => {
+                print(&format!("{name}: no errors\n"));
+                warnings.iter().for_each(|warning| print(&format!("{name}: warning: {warning}\n")));
+            }
+            Err(errors) => print_model_errors(errors, name, text),
+        }
+    }
+
+    fn json(&self) -> CheckedFile<'_> {
+        let Self { name, result, .. } = self;
+        match result {
+            Ok(diagnosis) => CheckedFile::Valid(CheckedModel { file: name, errors: [], diagnosis }),
+            Err(errors) => CheckedFile::Invalid(JsonErrors::from_errors(errors, name)),
+        }
     }
 }

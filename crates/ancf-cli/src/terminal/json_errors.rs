@@ -1,7 +1,5 @@
 //! Errors as JSON.
 
-use std::path::Path;
-
 use ancf::ModelError;
 use serde::Serialize;
 
@@ -34,14 +32,14 @@ struct JsonError {
 
 impl JsonErrors {
     /// Converts the errors of a file.
-    pub fn from_errors(errors: &[ModelError], file: &Path) -> Self {
+    pub fn from_errors(errors: &[ModelError], file: &str) -> Self {
         let convert = |error: &ModelError| JsonError {
-            file: Some(file.display().to_string()),
+            file: Some(file.to_owned()),
             line: error.at.as_ref().map(|at| at.line),
             column: error.at.as_ref().map(|at| at.column),
             path: Some(error.path.clone()).filter(|path| !path.is_empty()),
             found: Some(error.found.clone()),
-            wanted: Some(error.wanted.clone()),
+            wanted: Some(error.wanted.clone()).filter(|wanted| !wanted.is_empty()),
             hint: error.hint.clone(),
             message: error.to_string(),
         };

@@ -46,6 +46,10 @@ fn snippets(errors: &[ModelError], file: &str, text: &str, is_coloured: bool) ->
 /// Returns an error as a report: the value found as title, the value required at its place, the hint below.
 fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> {
     let path = if error.path.is_empty() { file } else { &error.path };
+    let hint = error.hint.iter().map(|hint| Level::HELP.message(hint.as_str()));
+    if error.wanted.is_empty() {
+        return Level::ERROR.primary_title(format!("{path}: {}", error.found)).elements(hint);
+    }
     let title = Level::ERROR.primary_title(format!("{path}: found {}", error.found));
     let wanted = format!("wanted {}", error.wanted);
     // Positions refer to the file as it was read, which may have changed.
@@ -55,7 +59,6 @@ fn report<'a>(error: &'a ModelError, file: &'a str, text: &'a str) -> Group<'a> 
         .map(|at| at.bytes.clone())
         .filter(|place| !text.is_empty() && text.get(place.clone()).is_some());
     let Some(place) = place else {
-        let hint = error.hint.iter().map(|hint| Level::HELP.message(hint.as_str()));
         return title.element(Level::HELP.message(wanted)).elements(hint);
     };
     let is_short = wanted.chars().count() <= LABEL_LENGTH;
@@ -111,12 +114,12 @@ mod tests {
     /// An error without a place, and one whose place is not in the text.
     #[test]
     fn errors_without_a_place_have_no_source_line() {
-        let missing = ModelError::new("", "no such file", "a model file").hint("a hint");
+        let missing = ModelError::new("", "no such file", "").hint("a hint");
         let mut errors = Model::parse("gravity = 3").expect_err("no model").0;
         errors.insert(0, missing);
         let shown = snippets(&errors, "a.toml", "", false);
-        assert!(shown.contains("error: a.toml: found no such file"), "{shown}");
-        assert!(shown.contains("wanted a model file") && shown.contains("a hint"), "{shown}");
+        assert!(shown.contains("error: a.toml: no such file"), "{shown}");
+        assert!(shown.contains("a hint"), "{shown}");
         assert!(!shown.contains("a.toml:1:"), "{shown}");
     }
 }

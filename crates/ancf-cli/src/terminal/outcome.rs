@@ -24,11 +24,15 @@ pub enum Ended {
 
 /// Reports the errors of a file.
 pub fn refuse(errors: &[ModelError], file: &Path) -> Ended {
-    let text = fs::read(file).unwrap_or_default();
-    let text = String::from_utf8_lossy(&text);
-    print_error(model_errors::render(errors, &file.display().to_string(), &text).trim_end());
-    print_json(&JsonErrors::from_errors(errors, file));
+    let (name, text) = (file.display().to_string(), fs::read(file).unwrap_or_default());
+    print_model_errors(errors, &name, &String::from_utf8_lossy(&text));
+    print_json(&JsonErrors::from_errors(errors, &name));
     Ended::BadInput
+}
+
+/// Prints the errors of a text, with the name of its file, on standard error.
+pub fn print_model_errors(errors: &[ModelError], name: &str, text: &str) {
+    print_error(model_errors::render(errors, name, text).trim_end());
 }
 
 /// Reports an error of the arguments.

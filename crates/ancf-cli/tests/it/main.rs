@@ -1,6 +1,7 @@
 //! Integration tests of the program `ancf`: commands, files, messages, exit codes.
 #![cfg(test)]
 
+mod checks;
 mod damage;
 mod estimates;
 mod folder;

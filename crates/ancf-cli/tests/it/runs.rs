@@ -171,54 +171,6 @@ fn external_functions_are_rejected() {
     assert_eq!(command(&["scaled", file]).output().unwrap().status.code(), Some(0));
 }
 
-/// Diagnosis of a model: bodies, joints, degrees of freedom. A redundant constraint is a warning.
-#[test]
-fn a_model_is_diagnosed() {
-    let folder = RunFolder::new();
-    let second =
-        "[[joints]]\nkind = \"spherical\"\nname = \"again\"\na = { body = \"beam\", at = 0.0 }\n\n[[probes]]";
-    let model = folder.cantilever("[[probes]]", second);
-    let check = command(&["check", &model]).output().unwrap();
-    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
-    assert!(stderr(&check).ends_with("model.toml: no errors\n"), "{}", stderr(&check));
-    let printed = String::from_utf8(check.stdout).unwrap();
-    for line in [
-        "bodies:    1 beam\n",
-        "joints:    1 clamp, 1 spherical\n",
-        "loads:     1 gravity\n",
-        "equations: 252 coordinates, 15 constraints, 3 of them redundant\n",
-        "mobility:  -3 by Grübler's formula, rigid bodies\n",
-        "           0 by rank, rigid bodies\n",
-        "           240 by rank, deformable bodies\n",
-        "warning:   redundant: joint `again`: position along y, follows from joint `root`; they share the constraint force\n",
-    ] {
-        assert!(printed.contains(&line.replace("1 gravity", "gravity")), "{line} is not in\n{printed}");
-    }
-}
-
-/// Gaps are rejected, or closed if the model requests it.
-#[test]
-fn gaps_are_reported_or_closed() {
-    let folder = RunFolder::new();
-    let clamp = "b = { point = [0.0, 0.01, 0.0] }\nname = \"root\"";
-    let open = folder.cantilever("name = \"root\"", clamp);
-    let check = command(&["check", &open]).output().unwrap();
-    assert_eq!(check.status.code(), Some(2));
-    let messages = stderr(&check);
-    assert!(
-        messages.contains("found a point that is 0.01 away from `a`")
-            && messages.contains("`assemble = true`"),
-        "{messages}"
-    );
-    let text = fs::read_to_string(&open).unwrap();
-    fs::write(&open, format!("assemble = true\n{text}")).unwrap();
-    let check = command(&["check", &open]).output().unwrap();
-    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
-    let printed = String::from_utf8(check.stdout).unwrap();
-    assert!(printed.contains("closed:    gap of joint `root`, 0.01\n"), "{printed}");
-    assert!(printed.contains("moved:     body `beam`, by up to 0.01\n"), "{printed}");
-}
-
 /// Failed analysis: exit code 1, message with time, reason and location, results so far.
 #[test]
 fn a_failed_analysis_keeps_its_results() {

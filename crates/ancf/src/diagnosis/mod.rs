@@ -1,15 +1,16 @@
-//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking, clamps at corners.
+//! Diagnosis of a model: degrees of freedom, redundant constraints, free motions, locking, clamps at corners, numbers in mixed units.
 
+mod connections;
 mod corners;
 mod free_motion;
 mod locking;
 mod mechanism;
+mod plausibility;
 mod summary;
 mod time_resolution;
+mod warnings;
 
-pub(crate) use corners::corner_warnings;
 pub(crate) use free_motion::MAX_LISTED;
 pub use free_motion::{FreeMotion, RigidMotion};
-pub(crate) use locking::locking_warnings;
 pub use summary::Diagnosis;
-pub(crate) use time_resolution::time_warnings;
+pub(crate) use warnings::model_warnings;

@@ -5,14 +5,13 @@ use ancf_solver::dynamics::consistent_velocities;
 use ancf_solver::equations::{EquationsOfMotion, State};
 use serde::Serialize;
 
-use super::corners::corner_warnings;
+use super::connections::Connections;
 use super::free_motion::{FreeMotion, MAX_LISTED, number};
-use super::locking::locking_warnings;
-use super::time_resolution::time_warnings;
+use super::warnings::model_warnings;
 use crate::assembly::{Assembly, Redundant};
 use crate::errors::ModelErrors;
-use crate::joints::{End, Joint};
-use crate::model::{Body, IndexedModel, Model};
+use crate::joints::Joint;
+use crate::model::{Body, Model};
 
 /// Contents of a model, constraints of its joints, and free motions. Lengths in the user's units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,12 +47,8 @@ pub struct Diagnosis {
     /// Kinetic energy of the change from the stated initial velocities to those that satisfy the constraints, relative to the
     /// kinetic energy of the stated velocities. `None` without initial velocities.
     pub projection: Option<f64>,
-    /// Beams whose formulation is known to lock, with the size of the error.
-    pub locking: Vec<String>,
-    /// Clamps that equate strains of sections at an angle.
-    pub corners: Vec<String>,
-    /// Functions of time that vary between the ends of steps of a fixed size.
-    pub unresolved: Vec<String>,
+    /// Warnings of redundant constraints, corrected velocities, locking, numbers in mixed units, bodies that fall, and so on.
+    pub warnings: Vec<String>,
 }
 
 /// Tolerance of the relative change of initial velocities.
@@ -75,7 +70,11 @@ impl Model {
         let motions = assembly.free_motions(&State { load, ..assembly.rest() });
         let text = |motion: FreeMotion| motion.scaled(scales.length).to_string();
         let all_redundant = assembly.rank_deficiency();
-        let (unconnected, unreached) = self.bodies_without_ground();
+        let connections = Connections::new(self);
+        let projection = if dynamic { assembly.projection(&model) } else { None };
+        let mut warnings: Vec<String> = assembly.redundant().iter().map(redundant_warning).collect();
+        warnings.extend(projection.and_then(projection_warning));
+        warnings.extend(model_warnings(self));
         let lengths = |of: &[(String, f64)]| {
             of.iter().map(|(name, x)| (name.clone(), x * scales.length)).collect::<Vec<_>>()
         };
@@ -90,14 +89,12 @@ impl Model {
             freedoms: (system.coordinates() + all_redundant).saturating_sub(system.multipliers()),
             gruebler: self.gruebler(),
             motions: motions.map(|motions| motions.into_iter().map(text).collect()),
-            unconnected,
-            unreached,
+            unconnected: connections.unconnected(),
+            unreached: connections.unreached(),
             gaps: closed.map(|closed| lengths(&closed.gaps)).unwrap_or_default(),
             moved: closed.map(|closed| lengths(&closed.moved)).unwrap_or_default(),
-            projection: if dynamic { assembly.projection(&model) } else { None },
-            locking: locking_warnings(self),
-            corners: corner_warnings(self),
-            unresolved: time_warnings(self, 1.0),
+            projection,
+            warnings,
         })
     }
 
@@ -112,33 +109,6 @@ impl Model {
         let constrained = self.joints.iter().map(removed).sum::<usize>() + self.couplings.len();
         let free = self.bodies.iter().map(|body| if matches!(body, Body::Mass(_)) { 3 } else { 6 });
         free.sum::<isize>() - constrained as isize
-    }
-
-    /// Bodies without joints, and bodies with joints that do not connect them to the ground.
-    fn bodies_without_ground(&self) -> (Vec<String>, Vec<String>) {
-        let indexed = IndexedModel::new(self);
-        let index = |name: &str| indexed.body_number(name);
-        let ground = self.bodies.len();
-        let mut neighbours = vec![Vec::new(); ground + 1];
-        for joint in &self.joints {
-            let (a, b) = joint.ends();
-            let b = if let End::Place(b) = b { index(&b.body) } else { Some(ground) };
-            if let (Some(a), Some(b)) = (index(&a.body), b) {
-                neighbours[a].push(b);
-                neighbours[b].push(a);
-            }
-        }
-        let (mut reached, mut open) = (vec![false; ground + 1], vec![ground]);
-        while let Some(at) = open.pop() {
-            if !std::mem::replace(&mut reached[at], true) {
-                open.extend(&neighbours[at]);
-            }
-        }
-        let names = |of: &dyn Fn(usize) -> bool| {
-            (0..ground).filter(|&b| of(b)).map(|b| self.bodies[b].name().to_owned()).collect()
-        };
-        let alone = |b: usize| neighbours[b].is_empty();
-        (names(&alone), names(&|b| !reached[b] && !alone(b)))
     }
 }
 
@@ -202,22 +172,40 @@ fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
+fn redundant_warning(one: &Redundant) -> String {
+    format!("redundant: {one}; they share the constraint force")
+}
+
+fn projection_warning(change: f64) -> Option<String> {
+    (change > PROJECTION_TOLERANCE).then(|| {
+        let percent = number(100.0 * change);
+        format!(
+            "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
+        )
+    })
+}
+
 impl Diagnosis {
-    /// Warnings, one sentence each.
-    pub fn warnings(&self) -> Vec<String> {
-        let mut warnings: Vec<String> = self
-            .redundant
-            .iter()
-            .map(|one| format!("redundant: {one}; they share the constraint force"))
-            .collect();
-        if let Some(change) = self.projection.filter(|change| *change > PROJECTION_TOLERANCE) {
-            let percent = number(100.0 * change);
-            warnings.push(format!(
-                "initial velocities violate constraints of joints: their correction has {percent} % of the kinetic energy"
-            ));
-        }
-        warnings.extend(self.locking.iter().chain(&self.corners).chain(&self.unresolved).cloned());
-        warnings
+    /// Mobility as text, with the meaning of each number.
+    fn mobility(&self) -> String {
+        let Self { gruebler, motions, freedoms, .. } = self;
+        let rank = motions.as_ref().map(Vec::len);
+        let difference = rank.map_or(0, |rank| rank as isize - gruebler);
+        let redundant = match difference {
+            1 => "; 1 constraint is redundant for rigid bodies".to_owned(),
+            2.. => format!("; {difference} constraints are redundant for rigid bodies"),
+            _ => String::new(),
+        };
+        let free = match rank {
+            Some(1) => "1 free motion".to_owned(),
+            Some(rank) => format!("{rank} free motions"),
+            None => "unknown number of free motions".to_owned(),
+        };
+        format!(
+            "mobility:  {gruebler} by Grübler's formula for rigid bodies, which counts every joint\n           \
+             {free} of the bodies if they are rigid, by the rank of the constraints{redundant}\n           \
+             {freedoms} degrees of freedom with the deformation of the bodies\n"
+        )
     }
 }
 
@@ -226,18 +214,13 @@ impl fmt::Display for Diagnosis {
         writeln!(f, "bodies:    {}", counted(&self.bodies))?;
         writeln!(f, "joints:    {}", counted(&self.joints))?;
         writeln!(f, "loads:     {}", counted(&self.loads))?;
-        let Self { coordinates, equations, freedoms, gruebler, .. } = self;
+        let Self { coordinates, equations, .. } = self;
         let redundant = self.redundant.len();
         writeln!(
             f,
             "equations: {coordinates} coordinates, {equations} constraints, {redundant} of them redundant"
         )?;
-        writeln!(f, "mobility:  {gruebler} by Grübler's formula, rigid bodies")?;
-        match &self.motions {
-            Some(motions) => writeln!(f, "           {} by rank, rigid bodies", motions.len())?,
-            None => writeln!(f, "           not determined by rank, rigid bodies: too many free motions")?,
-        }
-        writeln!(f, "           {freedoms} by rank, deformable bodies")?;
+        write!(f, "{}", self.mobility())?;
         let motions = self.motions.as_deref().unwrap_or_default();
         for motion in motions.iter().take(MAX_LISTED) {
             writeln!(f, "free:      {motion}")?;
@@ -261,6 +244,6 @@ impl fmt::Display for Diagnosis {
         for (body, by) in &self.moved {
             writeln!(f, "moved:     body `{body}`, by up to {}", number(*by))?;
         }
-        self.warnings().iter().try_for_each(|warning| writeln!(f, "warning:   {warning}"))
+        self.warnings.iter().try_for_each(|warning| writeln!(f, "warning:   {warning}"))
     }
 }

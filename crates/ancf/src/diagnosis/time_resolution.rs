@@ -4,8 +4,8 @@ use crate::model::{Model, TimeMode};
 /// Describes functions of time that steps of a fixed size do not resolve, one sentence each.
 ///
 /// Such steps evaluate a function at their ends only. A pulse between the ends has no effect, and a vibration appears with
-/// another period. `unit` is the unit of time of the model.
-pub(crate) fn time_warnings(model: &Model, unit: f64) -> Vec<String> {
+/// another period.
+pub(crate) fn time_warnings(model: &Model) -> Vec<String> {
     let Some((settings, step)) =
         model.analysis.dynamics().and_then(|own| own.step.fixed().map(|step| (own, step)))
     else {
@@ -14,7 +14,7 @@ pub(crate) fn time_warnings(model: &Model, unit: f64) -> Vec<String> {
     let functions = model.time_functions().into_iter();
     let warning = |(path, time)| {
         let variation = TimeMode::AsGiven.function(time).unresolved_variation(settings.duration, step)?;
-        let [at, width, step] = [variation.at, variation.width, step].map(|time| number(time * unit));
+        let [at, width, step] = [variation.at, variation.width, step].map(number);
         Some(format!(
             "`{path}` changes by {} within {width} at t = {at}, between the ends of a step of {step}: its effect is lost or \
              wrong; use smaller steps, or `step = {{ tolerance = ... }}`",

@@ -11,7 +11,7 @@ pub struct ModelError {
     pub path: String,
     /// Value or problem that was found.
     pub found: String,
-    /// Expected value.
+    /// Expected value; empty if `found` is a complete message.
     pub wanted: String,
     /// Suggestion, such as the corrected key.
     pub hint: Option<String>,
@@ -52,7 +52,10 @@ impl fmt::Display for ModelError {
         if !self.path.is_empty() {
             write!(f, "{}: ", self.path)?;
         }
-        write!(f, "found {}, wanted {}", self.found, self.wanted)?;
+        match self.wanted.as_str() {
+            "" => f.write_str(&self.found)?,
+            wanted => write!(f, "found {}, wanted {wanted}", self.found)?,
+        }
         if let Some(hint) = &self.hint {
             write!(f, " ({hint})")?;
         }

@@ -28,7 +28,19 @@ impl Model {
     /// # Errors
     /// The reason why the file cannot be read.
     pub fn read_text(path: impl AsRef<Path>) -> Result<String, ModelErrors> {
-        let bytes = bytes_of(path.as_ref()).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        let file = fs::File::open(path).map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
+        Self::read_text_from(file)
+    }
+
+    /// Reads the text of a model from a stream, such as standard input.
+    ///
+    /// # Errors
+    /// The reason why the text cannot be read.
+    pub fn read_text_from(stream: impl Read) -> Result<String, ModelErrors> {
+        // At most one byte more than the maximum size, since a pipe may be endless.
+        let mut bytes = Vec::new();
+        let read = stream.take(MAX_BYTES + 1).read_to_end(&mut bytes);
+        read.map_err(|error| ModelErrors(vec![unreadable(&error)]))?;
         if bytes.len() as u64 > MAX_BYTES {
             return Err(ModelErrors(vec![too_large()]));
         }
@@ -96,13 +108,6 @@ fn located(finding: Finding, document: &Document, text: &str) -> ModelError {
     ModelError { at: Some(position(text, bytes)), ..finding.error }
 }
 
-/// Reads the bytes of a file, at most one byte more than the maximum size, since a pipe may be endless.
-fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    fs::File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
 fn too_large() -> ModelError {
     let (found, wanted) = ("more than 100 MB", "a model file of at most 100 MB");
     ModelError::new("", found, wanted)
@@ -112,11 +117,11 @@ fn too_large() -> ModelError {
 fn unreadable(error: &io::Error) -> ModelError {
     let found = match error.kind() {
         ErrorKind::NotFound => "no such file".into(),
-        ErrorKind::IsADirectory => "a directory".into(),
-        ErrorKind::PermissionDenied => "a file without read permission".into(),
+        ErrorKind::IsADirectory => "a directory, not a model file".into(),
+        ErrorKind::PermissionDenied => "no read permission".into(),
         _ => error.to_string(),
     };
-    ModelError::new("", found, "a model file")
+    ModelError::new("", found, "")
 }
 
 fn not_utf8(bytes: &[u8]) -> ModelError {

@@ -8,7 +8,6 @@ use super::run::{AnalysisRun, RunResult};
 use super::simulation::Simulation;
 use super::summary::Summary;
 use super::{dynamics, eigen, equilibria};
-use crate::diagnosis::{corner_warnings, locking_warnings, time_warnings};
 use crate::failure::{EquilibriumStability, StabilityMonitor};
 use crate::model::{Analysis, Model};
 use crate::record::Sink;
@@ -70,9 +69,7 @@ impl Simulation {
     fn begin<'a>(&'a self, observer: &'a mut dyn Observer) -> AnalysisRun<'a> {
         let Self { chosen, assembly, interrupt, .. } = self;
         let mut summary = Summary::new(assembly, chosen.clone());
-        summary.warnings = locking_warnings(&self.scaled);
-        summary.warnings.extend(corner_warnings(&self.scaled));
-        summary.warnings.extend(time_warnings(&self.scaled, summary.scales.time));
+        summary.warnings = self.warnings.clone();
         let (monitor, stability) = (StabilityMonitor::new(&self.scaled), EquilibriumStability::default());
         AnalysisRun { summary, assembly, interrupt, observer, monitor, stability }
     }

@@ -1,6 +1,7 @@
 use ancf_solver::newton::Interrupt;
 
 use crate::assembly::Assembly;
+use crate::diagnosis::model_warnings;
 use crate::errors::{ModelError, ModelErrors, quoted};
 use crate::joints::{CustomJoint, Joint, JointKind};
 use crate::loads::{CustomLoad, Load, LoadKind};
@@ -14,6 +15,8 @@ pub struct Simulation {
     pub(crate) chosen: ChosenScales,
     pub(crate) assembly: Assembly,
     pub(crate) interrupt: Interrupt,
+    /// Warnings that follow from the model.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Simulation {
@@ -31,7 +34,8 @@ impl Simulation {
         if !repeated.is_empty() {
             return Err(ModelErrors(repeated));
         }
-        Ok(Self { scaled, chosen, assembly, interrupt: Interrupt::default() })
+        let (interrupt, warnings) = (Interrupt::default(), model_warnings(model));
+        Ok(Self { scaled, chosen, assembly, interrupt, warnings })
     }
 
     /// Sets the interrupt flag that stops a run. Its outcome is then [`Outcome::Stopped`](crate::Outcome::Stopped).

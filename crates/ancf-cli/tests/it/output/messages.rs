@@ -45,14 +45,14 @@ fn colours_follow_options_and_variables() {
 fn rejected_commands_print_one_line() {
     let folder = TestFolder::with_run("statics");
     let cases: [(&[&str], i32, &str); 8] = [
-        (&["run", "no.toml", "-o", "x"], 2, "no.toml: found no such file, wanted a model file\n"),
-        (&["run", "out", "-o", "x"], 2, "out: found a directory, wanted a model file\n"),
+        (&["run", "no.toml", "-o", "x"], 2, "no.toml: no such file\n"),
+        (&["run", "out", "-o", "x"], 2, "out: a directory, not a model file\n"),
         (
             &["run", "model.toml", "-o", "model.toml"],
             2,
             "error: model.toml is a file, expected a folder for the results\n",
         ),
-        (&["check", "no.toml"], 2, "no.toml: found no such file, wanted a model file\n"),
+        (&["check", "no.toml"], 2, "no.toml: no such file\n"),
         (&["resume", "nowhere"], 2, "error: nowhere holds no run: there is no model.toml\n"),
         (&["resume", "."], 2, "error: . holds no run: there is a model.toml and no results\n"),
         (&["resume", "out"], 0, "out is finished: there is nothing to do\n"),

@@ -109,7 +109,7 @@ fn impulse_at_a_joint_obeys_carnots_theorem() {
     assert!((reported - lost / kinetic(&start)).abs() < 1e-12 && reported > 0.01, "{reported}");
     let free = weightless(moving(rod::free(4), motion)).diagnose().unwrap();
     assert_eq!(free.projection, Some(0.0));
-    assert!(!free.warnings().iter().any(|warning| warning.contains("velocities")), "{:?}", free.warnings());
+    assert!(!free.warnings.iter().any(|warning| warning.contains("velocities")), "{:?}", free.warnings);
 }
 
 /// Consistent velocities are unchanged.

@@ -155,7 +155,7 @@ fn pulses_of_external_functions_are_found() {
 fn fixed_steps_that_miss_a_pulse_are_reported() {
     let warnings = |time: &str, step: &str| {
         let text = pushed(3.0, time, 2.0, step);
-        let found = Model::parse(&text).unwrap().diagnose().unwrap().warnings();
+        let found = Model::parse(&text).unwrap().diagnose().unwrap().warnings;
         let (summary, _) = run(&text);
         assert_eq!(found, summary.warnings[..found.len()]);
         found

@@ -32,9 +32,9 @@ fn diagnosis_of_a_pendulum_counts_bodies_and_mobility() {
          joints:    1 revolute\n\
          loads:     gravity\n\
          equations: 36 coordinates, 5 constraints, 0 of them redundant\n\
-         mobility:  1 by Grübler's formula, rigid bodies\n           \
-         1 by rank, rigid bodies\n           \
-         31 by rank, deformable bodies\n\
+         mobility:  1 by Grübler's formula for rigid bodies, which counts every joint\n           \
+         1 free motion of the bodies if they are rigid, by the rank of the constraints\n           \
+         31 degrees of freedom with the deformation of the bodies\n\
          free:      body `rod` can rotate about the axis through (0, 0, 0) along z\n\
          warning:   beam `rod`, formulation \"continuum\": deflections are about 8.333 % too small with 2 elements (shear locking); \
          \"linked\" and \"quadratic\" have no such error\n"
@@ -50,7 +50,7 @@ fn locking_is_reported_with_its_size() {
         rod::beam(&mut model).formulation = formulation;
         rod::material(&mut model).poisson = poisson;
         model.sections.insert("circle".into(), section);
-        model.diagnose().unwrap().warnings().join(" ")
+        model.diagnose().unwrap().warnings.join(" ")
     };
     let (round, square) = (Section::circle(0.02), Section::rectangle(0.02, 0.02));
     let text = warnings(Formulation::Continuum, 0.3, square.clone(), 3);

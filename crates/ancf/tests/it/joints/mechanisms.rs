@@ -228,7 +228,7 @@ fn free_motions_of_long_chains_are_not_determined() {
     assert!(short.to_string().contains("and 73 more free motions"), "{short}");
     let long = model(1200).diagnose().unwrap();
     assert_eq!((long.motions.is_some(), long.freedoms), (false, 3 * 1200 + 3));
-    assert!(long.to_string().contains("not determined by rank, rigid bodies: too many free motions"));
+    assert!(long.to_string().contains("unknown number of free motions"));
 }
 
 /// The search for free motions is linear in the number of free bodies.

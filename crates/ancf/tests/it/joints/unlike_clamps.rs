@@ -116,7 +116,7 @@ fn all_gradients_at_corners_give_a_warning() {
             analysis = {{ kind = \"statics\" }}"
         ))
     };
-    let warnings = |model: &Model| model.diagnose().unwrap().warnings();
+    let warnings = |model: &Model| model.diagnose().unwrap().warnings;
     let found = warnings(&with(", fix = \"all\"", false));
     assert!(
         found.len() == 1 && found[0].contains("`corner`") && found[0].contains("\"section\""),

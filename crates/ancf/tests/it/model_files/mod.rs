@@ -4,4 +4,5 @@ mod corpus;
 mod docs;
 mod models;
 mod parts;
+mod plausibility;
 mod substitution;

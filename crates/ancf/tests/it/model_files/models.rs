@@ -69,8 +69,8 @@ fn invalid_models_are_rejected_with_their_messages() {
 #[test]
 fn unreadable_files_are_reported() {
     let messages = |path: &Path| texts(&Model::read(path).expect_err("this is no model"));
-    assert_eq!(messages(&folder("no.toml")), ["found no such file, wanted a model file"]);
-    assert_eq!(messages(&folder("good")), ["found a directory, wanted a model file"]);
+    assert_eq!(messages(&folder("no.toml")), ["no such file"]);
+    assert_eq!(messages(&folder("good")), ["a directory, not a model file"]);
     assert_eq!(Model::parse("").expect_err("this is no model").len(), 2, "one error per required key");
 }
 

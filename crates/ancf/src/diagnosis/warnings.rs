@@ -1,0 +1,16 @@
+use super::connections::Connections;
+use super::corners::corner_warnings;
+use super::locking::locking_warnings;
+use super::plausibility::unit_warnings;
+use super::time_resolution::time_warnings;
+use crate::model::Model;
+
+/// Warnings that follow from a valid model without its analysis, one sentence each.
+pub(crate) fn model_warnings(model: &Model) -> Vec<String> {
+    let mut warnings = unit_warnings(model);
+    warnings.extend(Connections::new(model).falling());
+    warnings.extend(locking_warnings(model));
+    warnings.extend(corner_warnings(model));
+    warnings.extend(time_warnings(model));
+    warnings
+}

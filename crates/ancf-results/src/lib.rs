@@ -33,4 +33,4 @@ mod table;
 
 pub use folder::{Folder, SummaryFile, write_atomically};
 pub use read::{KILLED, OpenError, Results, RunStatus, StoredState};
-pub use record::{CheckpointError, CheckpointInterval, Recorder};
+pub use record::{CheckpointError, CheckpointInterval, ExpectedSize, Recorder};

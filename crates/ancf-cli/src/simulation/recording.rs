@@ -14,7 +14,7 @@ use anyhow::Result;
 use serde::Serialize;
 
 use super::run_summary::RunSummary;
-use crate::terminal::{Ended, RunProgress, is_quiet, print, print_error, print_json, print_status, reject};
+use crate::terminal::{Ended, RunProgress, print, print_error, print_json, print_status, reject};
 
 /// Parses the interval of checkpoints: `1000` steps, or `10min`.
 pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {
@@ -26,6 +26,9 @@ pub fn checkpoint_interval(text: &str) -> Result<CheckpointInterval, String> {
     }
 }
 
+/// Size of result files in bytes above which a run announces it.
+const LARGE: f64 = 50e6;
+
 /// Runs and records a simulation, and reports its outcome.
 pub fn record(
     model: &Model,
@@ -33,10 +36,11 @@ pub fn record(
     run: impl FnOnce(&mut dyn Observer) -> Result<Summary, ancf::Error>,
 ) -> Result<Ended> {
     let clock = Instant::now();
-    let progress = match model.analysis.dynamics() {
-        Some(settings) if !is_quiet() => RunProgress::until(settings.duration),
-        _ => RunProgress::hidden(),
-    };
+    let progress = RunProgress::of(model);
+    let size = recorder.expected_size(model);
+    if size.total() > LARGE {
+        print_error(&format!("warning: {size}"));
+    }
     let values = RunSummary::new(&model.analysis);
     let mut observer = RunObserver { recorder, values, progress, is_begun: false };
     let summary = run(&mut observer);

@@ -19,7 +19,7 @@ pub use numbers::count;
 pub use outcome::reject_figures;
 pub use outcome::{Ended, print_model_errors, refuse, reject};
 pub use output_mode::{
-    OutputMode, is_quiet, print, print_error, print_json, print_output, print_status, set_output_mode,
+    OutputMode, print, print_error, print_json, print_output, print_status, set_output_mode,
 };
 #[cfg(feature = "figures")]
 pub use progress::spinner;

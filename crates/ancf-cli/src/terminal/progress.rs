@@ -2,18 +2,27 @@
 
 use std::io;
 use std::ops::ControlFlow;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use ancf::Model;
 use ancf::record::Sink;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::output_mode::is_quiet;
 
-/// Progress bar of a motion: time and Newton iterations of the last step.
+/// Progress bar of a motion: time, step size, Newton iterations of the last step, steps per second, remaining time.
 pub struct RunProgress {
     bar: ProgressBar,
     duration: f64,
+    /// True if each row is a step.
+    has_steps: bool,
     iterations: Option<usize>,
+    /// Time of the last row.
+    time: f64,
+    /// Number of rows.
+    rows: u64,
+    begun: Instant,
+    shown: Instant,
 }
 
 /// Creates a bar of `count` cases. It is hidden in quiet mode and without a terminal.
@@ -44,25 +53,54 @@ fn bar(length: u64, template: &str) -> ProgressBar {
 
 /// Interval between two redraws of a spinner or a clock.
 const TICK: Duration = Duration::from_millis(200);
+/// Interval between two messages of a run.
+const REDRAW: Duration = Duration::from_millis(100);
 /// Resolution of the bar.
 const TICKS: u64 = 1000;
 
 impl RunProgress {
-    /// Creates a bar up to time `duration`. It is hidden without a terminal.
-    pub fn until(duration: f64) -> Self {
-        let bar = bar(TICKS, "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}]");
-        Self { bar, duration, iterations: None }
+    /// Creates a bar of a motion. It is hidden without a terminal.
+    pub fn of(model: &Model) -> Self {
+        let Some(settings) = model.analysis.dynamics().filter(|_| !is_quiet()) else {
+            return Self::with(ProgressBar::hidden(), 1.0, false);
+        };
+        let bar = bar(TICKS, "{bar:30} {percent:>3} %  {msg}  [{elapsed_precise}, {eta} left]");
+        Self::with(bar, settings.duration, model.output.interval.is_none())
     }
 
-    /// Creates a hidden bar.
-    pub fn hidden() -> Self {
-        Self { bar: ProgressBar::hidden(), duration: 1.0, iterations: None }
+    fn with(bar: ProgressBar, duration: f64, has_steps: bool) -> Self {
+        let now = Instant::now();
+        Self { bar, duration, has_steps, iterations: None, time: 0.0, rows: 0, begun: now, shown: now }
+    }
+
+    /// Message of a row at time `t`.
+    fn message(&self, t: f64, iterations: f64) -> String {
+        if !self.has_steps {
+            return format!("t = {}, {iterations} iterations", number(t));
+        }
+        let rate = self.rows as f64 / self.begun.elapsed().as_secs_f64();
+        let step = number(t - self.time);
+        format!("t = {}, step {step}, {iterations} iterations, {rate:.0} steps/s", number(t))
+    }
+}
+
+/// A number with four significant digits.
+fn number(x: f64) -> String {
+    let magnitude = x.abs();
+    if magnitude == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&magnitude) {
+        let digits = 3 - magnitude.log10().floor() as i32;
+        format!("{x:.*}", usize::try_from(digits).unwrap_or(0))
+    } else {
+        format!("{x:.3e}")
     }
 }
 
 impl Sink for RunProgress {
     fn begin(&mut self, columns: &[String]) -> io::Result<()> {
         self.iterations = columns.iter().position(|name| name == "iterations");
+        self.begun = Instant::now();
         Ok(())
     }
 
@@ -71,17 +109,30 @@ impl Sink for RunProgress {
             return Ok(ControlFlow::Continue(()));
         }
         let t = row.first().copied().unwrap_or(0.0);
-        let position = (t / self.duration * TICKS as f64) as u64;
-        if position != self.bar.position() {
+        self.rows += 1;
+        if self.shown.elapsed() >= REDRAW {
             let iterations = self.iterations.and_then(|column| row.get(column)).copied().unwrap_or(0.0);
-            self.bar.set_message(format!("t = {t:.4}, {iterations} iterations"));
-            self.bar.set_position(position);
+            self.bar.set_message(self.message(t, iterations));
+            self.bar.set_position((t / self.duration * TICKS as f64) as u64);
+            self.shown = Instant::now();
         }
+        self.time = t;
         Ok(ControlFlow::Continue(()))
     }
 
     fn finish(&mut self) -> io::Result<()> {
         self.bar.finish_and_clear();
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        let texts = [0.0, 1e-4, 0.00123456, 0.5, 12.3456, 1234.56, 2e6].map(number);
+        assert_eq!(texts, ["0", "1.000e-4", "0.001235", "0.5000", "12.35", "1235", "2.000e6"]);
     }
 }

@@ -1,7 +1,8 @@
 //! Runs and checks: files, messages, exit codes.
 
 use std::fs;
-use std::process::Command;
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
 
 use crate::run_folder::{RunFolder, assert_near, command, root, stderr};
 
@@ -263,4 +264,47 @@ fn the_report_opens_in_the_browser() {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     assert_eq!(fs::read_to_string(opened).unwrap().trim(), report.to_str().unwrap());
+}
+
+/// A run states the size of large result files before it writes them. 10⁶ steps of the cantilever with 27 columns of 15 bytes in
+/// text and 6 bytes in Parquet.
+#[test]
+fn large_results_are_announced() {
+    let folder = RunFolder::new();
+    let long = folder.cantilever("duration = 2.0", "duration = 1000.0");
+    let mut run = folder.run(&long).stderr(Stdio::piped()).spawn().unwrap();
+    let mut first = String::new();
+    BufReader::new(run.stderr.take().unwrap()).read_line(&mut first).unwrap();
+    run.kill().unwrap();
+    let _ = run.wait().unwrap();
+    assert_eq!(
+        first,
+        "warning: the results will have about 568 MB: 1000001 rows of 27 columns; `output.every` or `output.interval` records \
+         fewer rows, and `output.csv = false` omits the text file of 405 MB\n"
+    );
+}
+
+/// The expected sizes of result files are those of the files, to a half.
+#[test]
+fn expected_sizes_are_those_of_the_files() {
+    for name in ["cantilever", "robot_arm"] {
+        let folder = RunFolder::new();
+        let file = format!("models/{name}.toml");
+        let run = folder.run(&file).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        let model = ancf::Model::read(root().join(&file)).unwrap();
+        let simulation = ancf::Simulation::new(&model).unwrap();
+        let recorder =
+            ancf_results::Recorder::new(ancf_results::Folder::new(folder.out()), "", "", &model, &simulation);
+        let size = recorder.expected_size(&model);
+        for (expected, file) in
+            [(size.csv, "probes.csv"), (size.results, "results.parquet"), (size.states, "states.parquet")]
+        {
+            let bytes = fs::metadata(folder.out().join(file)).unwrap().len() as f64;
+            assert!(
+                (0.67..1.5).contains(&(expected / bytes)),
+                "{name}, {file}: {expected} instead of {bytes}"
+            );
+        }
+    }
 }

@@ -8,6 +8,7 @@ use ancf::{Checkpoint, Model, Observer, Simulation, Summary};
 use serde::{Deserialize, Serialize};
 
 use super::checkpoint::{self, CheckpointError, CheckpointInterval};
+use super::expected_size::ExpectedSize;
 use super::row_selection::RowSelection;
 use super::run_files::{FileLengths, FileSpec, RunFiles};
 use super::state_selection::StateSelection;
@@ -117,6 +118,12 @@ impl Recorder {
     /// Name of the model.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Expected sizes of the files of a run of the model.
+    pub fn expected_size(&self, model: &Model) -> ExpectedSize {
+        let states = self.selection.states.expected(model);
+        ExpectedSize::new(model, self.spec.columns.width(), self.spec.states.width(), states)
     }
 
     /// Folder of the run.

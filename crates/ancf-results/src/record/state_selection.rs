@@ -1,5 +1,5 @@
 use ancf::Simulation;
-use ancf::model::Analysis;
+use ancf::model::{Analysis, Model};
 use serde::{Deserialize, Serialize};
 
 use crate::table::state_layout;
@@ -31,6 +31,15 @@ impl StateSelection {
         let interval = analysis.dynamics().map(|dynamics| dynamics.duration / (count.max(2) - 1) as f64);
         let interval = interval.filter(|interval| *interval > 0.0);
         Self { interval, next: 0, rows: 0, has_last: false }
+    }
+
+    /// Expected number of states of a motion.
+    pub(super) fn expected(&self, model: &Model) -> f64 {
+        let duration = model.analysis.dynamics().map(|dynamics| dynamics.duration);
+        match (self.interval, duration) {
+            (Some(interval), Some(duration)) if model.output.states > 0 => duration / interval + 1.0,
+            _ => 0.0,
+        }
     }
 
     /// Counts a row, given its first number. Returns true if its state is selected.
